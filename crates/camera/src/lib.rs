@@ -1,0 +1,27 @@
+//! Camera mathematics of an OAK twin: intrinsics, lens models, poses, stereo rigs, rectification and
+//! OpenUSD's apertures. Pure `f64` functions; no files, no global state.
+//!
+//! # Conventions
+//! * Angles are radians; a name that ends in `_deg` is in degrees.
+//! * A pixel position says where the centre of the first pixel lies ([`OpenCv`]: 0, [`Usd`]: 0.5).
+//! * Transforms are named `target_from_source`, and points carry their frame: `point_in_camera`.
+//! * A camera's own frame is OpenCV's optical one (x right, y down, z forward) unless a name says otherwise.
+
+mod aperture;
+mod intrinsics;
+mod lens;
+mod pixel;
+mod pose;
+mod size;
+
+pub use aperture::{ApertureOffsets, UsdOptics, tenths_of_stage_unit};
+pub use intrinsics::Intrinsics;
+pub use lens::{LensModel, OpenCvFisheye, OpenCvPinhole};
+pub use pixel::{OpenCv, PixelConvention, PixelPoint, Usd};
+pub use pose::{Axes, RigidTransform};
+pub use size::ImageSize;
+
+/// The vector and matrix types of this crate's interface, from `glam`, so that one version serves all.
+pub mod math {
+    pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3};
+}

@@ -1,0 +1,66 @@
+use oaktwin_camera::{Intrinsics, LensModel, RigidTransform};
+
+use crate::{Camera, DepthSensor, Device, Role};
+
+/// A device with every camera resolved: its optics, lens and place. Nominal as the catalog has it, or one unit as
+/// its calibration has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Twin {
+    /// The catalog's entry.
+    pub device: Device,
+    /// The cameras, in the catalog's order.
+    pub cameras: Vec<TwinCamera>,
+    /// The depth sensors, in the catalog's order.
+    pub depth_sensors: Vec<TwinDepthSensor>,
+    /// The inertial unit's place in the body frame, m.
+    pub body_from_imu: RigidTransform,
+    /// What the numbers come from.
+    pub origin: Origin,
+}
+
+/// What the numbers of a [`Twin`] come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The catalog alone.
+    Nominal,
+    /// A unit's calibration: its product name and, where known, its file's name.
+    Calibration {
+        /// As the file spells it; may be empty.
+        product_name: String,
+        /// The file's name without its folder.
+        file_name: String,
+    },
+}
+
+/// One camera of a [`Twin`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct TwinCamera {
+    /// The catalog's entry.
+    pub spec: Camera,
+    /// Pixel pitch of the used mode, µm.
+    pub pixel_size_um: f64,
+    /// At the sensor's used resolution.
+    pub intrinsics: Intrinsics,
+    /// The lens.
+    pub lens: LensModel,
+    /// From the camera's optical frame (x right, y down, z forward) to the body frame (x forward, y left, z up;
+    /// origin midway between left and right), m.
+    pub body_from_camera: RigidTransform,
+}
+
+/// One depth sensor of a [`Twin`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct TwinDepthSensor {
+    /// The catalog's entry.
+    pub spec: DepthSensor,
+    /// `focalLengthPixel` of this twin: the rounded fx of [`DepthSensor::camera`].
+    pub focal_length_px: f64,
+}
+
+impl Twin {
+    /// The camera of a role, if the device has it.
+    #[must_use]
+    pub fn camera(&self, role: Role) -> Option<&TwinCamera> {
+        self.cameras.iter().find(|camera| camera.spec.role == role)
+    }
+}

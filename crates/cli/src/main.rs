@@ -1,0 +1,3 @@
+//! The program `oaktwin`.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Digital twins of Luxonis OAK depth cameras.
