@@ -152,7 +152,7 @@ fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
     positive(doc, "body.mass_g", device.body.mass_g)?;
     let rotation = DMat3::from_cols_array_2d(&device.imu.rotation).transpose();
     let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
-    if !(off < 1e-6) {
+    if off > 1e-6 {
         return Err(doc.error(
             "imu.rotation",
             "not a rotation",

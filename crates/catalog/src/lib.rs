@@ -6,6 +6,7 @@ mod catalog;
 mod check;
 mod document;
 mod error;
+mod folder;
 mod model;
 mod nominal;
 mod source;
