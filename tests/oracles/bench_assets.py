@@ -23,9 +23,9 @@ def place(prim: UsdGeom.Xformable, position: Gf.Vec3d, orientation: Gf.Quatf) ->
     prim.AddOrientOp().Set(orientation)
 
 
-def add_camera(stage: Usd.Stage, path: Sdf.Path, camera: sheet.Camera, role: str, y: float) -> UsdGeom.Camera:
+def add_camera(stage: Usd.Stage, path: Sdf.Path, camera: sheet.Camera, role: str) -> UsdGeom.Camera:
     prim = UsdGeom.Camera.Define(stage, path)
-    place(prim, Gf.Vec3d(0, y, 0), FORWARD)
+    place(prim, Gf.Vec3d(*camera.place_mm) / 1e3, FORWARD)
     prim.CreateProjectionAttr(UsdGeom.Tokens.perspective)
     prim.CreateFocalLengthAttr(camera.focal_length)
     prim.CreateHorizontalApertureAttr(camera.aperture[0])
@@ -116,14 +116,13 @@ def author(model: sheet.Model, folder: Path, extension: str = "usd") -> None:
     body = UsdGeom.Xform.Define(stage, root.GetPath().AppendChild(model.prim))
     base = body.GetPath()
 
-    places = {"left": model.baseline_mm / 2e3, "right": -model.baseline_mm / 2e3, "mono": 0.0}
     for camera in model.cameras:
-        add_camera(stage, base.AppendChild(camera.prim), camera, camera.stereo_role, places[camera.stereo_role])
+        add_camera(stage, base.AppendChild(camera.prim), camera, camera.stereo_role)
     scope = UsdGeom.Scope.Define(stage, base.AppendChild("TemplateRenderProducts"))
     for depth in model.depths:
         copied = model.camera(depth.camera)
         pseudo = base.AppendChild(depth.prim)
-        add_camera(stage, pseudo, copied, "mono", places[copied.stereo_role])
+        add_camera(stage, pseudo, copied, "mono")
         product = scope.GetPath().AppendChild(f"{depth.prim}_render_product")
         add_product(stage, product, depth, pseudo, copied.size)
     imu = stage.DefinePrim(base.AppendChild("Imu_Sensor"), "IsaacImuSensor")
@@ -138,7 +137,7 @@ def author(model: sheet.Model, folder: Path, extension: str = "usd") -> None:
     add_prism(stage, visuals.AppendChild("Shell"), outline, -depth_mm / 1e3, -0.001, shell)
     add_prism(stage, visuals.AppendChild("Glass"), rounded_outline(width / 2.2e3, height / 2.4e3, 0.005), -0.001, 0, glass)
     for camera in model.cameras:
-        y = places[camera.stereo_role]
+        y = camera.place_mm[1] / 1e3
         circle = [(y + 0.004 * math.cos(a), 0.004 * math.sin(a)) for a in
                   (2 * math.pi * i / (4 * SEGMENTS) for i in range(4 * SEGMENTS))]
         add_prism(stage, visuals.AppendChild(f"Lens_{camera.prim}"), circle, 0.0, 0.0005, glass)

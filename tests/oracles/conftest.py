@@ -1,6 +1,11 @@
 """What every oracle test shares."""
 
+import os
+from pathlib import Path
+
 import pytest
+
+from assets import Builder
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -16,3 +21,18 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if item.get_closest_marker("slow"):
                 item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+@pytest.fixture(scope="session")
+def program() -> Path:
+    """The program under test."""
+    named = os.environ.get("OAKTWIN_BIN")
+    if not named:
+        pytest.skip("OAKTWIN_BIN names no program: run by cargo xtask test")
+    return Path(named)
+
+
+@pytest.fixture(scope="session")
+def builder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Builder:
+    """Assets, built on first use."""
+    return Builder(program, tmp_path_factory.mktemp("assets"))

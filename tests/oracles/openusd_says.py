@@ -1,5 +1,7 @@
 """What OpenUSD and the validators say of files: paths on standard input, a JSON list on standard output.
 
+Arguments choose among the checks; without any, all run.
+
 A program of its own, because the schemas that OpenUSD knows are fixed when its process starts.
 """
 
@@ -10,7 +12,6 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
-from pathlib import Path
 
 from pxr import Sdf, Sdr, Tf, Usd, UsdUtils
 
@@ -120,7 +121,7 @@ def usd_validation(path: str) -> list[str]:
 
 def nvidia(path: str) -> list[str]:
     issues = usd_validation_nvidia.ValidationEngine().validate(path).issues()
-    return [f"{issue.severity.name}: {issue.message} ({issue.at})" for issue in issues]
+    return [f"{issue.rule.__name__ if issue.rule else '-'}: {issue.message} ({issue.at})" for issue in issues]
 
 
 CHECKS: dict[str, Callable[[str], list[str]]] = {
@@ -136,9 +137,11 @@ if usd_validation_nvidia is not None:
     CHECKS["usd-validation-nvidia"] = nvidia
 
 
-def findings(path: str) -> dict[str, list[str]]:
+def findings(path: str, chosen: list[str]) -> dict[str, list[str]]:
     said: dict[str, list[str]] = {}
     for name, check in CHECKS.items():
+        if chosen and name not in chosen:
+            continue
         written: list[str] = []
         try:
             with console(written):
@@ -152,7 +155,7 @@ def findings(path: str) -> dict[str, list[str]]:
 def main() -> None:
     knows_preview_surface()
     paths = sys.stdin.read().splitlines()
-    json.dump([findings(str(Path(path))) for path in paths], sys.stdout)
+    json.dump([findings(path, sys.argv[1:]) for path in paths], sys.stdout)
 
 
 if __name__ == "__main__":

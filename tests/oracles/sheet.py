@@ -11,7 +11,11 @@ DEPTH_API = "OmniSensorDepthSensorSingleViewAPI"
 
 @dataclass(frozen=True)
 class Camera:
-    """One column of a camera table. Millimetres where the sheet has millimetres."""
+    """One column of a camera table. Millimetres where the sheet has millimetres.
+
+    The place is in the body's frame (x forward, y left, z up, origin midway between left and right). The sheet has the
+    baseline only; RGB and ToF places come from the boards' own descriptions.
+    """
 
     prim: str
     focal_length: float
@@ -22,6 +26,7 @@ class Camera:
     size: tuple[int, int]
     pixel_um: float
     max_fov: float
+    place_mm: tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -78,11 +83,12 @@ class Model:
         return next(camera for camera in self.cameras if camera.prim == prim)
 
 
-def _pair(sensor: str, focal_length: float, hfov_deg: float, max_fov: float) -> tuple[Camera, Camera]:
-    """The left and right columns, which differ in name and role only."""
+def _pair(sensor: str, focal_length: float, hfov_deg: float, max_fov: float, y_mm: float) -> tuple[Camera, Camera]:
+    """The left and right columns, which differ in name, role and side only."""
+    size, aperture = (1280, 800), (3.84, 2.4)
     left, right = (
-        Camera(f"Camera_{side}_{sensor}", focal_length, (3.84, 2.4), hfov_deg, 196.0, side, (1280, 800), 3.0, max_fov)
-        for side in ("left", "right")
+        Camera(f"Camera_{side}_{sensor}", focal_length, aperture, hfov_deg, 196.0, side, size, 3.0, max_fov, (0.0, y, 0.0))
+        for side, y in (("left", y_mm), ("right", -y_mm))
     )
     return left, right
 
@@ -98,8 +104,8 @@ MODELS = (
     Model(
         "OAK-D Pro PoE", "oak_d_pro_poe", "oak_d_pro", 75.0,
         (
-            Camera(IMX378, 4.7626, (5.952, 3.348), 64.0, 500.0, "mono", HD, 1.55, 82.0),
-            *_pair("ov9282", 2.4138, 77.0, 89.5),
+            Camera(IMX378, 4.7626, (5.952, 3.348), 64.0, 500.0, "mono", HD, 1.55, 82.0, (0.0, 0.0, 0.0)),
+            *_pair("ov9282", 2.4138, 77.0, 89.5, 37.5),
         ),
         (Depth(PSEUDO, LEFT, **RANGE_77),),
         dimensions_mm=(111.0, 40.0, 31.3),
@@ -107,8 +113,8 @@ MODELS = (
     Model(
         "OAK-D Pro W PoE", "oak_d_pro_w_poe", "oak_d_pro_w", 75.0,
         (
-            Camera(IMX378, 3.5467, (5.952, 3.348), 80.0, 500.0, "mono", HD, 1.55, 108.0),
-            *_pair("ov9282", 1.6987, 97.0, 127.0),
+            Camera(IMX378, 3.5467, (5.952, 3.348), 80.0, 500.0, "mono", HD, 1.55, 108.0, (0.0, 0.0, 0.0)),
+            *_pair("ov9282", 1.6987, 97.0, 127.0, 37.5),
         ),
         (Depth(PSEUDO, LEFT, **RANGE_97),),
         dimensions_mm=(111.0, 40.0, 31.3),
@@ -117,16 +123,16 @@ MODELS = (
     Model(
         "OAK4-D", "oak4_d", "oak4_d", 75.0,
         (
-            Camera(IMX586, 4.7442, (6.4, 4.8), 68.0, 500.0, "mono", MP12, 1.6, 80.3),
-            *_pair("ov9282", 2.4138, 77.0, 86.3),
+            Camera(IMX586, 4.7442, (6.4, 4.8), 68.0, 500.0, "mono", MP12, 1.6, 80.3, (3.2, 0.0, 0.0)),
+            *_pair("ov9282", 2.4138, 77.0, 86.3, 37.5),
         ),
         (Depth(PSEUDO, LEFT, **RANGE_77),),
     ),
     Model(
         "OAK4-D Wide", "oak4_d_wide", "oak4_d_wide", 75.0,
         (
-            Camera(IMX586, 3.3137, (6.4, 4.8), 88.0, 500.0, "mono", MP12, 1.6, 100.7),
-            *_pair("ov9282", 1.6987, 97.0, 106.2),
+            Camera(IMX586, 3.3137, (6.4, 4.8), 88.0, 500.0, "mono", MP12, 1.6, 100.7, (1.87, 0.0, 0.0)),
+            *_pair("ov9282", 1.6987, 97.0, 106.2, 37.5),
         ),
         (Depth(PSEUDO, LEFT, **RANGE_97),),
         wide=True,
@@ -134,8 +140,8 @@ MODELS = (
     Model(
         "OAK-D ToF", "oak_d_tof", "oak_d_tof", 20.0,
         (
-            Camera("Camera_tof_33d", 3.1991, (4.48, 3.36), 70.0, 500.0, "mono", (640, 480), 7.0, 70.0),
-            *_pair("ov9782", 2.2882, 80.0, 80.0),
+            Camera("Camera_tof_33d", 3.1991, (4.48, 3.36), 70.0, 500.0, "mono", (640, 480), 7.0, 70.0, (0.0, -27.382, 0.0)),
+            *_pair("ov9782", 2.2882, 80.0, 80.0, 10.0),
         ),
         (
             Depth("Camera_pseudo_depth_stereo", "Camera_left_ov9782", 20.0, 763.0, 1280.0, 0.2, 5.0),
