@@ -9,6 +9,7 @@ mod error;
 mod folder;
 mod model;
 mod nominal;
+mod schema;
 mod source;
 mod twin;
 
@@ -18,5 +19,6 @@ pub use model::{
     Accuracy, AccuracyBand, AccuracyHeadline, Body, Camera, DepthKind, DepthSensor, Device, Evidence, Imu,
     LegacyDistortion, Note, Role, Sensor,
 };
+pub use schema::{device_schema, schema_files, sensor_schema};
 pub use source::{Source, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};
