@@ -4,6 +4,7 @@
 mod builtin;
 mod catalog;
 mod check;
+mod compare;
 mod document;
 mod error;
 mod folder;
@@ -14,6 +15,7 @@ mod source;
 mod twin;
 
 pub use catalog::Catalog;
+pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
     Accuracy, AccuracyBand, AccuracyHeadline, Body, Camera, DepthKind, DepthSensor, Device, Evidence, Imu,
