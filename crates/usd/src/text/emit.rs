@@ -38,8 +38,11 @@ impl Emitter {
             for (i, path) in layer.sub_layers.iter().enumerate() {
                 self.indent();
                 push_asset(&mut self.out, path);
-                self.out
-                    .push_str(if i + 1 < layer.sub_layers.len() { ",\n" } else { "\n" });
+                self.out.push_str(if i + 1 < layer.sub_layers.len() {
+                    ",\n"
+                } else {
+                    "\n"
+                });
             }
             self.depth -= 1;
             self.line("]");

@@ -157,16 +157,19 @@ impl Prim {
         self
     }
 
-    /// Adds an attribute that may vary over time.
-    pub fn set(&mut self, name: impl Into<String>, value: Value) -> &mut Attribute {
-        self.push_attribute(Attribute::new(name, value))
+    /// Adds an attribute of a schema that may vary over time.
+    pub fn set(&mut self, name: impl Into<String>, value: Value) {
+        self.add(Attribute::new(name, value));
     }
 
-    /// Adds a `uniform` attribute.
-    pub fn set_uniform(&mut self, name: impl Into<String>, value: Value) -> &mut Attribute {
-        let attribute = self.set(name, value);
-        attribute.uniform = true;
-        attribute
+    /// Adds an attribute of a schema that does not vary over time.
+    pub fn set_uniform(&mut self, name: impl Into<String>, value: Value) {
+        self.add(Attribute::new(name, value).uniform());
+    }
+
+    /// Adds an attribute.
+    pub fn add(&mut self, attribute: Attribute) {
+        self.properties.push(Property::Attribute(attribute));
     }
 
     /// Adds a relationship.
@@ -176,15 +179,6 @@ impl Prim {
             targets,
             documentation: None,
         }));
-    }
-
-    /// Adds an attribute.
-    pub fn push_attribute(&mut self, attribute: Attribute) -> &mut Attribute {
-        self.properties.push(Property::Attribute(attribute));
-        match self.properties.last_mut() {
-            Some(Property::Attribute(attribute)) => attribute,
-            _ => unreachable!("pushed above"),
-        }
     }
 
     /// The attribute of a name, if it is authored.
@@ -227,9 +221,18 @@ impl Attribute {
         }
     }
 
-    /// Sets the documentation string.
-    pub fn document(&mut self, text: impl Into<String>) {
+    /// Not varying over time.
+    #[must_use]
+    pub fn uniform(mut self) -> Self {
+        self.uniform = true;
+        self
+    }
+
+    /// With a documentation string.
+    #[must_use]
+    pub fn documented(mut self, text: impl Into<String>) -> Self {
         self.documentation = Some(text.into());
+        self
     }
 }
 

@@ -101,10 +101,9 @@ impl Value {
             Self::Quatd(v) => v.iter().all(|x| x.is_finite()),
             Self::Matrix4d(v) => v.iter().flatten().all(|x| x.is_finite()),
             Self::FloatArray(v) => v.iter().all(|x| x.is_finite()),
-            Self::Float3Array(v)
-            | Self::Point3fArray(v)
-            | Self::Normal3fArray(v)
-            | Self::Color3fArray(v) => v.iter().flatten().all(|x| x.is_finite()),
+            Self::Float3Array(v) | Self::Point3fArray(v) | Self::Normal3fArray(v) | Self::Color3fArray(v) => {
+                v.iter().flatten().all(|x| x.is_finite())
+            }
             Self::Dictionary(entries) => entries.values().all(Self::is_finite),
             Self::Bool(_)
             | Self::Int(_)
