@@ -1,1 +1,5 @@
-//! .
+//! OpenUSD assets of OAK cameras: author, package, check.
+
+pub mod asset;
+pub mod text;
+pub mod usdz;
