@@ -30,3 +30,13 @@ pub(crate) fn resized(k: &Intrinsics, size: ImageSize, keep_aspect: bool) -> Int
         PixelPoint::<OpenCv>::new(c.x * sx + dx, c.y * sy + dy),
     )
 }
+
+impl crate::CameraCalibration {
+    /// The intrinsics for an image of another size, by `DepthAI`'s rule: scaled to cover it and cropped about the
+    /// centre, or, where a 4:3 or narrower image is asked of a wide calibration, scaled to fit and extended. Without
+    /// `keep_aspect` each axis is scaled by itself.
+    #[must_use]
+    pub fn intrinsics_at(&self, size: ImageSize, keep_aspect: bool) -> Intrinsics {
+        resized(&self.intrinsics, size, keep_aspect)
+    }
+}
