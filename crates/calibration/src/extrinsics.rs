@@ -68,7 +68,12 @@ impl Calibration {
             place,
         })?;
         let camera_from_to = self.transform(link.to, camera, use_spec)?;
-        Ok(camera_from_to * link.transform(&self.file_name, use_spec)?)
+        let mut to_from_self = link.camera_from_self;
+        if use_spec {
+            // Zeros are a place here, and DepthAI takes them for one.
+            to_from_self.translation = link.spec_translation.unwrap_or_default();
+        }
+        Ok(camera_from_to * to_from_self)
     }
 
     /// The root of a camera's chain, and `root_from_camera`.

@@ -69,7 +69,12 @@ fn real_exports_round_trip() {
         if path.extension().is_some_and(|e| e == "json") {
             let (raw, bytes) = read(&path);
             let text = String::from_utf8(bytes).unwrap();
-            assert_eq!(raw.to_text(), text.trim_end(), "{}", path.display());
+            assert_eq!(
+                raw.to_text(),
+                format!("{}\n", text.trim_end()),
+                "{}",
+                path.display()
+            );
             n += 1;
         }
     }

@@ -38,7 +38,7 @@ impl Raw {
             })
     }
 
-    /// The document as `DepthAI` lays it out: four spaces a level, every element on its own line, no newline at the
+    /// The document as `DepthAI` lays it out: four spaces a level, every element on its own line, a newline at the
     /// end. Numbers and keys are what they were.
     #[must_use]
     pub fn to_text(&self) -> String {
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn number_text_stays() {
-        let text = "{\n    \"a\": [\n        1.50,\n        -0.0,\n        1e999,\n        12345678901234567890\n    ],\n    \"b\": [],\n    \"c\": {}\n}";
+        let text = "{\n    \"a\": [\n        1.50,\n        -0.0,\n        1e999,\n        12345678901234567890\n    ],\n    \"b\": [],\n    \"c\": {}\n}\n";
         assert_eq!(Raw::parse(text.as_bytes(), "x").unwrap().to_text(), text);
     }
 }

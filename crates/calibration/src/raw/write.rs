@@ -2,10 +2,11 @@ use std::fmt::Write as _;
 
 use super::{Node, Value};
 
-/// Lays a document out as `nlohmann::json` does with `setw(4)`.
+/// Lays a document out as `eepromToJsonFile` does: `nlohmann::json` with `setw(4)`, then a newline.
 pub(super) fn document(root: &Node) -> String {
     let mut text = String::new();
     node(&mut text, root, 0);
+    text.push('\n');
     text
 }
 
