@@ -97,7 +97,7 @@ pub struct Device {
     /// The depth sensors: one template render product each.
     #[serde(rename = "depth_sensor")]
     pub depth_sensors: Vec<DepthSensor>,
-    /// Published accuracy: several tables where sources disagree.
+    /// Published accuracy: several tables where sources disagree. The first is what the comparison prints.
     #[serde(default)]
     pub accuracy: Vec<Accuracy>,
     /// The accuracy in one line, as printed in two places which do not always agree.
