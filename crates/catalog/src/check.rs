@@ -5,7 +5,7 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_diagnostic::{fold_name, nearest};
 
 use crate::document::Document;
-use crate::{Accuracy, Camera, Catalog, CatalogError, DepthKind, DepthSensor, Device, Role, Sensor, Sources};
+use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
 
 type Checked = Result<(), CatalogError>;
 
@@ -73,7 +73,7 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
         if device.cameras[..i].iter().any(|other| other.role == spec.role) {
             return Err(doc.error(
                 &format!("{at}.role"),
-                format!("a second camera with the role '{}'", role_name(spec.role)),
+                format!("a second camera with the role '{}'", spec.role),
                 "give each camera its own",
             ));
         }
@@ -243,10 +243,7 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
     if device.camera(spec.camera).is_none() {
         return Err(doc.error(
             &place("camera"),
-            format!(
-                "the device has no camera with the role '{}'",
-                role_name(spec.camera)
-            ),
+            format!("the device has no camera with the role '{}'", spec.camera),
             "name the role of one of its cameras",
         ));
     }
@@ -348,30 +345,14 @@ fn indexed(device: &Device, about: &str) -> String {
         "camera" => device
             .cameras
             .iter()
-            .position(|camera| role_name(camera.role) == entry),
+            .position(|camera| camera.role.as_str() == entry),
         "depth_sensor" => device
             .depth_sensors
             .iter()
-            .position(|sensor| kind_name(sensor.kind) == entry),
+            .position(|sensor| sensor.kind.as_str() == entry),
         _ => None,
     };
     index.map_or_else(|| about.to_owned(), |index| format!("{table}.{index}.{key}"))
-}
-
-const fn role_name(role: Role) -> &'static str {
-    match role {
-        Role::Rgb => "rgb",
-        Role::Left => "left",
-        Role::Right => "right",
-        Role::Tof => "tof",
-    }
-}
-
-const fn kind_name(kind: DepthKind) -> &'static str {
-    match kind {
-        DepthKind::Stereo => "stereo",
-        DepthKind::Tof => "tof",
-    }
 }
 
 fn text(doc: &Document<'_>, place: &str, value: &str) -> Checked {

@@ -297,22 +297,22 @@ fn sensors_are_checked_too() {
         (
             "used_resolution = [1280, 800]",
             "used_resolution = [1280, 801]",
-            "sensor.toml:5: 1280x801 is more than the array's 1280x800; give a mode that the sensor has",
+            "sensor.toml:6: 1280x801 is more than the array's 1280x800; give a mode that the sensor has",
         ),
         (
             "used_resolution = [1280, 800]",
             "used_resolution = [1280, 0]",
-            "sensor.toml:5: a resolution of 1280x0; give [width, height] in pixels, each 1 to 65535",
+            "sensor.toml:6: a resolution of 1280x0; give [width, height] in pixels, each 1 to 65535",
         ),
         (
             "\npixel_size_um = 3.0",
             "\npixel_size_mm = 0.003",
-            "sensor.toml:8: unknown key 'pixel_size_mm'; this is in micrometres here: use 'pixel_size_um'",
+            "sensor.toml:9: unknown key 'pixel_size_mm'; this is in micrometres here: use 'pixel_size_um'",
         ),
         (
             "\npixel_size_um = 3.0",
             "\npixel_size_um = -3.0",
-            "sensor.toml:8: -3 where only more than 0 makes sense; give a positive number",
+            "sensor.toml:9: -3 where only more than 0 makes sense; give a positive number",
         ),
     ] {
         let text = SENSOR.replacen(from, to, 1);
@@ -351,7 +351,7 @@ fn what_is_no_catalog_is_refused() {
             ("a.toml", own_device().as_bytes()),
             ("devices/b.toml", own_device().as_bytes())
         ]),
-        "devices/b.toml:1: a second file describes \"mine\"; remove one of them"
+        "devices/b.toml:2: a second file describes \"mine\"; remove one of them"
     );
     let deep = format!("id = {}", "[".repeat(100_000));
     assert!(error(&[("a.toml", deep.as_bytes())]).starts_with("a.toml:1: not TOML: "));
