@@ -155,32 +155,48 @@ fn one_line(message: &str) -> String {
 /// Serde's message in the words of people who write these files: what is wrong and what to do.
 fn explain(message: &str) -> (String, String) {
     let names = quoted(message);
-    let Some((name, known)) = names.split_first() else {
+    let named = names.split_first();
+    if let (true, Some((name, known))) = (message.starts_with("unknown field"), named) {
+        (
+            format!("unknown key '{}'", name.escape_debug()),
+            remedy_for_key(name, known),
+        )
+    } else if let (true, Some((name, _))) = (message.starts_with("missing field"), named) {
+        (
+            format!("the key '{name}' is missing from the table that begins here"),
+            format!("add '{name} = ...'"),
+        )
+    } else if let (true, Some((name, known))) = (message.starts_with("unknown variant"), named) {
+        (
+            format!("unknown value '{}'", name.escape_debug()),
+            format!("use one of {}", list(known)),
+        )
+    } else {
         let message = one_line(message);
         let problem = match message.strip_prefix("invalid ") {
             Some(rest) => format!("wrong {rest}"),
             None => message,
         };
-        return (problem, "see the schema for what the key takes".to_owned());
-    };
-    if message.starts_with("unknown field") {
-        (format!("unknown key '{name}'"), remedy_for_key(name, known))
-    } else if message.starts_with("missing field") {
         (
-            format!("the key '{name}' is missing from the table that begins here"),
-            format!("add '{name} = ...'"),
-        )
-    } else if message.starts_with("unknown variant") {
-        (
-            format!("unknown value '{name}'"),
-            format!("use one of {}", list(known)),
-        )
-    } else {
-        (
-            one_line(message),
+            plain_types(&problem),
             "see the schema for what the key takes".to_owned(),
         )
     }
+}
+
+/// Rust's names of types in words.
+fn plain_types(message: &str) -> String {
+    let Some((found, expected)) = message.split_once(", expected ") else {
+        return message.to_owned();
+    };
+    let expected = match expected {
+        "f64" => "a number",
+        "u32" => "a whole number, 0 or more",
+        "i32" => "a whole number",
+        "a sequence" => "a list in [brackets]",
+        other => other.strip_prefix("struct ").map_or(other, |_| "a table"),
+    };
+    format!("{found}, expected {expected}")
 }
 
 /// The parts of a message between backticks.

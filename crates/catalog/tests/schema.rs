@@ -1,4 +1,5 @@
 //! The schemas in the repository are those of the code, and what they promise holds of the built-in files.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::path::Path;
 

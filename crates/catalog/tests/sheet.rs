@@ -1,5 +1,6 @@
 //! Every computed number of Luxonis' parameter sheet, copied by hand as printed there, against ours rounded to as many
 //! digits.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod common;
 

@@ -1,5 +1,6 @@
 //! The sheet itself, where `OAKTWIN_TEST_DATA` has it: every cell of its sensor, device, camera, virtual camera and
 //! depth-sensor tables against the catalog. An unknown row fails, so that none is passed over.
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "helpers of tests")]
 
 mod common;
 
@@ -32,10 +33,11 @@ fn tables(text: &str) -> Vec<Table> {
                 header: cells(line),
                 rows: Vec::new(),
             });
-        } else if line.starts_with('|') && !is_rule(i) {
-            if let Some(table) = tables.last_mut() {
-                table.rows.push(cells(line));
-            }
+        } else if line.starts_with('|')
+            && !is_rule(i)
+            && let Some(table) = tables.last_mut()
+        {
+            table.rows.push(cells(line));
         }
     }
     tables
@@ -96,7 +98,7 @@ fn sensor_row(sensor: &Sensor, key: &str, cell: &str) {
             cell.starts_with(&text),
             "{}: {key}: {cell}, not {text}",
             sensor.id
-        )
+        );
     };
     match key {
         "Sensor Type" => assert_eq!(cell, sensor.kind),
@@ -120,7 +122,7 @@ fn sensor_row(sensor: &Sensor, key: &str, cell: &str) {
             &sensor.id,
         ),
         "Effective Pixel Size (12MP)" => {
-            assert_printed(sensor.pixel_size_um, cell.trim_end_matches(" µm"), &sensor.id)
+            assert_printed(sensor.pixel_size_um, cell.trim_end_matches(" µm"), &sensor.id);
         }
         "Optical Format" => assert_eq!(cell, sensor.optical_format),
         "Stereo Baseline" => starts("75 mm".to_owned()),

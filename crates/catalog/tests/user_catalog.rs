@@ -1,9 +1,11 @@
 //! A user's own files: what loads, and what is said of those that do not.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::fs;
 use std::path::Path;
 
 use oaktwin_catalog::{Catalog, Source};
+use proptest::prelude::*;
 use tempfile::TempDir;
 
 const SENSOR: &str = include_str!("../data/sensors/ov9282.toml");
@@ -129,7 +131,7 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "hfov_deg = 77.0",
             "hfov_deg = \"77\"",
-            "wrong type: string \"77\", expected f64; see the schema for what the key takes",
+            "wrong type: string \"77\", expected a number; see the schema for what the key takes",
         ),
         (
             "hfov_deg = 77.0",
@@ -154,12 +156,12 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "sensor = \"OV9282\"",
             "sensor = \"OV928\"",
-            "unknown sensor 'OV928'; did you mean 'OV9282'? A new sensor needs a file of its own",
+            "unknown sensor \"OV928\"; did you mean 'OV9282'? A new sensor needs a file of its own",
         ),
         (
             "sensor = \"OV9282\"",
             "sensor = \"\"",
-            "unknown sensor ''; known are IMX378, IMX586, OV9282, OV9782, 33D; a new one needs a file of its own",
+            "unknown sensor \"\"; known are IMX378, IMX586, OV9282, OV9782, 33D; a new one needs a file of its own",
         ),
         (
             "role = \"right\"",
@@ -204,17 +206,17 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "about = \"camera.left.hfov_deg\"",
             "about = \"camera.left.hfov\"",
-            "evidence about 'camera.left.hfov', which is not in this file; name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
+            "evidence about \"camera.left.hfov\", which is not in this file; name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
         ),
         (
             "sources = { aliases = \"board-file\" }",
             "sources = { alias = \"board-file\" }",
-            "a source for 'alias', which is not in this table; name a key of the table, or remove the entry",
+            "a source for \"alias\", which is not in this table; name a key of the table, or remove the entry",
         ),
         (
             "prim = \"Camera_left_ov9282\"",
             "prim = \"Camera left\"",
-            "'Camera left' cannot name a prim; use letters, digits and underscores, and begin with no digit",
+            "\"Camera left\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
         ),
         (
             "prim = \"Camera_left_ov9282\"",
@@ -222,14 +224,39 @@ fn wrong_values_say_the_line_and_the_remedy() {
             "a second prim 'Camera_rgb_imx378'; give each prim its own name",
         ),
         (
+            "socket = 1",
+            "socket = 1.5",
+            "wrong type: floating point `1.5`, expected a whole number; see the schema for what the key takes",
+        ),
+        (
+            "outlier_removal_range_px = 3",
+            "outlier_removal_range_px = -3",
+            "wrong value: integer `-3`, expected a whole number, 0 or more; see the schema for what the key takes",
+        ),
+        (
+            "[body]",
+            "body = 3\n[other]",
+            "wrong type: integer `3`, expected a table; see the schema for what the key takes",
+        ),
+        (
+            "stereo_role = \"left\"",
+            "stereo_role = \"Left\"",
+            "unknown value \"Left\"; use one of 'mono', 'left', 'right'",
+        ),
+        (
+            "name = \"My camera\"",
+            "name = \"My\\ncamera\"",
+            "\"My\\ncamera\" is no name; give it one, on one line",
+        ),
+        (
             "id = \"mine\"",
             "id = \"../mine\"",
-            "'../mine' cannot name a prim; use letters, digits and underscores, and begin with no digit",
+            "\"../mine\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
         ),
         (
             "prim = \"my_camera\"",
             "prim = \"oak4_d\"",
-            "'oak4_d' already means the OAK4-D; choose another, or use the id 'oak4_d' to replace that entry",
+            "\"oak4_d\" already means the OAK4-D; choose another, or use the id 'oak4_d' to replace that entry",
         ),
         (
             "id = \"mine\"",
@@ -270,22 +297,22 @@ fn sensors_are_checked_too() {
         (
             "used_resolution = [1280, 800]",
             "used_resolution = [1280, 801]",
-            "sensor.toml:5: 1280x801 is more than the array's 1280x800; give a mode that the sensor has",
+            "sensor.toml:6: 1280x801 is more than the array's 1280x800; give a mode that the sensor has",
         ),
         (
             "used_resolution = [1280, 800]",
             "used_resolution = [1280, 0]",
-            "sensor.toml:5: a resolution of 1280x0; give [width, height] in pixels, each 1 to 65535",
+            "sensor.toml:6: a resolution of 1280x0; give [width, height] in pixels, each 1 to 65535",
         ),
         (
             "\npixel_size_um = 3.0",
             "\npixel_size_mm = 0.003",
-            "sensor.toml:8: unknown key 'pixel_size_mm'; this is in micrometres here: use 'pixel_size_um'",
+            "sensor.toml:9: unknown key 'pixel_size_mm'; this is in micrometres here: use 'pixel_size_um'",
         ),
         (
             "\npixel_size_um = 3.0",
             "\npixel_size_um = -3.0",
-            "sensor.toml:8: -3 where only more than 0 makes sense; give a positive number",
+            "sensor.toml:9: -3 where only more than 0 makes sense; give a positive number",
         ),
     ] {
         let text = SENSOR.replacen(from, to, 1);
@@ -324,7 +351,7 @@ fn what_is_no_catalog_is_refused() {
             ("a.toml", own_device().as_bytes()),
             ("devices/b.toml", own_device().as_bytes())
         ]),
-        "devices/b.toml:1: a second file describes 'mine'; remove one of them"
+        "devices/b.toml:2: a second file describes \"mine\"; remove one of them"
     );
     let deep = format!("id = {}", "[".repeat(100_000));
     assert!(error(&[("a.toml", deep.as_bytes())]).starts_with("a.toml:1: not TOML: "));
@@ -342,7 +369,24 @@ fn a_truncated_file_never_panics() {
         .step_by(97)
         .filter(|end| own.is_char_boundary(*end))
     {
-        let dir = folder(&[("a.toml", own[..end].as_bytes())]);
+        let dir = folder(&[("a.toml", &own.as_bytes()[..end])]);
         let _ = Catalog::with_dir(dir.path());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// However a file is damaged, it loads or is refused in one line.
+    #[test]
+    fn damage_never_panics(at in 0..10_000usize, with in prop::collection::vec(any::<u8>(), 0..4), cut in 0..6usize) {
+        let mut bytes = own_device().into_bytes();
+        let at = at % bytes.len();
+        let end = (at + cut).min(bytes.len());
+        bytes.splice(at..end, with);
+        let dir = folder(&[("a.toml", &bytes)]);
+        if let Err(error) = Catalog::with_dir(dir.path()) {
+            prop_assert!(!error.to_string().contains('\n'), "{error}");
+        }
     }
 }
