@@ -67,7 +67,8 @@ fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera)
     let (kind, coefficients) = match &camera.lens {
         LensModel::OpenCvPinhole(lens) => (0, lens.coefficients.to_vec()),
         LensModel::OpenCvFisheye(lens) => (1, lens.k.to_vec()),
-        LensModel::Pinhole => (0, vec![0.0; 14]),
+        // DepthAI has no f-theta model; no calibration or catalog has that lens either.
+        LensModel::Pinhole | LensModel::FTheta(_) => (0, vec![0.0; 14]),
     };
     let size = camera.intrinsics.size;
     // Of the design with its distortion, where that is known.
