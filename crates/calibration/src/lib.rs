@@ -6,6 +6,7 @@
 mod against;
 mod check;
 mod error;
+pub mod export;
 mod extrinsics;
 mod model;
 mod nominal;
