@@ -2,12 +2,13 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use oaktwin_diagnostic::{fold_name, nearest};
+use serde::Serialize;
 
 use crate::document::Document;
 use crate::{CatalogError, Device, Sensor, UnknownModel, builtin, check};
 
 /// The sensors and devices that are known.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalog {
     sensors: Vec<Sensor>,
     devices: Vec<Device>,

@@ -5,7 +5,7 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_diagnostic::{fold_name, nearest};
 
 use crate::document::Document;
-use crate::{Accuracy, Camera, Catalog, CatalogError, DepthKind, DepthSensor, Device, Role, Sensor, Sources};
+use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
 
 type Checked = Result<(), CatalogError>;
 
@@ -73,7 +73,7 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
         if device.cameras[..i].iter().any(|other| other.role == spec.role) {
             return Err(doc.error(
                 &format!("{at}.role"),
-                format!("a second camera with the role '{}'", role_name(spec.role)),
+                format!("a second camera with the role '{}'", spec.role),
                 "give each camera its own",
             ));
         }
@@ -113,7 +113,7 @@ pub(crate) fn new_id(doc: &Document<'_>, id: &str, seen: &mut Vec<String>) -> Ch
     if seen.contains(&folded) {
         return Err(doc.error(
             "id",
-            format!("a second file describes '{id}'"),
+            format!("a second file describes {id:?}"),
             "remove one of them",
         ));
     }
@@ -134,7 +134,7 @@ fn names_are_free(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Che
         if let Some(other) = others().find(|other| other.names().any(|other| fold_name(other) == folded)) {
             return Err(doc.error(
                 &place,
-                format!("'{name}' already means the {}", other.name),
+                format!("{name:?} already means the {}", other.name),
                 format!(
                     "choose another, or use the id '{}' to replace that entry",
                     other.id
@@ -152,7 +152,7 @@ fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
     positive(doc, "body.mass_g", device.body.mass_g)?;
     let rotation = DMat3::from_cols_array_2d(&device.imu.rotation).transpose();
     let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
-    if !(off < 1e-6) {
+    if off > 1e-6 {
         return Err(doc.error(
             "imu.rotation",
             "not a rotation",
@@ -175,7 +175,7 @@ fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Che
         };
         return Err(doc.error(
             &place("sensor"),
-            format!("unknown sensor '{}'", spec.sensor),
+            format!("unknown sensor {:?}", spec.sensor),
             remedy,
         ));
     }
@@ -203,6 +203,18 @@ fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Che
         "give the field of view in degrees",
     )?;
     positive(doc, &place("focus_distance"), spec.focus_distance)?;
+    one_of(
+        doc,
+        &place("projection"),
+        &spec.projection,
+        &["perspective", "orthographic"],
+    )?;
+    one_of(
+        doc,
+        &place("stereo_role"),
+        &spec.stereo_role,
+        &["mono", "left", "right"],
+    )?;
     not_negative(doc, &place("f_stop"), spec.f_stop)?;
     ascending(doc, &place("clipping_range_m"), spec.clipping_range_m)?;
     sources(doc, &place(""), &spec.sources)
@@ -231,10 +243,7 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
     if device.camera(spec.camera).is_none() {
         return Err(doc.error(
             &place("camera"),
-            format!(
-                "the device has no camera with the role '{}'",
-                role_name(spec.camera)
-            ),
+            format!("the device has no camera with the role '{}'", spec.camera),
             "name the role of one of its cameras",
         ));
     }
@@ -301,7 +310,7 @@ fn sources(doc: &Document<'_>, table: &str, sources: &Sources) -> Checked {
         if !doc.contains(&format!("{table}{key}")) {
             return Err(doc.error(
                 &format!("{table}sources.{key}"),
-                format!("a source for '{key}', which is not in this table"),
+                format!("a source for {key:?}, which is not in this table"),
                 "name a key of the table, or remove the entry",
             ));
         }
@@ -318,7 +327,7 @@ fn evidence<'a>(
         if !doc.contains(&place_of(about)) {
             return Err(doc.error(
                 &format!("evidence.{i}.about"),
-                format!("evidence about '{about}', which is not in this file"),
+                format!("evidence about {about:?}, which is not in this file"),
                 "name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
             ));
         }
@@ -336,35 +345,19 @@ fn indexed(device: &Device, about: &str) -> String {
         "camera" => device
             .cameras
             .iter()
-            .position(|camera| role_name(camera.role) == entry),
+            .position(|camera| camera.role.as_str() == entry),
         "depth_sensor" => device
             .depth_sensors
             .iter()
-            .position(|sensor| kind_name(sensor.kind) == entry),
+            .position(|sensor| sensor.kind.as_str() == entry),
         _ => None,
     };
     index.map_or_else(|| about.to_owned(), |index| format!("{table}.{index}.{key}"))
 }
 
-const fn role_name(role: Role) -> &'static str {
-    match role {
-        Role::Rgb => "rgb",
-        Role::Left => "left",
-        Role::Right => "right",
-        Role::Tof => "tof",
-    }
-}
-
-const fn kind_name(kind: DepthKind) -> &'static str {
-    match kind {
-        DepthKind::Stereo => "stereo",
-        DepthKind::Tof => "tof",
-    }
-}
-
 fn text(doc: &Document<'_>, place: &str, value: &str) -> Checked {
-    if fold_name(value).is_empty() {
-        return Err(doc.error(place, format!("'{value}' is no name"), "give it one"));
+    if fold_name(value).is_empty() || value.contains(char::is_control) {
+        return Err(doc.error(place, format!("{value:?} is no name"), "give it one, on one line"));
     }
     Ok(())
 }
@@ -376,7 +369,7 @@ fn prim_name(doc: &Document<'_>, place: &str, name: &str) -> Checked {
     if !(first && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')) {
         return Err(doc.error(
             place,
-            format!("'{name}' cannot name a prim"),
+            format!("{name:?} cannot name a prim"),
             "use letters, digits and underscores, and begin with no digit",
         ));
     }
@@ -394,6 +387,19 @@ fn unique_prim<'a>(doc: &Document<'_>, place: &str, name: &'a str, taken: &mut V
     }
     taken.push(name);
     Ok(())
+}
+
+/// A token that USD allows.
+fn one_of(doc: &Document<'_>, place: &str, value: &str, allowed: &[&str]) -> Checked {
+    if allowed.contains(&value) {
+        return Ok(());
+    }
+    let allowed: Vec<String> = allowed.iter().map(|token| format!("'{token}'")).collect();
+    Err(doc.error(
+        place,
+        format!("unknown value {value:?}"),
+        format!("use one of {}", allowed.join(", ")),
+    ))
 }
 
 fn positive(doc: &Document<'_>, place: &str, value: f64) -> Checked {

@@ -1,6 +1,7 @@
 //! What a sensor and a device file hold, key by key. Units are in the names, as in the files.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
@@ -97,7 +98,7 @@ pub struct Device {
     /// The depth sensors: one template render product each.
     #[serde(rename = "depth_sensor")]
     pub depth_sensors: Vec<DepthSensor>,
-    /// Published accuracy: several tables where sources disagree.
+    /// Published accuracy: several tables where sources disagree. The first is what the comparison prints.
     #[serde(default)]
     pub accuracy: Vec<Accuracy>,
     /// The accuracy in one line, as printed in two places which do not always agree.
@@ -128,6 +129,25 @@ pub enum Role {
     Right,
     /// The time-of-flight camera.
     Tof,
+}
+
+impl Role {
+    /// As files spell it: `rgb`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Rgb => "rgb",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Tof => "tof",
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
 }
 
 /// One camera of a device.
@@ -199,6 +219,23 @@ pub enum DepthKind {
     Stereo,
     /// By time of flight, which the sheet writes as stereo with a very short baseline.
     Tof,
+}
+
+impl DepthKind {
+    /// As files spell it: `stereo`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Stereo => "stereo",
+            Self::Tof => "tof",
+        }
+    }
+}
+
+impl fmt::Display for DepthKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
 }
 
 /// A depth sensor: the parameters of one render product with `OmniSensorDepthSensorSingleViewAPI`.

@@ -120,7 +120,7 @@ mod tests {
         }
     }
 
-    /// Board file of the OAK-D SR PoE, in the time-of-flight camera's frame: right at x = -1.7382 cm, left 2 cm on.
+    /// Board file of that device, in the time-of-flight camera's frame: right at x = -1.7382 cm, left 2 cm on.
     #[test]
     fn the_time_of_flight_camera_is_right_of_the_stereo_pair() {
         let catalog = Catalog::builtin();
