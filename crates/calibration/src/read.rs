@@ -538,6 +538,10 @@ fn link(reader: &mut Reader, field: &Field<'_>) -> Option<ReadLink> {
 )]
 fn socket(reader: &mut Reader, field: &Field<'_>) -> Option<Option<Socket>> {
     let number = reader.integer(field, i32::MIN.into(), i32::MAX.into())?;
+    if number == 255 {
+        let message = "255 is read as -1, none; DepthAI itself looks for a camera of that number";
+        reader.note("socket-255", &field.path, message);
+    }
     match Socket::from_file(number) {
         Ok(socket) => Some(socket),
         Err(what) => {
