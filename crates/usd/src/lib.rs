@@ -1,1 +1,4 @@
-//! .
+//! OpenUSD assets of OAK cameras: author, package, check.
+
+pub mod check;
+pub mod stage;
