@@ -1,4 +1,7 @@
 //! OpenUSD assets of OAK cameras: author, package, check.
 
+pub mod asset;
 pub mod check;
 pub mod stage;
+pub mod text;
+pub mod usdz;

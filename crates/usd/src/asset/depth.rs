@@ -1,0 +1,188 @@
+use oaktwin_catalog::{DepthKind, Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::camera::{CameraTraits, base};
+use super::{
+    AssetError, AssetOptions, IsaacVersion, PRODUCTS, Target, describe, float, lens, render_product_name,
+};
+use crate::text::{Attribute, Prim, Value};
+
+/// Kit's schema, for render products.
+const PRODUCT_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
+/// ovrtx's schema, for cameras.
+const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
+/// The scope of the render variables that products share.
+const RENDER_VARS: &str = "RenderVars";
+/// What the depth sensor reads, then what it makes: Isaac Sim 6 and later take them from the asset.
+const VARIABLES: [&str; 7] = [
+    "LdrColor",
+    "DistanceToImagePlaneSD",
+    "Camera3dPositionSD",
+    "DepthSensorDistance",
+    "DepthSensorImager",
+    "DepthSensorPointCloudColor",
+    "DepthSensorPointCloudPosition",
+];
+const OVRTX_VARIABLE: &str = "DepthSensorOutputVisualization";
+
+/// The virtual camera of a depth sensor: optics and place of the camera it stands for, a pinhole.
+pub(super) fn virtual_camera(
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    options: &AssetOptions,
+) -> Result<Prim, AssetError> {
+    let camera = source(twin, sensor)?;
+    let traits = CameraTraits {
+        name: &sensor.spec.prim,
+        focus_distance: sensor.spec.focus_distance,
+        clipping_range_m: sensor.spec.clipping_range_m,
+        stereo_role: "mono",
+    };
+    let mut prim = base(twin, camera, &traits, options);
+    prim.documentation = Some(describe::depth_camera(twin, sensor, camera));
+    if options.target == Target::Ovrtx {
+        prim.api_schemas.push(CAMERA_SCHEMA.into());
+        for attribute in attributes(sensor, options) {
+            prim.add(attribute);
+        }
+    }
+    if let Some(lens) = lens::of_depth_camera(twin, camera) {
+        lens.author(&mut prim, &twin.device.name)?;
+    }
+    Ok(prim)
+}
+
+/// The camera whose optics and place a depth sensor has.
+pub(super) fn source<'a>(twin: &'a Twin, sensor: &TwinDepthSensor) -> Result<&'a TwinCamera, AssetError> {
+    twin.camera(sensor.spec.camera)
+        .ok_or_else(|| AssetError::MissingCamera {
+            model: twin.device.name.clone(),
+            sensor: sensor.spec.prim.clone(),
+            role: format!("{:?}", sensor.spec.camera).to_lowercase(),
+        })
+}
+
+/// The scope of render products, one for each depth sensor.
+pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -> Result<Prim, AssetError> {
+    let mut scope = Prim::def("Scope", PRODUCTS).documented(describe::PRODUCTS);
+    let variables = variables(options);
+    for sensor in &twin.depth_sensors {
+        let camera = source(twin, sensor)?;
+        let mut product = Prim::def("RenderProduct", render_product_name(&sensor.spec.prim))
+            .documented(describe::product(sensor));
+        product.relate("camera", vec![format!("{device_path}/{}", sensor.spec.prim)]);
+        product.set_uniform("resolution", lens::int2(&camera.intrinsics, &twin.device.name)?);
+        if options.target == Target::Isaac {
+            product.api_schemas.push(PRODUCT_SCHEMA.into());
+            for attribute in attributes(sensor, options) {
+                product.add(attribute);
+            }
+        }
+        if !variables.is_empty() {
+            let paths = variables
+                .iter()
+                .map(|name| format!("{device_path}/{PRODUCTS}/{RENDER_VARS}/{name}"));
+            product.relate("orderedVars", paths.collect());
+        }
+        scope.children.push(product);
+    }
+    if !variables.is_empty() {
+        let mut vars = Prim::def("Scope", RENDER_VARS);
+        for name in variables {
+            let mut var = Prim::def("RenderVar", name);
+            var.set_uniform("sourceName", Value::string(name));
+            vars.children.push(var);
+        }
+        scope.children.push(vars);
+    }
+    Ok(scope)
+}
+
+fn variables(options: &AssetOptions) -> Vec<&'static str> {
+    match (options.target, options.isaac) {
+        (Target::Isaac, IsaacVersion::V5_1) => Vec::new(),
+        (Target::Isaac, IsaacVersion::V6) => VARIABLES.to_vec(),
+        (Target::Ovrtx, _) => VARIABLES.into_iter().chain([OVRTX_VARIABLE]).collect(),
+    }
+}
+
+/// The full name of a depth attribute of the target.
+pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
+    let namespace = match options.target {
+        Target::Isaac => "omni:rtx:post:depthSensor",
+        Target::Ovrtx => "omni:sensor:depthSensor",
+    };
+    format!("{namespace}:{name}")
+}
+
+/// The rows of the sheet's depth-sensor tables, no others.
+fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
+    let spec = &sensor.spec;
+    let (max_disparity, min_distance) = if options.extended_disparity {
+        (
+            spec.extended_max_disparity_px.unwrap_or(spec.max_disparity_px),
+            spec.extended_min_distance_m.unwrap_or(spec.min_distance_m),
+        )
+    } else {
+        (spec.max_disparity_px, spec.min_distance_m)
+    };
+    let range = spec.outlier_removal_range_px;
+    // One name, two types: a range in pixels in 5.x, a switch in 6.x.
+    let outlier_removal = match (options.target, options.isaac) {
+        (Target::Isaac, IsaacVersion::V5_1) => Value::Int(i32::try_from(range).unwrap_or(i32::MAX)),
+        (Target::Isaac, IsaacVersion::V6) | (Target::Ovrtx, _) => Value::Bool(range > 0),
+    };
+    let attribute = |name: &str, value: Value| Attribute::new(attribute_name(options, name), value);
+    vec![
+        attribute("baselineMM", float(spec.baseline_mm)),
+        attribute("confidenceThreshold", float(spec.confidence_threshold)),
+        attribute("focalLengthPixel", float(sensor.focal_length_px)),
+        attribute("maxDisparityPixel", float(max_disparity)),
+        attribute("maxDistance", float(spec.max_distance_m)),
+        attribute("minDistance", float(min_distance)),
+        attribute("noiseDownscaleFactorPixel", float(spec.noise_downscale_factor_px)),
+        attribute("noiseMean", float(spec.noise_mean_px)).documented(describe::NOISE_MEAN),
+        attribute("noiseSigma", float(spec.noise_sigma_px)),
+        attribute("outlierRemovalEnabled", outlier_removal).documented(describe::OUTLIER_REMOVAL),
+        attribute("sensorSizePixel", float(spec.sensor_size_px)),
+    ]
+}
+
+/// What a user of the depth sensors should know.
+pub(super) fn findings(twin: &Twin, options: &AssetOptions, device_path: &str) -> Vec<Finding> {
+    if options.target != Target::Ovrtx {
+        return Vec::new();
+    }
+    twin.depth_sensors
+        .iter()
+        .map(|sensor| {
+            Finding::new(
+                "ovrtx-experimental",
+                Level::Note,
+                format!("{device_path}/{}", sensor.spec.prim),
+                format!(
+                    "experimental: NVIDIA publishes no list of the attributes of {CAMERA_SCHEMA}; assumed: {}",
+                    assumed_names(sensor, options)
+                ),
+                "compare them with the schema of your ovrtx",
+            )
+        })
+        .collect()
+}
+
+/// The attribute names that an asset for ovrtx assumes.
+pub(super) fn assumed_names(sensor: &TwinDepthSensor, options: &AssetOptions) -> String {
+    let names: Vec<String> = attributes(sensor, options)
+        .into_iter()
+        .map(|attribute| attribute.name)
+        .collect();
+    names.join(", ")
+}
+
+/// `stereo` or `time of flight`.
+pub(super) const fn kind_name(kind: DepthKind) -> &'static str {
+    match kind {
+        DepthKind::Stereo => "stereo",
+        DepthKind::Tof => "time of flight",
+    }
+}

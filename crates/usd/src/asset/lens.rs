@@ -1,0 +1,168 @@
+use oaktwin_camera::{Intrinsics, LensModel, OpenCv, PixelPoint, Usd};
+use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::{AssetError, AssetOptions, LensChoice, ROOT, float, tilt};
+use crate::text::{Prim, Value};
+
+/// The lens-distortion schema of a camera prim.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LensSchema {
+    intrinsics: Intrinsics,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    /// k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
+    Pinhole([f64; 12]),
+    /// k1 k2 k3 k4.
+    Fisheye([f64; 4]),
+}
+
+/// OpenCV's order, which is also that of Isaac Sim's `set_opencv_pinhole_properties`.
+const PINHOLE_NAMES: [&str; 12] = [
+    "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
+];
+const FISHEYE_NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
+
+/// The schema that a camera carries, if any: always when calibrated, for it alone carries the principal point that
+/// Isaac Sim's renderer honours.
+pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
+    let with = |kind| {
+        Some(LensSchema {
+            intrinsics: camera.intrinsics,
+            kind,
+        })
+    };
+    match (&camera.lens, &twin.origin) {
+        (LensModel::OpenCvPinhole(lens), _) => {
+            let mut coefficients = [0.0; 12];
+            coefficients.copy_from_slice(&lens.coefficients[..12]);
+            with(Kind::Pinhole(coefficients))
+        }
+        (LensModel::OpenCvFisheye(lens), _) => with(Kind::Fisheye(lens.k)),
+        (LensModel::Pinhole, Origin::Calibration { .. }) => with(Kind::Pinhole([0.0; 12])),
+        (LensModel::Pinhole, Origin::Nominal) => nominal_fisheye(camera, options),
+    }
+}
+
+/// The schema of a depth sensor's virtual camera. An OAK's depth image is rectified, so the camera has no
+/// distortion; only a calibrated principal point is carried.
+pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSchema> {
+    matches!(twin.origin, Origin::Calibration { .. }).then_some(LensSchema {
+        intrinsics: camera.intrinsics,
+        kind: Kind::Pinhole([0.0; 12]),
+    })
+}
+
+/// The equidistant lens `r = f θ` whose image spans the width: `f = width / hfov`. No unit's coefficients are
+/// known, and 0 has to be said: the schema's own fallback of k1 is not 0.
+fn nominal_fisheye(camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
+    let hfov_deg = camera.spec.fisheye_hfov_deg.filter(|_| {
+        options.lens == LensChoice::Fisheye && matches!(camera.spec.role, Role::Left | Role::Right)
+    })?;
+    let size = camera.intrinsics.size;
+    let f = f64::from(size.width) / hfov_deg.to_radians();
+    let centre = PixelPoint::<Usd>::new(f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
+    Some(LensSchema {
+        intrinsics: Intrinsics::new(size, f, f, centre),
+        kind: Kind::Fisheye([0.0; 4]),
+    })
+}
+
+impl LensSchema {
+    /// Applies the schema and writes all of its attributes.
+    pub(super) fn author(&self, prim: &mut Prim, model: &str) -> Result<(), AssetError> {
+        let (schema, token, names, coefficients): (_, _, &[&str], &[f64]) = match &self.kind {
+            Kind::Pinhole(k) => (
+                "OmniLensDistortionOpenCvPinholeAPI",
+                "opencvPinhole",
+                &PINHOLE_NAMES,
+                k,
+            ),
+            Kind::Fisheye(k) => (
+                "OmniLensDistortionOpenCvFisheyeAPI",
+                "opencvFisheye",
+                &FISHEYE_NAMES,
+                k,
+            ),
+        };
+        prim.api_schemas.push(schema.into());
+        prim.set("omni:lensdistortion:model", Value::token(token));
+        let name = |attribute: &str| format!("omni:lensdistortion:{token}:{attribute}");
+        let c = self.intrinsics.principal_point::<OpenCv>();
+        for (attribute, value) in [
+            ("fx", self.intrinsics.fx),
+            ("fy", self.intrinsics.fy),
+            ("cx", c.x),
+            ("cy", c.y),
+        ] {
+            prim.set(name(attribute), float(value));
+        }
+        prim.set(name("imageSize"), int2(&self.intrinsics, model)?);
+        for (attribute, k) in names.iter().zip(coefficients) {
+            prim.set(name(attribute), float(*k));
+        }
+        Ok(())
+    }
+
+    /// In words, for the prim's documentation.
+    pub(super) fn description(&self) -> &'static str {
+        match &self.kind {
+            Kind::Pinhole(_) => "OpenCV's rational and thin-prism model",
+            Kind::Fisheye(_) => "OpenCV's fisheye model",
+        }
+    }
+}
+
+/// The image size as `int2`.
+pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetError> {
+    let int = |value: u32| {
+        i32::try_from(value).map_err(|_| AssetError::TooLarge {
+            model: model.into(),
+            place: "resolution".into(),
+            value,
+        })
+    };
+    Ok(Value::Int2([
+        int(intrinsics.size.width)?,
+        int(intrinsics.size.height)?,
+    ]))
+}
+
+/// What the schemas cannot say, and whose lens it is.
+pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for camera in &twin.cameras {
+        let path = format!("/{ROOT}/{}/{}", twin.device.prim, camera.spec.prim);
+        if let LensModel::OpenCvPinhole(lens) = &camera.lens {
+            let tilt = [lens.coefficients[12], lens.coefficients[13]];
+            if tilt != [0.0, 0.0] {
+                let error_px = tilt::largest_error_px(&camera.intrinsics, tilt);
+                findings.push(Finding::new(
+                    "lens-tilt-lost",
+                    Level::Warning,
+                    &path,
+                    format!(
+                        "the lens schema has no sensor tilt (τx {}, τy {} rad): without it the image is off by up \
+                         to {error_px:.3} px",
+                        tilt[0], tilt[1]
+                    ),
+                    "undistort with the calibration itself where that matters",
+                ));
+            }
+        }
+    }
+    let calibrated = matches!(twin.origin, Origin::Calibration { .. });
+    if calibrated && options.lens == LensChoice::Fisheye {
+        findings.push(Finding::new(
+            "lens-from-calibration",
+            Level::Note,
+            format!("/{ROOT}/{}", twin.device.prim),
+            "the calibration has lens models of its own, which are used instead of the nominal fisheye",
+            "",
+        ));
+    }
+    findings
+}

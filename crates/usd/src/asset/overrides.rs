@@ -1,0 +1,118 @@
+use oaktwin_catalog::{Origin, Twin};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::{
+    Asset, AssetError, AssetOptions, PRODUCTS, PrimNames, ROOT, Target, camera, depth, describe, float,
+    guard, layer_data, lens, render_product_name,
+};
+use crate::text::{Layer, Prim, UpAxis};
+
+/// The asset that a layer of overrides stands on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OverrideBase<'a> {
+    /// Its path as the layer is to say it, relative to the layer's folder or absolute.
+    pub asset: &'a str,
+    /// Whose names its prims have.
+    pub names: PrimNames,
+    /// Its default prim.
+    pub root: &'a str,
+    /// The prim that its cameras are below.
+    pub device: &'a str,
+    /// Its `metersPerUnit`: OpenUSD takes the stage's from the strongest layer, which is ours.
+    pub meters_per_unit: f64,
+    /// Its `upAxis`, for the same reason.
+    pub up_axis: UpAxis,
+}
+
+impl<'a> OverrideBase<'a> {
+    /// An asset laid out as the sheet has it.
+    #[must_use]
+    pub fn new(asset: &'a str, twin: &'a Twin, names: PrimNames) -> Self {
+        Self {
+            asset,
+            names,
+            root: ROOT,
+            device: &twin.device.prim,
+            meters_per_unit: 1.0,
+            up_axis: UpAxis::Z,
+        }
+    }
+}
+
+/// A layer that gives an existing asset the numbers of one unit: focal lengths, aperture offsets, the lens schema,
+/// `focalLengthPixel`. Places stay the base's, whose origin and axes are its own affair, and so do apertures and
+/// the depth sensor's noise, which belong to the model.
+///
+/// # Errors
+/// A nominal twin; otherwise as [`asset`](super::asset).
+pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -> Result<Asset, AssetError> {
+    options.check(twin)?;
+    let model = &twin.device.name;
+    if twin.origin == Origin::Nominal {
+        return Err(AssetError::NothingToOverride { model: model.clone() });
+    }
+    let mut device = Prim::over(base.device);
+    let mut products = Prim::over(PRODUCTS);
+    for sensor in &twin.depth_sensors {
+        let name = base.names.of(&sensor.spec.prim);
+        let source = depth::source(twin, sensor)?;
+        let mut prim = Prim::over(name);
+        add_optics(&mut prim, &camera::optics(twin, source, options));
+        if let Some(lens) = lens::of_depth_camera(twin, source) {
+            lens.author(&mut prim, model)?;
+        }
+        let focal_length = (
+            depth::attribute_name(options, "focalLengthPixel"),
+            float(sensor.focal_length_px),
+        );
+        match options.target {
+            Target::Isaac => {
+                let mut product = Prim::over(render_product_name(name));
+                product.set(focal_length.0, focal_length.1);
+                products.children.push(product);
+            }
+            Target::Ovrtx => prim.set(focal_length.0, focal_length.1),
+        }
+        device.children.push(prim);
+    }
+    for twin_camera in &twin.cameras {
+        let mut prim = Prim::over(base.names.of(&twin_camera.spec.prim));
+        add_optics(&mut prim, &camera::optics(twin, twin_camera, options));
+        if let Some(lens) = lens::of_camera(twin, twin_camera, options) {
+            lens.author(&mut prim, model)?;
+        }
+        device.children.push(prim);
+    }
+    if !products.children.is_empty() {
+        device.children.push(products);
+    }
+    let layer = Layer {
+        custom_layer_data: layer_data(twin, options),
+        default_prim: Some(base.root.into()),
+        documentation: Some(describe::overrides(twin, base.asset)),
+        kilograms_per_unit: None,
+        meters_per_unit: Some(base.meters_per_unit),
+        up_axis: Some(base.up_axis),
+        sub_layers: vec![base.asset.into()],
+        prims: vec![Prim::over(base.root).with_child(device)],
+    };
+    guard::check(&layer, model)?;
+    let mut findings = lens::findings(twin, options);
+    findings.push(Finding::new(
+        "places-not-overridden",
+        Level::Note,
+        format!("/{}/{}", base.root, base.device),
+        "the cameras stay where the base asset has them: its origin and axes are not known to be ours",
+        "write a whole asset from the calibration to have its extrinsics",
+    ));
+    Ok(Asset {
+        stem: format!("{}_calibrated", twin.device.id),
+        layer,
+        findings,
+    })
+}
+
+fn add_optics(prim: &mut Prim, optics: &oaktwin_camera::UsdOptics) {
+    prim.set("focalLength", float(optics.focal_length_mm));
+    camera::add_offsets(prim, optics);
+}

@@ -1,0 +1,37 @@
+use oaktwin_camera::{Axes, RigidTransform};
+
+use crate::text::{Prim, Value};
+
+/// Places a prim: `xformOp:translate`, then `xformOp:orient`, the pair that Isaac Sim's own tools write.
+pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
+    let t = parent_from_prim.translation;
+    let q = parent_from_prim.quaternion();
+    // A picometre and 1e-15 of a rotation are noise of the arithmetic; without it the text reads 0.0375.
+    let metres = |x: f64| tidy(x, 1e12);
+    let unit = |x: f64| tidy(x, 1e15);
+    prim.set(
+        "xformOp:translate",
+        Value::Double3([metres(t.x), metres(t.y), metres(t.z)]),
+    );
+    prim.set(
+        "xformOp:orient",
+        Value::Quatd([unit(q.w), unit(q.x), unit(q.y), unit(q.z)]),
+    );
+    prim.set_uniform(
+        "xformOpOrder",
+        Value::TokenArray(vec!["xformOp:translate".into(), "xformOp:orient".into()]),
+    );
+}
+
+/// The pose of a camera prim (−z forward, y up) from that of the optical frame (z forward, y down).
+pub(super) fn of_camera_prim(body_from_camera: &RigidTransform) -> RigidTransform {
+    RigidTransform::new(
+        body_from_camera.rotation * Axes::OpenCv.rotation_from(Axes::Usd),
+        body_from_camera.translation,
+    )
+}
+
+/// Rounded to a multiple of `1 / steps`; −0 becomes 0.
+fn tidy(x: f64, steps: f64) -> f64 {
+    (x * steps).round() / steps + 0.0
+}

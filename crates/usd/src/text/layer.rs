@@ -1,0 +1,259 @@
+use super::{Dictionary, Value};
+
+/// A layer: metadata and root prims.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layer {
+    /// `customLayerData`.
+    pub custom_layer_data: Dictionary,
+    /// `defaultPrim`.
+    pub default_prim: Option<String>,
+    /// `doc`.
+    pub documentation: Option<String>,
+    /// `kilogramsPerUnit`.
+    pub kilograms_per_unit: Option<f64>,
+    /// `metersPerUnit`.
+    pub meters_per_unit: Option<f64>,
+    /// `subLayers`, strongest first.
+    pub sub_layers: Vec<String>,
+    /// `upAxis`.
+    pub up_axis: Option<UpAxis>,
+    /// The root prims.
+    pub prims: Vec<Prim>,
+}
+
+/// Which axis of a stage points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UpAxis {
+    /// OpenUSD's default.
+    Y,
+    /// Isaac Sim's.
+    Z,
+}
+
+/// Whether a prim is made here or changed here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Specifier {
+    /// `def`.
+    Def,
+    /// `over`.
+    Over,
+}
+
+/// A prim with what is below it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prim {
+    /// `def` or `over`.
+    pub specifier: Specifier,
+    /// `Camera`; empty where none is authored.
+    pub type_name: String,
+    /// The last element of its path.
+    pub name: String,
+    /// `prepend apiSchemas`, in their order.
+    pub api_schemas: Vec<String>,
+    /// `assetInfo`.
+    pub asset_info: Dictionary,
+    /// `customData`.
+    pub custom_data: Dictionary,
+    /// `doc`.
+    pub documentation: Option<String>,
+    /// `kind`.
+    pub kind: Option<String>,
+    /// `prepend references`.
+    pub references: Vec<Reference>,
+    /// In any order; the text sorts them.
+    pub properties: Vec<Property>,
+    /// In the order of the text.
+    pub children: Vec<Self>,
+}
+
+/// A reference to a prim of another layer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reference {
+    /// The layer's path.
+    pub asset: String,
+    /// The prim's path; empty for the layer's default prim.
+    pub prim: String,
+}
+
+/// An attribute or a relationship.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Property {
+    /// A value.
+    Attribute(Attribute),
+    /// Targets.
+    Relationship(Relationship),
+}
+
+/// An attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    /// With its namespaces, `omni:lensdistortion:model`.
+    pub name: String,
+    /// The type's name; that of the value where there is one.
+    pub type_name: &'static str,
+    /// The default value.
+    pub value: Option<Value>,
+    /// `uniform`: does not vary over time.
+    pub uniform: bool,
+    /// `custom`: belongs to no schema.
+    pub custom: bool,
+    /// `doc`.
+    pub documentation: Option<String>,
+    /// `interpolation` of a primitive variable.
+    pub interpolation: Option<&'static str>,
+    /// The paths of the attributes that feed it.
+    pub connections: Vec<String>,
+}
+
+/// A relationship.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Relationship {
+    /// With its namespaces, `material:binding`.
+    pub name: String,
+    /// Absolute paths.
+    pub targets: Vec<String>,
+    /// `doc`.
+    pub documentation: Option<String>,
+}
+
+impl Prim {
+    /// `def TYPE "NAME"`, with nothing in it.
+    pub fn def(type_name: impl Into<String>, name: impl Into<String>) -> Self {
+        Self::new(Specifier::Def, type_name.into(), name.into())
+    }
+
+    /// `over "NAME"`, with nothing in it.
+    pub fn over(name: impl Into<String>) -> Self {
+        Self::new(Specifier::Over, String::new(), name.into())
+    }
+
+    fn new(specifier: Specifier, type_name: String, name: String) -> Self {
+        Self {
+            specifier,
+            type_name,
+            name,
+            api_schemas: Vec::new(),
+            asset_info: Dictionary::new(),
+            custom_data: Dictionary::new(),
+            documentation: None,
+            kind: None,
+            references: Vec::new(),
+            properties: Vec::new(),
+            children: Vec::new(),
+        }
+    }
+
+    /// With a documentation string.
+    #[must_use]
+    pub fn documented(mut self, text: impl Into<String>) -> Self {
+        self.documentation = Some(text.into());
+        self
+    }
+
+    /// With a child.
+    #[must_use]
+    pub fn with_child(mut self, child: Self) -> Self {
+        self.children.push(child);
+        self
+    }
+
+    /// Adds an attribute of a schema that may vary over time.
+    pub fn set(&mut self, name: impl Into<String>, value: Value) {
+        self.add(Attribute::new(name, value));
+    }
+
+    /// Adds an attribute of a schema that does not vary over time.
+    pub fn set_uniform(&mut self, name: impl Into<String>, value: Value) {
+        self.add(Attribute::new(name, value).uniform());
+    }
+
+    /// Adds an attribute.
+    pub fn add(&mut self, attribute: Attribute) {
+        self.properties.push(Property::Attribute(attribute));
+    }
+
+    /// Adds a relationship.
+    pub fn relate(&mut self, name: impl Into<String>, targets: Vec<String>) {
+        self.properties.push(Property::Relationship(Relationship {
+            name: name.into(),
+            targets,
+            documentation: None,
+        }));
+    }
+
+    /// The attribute of a name, if it is authored.
+    #[must_use]
+    pub fn attribute(&self, name: &str) -> Option<&Attribute> {
+        self.properties.iter().find_map(|property| match property {
+            Property::Attribute(attribute) if attribute.name == name => Some(attribute),
+            _ => None,
+        })
+    }
+
+    /// The child of a name.
+    #[must_use]
+    pub fn child(&self, name: &str) -> Option<&Self> {
+        self.children.iter().find(|child| child.name == name)
+    }
+}
+
+impl Attribute {
+    /// An attribute of a schema, varying, with a value.
+    pub fn new(name: impl Into<String>, value: Value) -> Self {
+        Self {
+            type_name: value.type_name(),
+            value: Some(value),
+            ..Self::without_value(name, "")
+        }
+    }
+
+    /// An attribute of a schema that has a type but no value.
+    pub fn without_value(name: impl Into<String>, type_name: &'static str) -> Self {
+        Self {
+            name: name.into(),
+            type_name,
+            value: None,
+            uniform: false,
+            custom: false,
+            documentation: None,
+            interpolation: None,
+            connections: Vec::new(),
+        }
+    }
+
+    /// Not varying over time.
+    #[must_use]
+    pub fn uniform(mut self) -> Self {
+        self.uniform = true;
+        self
+    }
+
+    /// With a documentation string.
+    #[must_use]
+    pub fn documented(mut self, text: impl Into<String>) -> Self {
+        self.documentation = Some(text.into());
+        self
+    }
+}
+
+impl Property {
+    /// The name with its namespaces.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Attribute(attribute) => &attribute.name,
+            Self::Relationship(relationship) => &relationship.name,
+        }
+    }
+}
+
+impl UpAxis {
+    /// `Y` or `Z`.
+    #[must_use]
+    pub const fn token(self) -> &'static str {
+        match self {
+            Self::Y => "Y",
+            Self::Z => "Z",
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Numbers as OpenUSD prints them: the shortest digits that read back to the same value, `1` for 1.0, decimals
+//! from 1e-6 up to 1e15 and exponents (`1e15`, `1e-7`) beyond.
+
+use zmij::{Buffer, Float};
+
+/// Appends a 32-bit number: the digits that are enough for 32 bits.
+pub(super) fn push_f32(out: &mut String, value: f32) {
+    if value.is_finite() {
+        push_finite(out, value);
+    } else {
+        push_special(out, value.is_nan(), value > 0.0);
+    }
+}
+
+/// Appends a 64-bit number.
+pub(super) fn push_f64(out: &mut String, value: f64) {
+    if value.is_finite() {
+        push_finite(out, value);
+    } else {
+        push_special(out, value.is_nan(), value > 0.0);
+    }
+}
+
+fn push_special(out: &mut String, is_nan: bool, positive: bool) {
+    out.push_str(match (is_nan, positive) {
+        (true, _) => "nan",
+        (false, true) => "inf",
+        (false, false) => "-inf",
+    });
+}
+
+/// The decimal exponents that OpenUSD (through double-conversion) writes without an `e`.
+const PLAIN_EXPONENTS: std::ops::Range<i32> = -6..15;
+
+fn push_finite<F: Float>(out: &mut String, value: F) {
+    let mut buffer = Buffer::new();
+    let text = buffer.format_finite(value);
+    let (sign, text) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
+    out.push_str(sign);
+    // Nearly all numbers of an asset: plain decimals that need no exponent in either notation.
+    if let Some(short) = plain(text) {
+        out.push_str(short);
+        return;
+    }
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: String = [whole, fraction].concat();
+    let leading_zeros = digits.len() - digits.trim_start_matches('0').len();
+    let digits = digits.trim_matches('0');
+    if digits.is_empty() {
+        out.push('0');
+        return;
+    }
+    // The value is d.ddd · 10^exponent.
+    let exponent = exponent + length(whole) - 1 - length(&"0".repeat(leading_zeros));
+    if PLAIN_EXPONENTS.contains(&exponent) {
+        push_plain(out, digits, exponent);
+    } else {
+        let (first, rest) = digits.split_at(1);
+        out.push_str(first);
+        if !rest.is_empty() {
+            out.push('.');
+            out.push_str(rest);
+        }
+        out.push('e');
+        out.push_str(&exponent.to_string());
+    }
+}
+
+/// `text` less a trailing `.0` where it stands for a number between 1e-6 and 1e9 or 0 without an exponent.
+fn plain(text: &str) -> Option<&str> {
+    let whole = text.strip_suffix(".0").unwrap_or(text);
+    (whole.len() <= 9 || (whole.contains('.') && whole.len() <= 24))
+        .then_some(whole)
+        .filter(|_| !text.bytes().any(|b| matches!(b, b'e' | b'E')))
+        .filter(|whole| !whole.starts_with("0.000000"))
+        .filter(|whole| whole.find('.').unwrap_or(whole.len()) <= 9)
+}
+
+fn push_plain(out: &mut String, digits: &str, exponent: i32) {
+    let Ok(shift) = usize::try_from(exponent) else {
+        out.push_str("0.");
+        out.extend(std::iter::repeat_n('0', (-1 - exponent).unsigned_abs() as usize));
+        out.push_str(digits);
+        return;
+    };
+    let whole = shift + 1;
+    if digits.len() <= whole {
+        out.push_str(digits);
+        out.extend(std::iter::repeat_n('0', whole - digits.len()));
+    } else {
+        out.push_str(&digits[..whole]);
+        out.push('.');
+        out.push_str(&digits[whole..]);
+    }
+}
+
+fn length(text: &str) -> i32 {
+    i32::try_from(text.len()).unwrap_or(i32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn f32_text(value: f32) -> String {
+        let mut out = String::new();
+        push_f32(&mut out, value);
+        out
+    }
+
+    fn f64_text(value: f64) -> String {
+        let mut out = String::new();
+        push_f64(&mut out, value);
+        out
+    }
+
+    /// What `Sdf.Layer.ExportToString()` of usd-core 24.5 prints for these.
+    #[test]
+    fn as_openusd_prints_them() {
+        for (value, text) in [
+            (1e-5, "0.00001"),
+            (1e-6, "0.000001"),
+            (1e-7, "1e-7"),
+            (1.5e-7, "1.5e-7"),
+            (123_456_789.0, "123456789"),
+            (1e14, "100000000000000"),
+            (1e15, "1e15"),
+            (1e22, "1e22"),
+            (0.1, "0.1"),
+            (f64::INFINITY, "inf"),
+            (f64::NEG_INFINITY, "-inf"),
+            (f64::NAN, "nan"),
+            (-0.0, "-0"),
+            (0.0, "0"),
+            (3.402_823_5e38, "3.4028235e38"),
+            (-1_234_567.8, "-1234567.8"),
+            (10_000_000.0, "10000000"),
+            (123_456_789_012.5, "123456789012.5"),
+        ] {
+            assert_eq!(f64_text(value), text);
+        }
+        for (value, text) in [
+            (123_456_789.0, "123456790"),
+            (4.762_592, "4.762592"),
+            (1e20, "1e20"),
+            (16_777_216.0, "16777216"),
+            (1e15, "1e15"),
+            (f32::MIN_POSITIVE, "1.1754944e-38"),
+        ] {
+            assert_eq!(f32_text(value), text);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn reads_back_to_the_same_bits(bits in any::<u64>(), narrow in any::<u32>(), scale in -20i32..20, mantissa in -1e6..1e6f64) {
+            let shorter = mantissa * 10f64.powi(scale);
+            for value in [f64::from_bits(bits), shorter] {
+                if value.is_finite() {
+                    prop_assert_eq!(f64_text(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
+                }
+            }
+            #[expect(clippy::cast_possible_truncation, reason = "any f32 will do")]
+            for value in [f32::from_bits(narrow), shorter as f32] {
+                if value.is_finite() {
+                    prop_assert_eq!(f32_text(value).parse::<f32>().unwrap().to_bits(), value.to_bits());
+                }
+            }
+        }
+
+        #[test]
+        fn exponents_where_openusd_has_them(digit in 1u32..10, exponent in -30i32..30) {
+            let text = f64_text(format!("{digit}e{exponent}").parse().unwrap());
+            prop_assert_eq!(text.contains('e'), !(-6..15).contains(&exponent), "{}", text);
+        }
+    }
+}
