@@ -8,20 +8,31 @@
 //! * A camera's own frame is OpenCV's optical one (x right, y down, z forward) unless a name says otherwise.
 
 mod aperture;
+mod camera;
 mod intrinsics;
 mod lens;
+mod map;
 mod pixel;
 mod pose;
+mod rectify;
+mod resize;
 mod size;
+mod stereo;
 
 pub use aperture::{ApertureOffsets, UsdOptics, tenths_of_stage_unit};
+pub use camera::Camera;
 pub use intrinsics::Intrinsics;
-pub use lens::{LensModel, OpenCvFisheye, OpenCvPinhole};
+pub use lens::{FTheta, LensError, LensModel, OpenCvFisheye, OpenCvPinhole};
+pub use map::undistort_rectify_map;
 pub use pixel::{OpenCv, PixelConvention, PixelPoint, Usd};
 pub use pose::{Axes, RigidTransform};
+pub use rectify::{
+    BaselineAxis, Rectification, RectifiedIntrinsics, RectifyError, stereo_rectify, stereo_rectify_to,
+};
 pub use size::ImageSize;
+pub use stereo::StereoGeometry;
 
 /// The vector and matrix types of this crate's interface, from `glam`, so that one version serves all.
 pub mod math {
-    pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3};
+    pub use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 }

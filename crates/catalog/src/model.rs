@@ -1,6 +1,7 @@
 //! What a sensor and a device file hold, key by key. Units are in the names, as in the files.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
@@ -33,6 +34,18 @@ pub struct Sensor {
     /// Megapixels as marketed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub megapixels: Option<f64>,
+    /// Wavelength of its light source, nm: time-of-flight sensors only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wavelength_nm: Option<f64>,
+    /// The range that it measures, (nearest, farthest), m: time-of-flight sensors only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_range_m: Option<(f64, f64)>,
+    /// Its accuracy as the sheet words it: time-of-flight sensors only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_accuracy: Option<String>,
+    /// Other evidence about a value above.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence: Vec<Evidence>,
     /// What else the sources say.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<Note>,
@@ -51,6 +64,9 @@ pub struct Device {
     pub id: String,
     /// What people call it, `OAK-D Pro PoE`.
     pub name: String,
+    /// The name with its variant, as the sheet's device table prints it: `OAK-D Pro PoE (Fixed Focus)`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub full_name: Option<String>,
     /// Other names that mean it, such as the `productName` of calibration files.
     #[serde(default)]
     pub aliases: Vec<String>,
@@ -62,8 +78,14 @@ pub struct Device {
     pub generation: String,
     /// `Myriad X (Intel VPU)`.
     pub platform: String,
+    /// What kind of processor that is: `VPU`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub processor: Option<String>,
     /// Lens and focus in a word or two: `fixed focus, wide field of view`.
     pub variant: String,
+    /// What the numbers come from, for the comparison: `Theoretical (spec sheet)`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub data_source: Option<String>,
     /// The body.
     pub body: Body,
     /// The inertial unit.
@@ -76,9 +98,12 @@ pub struct Device {
     /// The depth sensors: one template render product each.
     #[serde(rename = "depth_sensor")]
     pub depth_sensors: Vec<DepthSensor>,
-    /// Published accuracy: several tables where sources disagree.
-    #[serde(default, rename = "accuracy")]
+    /// Published accuracy: several tables where sources disagree. The first is what the comparison prints.
+    #[serde(default)]
     pub accuracy: Vec<Accuracy>,
+    /// The accuracy in one line, as printed in two places which do not always agree.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy_headline: Option<AccuracyHeadline>,
     /// Other evidence about a value above.
     #[serde(default)]
     pub evidence: Vec<Evidence>,
@@ -106,6 +131,25 @@ pub enum Role {
     Tof,
 }
 
+impl Role {
+    /// As files spell it: `rgb`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Rgb => "rgb",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Tof => "tof",
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
+}
+
 /// One camera of a device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -116,6 +160,9 @@ pub struct Camera {
     pub prim: String,
     /// The sensor's id.
     pub sensor: String,
+    /// What the comparison adds to the sensor's name: `wide optics`, `color`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
     /// The socket that calibration files know it by: 0 is `CAM_A`.
     pub socket: i32,
     /// Horizontal field of view of the ideal pinhole, degrees: fx follows from it.
@@ -172,6 +219,23 @@ pub enum DepthKind {
     Stereo,
     /// By time of flight, which the sheet writes as stereo with a very short baseline.
     Tof,
+}
+
+impl DepthKind {
+    /// As files spell it: `stereo`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Stereo => "stereo",
+            Self::Tof => "tof",
+        }
+    }
+}
+
+impl fmt::Display for DepthKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
 }
 
 /// A depth sensor: the parameters of one render product with `OmniSensorDepthSensorSingleViewAPI`.
@@ -249,8 +313,11 @@ pub struct Body {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Imu {
-    /// `BNO086 (9-axis)`, or `yes` where the sheet says no more.
+    /// `BNO086 (9-axis)`, or `Yes` where the sheet says no more.
     pub model: String,
+    /// The longer text of the sheet's device table, where it differs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub detail: Option<String>,
     /// Its place in the body frame, mm.
     pub position_mm: [f64; 3],
     /// Its axes in the body frame: the rows of `body_from_imu`'s rotation.
@@ -292,6 +359,18 @@ pub struct AccuracyBand {
     pub condition: Option<String>,
 }
 
+/// A device's depth accuracy in one line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracyHeadline {
+    /// As the sheet's device table prints it: `under 2% at 4m`.
+    pub specification: String,
+    /// As the sheet's feature comparison prints it: `< 2% at 3.5m`.
+    pub comparison: String,
+    /// Where they come from.
+    pub source: Source,
+}
+
 /// A value that another source gives for a key.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -329,5 +408,18 @@ impl Device {
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&Camera> {
         self.cameras.iter().find(|camera| camera.role == role)
+    }
+
+    /// Every name that means it: id, name, prim, aliases.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named_places().map(|(name, _)| name)
+    }
+
+    /// Every name, and the key that gives it.
+    pub(crate) fn named_places(&self) -> impl Iterator<Item = (&str, String)> {
+        let own = [("id", &self.id), ("name", &self.name), ("prim", &self.prim)];
+        let own = own.into_iter().map(|(key, name)| (name.as_str(), key.to_owned()));
+        let aliases = self.aliases.iter().enumerate();
+        own.chain(aliases.map(|(i, name)| (name.as_str(), format!("aliases.{i}"))))
     }
 }

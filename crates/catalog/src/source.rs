@@ -1,7 +1,10 @@
 use std::collections::BTreeMap;
+use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::{Body, Camera, DepthSensor, Device, Imu, Sensor};
 
 /// Where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -29,3 +32,88 @@ pub enum Source {
 
 /// The keys of a table whose source differs from the table's.
 pub type Sources = BTreeMap<String, Source>;
+
+impl Source {
+    /// As files spell it: `vendor-page`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Document => "document",
+            Self::Datasheet => "datasheet",
+            Self::VendorPage => "vendor-page",
+            Self::CalibrationExport => "calibration-export",
+            Self::Schema => "schema",
+            Self::BoardFile => "board-file",
+            Self::Derived => "derived",
+            Self::Estimate => "estimate",
+            Self::User => "user",
+        }
+    }
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
+}
+
+/// A table of a catalog file, whose values have sources.
+pub trait Sourced {
+    /// Where the value of `key`, one of this table's own, comes from.
+    fn source_of(&self, key: &str) -> Source;
+}
+
+macro_rules! sourced {
+    ($($table:ty),*) => {$(
+        impl Sourced for $table {
+            fn source_of(&self, key: &str) -> Source {
+                self.sources.get(key).copied().unwrap_or(self.source)
+            }
+        }
+    )*};
+}
+
+sourced!(Sensor, Device, Body, Imu, Camera, DepthSensor);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Catalog, DepthKind, Role};
+
+    #[test]
+    fn words_are_those_of_the_files() {
+        fn spelt<T: Serialize>(value: T) -> String {
+            serde_json::to_value(value).unwrap().as_str().unwrap().to_owned()
+        }
+        for source in [
+            Source::Document,
+            Source::Datasheet,
+            Source::VendorPage,
+            Source::CalibrationExport,
+            Source::Schema,
+            Source::BoardFile,
+            Source::Derived,
+            Source::Estimate,
+            Source::User,
+        ] {
+            assert_eq!(source.to_string(), spelt(source));
+        }
+        for role in [Role::Rgb, Role::Left, Role::Right, Role::Tof] {
+            assert_eq!(role.to_string(), spelt(role));
+        }
+        for kind in [DepthKind::Stereo, DepthKind::Tof] {
+            assert_eq!(kind.to_string(), spelt(kind));
+        }
+    }
+
+    #[test]
+    fn a_key_has_its_own_source_or_its_tables() {
+        let device = Catalog::builtin().device("OAK4-D").unwrap();
+        assert_eq!(device.body.source_of("front_mm"), Source::BoardFile);
+        assert_eq!(device.body.source_of("mass_g"), Source::Estimate);
+        assert_eq!(device.imu.source_of("model"), Source::Document);
+        assert_eq!(device.imu.source_of("rotation"), Source::Estimate);
+        assert_eq!(device.cameras[0].source_of("position_mm"), Source::BoardFile);
+        assert_eq!(device.cameras[0].source_of("hfov_deg"), Source::Document);
+    }
+}

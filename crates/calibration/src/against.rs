@@ -1,0 +1,136 @@
+use oaktwin_camera::ImageSize;
+use oaktwin_catalog::{Catalog, Role, Twin, TwinCamera};
+use oaktwin_diagnostic::{Finding, Level, fold_name};
+
+use crate::check::{RESOLUTION, baseline_finding, pair_place};
+use crate::{Calibration, CameraCalibration, Socket};
+
+/// A rescaled fx this far (as a ratio − 1) from the nominal one is odd: lenses of real units differ by 6 %.
+const ODD_FOCAL_LENGTH: f64 = 0.10;
+/// How far the ratio of an image's sides may be from its sensor's: 4056x3040 and 4:3 are 0.0007 apart.
+const SAME_ASPECT: f64 = 0.01;
+
+/// What does not fit between a unit's calibration and the model that it is taken for: its name, its baseline, the
+/// sizes of its images, its focal lengths. A baseline more than 10 % off, and an image larger than its sensor, are
+/// [errors](Level::Error) that [`crate::force`] makes warnings. `nominal` is the model's [nominal
+/// twin](Catalog::nominal), and `catalog` knows its sensors.
+#[must_use]
+pub fn check_against(calibration: &Calibration, nominal: &Twin, catalog: &Catalog) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    findings.extend(product(calibration, nominal));
+    findings.extend(baseline(calibration, nominal));
+    for camera in &nominal.cameras {
+        let Some(found) = calibrated(calibration, camera) else {
+            continue;
+        };
+        findings.extend(resolution(found, camera, catalog));
+        findings.extend(focal_length(found, camera));
+    }
+    findings
+}
+
+/// The calibration of a twin's camera, by its socket.
+pub(crate) fn calibrated<'a>(
+    calibration: &'a Calibration,
+    camera: &TwinCamera,
+) -> Option<&'a CameraCalibration> {
+    calibration.cameras.get(&socket_of(camera)?)
+}
+
+pub(crate) fn socket_of(camera: &TwinCamera) -> Option<Socket> {
+    u8::try_from(camera.spec.socket).ok().map(Socket)
+}
+
+/// The sockets of a twin's stereo pair.
+pub(crate) fn pair_of(nominal: &Twin) -> Option<(Socket, Socket)> {
+    let socket = |role| nominal.camera(role).and_then(socket_of);
+    Some((socket(Role::Left)?, socket(Role::Right)?))
+}
+
+fn product(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
+    let product = &calibration.board.product_name;
+    let device = &nominal.device;
+    let same = |name: &str| fold_name(name) == fold_name(product);
+    if product.is_empty() || device.names().any(same) {
+        return None;
+    }
+    Some(Finding::new(
+        "product-name",
+        Level::Warning,
+        "productName",
+        format!("the file is of a \"{product}\", not of an {}", device.name),
+        "check that the file belongs to this model",
+    ))
+}
+
+fn baseline(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
+    let (left, right) = pair_of(nominal)?;
+    let found = calibration.baseline(left, right, false).ok()?;
+    let expected = nominal.device.stereo_baseline_mm * 1e-3;
+    // Where the file's own design says the same as the model, reading it has already told.
+    if let Ok(spec) = calibration.baseline(left, right, true)
+        && calibration.stereo_pair() == Some((left, right))
+        && (spec / expected - 1.0).abs() < 1e-3
+    {
+        return None;
+    }
+    let who = format!("an {} has", nominal.device.name);
+    baseline_finding(pair_place(calibration, left, right), found, expected, &who)
+}
+
+fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog) -> Option<Finding> {
+    let sensor = catalog.sensor(&camera.spec.sensor)?;
+    let native = ImageSize::new(sensor.native_resolution.0, sensor.native_resolution.1);
+    let (size, place) = (found.size(), format!("{}.width", found.place));
+    if size.width > native.width || size.height > native.height {
+        return Some(Finding::new(
+            RESOLUTION,
+            Level::Error,
+            place,
+            format!("{size} is larger than the {native} of the {}", sensor.id),
+            "check that the file belongs to this model; --force takes it as it is",
+        ));
+    }
+    let known = [
+        native.aspect(),
+        sensor.used_size().aspect(),
+        16.0 / 9.0,
+        4.0 / 3.0,
+    ];
+    if known
+        .iter()
+        .all(|aspect| (size.aspect() / aspect - 1.0).abs() > SAME_ASPECT)
+    {
+        return Some(Finding::new(
+            RESOLUTION,
+            Level::Warning,
+            place,
+            format!(
+                "{size} has not the shape of any mode of the {} ({native})",
+                sensor.id
+            ),
+            "it is scaled and cropped about the centre; calibrate at the sensor's own size",
+        ));
+    }
+    None
+}
+
+fn focal_length(found: &CameraCalibration, camera: &TwinCamera) -> Option<Finding> {
+    let size = camera.intrinsics.size;
+    let (fx, nominal) = (found.intrinsics.resized(size, true).fx, camera.intrinsics.fx);
+    let off = fx / nominal - 1.0;
+    if off.abs() <= ODD_FOCAL_LENGTH {
+        return None;
+    }
+    Some(Finding::new(
+        "focal-length-off",
+        Level::Warning,
+        format!("{}.intrinsicMatrix", found.place),
+        format!(
+            "fx is {fx:.1} px at {size} where the {} camera nominally has {nominal:.1} px, {:+.1} %",
+            camera.spec.prim,
+            off * 100.0
+        ),
+        "check that the file belongs to this model",
+    ))
+}

@@ -1,0 +1,265 @@
+//! What a calibration must be beyond its syntax, by itself.
+
+use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
+use oaktwin_diagnostic::{Finding, Level};
+
+use crate::model::{Calibration, CameraCalibration, Link};
+use crate::reader::Reader;
+use crate::rectify::rectifying_rotations;
+
+/// A baseline this far off (as a ratio − 1) is odd: real units are within 1.6 %.
+pub(crate) const ODD_BASELINE: f64 = 0.03;
+/// A baseline this far off was calibrated with a wrong board scale, or belongs to another model.
+pub(crate) const WRONG_BASELINE: f64 = 0.10;
+/// The code of the findings that [`force`] makes warnings.
+pub(crate) const BASELINE: &str = "baseline-off";
+/// Another code that [`force`] makes a warning.
+pub(crate) const RESOLUTION: &str = "resolution-off";
+/// How far the file's rectification may be from that of its extrinsics, as an angle, rad.
+const ODD_RECTIFICATION: f64 = 1e-3;
+
+/// Makes warnings of the errors that a person may decide to live with: a baseline or a resolution that does not fit.
+pub fn force(findings: &mut [Finding]) {
+    for finding in findings {
+        if finding.level == Level::Error && [BASELINE, RESOLUTION].contains(&finding.code) {
+            finding.level = Level::Warning;
+        }
+    }
+}
+
+pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
+    for camera in calibration.cameras.values() {
+        let place = format!("{}.intrinsicMatrix", camera.place);
+        let k = &camera.intrinsics;
+        let (c, size) = (k.principal_point::<OpenCv>(), k.size);
+        let inside = |x: f64, extent: u32| (-0.5..=f64::from(extent) - 0.5).contains(&x);
+        if !inside(c.x, size.width) || !inside(c.y, size.height) {
+            let message = format!(
+                "the principal point ({}, {}) is outside the {size} image",
+                c.x, c.y
+            );
+            reader.warn(
+                "principal-point",
+                &place,
+                message,
+                "calibrate again, or correct width and height",
+            );
+        }
+        let hfov_deg = k.hfov().to_degrees();
+        if !(5.0..=170.0).contains(&hfov_deg) {
+            let message = format!(
+                "fx = {} px over {} columns is a field of view of {hfov_deg:.1} deg",
+                k.fx, size.width
+            );
+            reader.warn(
+                "field-of-view",
+                &place,
+                message,
+                "correct width, or calibrate again",
+            );
+        }
+        if !reaches_corners(camera) {
+            let message = "the lens model folds back inside the image: some pixels see nothing by it";
+            reader.warn(
+                "distortion-folds",
+                format!("{}.distortionCoeff", camera.place),
+                message,
+                "calibrate again with views that fill the image",
+            );
+        }
+        if !(0.9..=1.1).contains(&(k.fx / k.fy)) {
+            let message = format!("fx = {} and fy = {} px differ by more than 10 %", k.fx, k.fy);
+            reader.warn(
+                "focal-length",
+                &place,
+                message,
+                "the pixels of these sensors are square: calibrate again",
+            );
+        }
+    }
+}
+
+fn reaches_corners(camera: &CameraCalibration) -> bool {
+    let (width, height) = (f64::from(camera.size().width), f64::from(camera.size().height));
+    [
+        (0.0, 0.0),
+        (width - 1.0, 0.0),
+        (0.0, height - 1.0),
+        (width - 1.0, height - 1.0),
+    ]
+    .into_iter()
+    .all(|(x, y)| {
+        camera
+            .camera()
+            .unproject(PixelPoint::<OpenCv>::new(x, y))
+            .is_some()
+    })
+}
+
+pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
+    let of_cameras = calibration.cameras.values().filter_map(|c| c.extrinsics.as_ref());
+    let others = calibration.imu.iter().chain(&calibration.housing);
+    for link in of_cameras.chain(others) {
+        if !calibration.cameras.contains_key(&link.to) {
+            let message = format!("leads to {}, which is not in cameraData", link.to);
+            reader.error(
+                "dangling-socket",
+                format!("{}.toCameraSocket", link.place),
+                message,
+                "add that camera, or set -1",
+            );
+        }
+    }
+    let mut told: Vec<crate::Socket> = Vec::new();
+    for camera in calibration.cameras.values() {
+        let cycle = cycle_through(calibration, camera);
+        if let Some(cycle) = cycle.filter(|_| !told.contains(&camera.socket)) {
+            let names: Vec<String> = cycle.iter().map(ToString::to_string).collect();
+            let message = format!(
+                "the extrinsics run in a circle: {} -> {}",
+                names.join(" -> "),
+                camera.socket
+            );
+            reader.error(
+                "cycle",
+                format!("{}.extrinsics.toCameraSocket", camera.place),
+                message,
+                "set -1 for one of them, the root",
+            );
+            told.extend(cycle);
+        }
+    }
+}
+
+/// The sockets on the circle that the camera is part of.
+fn cycle_through(calibration: &Calibration, start: &CameraCalibration) -> Option<Vec<crate::Socket>> {
+    let mut seen = vec![start.socket];
+    let mut link = start.extrinsics.as_ref();
+    while let Some(Link { to, .. }) = link {
+        if *to == start.socket {
+            return Some(seen);
+        }
+        if seen.contains(to) {
+            return None; // a circle further on, told there
+        }
+        seen.push(*to);
+        link = calibration.cameras.get(to)?.extrinsics.as_ref();
+    }
+    None
+}
+
+pub(crate) fn stereo(reader: &mut Reader, calibration: &Calibration) {
+    let Some((left, right)) = calibration.stereo_pair() else {
+        return;
+    };
+    let Ok(right_from_left) = calibration.transform(left, right, false) else {
+        return;
+    };
+    let place = || pair_place(calibration, left, right);
+    let t = right_from_left.translation;
+    if let Ok(spec) = calibration.baseline(left, right, true)
+        && let Some(finding) = baseline_finding(place(), t.length(), spec, "the board's design says")
+    {
+        reader.findings.push(finding);
+    }
+    if t.length() < 1e-3 {
+        let message = format!("{left} and {right} are {:.3} mm apart", t.length() * 1e3);
+        reader.warn("no-baseline", place(), message, "calibrate the stereo pair");
+        return;
+    }
+    if t.x > 0.0 {
+        let message = format!("{left}, the left camera, is to the right of {right}");
+        reader.warn(
+            "stereo-swapped",
+            place(),
+            message,
+            "swap leftCameraSocket and rightCameraSocket",
+        );
+    } else if -t.x < 0.9 * t.length() {
+        let message = format!(
+            "{left} and {right} are not side by side: {:.1} mm in x of {:.1} mm",
+            -t.x * 1e3,
+            t.length() * 1e3
+        );
+        reader.warn(
+            "stereo-not-horizontal",
+            place(),
+            message,
+            "calibrate the stereo pair again",
+        );
+    }
+    rectification(reader, calibration, &right_from_left);
+}
+
+fn rectification(reader: &mut Reader, calibration: &Calibration, right_from_left: &RigidTransform) {
+    let Some(stereo) = calibration.stereo else { return };
+    let Some((r1, r2)) = rectifying_rotations(right_from_left) else {
+        return;
+    };
+    for (stored, computed, key) in [
+        (stereo.rectified_from_left, r1, "rectifiedRotationLeft"),
+        (stereo.rectified_from_right, r2, "rectifiedRotationRight"),
+    ] {
+        let Some(stored) = stored else { continue };
+        let angle = rotation_angle(stored * computed.transpose());
+        if angle > ODD_RECTIFICATION {
+            let message = format!(
+                "is {:.3} deg from what the extrinsics give; not used",
+                angle.to_degrees()
+            );
+            reader.warn(
+                "rectification-off",
+                format!("stereoRectificationData.{key}"),
+                message,
+                "calibrate the pair again",
+            );
+        }
+    }
+}
+
+fn rotation_angle(r: oaktwin_camera::math::DMat3) -> f64 {
+    // From the skew part too, because acos alone has no digits near zero.
+    let skew = oaktwin_camera::math::DVec3::new(
+        r.y_axis.z - r.z_axis.y,
+        r.z_axis.x - r.x_axis.z,
+        r.x_axis.y - r.y_axis.x,
+    );
+    let trace = r.x_axis.x + r.y_axis.y + r.z_axis.z;
+    skew.length().atan2(trace - 1.0)
+}
+
+/// Where the baseline of a pair is written: the translation of the left camera, or of the right one if the left is
+/// the root.
+pub(crate) fn pair_place(calibration: &Calibration, left: crate::Socket, right: crate::Socket) -> String {
+    let camera = [left, right]
+        .into_iter()
+        .filter_map(|socket| calibration.cameras.get(&socket))
+        .find(|camera| camera.extrinsics.is_some());
+    camera.map_or_else(
+        || "cameraData".to_owned(),
+        |camera| format!("{}.extrinsics.translation", camera.place),
+    )
+}
+
+pub(crate) fn baseline_finding(place: String, found_m: f64, nominal_m: f64, who: &str) -> Option<Finding> {
+    let off = found_m / nominal_m - 1.0;
+    let level = if off.abs() > WRONG_BASELINE {
+        Level::Error
+    } else if off.abs() > ODD_BASELINE {
+        Level::Warning
+    } else {
+        return None;
+    };
+    Some(Finding::new(
+        BASELINE,
+        level,
+        place,
+        format!(
+            "the baseline is {:.2} mm where {who} {:.2} mm, {:+.1} %",
+            found_m * 1e3,
+            nominal_m * 1e3,
+            off * 100.0
+        ),
+        "check the size of the calibration board's squares and the model; --force takes it as it is",
+    ))
+}

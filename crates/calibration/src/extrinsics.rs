@@ -1,0 +1,105 @@
+use oaktwin_camera::RigidTransform;
+
+use crate::model::{Calibration, Link};
+use crate::{CalibrationError, Socket};
+
+impl Calibration {
+    /// `to_from_from`: takes points in camera `from`'s optical frame to camera `to`'s, m. With `use_spec` the
+    /// translations are those of the board's design.
+    ///
+    /// # Errors
+    /// A camera is missing, no chain joins the two, or a link lacks a design translation.
+    pub fn transform(
+        &self,
+        from: Socket,
+        to: Socket,
+        use_spec: bool,
+    ) -> Result<RigidTransform, CalibrationError> {
+        let (root_of_from, root_from_from) = self.root_from(from, use_spec)?;
+        let (root_of_to, root_from_to) = self.root_from(to, use_spec)?;
+        if root_of_from != root_of_to {
+            return Err(self.disconnected(from.to_string(), to.to_string()));
+        }
+        Ok(root_from_to.inverse() * root_from_from)
+    }
+
+    /// The distance between two optical centres, m.
+    ///
+    /// # Errors
+    /// As [`Self::transform`].
+    pub fn baseline(&self, a: Socket, b: Socket, use_spec: bool) -> Result<f64, CalibrationError> {
+        Ok(self.transform(a, b, use_spec)?.translation.length())
+    }
+
+    /// Takes points in the inertial unit's frame to a camera's optical frame, m.
+    ///
+    /// # Errors
+    /// The file does not place the inertial unit, or as [`Self::transform`].
+    pub fn camera_from_imu(
+        &self,
+        camera: Socket,
+        use_spec: bool,
+    ) -> Result<RigidTransform, CalibrationError> {
+        self.camera_from_link(camera, self.imu.as_ref(), "imuExtrinsics", use_spec)
+    }
+
+    /// Takes points in the housing's frame to a camera's optical frame, m.
+    ///
+    /// # Errors
+    /// The file does not place the housing, or as [`Self::transform`].
+    pub fn camera_from_housing(
+        &self,
+        camera: Socket,
+        use_spec: bool,
+    ) -> Result<RigidTransform, CalibrationError> {
+        self.camera_from_link(camera, self.housing.as_ref(), "housingExtrinsics", use_spec)
+    }
+
+    fn camera_from_link(
+        &self,
+        camera: Socket,
+        link: Option<&Link>,
+        place: &'static str,
+        use_spec: bool,
+    ) -> Result<RigidTransform, CalibrationError> {
+        self.camera(camera)?;
+        let link = link.ok_or_else(|| CalibrationError::NotPlaced {
+            file: self.file_name.clone(),
+            place,
+        })?;
+        let camera_from_to = self.transform(link.to, camera, use_spec)?;
+        let mut to_from_self = link.camera_from_self;
+        if use_spec {
+            // Zeros are a place here, and DepthAI takes them for one.
+            to_from_self.translation = link.spec_translation.unwrap_or_default();
+        }
+        Ok(camera_from_to * to_from_self)
+    }
+
+    /// The root of a camera's chain, and `root_from_camera`.
+    fn root_from(
+        &self,
+        camera: Socket,
+        use_spec: bool,
+    ) -> Result<(Socket, RigidTransform), CalibrationError> {
+        let mut at = camera;
+        let mut at_from_camera = RigidTransform::IDENTITY;
+        // Checked when read, but a caller may have changed the value: no chain is longer than there are cameras.
+        for _ in 0..=self.cameras.len() {
+            let Some(link) = &self.camera(at)?.extrinsics else {
+                return Ok((at, at_from_camera));
+            };
+            at_from_camera = link.transform(&self.file_name, use_spec)? * at_from_camera;
+            at = link.to;
+        }
+        Err(self.disconnected(camera.to_string(), "a root".to_owned()))
+    }
+
+    fn disconnected(&self, from: String, to: String) -> CalibrationError {
+        CalibrationError::Disconnected {
+            file: self.file_name.clone(),
+            from,
+            to,
+        }
+    }
+}

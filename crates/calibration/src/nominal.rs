@@ -1,0 +1,175 @@
+use oaktwin_camera::{LensModel, RigidTransform};
+use oaktwin_catalog::{Role, Twin, TwinCamera};
+
+use crate::Socket;
+use crate::against::{pair_of, socket_of};
+use crate::raw::{Node, Raw, Value};
+use crate::rectify::rectifying_rotations;
+
+const CM_PER_M: f64 = 100.0;
+
+/// A twin as a `DepthAI` JSON of version 7: for a nominal twin, the calibration of the ideal device, for those who have
+/// none yet. `DepthAI` loads it, and its numbers are the twin's: principal points in OpenCV's convention, where the
+/// centre of a centred image is (W − 1)/2; left leads to right and right to the camera on socket 0, as in factory files.
+#[must_use]
+pub fn nominal_calibration(twin: &Twin) -> Raw {
+    let device = &twin.device;
+    let product = device.aliases.first().unwrap_or(&device.name);
+    let mut cameras: Vec<_> = twin
+        .cameras
+        .iter()
+        .filter_map(|camera| Some((socket_of(camera)?, camera)))
+        .collect();
+    cameras.sort_by_key(|(socket, _)| *socket);
+    let root = cameras.first().copied();
+    let camera_data: Vec<Node> = cameras
+        .iter()
+        .map(|(socket, camera)| {
+            vec![
+                Node::from(i64::from(socket.number())),
+                self::camera(twin, root, camera),
+            ]
+            .into()
+        })
+        .collect();
+    let imu = root.map_or_else(no_extrinsics, |(socket, camera)| {
+        extrinsics(socket, &(camera.body_from_camera.inverse() * twin.body_from_imu))
+    });
+    let text = |text: &str| Node::from(text);
+    let root = Node::from([
+        ("batchName", text("")),
+        ("batchTime", 0.into()),
+        ("boardConf", text("")),
+        ("boardCustom", text("")),
+        ("boardName", text("")),
+        ("boardOptions", 0.into()),
+        ("boardRev", text("")),
+        ("cameraData", camera_data.into()),
+        ("deviceName", text("")),
+        ("hardwareConf", text("")),
+        ("housingExtrinsics", no_extrinsics()),
+        ("imuExtrinsics", imu),
+        ("miscellaneousData", Value::Array(Vec::new()).into()),
+        ("productName", text(product)),
+        ("stereoEnableDistortionCorrection", false.into()),
+        ("stereoRectificationData", stereo(twin)),
+        ("stereoUseSpecTranslation", true.into()),
+        ("version", 7.into()),
+        ("verticalCameraSocket", (-1).into()),
+    ]);
+    Raw {
+        name: format!("{product}.json"),
+        root,
+    }
+}
+
+fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
+    let (kind, coefficients) = match &camera.lens {
+        LensModel::OpenCvPinhole(lens) => (0, lens.coefficients.to_vec()),
+        LensModel::OpenCvFisheye(lens) => (1, lens.k.to_vec()),
+        // DepthAI has no f-theta; no calibration or catalog gives one either.
+        LensModel::Pinhole | LensModel::FTheta(_) => (0, vec![0.0; 14]),
+    };
+    let size = camera.intrinsics.size;
+    // Of the design with its distortion, where that is known.
+    let spec_hfov_deg = camera.spec.fisheye_hfov_deg.unwrap_or(camera.spec.hfov_deg);
+    let extrinsics = match next(twin, root, camera) {
+        Some((socket, next)) => extrinsics(
+            socket,
+            &(next.body_from_camera.inverse() * camera.body_from_camera),
+        ),
+        None => no_extrinsics(),
+    };
+    Node::from([
+        ("cameraType", Node::from(kind)),
+        ("distortionCoeff", coefficients.into()),
+        ("extrinsics", extrinsics),
+        ("height", i64::from(size.height).into()),
+        ("intrinsicMatrix", matrix(camera.intrinsics.opencv_matrix())),
+        ("lensPosition", 0.into()),
+        ("specHfovDeg", spec_hfov_deg.into()),
+        ("width", i64::from(size.width).into()),
+    ])
+}
+
+/// The camera that a camera's extrinsics lead to.
+fn next<'a>(
+    twin: &'a Twin,
+    root: Option<(Socket, &'a TwinCamera)>,
+    camera: &TwinCamera,
+) -> Option<(Socket, &'a TwinCamera)> {
+    let (root_socket, root) = root?;
+    if socket_of(camera)? == root_socket {
+        return None;
+    }
+    let right = twin.camera(Role::Right);
+    match right.and_then(|right| Some((socket_of(right)?, right))) {
+        Some((socket, right)) if camera.spec.role == Role::Left && socket != root_socket => {
+            Some((socket, right))
+        }
+        _ => Some((root_socket, root)),
+    }
+}
+
+fn stereo(twin: &Twin) -> Node {
+    let Some((left, right)) = pair_of(twin) else {
+        return Value::Object(Vec::new()).into();
+    };
+    let pose = |role| twin.camera(role).map(|camera| camera.body_from_camera);
+    let right_from_left = match (pose(Role::Left), pose(Role::Right)) {
+        (Some(body_from_left), Some(body_from_right)) => body_from_right.inverse() * body_from_left,
+        _ => RigidTransform::IDENTITY,
+    };
+    let (r1, r2) = rectifying_rotations(&right_from_left).unwrap_or_default();
+    Node::from([
+        ("leftCameraSocket", i64::from(left.number()).into()),
+        ("rectifiedRotationLeft", matrix(r1.transpose().to_cols_array_2d())),
+        (
+            "rectifiedRotationRight",
+            matrix(r2.transpose().to_cols_array_2d()),
+        ),
+        ("rightCameraSocket", i64::from(right.number()).into()),
+    ])
+}
+
+fn extrinsics(to: Socket, transform: &RigidTransform) -> Node {
+    // Ten decimals of a centimetre are a picometre: they hide the last bits of the conversion from metres.
+    let cm = |m: f64| tidy((m * CM_PER_M * 1e10).round() / 1e10);
+    let t = transform.translation;
+    let translation = || {
+        Node::from([
+            ("x", cm(t.x).into()),
+            ("y", cm(t.y).into()),
+            ("z", cm(t.z).into()),
+        ])
+    };
+    Node::from([
+        (
+            "rotationMatrix",
+            matrix(transform.rotation.transpose().to_cols_array_2d()),
+        ),
+        ("specTranslation", translation()),
+        ("toCameraSocket", i64::from(to.number()).into()),
+        ("translation", translation()),
+    ])
+}
+
+/// What stands for "none": zeros, and no socket.
+fn no_extrinsics() -> Node {
+    let zero = || Node::from([("x", 0.0.into()), ("y", 0.0.into()), ("z", 0.0.into())]);
+    Node::from([
+        ("rotationMatrix", matrix([[0.0; 3]; 3])),
+        ("specTranslation", zero()),
+        ("toCameraSocket", (-1).into()),
+        ("translation", zero()),
+    ])
+}
+
+fn matrix(rows: [[f64; 3]; 3]) -> Node {
+    rows.map(|row| Node::from(row.map(tidy).to_vec())).to_vec().into()
+}
+
+/// 0 in place of −0.
+fn tidy(x: f64) -> f64 {
+    x + 0.0
+}

@@ -1,0 +1,49 @@
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+/// A camera's socket on the board, as `DepthAI` numbers them: 0 is `CAM_A`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Socket(pub u8);
+
+impl Socket {
+    /// `CAM_A`, the centre camera.
+    pub const CAM_A: Self = Self(0);
+    /// `CAM_B`, the left one of the stereo pair.
+    pub const CAM_B: Self = Self(1);
+    /// `CAM_C`, the right one of the stereo pair.
+    pub const CAM_C: Self = Self(2);
+    /// The last one that `DepthAI` knows, `CAM_J`.
+    pub const LAST: Self = Self(9);
+
+    /// The socket of a number in a file; −1, and the 255 that firmware writes for it, mean "none".
+    pub(crate) fn from_file(number: i64) -> Result<Option<Self>, String> {
+        match number {
+            -1 | 255 => Ok(None),
+            _ => u8::try_from(number)
+                .ok()
+                .map(Self)
+                .filter(|socket| *socket <= Self::LAST)
+                .map(Some)
+                .ok_or_else(|| format!("{number} is no camera socket")),
+        }
+    }
+
+    /// Its number in files.
+    #[must_use]
+    pub const fn number(self) -> i32 {
+        self.0 as i32
+    }
+}
+
+impl fmt::Display for Socket {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "CAM_{}", char::from(b'A'.saturating_add(self.0)))
+    }
+}
+
+impl Serialize for Socket {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}

@@ -1,0 +1,189 @@
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::DMat3;
+use oaktwin_diagnostic::Finding;
+use serde::Serialize;
+
+use crate::rectify::rectifying_rotations;
+use crate::{Board, Calibration, CalibrationError, CameraKind, Socket};
+
+/// Everything that a calibration says, for people and programs: 3×3 and 4×4 matrices in rows, lengths in centimetres
+/// as in the file. Each transform is what `DepthAI`'s `getCameraExtrinsics(from, to)` answers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CalibrationSummary {
+    /// What messages call the file.
+    pub file: String,
+    /// The format's version.
+    pub version: u32,
+    /// What the board says it is.
+    pub board: Board,
+    /// By socket.
+    pub cameras: Vec<CameraSummary>,
+    /// Every camera to every other.
+    pub pairs: Vec<PairSummary>,
+    /// The stereo pair, if its cameras are there and joined.
+    pub stereo: Option<StereoSummary>,
+    /// The inertial unit to every camera that it is joined with.
+    pub imu: Vec<ImuSummary>,
+    /// What is odd.
+    pub findings: Vec<Finding>,
+}
+
+/// One camera of a [`CalibrationSummary`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CameraSummary {
+    /// `CAM_A`
+    pub socket: Socket,
+    /// Its family of lens models.
+    pub model: CameraKind,
+    /// Columns that it was calibrated at.
+    pub width: u32,
+    /// Rows that it was calibrated at.
+    pub height: u32,
+    /// OpenCV's camera matrix, px.
+    pub camera_matrix: [[f64; 3]; 3],
+    /// `2 atan(width / (2 fx))`.
+    pub hfov_deg: f64,
+    /// `2 atan(height / (2 fy))`.
+    pub vfov_deg: f64,
+    /// Corner to corner.
+    pub dfov_deg: f64,
+    /// By the design, with distortion.
+    pub spec_hfov_deg: f64,
+    /// The coefficients in OpenCV's order.
+    pub distortion: Vec<f64>,
+    /// The focus motor's position.
+    pub lens_position: u8,
+    /// The camera that its extrinsics lead to; none at a root.
+    pub extrinsics_to: Option<Socket>,
+}
+
+/// Two cameras of a [`CalibrationSummary`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PairSummary {
+    /// Points are in this camera's frame,
+    pub from: Socket,
+    /// and get into this one's.
+    pub to: Socket,
+    /// Calibrated, translation in cm; none where no extrinsics join the two.
+    pub to_from_from_cm: Option<[[f64; 4]; 4]>,
+    /// With the translations of the board's design; none where the file lacks one.
+    pub spec_to_from_from_cm: Option<[[f64; 4]; 4]>,
+    /// The distance, cm.
+    pub baseline_cm: Option<f64>,
+    /// The distance by the board's design, cm.
+    pub spec_baseline_cm: Option<f64>,
+}
+
+/// The stereo pair of a [`CalibrationSummary`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StereoSummary {
+    /// The left camera.
+    pub left: Socket,
+    /// The right camera.
+    pub right: Socket,
+    /// Computed from the calibrated extrinsics, as `cv2.stereoRectify`'s R1.
+    pub rectified_from_left: [[f64; 3]; 3],
+    /// Likewise R2.
+    pub rectified_from_right: [[f64; 3]; 3],
+}
+
+/// The inertial unit and a camera of a [`CalibrationSummary`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ImuSummary {
+    /// The camera.
+    pub camera: Socket,
+    /// Calibrated, translation in cm.
+    pub camera_from_imu_cm: [[f64; 4]; 4],
+    /// With the translations of the board's design; none where the file lacks one.
+    pub spec_camera_from_imu_cm: Option<[[f64; 4]; 4]>,
+}
+
+/// A calibration's summary with what was found on the way to it.
+#[must_use]
+pub fn summary(calibration: &Calibration, findings: &[Finding]) -> CalibrationSummary {
+    CalibrationSummary {
+        file: calibration.file_name.clone(),
+        version: calibration.version,
+        board: calibration.board.clone(),
+        cameras: cameras(calibration),
+        pairs: pairs(calibration),
+        stereo: stereo(calibration),
+        imu: imu(calibration),
+        findings: findings.to_vec(),
+    }
+}
+
+fn cameras(calibration: &Calibration) -> Vec<CameraSummary> {
+    calibration
+        .cameras
+        .values()
+        .map(|camera| CameraSummary {
+            socket: camera.socket,
+            model: camera.kind,
+            width: camera.size().width,
+            height: camera.size().height,
+            camera_matrix: camera.intrinsics.opencv_matrix(),
+            hfov_deg: camera.intrinsics.hfov().to_degrees(),
+            vfov_deg: camera.intrinsics.vfov().to_degrees(),
+            dfov_deg: camera.intrinsics.dfov().to_degrees(),
+            spec_hfov_deg: camera.spec_hfov_deg,
+            distortion: camera.distortion.clone(),
+            lens_position: camera.lens_position,
+            extrinsics_to: camera.extrinsics.as_ref().map(|link| link.to),
+        })
+        .collect()
+}
+
+fn pairs(calibration: &Calibration) -> Vec<PairSummary> {
+    let sockets = || calibration.cameras.keys().copied();
+    sockets()
+        .flat_map(|from| sockets().map(move |to| (from, to)))
+        .filter(|(from, to)| from != to)
+        .map(|(from, to)| {
+            let calibrated = calibration.transform(from, to, false);
+            let spec = calibration.transform(from, to, true);
+            let distance = |t: &Result<RigidTransform, CalibrationError>| {
+                t.as_ref().ok().map(|t| t.translation.length() * 100.0)
+            };
+            PairSummary {
+                from,
+                to,
+                baseline_cm: distance(&calibrated),
+                spec_baseline_cm: distance(&spec),
+                to_from_from_cm: rows_cm(calibrated),
+                spec_to_from_from_cm: rows_cm(spec),
+            }
+        })
+        .collect()
+}
+
+fn stereo(calibration: &Calibration) -> Option<StereoSummary> {
+    let (left, right) = calibration.stereo_pair()?;
+    let (r1, r2) = rectifying_rotations(&calibration.transform(left, right, false).ok()?)?;
+    let rows = |r: DMat3| r.transpose().to_cols_array_2d();
+    Some(StereoSummary {
+        left,
+        right,
+        rectified_from_left: rows(r1),
+        rectified_from_right: rows(r2),
+    })
+}
+
+fn imu(calibration: &Calibration) -> Vec<ImuSummary> {
+    calibration
+        .cameras
+        .keys()
+        .filter_map(|camera| {
+            Some(ImuSummary {
+                camera: *camera,
+                camera_from_imu_cm: rows_cm(calibration.camera_from_imu(*camera, false))?,
+                spec_camera_from_imu_cm: rows_cm(calibration.camera_from_imu(*camera, true)),
+            })
+        })
+        .collect()
+}
+
+fn rows_cm(transform: Result<RigidTransform, CalibrationError>) -> Option<[[f64; 4]; 4]> {
+    let t = transform.ok()?;
+    Some(RigidTransform::new(t.rotation, t.translation * 100.0).rows())
+}

@@ -1,0 +1,40 @@
+/// The files of this crate's `data/`: name and text, devices in the sheet's order.
+pub(crate) const FILES: [(&str, &str); 10] = [
+    (
+        "data/sensors/imx378.toml",
+        include_str!("../data/sensors/imx378.toml"),
+    ),
+    (
+        "data/sensors/imx586.toml",
+        include_str!("../data/sensors/imx586.toml"),
+    ),
+    (
+        "data/sensors/ov9282.toml",
+        include_str!("../data/sensors/ov9282.toml"),
+    ),
+    (
+        "data/sensors/ov9782.toml",
+        include_str!("../data/sensors/ov9782.toml"),
+    ),
+    ("data/sensors/33d.toml", include_str!("../data/sensors/33d.toml")),
+    (
+        "data/devices/oak_d_pro_poe.toml",
+        include_str!("../data/devices/oak_d_pro_poe.toml"),
+    ),
+    (
+        "data/devices/oak_d_pro_w_poe.toml",
+        include_str!("../data/devices/oak_d_pro_w_poe.toml"),
+    ),
+    (
+        "data/devices/oak4_d.toml",
+        include_str!("../data/devices/oak4_d.toml"),
+    ),
+    (
+        "data/devices/oak4_d_wide.toml",
+        include_str!("../data/devices/oak4_d_wide.toml"),
+    ),
+    (
+        "data/devices/oak_d_tof.toml",
+        include_str!("../data/devices/oak_d_tof.toml"),
+    ),
+];

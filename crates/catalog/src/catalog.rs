@@ -1,0 +1,184 @@
+use std::path::Path;
+use std::sync::LazyLock;
+
+use oaktwin_diagnostic::{fold_name, nearest};
+use serde::Serialize;
+
+use crate::document::Document;
+use crate::{CatalogError, Device, Sensor, UnknownModel, builtin, check};
+
+/// The sensors and devices that are known.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Catalog {
+    sensors: Vec<Sensor>,
+    devices: Vec<Device>,
+}
+
+/// The text of a catalog file and its name.
+pub(crate) struct SourceFile<'a> {
+    pub(crate) file: &'a Path,
+    pub(crate) text: &'a str,
+}
+
+impl Catalog {
+    /// The five models and five sensors that come with this crate.
+    #[must_use]
+    pub fn builtin() -> &'static Self {
+        static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
+            let files: Vec<SourceFile<'_>> = builtin::FILES
+                .iter()
+                .map(|(file, text)| SourceFile {
+                    file: Path::new(file),
+                    text,
+                })
+                .collect();
+            #[expect(
+                clippy::expect_used,
+                reason = "the files are part of the program, and a test loads them"
+            )]
+            Catalog::empty()
+                .with_files(&files)
+                .expect("the built-in catalog is sound")
+        });
+        &BUILTIN
+    }
+
+    const fn empty() -> Self {
+        Self {
+            sensors: Vec::new(),
+            devices: Vec::new(),
+        }
+    }
+
+    /// The devices in the sheet's order, then a user's own by name of their file.
+    #[must_use]
+    pub fn devices(&self) -> &[Device] {
+        &self.devices
+    }
+
+    /// The sensors.
+    #[must_use]
+    pub fn sensors(&self) -> &[Sensor] {
+        &self.sensors
+    }
+
+    /// The sensor of this id.
+    #[must_use]
+    pub fn sensor(&self, id: &str) -> Option<&Sensor> {
+        let id = fold_name(id);
+        self.sensors.iter().find(|sensor| fold_name(&sensor.id) == id)
+    }
+
+    /// The device of this name: its id, name, prim or an alias, without regard to case, spaces, hyphens and
+    /// underscores.
+    ///
+    /// # Errors
+    /// There is none; the error lists the nearest.
+    pub fn device(&self, name: &str) -> Result<&Device, UnknownModel> {
+        let wanted = fold_name(name);
+        let found = self
+            .devices
+            .iter()
+            .find(|device| device.names().any(|name| fold_name(name) == wanted));
+        found.ok_or_else(|| {
+            let all = self.devices.iter().flat_map(Device::names);
+            let mut names: Vec<String> = Vec::new();
+            for near in nearest(name, all) {
+                for device in &self.devices {
+                    if device.names().any(|name| name == near) && !names.contains(&device.name) {
+                        names.push(device.name.clone());
+                    }
+                }
+            }
+            UnknownModel {
+                name: name.to_owned(),
+                nearest: names,
+                known: self.devices.iter().map(|device| device.name.clone()).collect(),
+            }
+        })
+    }
+
+    /// This catalog and these files; an entry takes the place of the one with its id.
+    pub(crate) fn with_files(mut self, files: &[SourceFile<'_>]) -> Result<Self, CatalogError> {
+        let documents = files
+            .iter()
+            .map(|source| Document::parse(source.file, source.text))
+            .collect::<Result<Vec<_>, _>>()?;
+        let (devices, sensors): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
+        let mut new_ids: Vec<String> = Vec::new();
+        for document in sensors {
+            let sensor: Sensor = document.deserialize()?;
+            check::sensor(document, &sensor)?;
+            check::new_id(document, &sensor.id, &mut new_ids)?;
+            put(&mut self.sensors, sensor, |sensor| &sensor.id);
+        }
+        new_ids.clear();
+        for document in devices {
+            let device: Device = document.deserialize()?;
+            check::device(document, &device, &self)?;
+            check::new_id(document, &device.id, &mut new_ids)?;
+            put(&mut self.devices, device, |device| &device.id);
+        }
+        Ok(self)
+    }
+}
+
+/// A device has cameras or a prim; a file with neither is a sensor's.
+fn is_device(document: &Document<'_>) -> bool {
+    ["camera", "prim", "body", "depth_sensor"]
+        .iter()
+        .any(|key| document.has(key))
+}
+
+fn put<T>(entries: &mut Vec<T>, new: T, id: impl Fn(&T) -> &str) {
+    let folded = fold_name(id(&new));
+    match entries.iter_mut().find(|entry| fold_name(id(entry)) == folded) {
+        Some(entry) => *entry = new,
+        None => entries.push(new),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_builtin_catalog_is_sound() {
+        let catalog = Catalog::builtin();
+        let names: Vec<&str> = catalog.devices().iter().map(|d| d.name.as_str()).collect();
+        assert_eq!(
+            names,
+            [
+                "OAK-D Pro PoE",
+                "OAK-D Pro W PoE",
+                "OAK4-D",
+                "OAK4-D Wide",
+                "OAK-D ToF"
+            ]
+        );
+        let sensors: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
+        assert_eq!(sensors, ["IMX378", "IMX586", "OV9282", "OV9782", "33D"]);
+    }
+
+    #[test]
+    fn names_match_however_they_are_written() {
+        let catalog = Catalog::builtin();
+        for (asked, id) in [
+            ("oak-d pro poe", "oak_d_pro_poe"),
+            ("OAK_D_PRO", "oak_d_pro_poe"),
+            ("OAK-D-PRO-W-POE", "oak_d_pro_w_poe"),
+            ("oak4d", "oak4_d"),
+            ("OAK 4 D", "oak4_d"),
+            ("OAK-4-D-W", "oak4_d_wide"),
+            ("OAK-D-SR-POE", "oak_d_tof"),
+        ] {
+            assert_eq!(catalog.device(asked).unwrap().id, id, "{asked}");
+        }
+        let error = catalog.device("OAK-D TofF").unwrap_err();
+        assert_eq!(error.nearest[0], "OAK-D ToF");
+        assert_eq!(
+            catalog.device("kinect").unwrap_err().to_string(),
+            "unknown model 'kinect'; known models: OAK-D Pro PoE, OAK-D Pro W PoE, OAK4-D, OAK4-D Wide, OAK-D ToF"
+        );
+    }
+}

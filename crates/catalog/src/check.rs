@@ -1,0 +1,447 @@
+//! What must hold in a file beyond its form.
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_diagnostic::{fold_name, nearest};
+
+use crate::document::Document;
+use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
+
+type Checked = Result<(), CatalogError>;
+
+/// A side of an image beyond which something is wrong.
+const LARGEST_SIDE_PX: u32 = 65_535;
+
+pub(crate) fn sensor(doc: &Document<'_>, sensor: &Sensor) -> Checked {
+    text(doc, "id", &sensor.id)?;
+    for (key, (width, height)) in [
+        ("native_resolution", sensor.native_resolution),
+        ("used_resolution", sensor.used_resolution),
+    ] {
+        let sides = 1..=LARGEST_SIDE_PX;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(doc.error(
+                key,
+                format!("a resolution of {width}x{height}"),
+                format!("give [width, height] in pixels, each 1 to {LARGEST_SIDE_PX}"),
+            ));
+        }
+    }
+    let (native, used) = (sensor.native_resolution, sensor.used_resolution);
+    if used.0 > native.0 || used.1 > native.1 {
+        return Err(doc.error(
+            "used_resolution",
+            format!(
+                "{}x{} is more than the array's {}x{}",
+                used.0, used.1, native.0, native.1
+            ),
+            "give a mode that the sensor has",
+        ));
+    }
+    positive(doc, "native_pixel_size_um", sensor.native_pixel_size_um)?;
+    positive(doc, "pixel_size_um", sensor.pixel_size_um)?;
+    if let Some(range) = sensor.depth_range_m {
+        ascending(doc, "depth_range_m", range)?;
+    }
+    for (key, value) in [
+        ("megapixels", sensor.megapixels),
+        ("wavelength_nm", sensor.wavelength_nm),
+    ] {
+        if let Some(value) = value {
+            positive(doc, key, value)?;
+        }
+    }
+    sources(doc, "", &sensor.sources)?;
+    evidence(doc, sensor.evidence.iter().map(|e| e.about.as_str()), |about| {
+        about.to_owned()
+    })
+}
+
+pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Checked {
+    text(doc, "name", &device.name)?;
+    prim_name(doc, "id", &device.id)?;
+    prim_name(doc, "prim", &device.prim)?;
+    names_are_free(doc, device, catalog)?;
+    positive(doc, "stereo_baseline_mm", device.stereo_baseline_mm)?;
+    body_and_imu(doc, device)?;
+    if device.cameras.is_empty() {
+        return Err(doc.error("camera", "a device without cameras", "add a [[camera]]"));
+    }
+    let mut prims: Vec<&str> = vec!["TemplateRenderProducts", "Imu_Sensor", "visuals", "Looks"];
+    for (i, spec) in device.cameras.iter().enumerate() {
+        let at = format!("camera.{i}");
+        if device.cameras[..i].iter().any(|other| other.role == spec.role) {
+            return Err(doc.error(
+                &format!("{at}.role"),
+                format!("a second camera with the role '{}'", spec.role),
+                "give each camera its own",
+            ));
+        }
+        unique_prim(doc, &format!("{at}.prim"), &spec.prim, &mut prims)?;
+        camera(doc, &at, spec, catalog)?;
+    }
+    baseline(doc, device)?;
+    for (i, spec) in device.depth_sensors.iter().enumerate() {
+        let at = format!("depth_sensor.{i}");
+        if device.depth_sensors[..i]
+            .iter()
+            .any(|other| other.kind == spec.kind)
+        {
+            return Err(doc.error(
+                &format!("{at}.kind"),
+                "a second depth sensor of this kind",
+                "give each its own",
+            ));
+        }
+        unique_prim(doc, &format!("{at}.prim"), &spec.prim, &mut prims)?;
+        depth_sensor(doc, &at, spec, device)?;
+    }
+    for (i, table) in device.accuracy.iter().enumerate() {
+        accuracy(doc, &format!("accuracy.{i}"), table)?;
+    }
+    sources(doc, "", &device.sources)?;
+    sources(doc, "body.", &device.body.sources)?;
+    sources(doc, "imu.", &device.imu.sources)?;
+    evidence(doc, device.evidence.iter().map(|e| e.about.as_str()), |about| {
+        indexed(device, about)
+    })
+}
+
+/// Two files of one load must not describe the same entry.
+pub(crate) fn new_id(doc: &Document<'_>, id: &str, seen: &mut Vec<String>) -> Checked {
+    let folded = fold_name(id);
+    if seen.contains(&folded) {
+        return Err(doc.error(
+            "id",
+            format!("a second file describes {id:?}"),
+            "remove one of them",
+        ));
+    }
+    seen.push(folded);
+    Ok(())
+}
+
+fn names_are_free(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Checked {
+    let others = || {
+        let id = fold_name(&device.id);
+        catalog
+            .devices()
+            .iter()
+            .filter(move |other| fold_name(&other.id) != id)
+    };
+    for (name, place) in device.named_places() {
+        let folded = fold_name(name);
+        if let Some(other) = others().find(|other| other.names().any(|other| fold_name(other) == folded)) {
+            return Err(doc.error(
+                &place,
+                format!("{name:?} already means the {}", other.name),
+                format!(
+                    "choose another, or use the id '{}' to replace that entry",
+                    other.id
+                ),
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
+    for (i, side) in device.body.dimensions_mm.into_iter().enumerate() {
+        positive(doc, &format!("body.dimensions_mm.{i}"), side)?;
+    }
+    positive(doc, "body.mass_g", device.body.mass_g)?;
+    let rotation = DMat3::from_cols_array_2d(&device.imu.rotation).transpose();
+    let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
+    if off > 1e-6 {
+        return Err(doc.error(
+            "imu.rotation",
+            "not a rotation",
+            "give three orthogonal rows of length 1 with determinant +1",
+        ));
+    }
+    Ok(())
+}
+
+fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Checked {
+    let place = |key: &str| format!("{at}.{key}");
+    if catalog.sensor(&spec.sensor).is_none() {
+        let known: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
+        let remedy = match nearest(&spec.sensor, known.iter().copied()).first() {
+            Some(near) => format!("did you mean '{near}'? A new sensor needs a file of its own"),
+            None => format!(
+                "known are {}; a new one needs a file of its own",
+                known.join(", ")
+            ),
+        };
+        return Err(doc.error(
+            &place("sensor"),
+            format!("unknown sensor {:?}", spec.sensor),
+            remedy,
+        ));
+    }
+    between(
+        doc,
+        &place("hfov_deg"),
+        spec.hfov_deg,
+        180.0,
+        "a pinhole sees less than 180 degrees",
+    )?;
+    if let Some(hfov_deg) = spec.fisheye_hfov_deg {
+        between(
+            doc,
+            &place("fisheye_hfov_deg"),
+            hfov_deg,
+            360.0,
+            "a lens sees less than 360 degrees",
+        )?;
+    }
+    between(
+        doc,
+        &place("max_fov_deg"),
+        spec.max_fov_deg,
+        360.0,
+        "give the field of view in degrees",
+    )?;
+    positive(doc, &place("focus_distance"), spec.focus_distance)?;
+    one_of(
+        doc,
+        &place("projection"),
+        &spec.projection,
+        &["perspective", "orthographic"],
+    )?;
+    one_of(
+        doc,
+        &place("stereo_role"),
+        &spec.stereo_role,
+        &["mono", "left", "right"],
+    )?;
+    not_negative(doc, &place("f_stop"), spec.f_stop)?;
+    ascending(doc, &place("clipping_range_m"), spec.clipping_range_m)?;
+    sources(doc, &place(""), &spec.sources)
+}
+
+fn baseline(doc: &Document<'_>, device: &Device) -> Checked {
+    let (Some(left), Some(right)) = (device.camera(Role::Left), device.camera(Role::Right)) else {
+        return Ok(());
+    };
+    let apart = DVec3::from(left.position_mm).distance(DVec3::from(right.position_mm));
+    if (apart - device.stereo_baseline_mm).abs() > 1e-6 {
+        return Err(doc.error(
+            "stereo_baseline_mm",
+            format!(
+                "{} mm, but the left and right cameras are {apart} mm apart",
+                device.stereo_baseline_mm
+            ),
+            "make the positions and the baseline agree",
+        ));
+    }
+    Ok(())
+}
+
+fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Device) -> Checked {
+    let place = |key: &str| format!("{at}.{key}");
+    if device.camera(spec.camera).is_none() {
+        return Err(doc.error(
+            &place("camera"),
+            format!("the device has no camera with the role '{}'", spec.camera),
+            "name the role of one of its cameras",
+        ));
+    }
+    for (key, value) in [
+        ("focus_distance", spec.focus_distance),
+        ("baseline_mm", spec.baseline_mm),
+        ("focal_length_px", spec.focal_length_px),
+        ("sensor_size_px", spec.sensor_size_px),
+        ("max_disparity_px", spec.max_disparity_px),
+        ("min_distance_m", spec.min_distance_m),
+        ("noise_downscale_factor_px", spec.noise_downscale_factor_px),
+    ] {
+        positive(doc, &place(key), value)?;
+    }
+    for (key, value) in [
+        ("extended_max_disparity_px", spec.extended_max_disparity_px),
+        ("extended_min_distance_m", spec.extended_min_distance_m),
+    ] {
+        if let Some(value) = value {
+            positive(doc, &place(key), value)?;
+        }
+    }
+    not_negative(doc, &place("noise_mean_px"), spec.noise_mean_px)?;
+    not_negative(doc, &place("noise_sigma_px"), spec.noise_sigma_px)?;
+    if !(0.0..=1.0).contains(&spec.confidence_threshold) {
+        return Err(doc.error(
+            &place("confidence_threshold"),
+            format!("{} is not a threshold", spec.confidence_threshold),
+            "give a number from 0 to 1",
+        ));
+    }
+    ascending(doc, &place("clipping_range_m"), spec.clipping_range_m)?;
+    ascending(doc, &place("ideal_range_m"), spec.ideal_range_m)?;
+    ascending(
+        doc,
+        &place("max_distance_m"),
+        (spec.min_distance_m, spec.max_distance_m),
+    )?;
+    sources(doc, &place(""), &spec.sources)
+}
+
+fn accuracy(doc: &Document<'_>, at: &str, table: &Accuracy) -> Checked {
+    let mut nearest_from_m = 0.0;
+    for (i, band) in table.bands.iter().enumerate() {
+        let place = format!("{at}.bands.{i}");
+        if !(band.from_m >= nearest_from_m && band.to_m > band.from_m) {
+            return Err(doc.error(
+                &place,
+                format!("a band from {} m to {} m", band.from_m, band.to_m),
+                "list the bands near to far, each from less to more",
+            ));
+        }
+        nearest_from_m = band.from_m;
+        if let Some(percent) = band.error_percent {
+            positive(doc, &place, percent)?;
+        }
+    }
+    Ok(())
+}
+
+/// The keys of `sources` must be keys of its table.
+fn sources(doc: &Document<'_>, table: &str, sources: &Sources) -> Checked {
+    for key in sources.keys() {
+        if !doc.contains(&format!("{table}{key}")) {
+            return Err(doc.error(
+                &format!("{table}sources.{key}"),
+                format!("a source for {key:?}, which is not in this table"),
+                "name a key of the table, or remove the entry",
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn evidence<'a>(
+    doc: &Document<'_>,
+    abouts: impl Iterator<Item = &'a str>,
+    place_of: impl Fn(&str) -> String,
+) -> Checked {
+    for (i, about) in abouts.enumerate() {
+        if !doc.contains(&place_of(about)) {
+            return Err(doc.error(
+                &format!("evidence.{i}.about"),
+                format!("evidence about {about:?}, which is not in this file"),
+                "name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// `camera.left.hfov_deg` as a path of indices, `camera.1.hfov_deg`; unchanged where it names no such entry.
+fn indexed(device: &Device, about: &str) -> String {
+    let parts: Vec<&str> = about.splitn(3, '.').collect();
+    let [table, entry, key] = parts[..] else {
+        return about.to_owned();
+    };
+    let index = match table {
+        "camera" => device
+            .cameras
+            .iter()
+            .position(|camera| camera.role.as_str() == entry),
+        "depth_sensor" => device
+            .depth_sensors
+            .iter()
+            .position(|sensor| sensor.kind.as_str() == entry),
+        _ => None,
+    };
+    index.map_or_else(|| about.to_owned(), |index| format!("{table}.{index}.{key}"))
+}
+
+fn text(doc: &Document<'_>, place: &str, value: &str) -> Checked {
+    if fold_name(value).is_empty() || value.contains(char::is_control) {
+        return Err(doc.error(place, format!("{value:?} is no name"), "give it one, on one line"));
+    }
+    Ok(())
+}
+
+/// A name that a USD prim can have: what an asset's prims and files are called.
+fn prim_name(doc: &Document<'_>, place: &str, name: &str) -> Checked {
+    let mut chars = name.chars();
+    let first = chars.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
+    if !(first && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')) {
+        return Err(doc.error(
+            place,
+            format!("{name:?} cannot name a prim"),
+            "use letters, digits and underscores, and begin with no digit",
+        ));
+    }
+    Ok(())
+}
+
+fn unique_prim<'a>(doc: &Document<'_>, place: &str, name: &'a str, taken: &mut Vec<&'a str>) -> Checked {
+    prim_name(doc, place, name)?;
+    if taken.contains(&name) {
+        return Err(doc.error(
+            place,
+            format!("a second prim '{name}'"),
+            "give each prim its own name",
+        ));
+    }
+    taken.push(name);
+    Ok(())
+}
+
+/// A token that USD allows.
+fn one_of(doc: &Document<'_>, place: &str, value: &str, allowed: &[&str]) -> Checked {
+    if allowed.contains(&value) {
+        return Ok(());
+    }
+    let allowed: Vec<String> = allowed.iter().map(|token| format!("'{token}'")).collect();
+    Err(doc.error(
+        place,
+        format!("unknown value {value:?}"),
+        format!("use one of {}", allowed.join(", ")),
+    ))
+}
+
+fn positive(doc: &Document<'_>, place: &str, value: f64) -> Checked {
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(doc.error(
+            place,
+            format!("{value} where only more than 0 makes sense"),
+            "give a positive number",
+        ))
+    }
+}
+
+fn not_negative(doc: &Document<'_>, place: &str, value: f64) -> Checked {
+    if value >= 0.0 {
+        Ok(())
+    } else {
+        Err(doc.error(
+            place,
+            format!("{value} where less than 0 makes no sense"),
+            "give 0 or more",
+        ))
+    }
+}
+
+fn between(doc: &Document<'_>, place: &str, value: f64, limit: f64, remedy: &str) -> Checked {
+    if value > 0.0 && value < limit {
+        Ok(())
+    } else {
+        Err(doc.error(place, format!("a field of view of {value} degrees"), remedy))
+    }
+}
+
+fn ascending(doc: &Document<'_>, place: &str, (near, far): (f64, f64)) -> Checked {
+    if near > 0.0 && far > near {
+        Ok(())
+    } else {
+        Err(doc.error(
+            place,
+            format!("a range from {near} to {far}"),
+            "give the nearer end first, both more than 0",
+        ))
+    }
+}

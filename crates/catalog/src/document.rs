@@ -1,0 +1,249 @@
+//! A TOML file with the lines of its keys, and serde's complaints about it in this project's words.
+
+use std::path::Path;
+
+use oaktwin_diagnostic::nearest;
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, Deserializer};
+
+use crate::CatalogError;
+
+/// One parsed file.
+pub(crate) struct Document<'a> {
+    file: &'a Path,
+    text: &'a str,
+    table: Spanned<DeTable<'a>>,
+}
+
+impl<'a> Document<'a> {
+    pub(crate) fn parse(file: &'a Path, text: &'a str) -> Result<Self, CatalogError> {
+        let error = |line, problem: &str, remedy: &str| CatalogError::new(file, line, problem, remedy);
+        if text.contains('\0') {
+            return Err(error(
+                None,
+                "a binary file",
+                "give a TOML file of a sensor or a device",
+            ));
+        }
+        if text.trim().is_empty() {
+            return Err(error(
+                None,
+                "the file is empty",
+                "describe a sensor or a device in it",
+            ));
+        }
+        match DeTable::parse(text) {
+            Ok(table) => Ok(Self { file, text, table }),
+            Err(cause) => {
+                let line = cause.span().map(|span| line_at(text, span.start));
+                let problem = format!("not TOML: {}", one_line(cause.message()));
+                Err(error(line, &problem, "correct the syntax"))
+            }
+        }
+    }
+
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.table.get_ref().contains_key(key)
+    }
+
+    /// Every number of the file that is NaN or infinite is an error: no quantity here can be.
+    pub(crate) fn check_finite(&self) -> Result<(), CatalogError> {
+        // The parser bounds the depth, and so this recursion.
+        fn walk(value: &Spanned<DeValue<'_>>) -> Option<usize> {
+            match value.get_ref() {
+                DeValue::Float(number) => {
+                    let finite = number.as_str().parse::<f64>().is_ok_and(f64::is_finite);
+                    (!finite).then(|| value.span().start)
+                }
+                DeValue::Array(array) => array.iter().find_map(walk),
+                DeValue::Table(table) => table.iter().find_map(|(_, value)| walk(value)),
+                _ => None,
+            }
+        }
+        match self.table.get_ref().iter().find_map(|(_, value)| walk(value)) {
+            Some(offset) => Err(CatalogError::new(
+                self.file,
+                Some(line_at(self.text, offset)),
+                "not a finite number",
+                "give the value",
+            )),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CatalogError> {
+        self.check_finite()?;
+        T::deserialize(Deserializer::from(self.table.clone())).map_err(|cause| {
+            let line = cause.span().map(|span| line_at(self.text, span.start));
+            let (problem, remedy) = explain(cause.message());
+            CatalogError::new(self.file, line, problem, remedy)
+        })
+    }
+
+    /// An error at `place`, a path of keys and indices as in `camera.0.hfov_deg`.
+    pub(crate) fn error(
+        &self,
+        place: &str,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> CatalogError {
+        CatalogError::new(self.file, self.line_of(place), problem, remedy)
+    }
+
+    /// Whether the file says something at `place`.
+    pub(crate) fn contains(&self, place: &str) -> bool {
+        let mut segments = place.split('.');
+        let first = segments.next().and_then(|key| self.table.get_ref().get(key));
+        first.is_some_and(|value| {
+            segments
+                .try_fold(value, |value, segment| {
+                    step(value.get_ref(), segment).map(|(_, v)| v)
+                })
+                .is_some()
+        })
+    }
+
+    /// The line of `place`, or of the last part of its path that exists.
+    fn line_of(&self, place: &str) -> Option<usize> {
+        let mut segments = place.split('.');
+        let (key, mut value) = self.table.get_ref().get_key_value(segments.next()?)?;
+        let mut offset = key.span().start;
+        for segment in segments {
+            let Some((at, next)) = step(value.get_ref(), segment) else {
+                break;
+            };
+            (offset, value) = (at, next);
+        }
+        Some(line_at(self.text, offset))
+    }
+}
+
+/// The value of `segment` in `value`, and where its key (or it, in an array) begins.
+fn step<'v, 'a>(value: &'v DeValue<'a>, segment: &str) -> Option<(usize, &'v Spanned<DeValue<'a>>)> {
+    match value {
+        DeValue::Table(table) => {
+            let (key, value) = table.get_key_value(segment)?;
+            Some((key.span().start, value))
+        }
+        DeValue::Array(array) => {
+            let value = array.get(segment.parse::<usize>().ok()?)?;
+            Some((value.span().start, value))
+        }
+        _ => None,
+    }
+}
+
+/// From 1.
+fn line_at(text: &str, offset: usize) -> usize {
+    1 + text
+        .as_bytes()
+        .iter()
+        .take(offset)
+        .filter(|byte| **byte == b'\n')
+        .count()
+}
+
+fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Serde's message in the words of people who write these files: what is wrong and what to do.
+fn explain(message: &str) -> (String, String) {
+    let names = quoted(message);
+    let named = names.split_first();
+    if let (true, Some((name, known))) = (message.starts_with("unknown field"), named) {
+        (
+            format!("unknown key '{}'", name.escape_debug()),
+            remedy_for_key(name, known),
+        )
+    } else if let (true, Some((name, _))) = (message.starts_with("missing field"), named) {
+        (
+            format!("the key '{name}' is missing from the table that begins here"),
+            format!("add '{name} = ...'"),
+        )
+    } else if let (true, Some((name, known))) = (message.starts_with("unknown variant"), named) {
+        (
+            format!("unknown value '{}'", name.escape_debug()),
+            format!("use one of {}", list(known)),
+        )
+    } else {
+        let message = one_line(message);
+        let problem = match message.strip_prefix("invalid ") {
+            Some(rest) => format!("wrong {rest}"),
+            None => message,
+        };
+        (
+            plain_types(&problem),
+            "see the schema for what the key takes".to_owned(),
+        )
+    }
+}
+
+/// Rust's names of types in words.
+fn plain_types(message: &str) -> String {
+    let Some((found, expected)) = message.split_once(", expected ") else {
+        return message.to_owned();
+    };
+    let expected = match expected {
+        "f64" => "a number",
+        "u32" => "a whole number, 0 or more",
+        "i32" => "a whole number",
+        "a sequence" => "a list in [brackets]",
+        other => other.strip_prefix("struct ").map_or(other, |_| "a table"),
+    };
+    format!("{found}, expected {expected}")
+}
+
+/// The parts of a message between backticks.
+fn quoted(message: &str) -> Vec<&str> {
+    message.split('`').skip(1).step_by(2).collect()
+}
+
+fn list(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+    quoted.join(", ")
+}
+
+/// The units that names end in: what is said of them where the wrong one was used. None: not used here.
+const UNITS: [(&str, Option<&str>); 14] = [
+    ("deg", Some("angles are in degrees here")),
+    ("mm", Some("this is in millimetres here")),
+    ("m", Some("this is in metres here")),
+    ("um", Some("this is in micrometres here")),
+    ("nm", Some("this is in nanometres here")),
+    ("px", Some("this is in pixels here")),
+    ("g", Some("masses are in grams here")),
+    ("percent", Some("this is in percent here")),
+    ("rad", None),
+    ("cm", None),
+    ("in", None),
+    ("inch", None),
+    ("kg", None),
+    ("degrees", None),
+];
+
+fn split_unit(key: &str) -> (&str, Option<&'static str>, bool) {
+    for (unit, phrase) in UNITS {
+        if let Some(base) = key.strip_suffix(unit).and_then(|base| base.strip_suffix('_')) {
+            return (base, phrase, true);
+        }
+    }
+    (key, None, false)
+}
+
+fn remedy_for_key(name: &str, known: &[&str]) -> String {
+    let (base, ..) = split_unit(name);
+    let same_quantity = known.iter().find_map(|key| {
+        let (known_base, phrase, has_unit) = split_unit(key);
+        (has_unit && known_base == base).then_some((*key, phrase))
+    });
+    if let Some((key, Some(phrase))) = same_quantity {
+        return format!("{phrase}: use '{key}'");
+    }
+    match nearest(name, known.iter().copied()).first() {
+        Some(key) => format!("did you mean '{key}'?"),
+        None if known.is_empty() => "remove it".to_owned(),
+        None => format!("the keys here are {}", list(known)),
+    }
+}

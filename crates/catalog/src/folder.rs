@@ -1,0 +1,129 @@
+//! A user's own folder of sensors and devices.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use crate::catalog::SourceFile;
+use crate::{Catalog, CatalogError};
+
+/// A catalog file is a few kilobytes; what is larger is something else.
+const LARGEST_FILE: u64 = 1 << 20;
+
+/// More files than this in one folder is something else than a catalog.
+const MOST_FILES: usize = 1000;
+
+impl Catalog {
+    /// The built-in catalog and a user's own: `DIR/sensors/*.toml`, `DIR/devices/*.toml` and `DIR/*.toml`. An entry
+    /// with the id of a built-in one takes its place.
+    ///
+    /// # Errors
+    /// The folder cannot be read or holds no TOML file, or a file is not a sound sensor or device. The error names
+    /// file and line.
+    pub fn with_dir(dir: impl AsRef<Path>) -> Result<Self, CatalogError> {
+        let dir = dir.as_ref();
+        let paths = toml_files(dir)?;
+        let texts = paths
+            .iter()
+            .map(|path| read(path))
+            .collect::<Result<Vec<_>, _>>()?;
+        let files: Vec<SourceFile<'_>> = paths
+            .iter()
+            .zip(&texts)
+            .map(|(file, text)| SourceFile { file, text })
+            .collect();
+        Self::builtin().clone().with_files(&files)
+    }
+}
+
+/// Sorted, so that the order of a folder's listing means nothing.
+fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
+    let mut paths = Vec::new();
+    for (folder, required) in [
+        (dir.to_owned(), true),
+        (dir.join("sensors"), false),
+        (dir.join("devices"), false),
+    ] {
+        if !required && !folder.is_dir() {
+            continue;
+        }
+        let failed = |cause: std::io::Error| {
+            CatalogError::new(
+                &folder,
+                None,
+                format!("cannot list the folder: {cause}"),
+                "give a folder of TOML files",
+            )
+        };
+        for entry in fs::read_dir(&folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            if path.extension().is_some_and(|extension| extension == "toml") {
+                paths.push(path);
+            }
+            if paths.len() > MOST_FILES {
+                let problem = format!("more than {MOST_FILES} TOML files");
+                return Err(CatalogError::new(
+                    &folder,
+                    None,
+                    problem,
+                    "give a folder of sensors and devices alone",
+                ));
+            }
+        }
+    }
+    if paths.is_empty() {
+        return Err(CatalogError::new(
+            dir,
+            None,
+            "no TOML file in it",
+            "put sensors and devices into it, or into its folders 'sensors' and 'devices'",
+        ));
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+fn read(path: &Path) -> Result<String, CatalogError> {
+    let error = |problem: String, remedy: &str| CatalogError::new(path, None, problem, remedy);
+    let unreadable = |cause: std::io::Error| {
+        error(
+            format!("cannot be read: {cause}"),
+            "check the file and its permissions",
+        )
+    };
+    let metadata = fs::metadata(path).map_err(unreadable)?;
+    if !metadata.is_file() {
+        return Err(error(
+            "not a file".to_owned(),
+            "give the name another ending than .toml, or remove it",
+        ));
+    }
+    let too_large = || {
+        error(
+            "larger than 1 MiB".to_owned(),
+            "a sensor or a device takes a few kilobytes",
+        )
+    };
+    if metadata.len() > LARGEST_FILE {
+        return Err(too_large());
+    }
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path).map_err(unreadable)?;
+    // The file may have grown since.
+    file.take(LARGEST_FILE + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(too_large());
+    }
+    String::from_utf8(bytes).map_err(|cause| {
+        let line = cause
+            .as_bytes()
+            .iter()
+            .take(cause.utf8_error().valid_up_to())
+            .filter(|b| **b == b'\n')
+            .count()
+            + 1;
+        CatalogError::new(path, Some(line), "not UTF-8 text", "save the file as UTF-8")
+    })
+}

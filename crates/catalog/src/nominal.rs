@@ -1,0 +1,137 @@
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{Axes, Intrinsics, LensModel, RigidTransform};
+
+use crate::{Catalog, Device, Origin, Twin, TwinCamera, TwinDepthSensor};
+
+const M_PER_MM: f64 = 1e-3;
+
+impl Catalog {
+    /// The ideal device of the catalog: every camera a centred pinhole of its field of view at its sensor's used
+    /// resolution, in its nominal place, looking along +x of the body.
+    ///
+    /// # Panics
+    /// The device names a sensor that this catalog does not have. No device of this catalog does.
+    #[must_use]
+    pub fn nominal(&self, device: &Device) -> Twin {
+        let cameras = device
+            .cameras
+            .iter()
+            .map(|spec| {
+                #[expect(clippy::expect_used, reason = "checked when the device was loaded")]
+                let sensor = self
+                    .sensor(&spec.sensor)
+                    .expect("the sensors of a catalog's devices are in it");
+                TwinCamera {
+                    spec: spec.clone(),
+                    pixel_size_um: sensor.pixel_size_um,
+                    intrinsics: Intrinsics::from_hfov(sensor.used_size(), spec.hfov_deg.to_radians()),
+                    lens: LensModel::Pinhole,
+                    body_from_camera: RigidTransform::new(
+                        Axes::Ros.rotation_from(Axes::OpenCv),
+                        DVec3::from(spec.position_mm) * M_PER_MM,
+                    ),
+                }
+            })
+            .collect();
+        Twin {
+            cameras,
+            depth_sensors: device
+                .depth_sensors
+                .iter()
+                .map(|spec| TwinDepthSensor {
+                    focal_length_px: spec.focal_length_px,
+                    spec: spec.clone(),
+                })
+                .collect(),
+            body_from_imu: RigidTransform::new(
+                DMat3::from_cols_array_2d(&device.imu.rotation).transpose(),
+                DVec3::from(device.imu.position_mm) * M_PER_MM,
+            ),
+            origin: Origin::Nominal,
+            device: device.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DepthKind, Role};
+
+    #[test]
+    fn depth_focal_lengths_are_the_rounded_fx_of_their_camera() {
+        let catalog = Catalog::builtin();
+        for device in catalog.devices() {
+            let twin = catalog.nominal(device);
+            for depth in &twin.depth_sensors {
+                let fx = twin.camera(depth.spec.camera).unwrap().intrinsics.fx;
+                assert_eq!(depth.focal_length_px, fx.round(), "{}", device.id);
+            }
+        }
+    }
+
+    #[test]
+    fn cameras_stand_where_they_should_and_look_forward() {
+        let catalog = Catalog::builtin();
+        for device in catalog.devices() {
+            let twin = catalog.nominal(device);
+            let at = |role| twin.camera(role).map(|c| c.body_from_camera.translation);
+            let (left, right) = (at(Role::Left).unwrap(), at(Role::Right).unwrap());
+            assert!(
+                ((left - right) - DVec3::new(0.0, device.stereo_baseline_mm * 1e-3, 0.0)).length() < 1e-12
+            );
+            assert_eq!(left + right, DVec3::ZERO, "the origin is midway");
+            for camera in &twin.cameras {
+                let body_from_camera = camera.body_from_camera.rotation;
+                assert_eq!(body_from_camera * DVec3::Z, DVec3::X, "forward");
+                assert_eq!(body_from_camera * DVec3::NEG_Y, DVec3::Z, "up");
+            }
+        }
+    }
+
+    /// The inertial units' poses from the board files: centimetres, in the frame of the camera on socket 0 (x right,
+    /// y down, z forward), converted here independently of the catalog's own numbers.
+    #[test]
+    fn imu_poses_are_those_of_the_board_files() {
+        let bno = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
+        let lsm = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let sr = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+        for (model, rotation, cm) in [
+            ("oak_d_pro_poe", bno, [4.0, 2.0264, -0.2]),
+            ("oak_d_pro_w_poe", bno, [4.0, 2.0264, -0.2]),
+            ("oak4_d", lsm, [-4.4032, -0.2697, -0.2]),
+            ("oak4_d_wide", lsm, [-4.4032, -0.2697, -0.2]),
+            ("oak_d_tof", sr, [0.8091, 0.849, -0.2]),
+        ] {
+            let catalog = Catalog::builtin();
+            let twin = catalog.nominal(catalog.device(model).unwrap());
+            let cam_a = twin.cameras.iter().find(|c| c.spec.socket == 0).unwrap();
+            let camera_from_imu = RigidTransform::new(
+                DMat3::from_cols_array_2d(&rotation).transpose(),
+                DVec3::from(cm) * 1e-2,
+            );
+            let expected = cam_a.body_from_camera * camera_from_imu;
+            assert!(twin.body_from_imu.orthonormality_error() < 1e-15);
+            assert!(
+                (twin.body_from_imu.translation - expected.translation).length() < 1e-9,
+                "{model}"
+            );
+            assert_eq!(twin.body_from_imu.rotation, expected.rotation, "{model}");
+        }
+    }
+
+    /// Board file of that device, in the time-of-flight camera's frame: right at x = -1.7382 cm, left 2 cm on.
+    #[test]
+    fn the_time_of_flight_camera_is_right_of_the_stereo_pair() {
+        let catalog = Catalog::builtin();
+        let twin = catalog.nominal(catalog.device("oak_d_tof").unwrap());
+        let tof = twin.camera(Role::Tof).unwrap().body_from_camera;
+        for (role, x_m) in [(Role::Right, -0.017_382), (Role::Left, -0.037_382)] {
+            let in_tof = tof
+                .inverse()
+                .apply(twin.camera(role).unwrap().body_from_camera.translation);
+            assert!((in_tof - DVec3::new(x_m, 0.0, 0.0)).length() < 1e-12);
+        }
+        assert_eq!(twin.depth_sensors[1].spec.kind, DepthKind::Tof);
+    }
+}

@@ -1,0 +1,49 @@
+//! Where an output goes, from what `-o` names.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use oaktwin::files::{self, FileError};
+
+/// The file for one of several outputs: `-o` names a folder, which is made.
+pub(crate) fn in_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
+    files::make_folder(output)?;
+    Ok(output.join(name))
+}
+
+/// The file for a single output: `-o` names it, or a folder for it. A path that ends in a separator, and one without
+/// an extension where nothing is yet, is a folder.
+pub(crate) fn file_or_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
+    if names_folder(output) {
+        in_folder(output, name)
+    } else {
+        Ok(output.to_owned())
+    }
+}
+
+/// Whether `-o` names a folder.
+pub(crate) fn names_folder(output: &Path) -> bool {
+    output.is_dir()
+        || output
+            .as_os_str()
+            .to_string_lossy()
+            .ends_with(std::path::is_separator)
+        || (output.extension().is_none() && fs::symlink_metadata(output).is_err())
+}
+
+/// Refuses to write over an input.
+pub(crate) fn spare_inputs<'a>(
+    output: &Path,
+    inputs: impl IntoIterator<Item = Option<&'a Path>>,
+) -> Result<(), FileError> {
+    let same =
+        |a: &Path, b: &Path| matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b);
+    match inputs.into_iter().flatten().find(|input| same(input, output)) {
+        Some(input) => Err(FileError::new(
+            input,
+            "is an input of this command",
+            "choose another place with -o",
+        )),
+        None => Ok(()),
+    }
+}

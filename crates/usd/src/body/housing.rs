@@ -1,0 +1,180 @@
+use std::f64::consts::FRAC_PI_2;
+
+use oaktwin_camera::math::{DVec2, DVec3};
+
+use super::front::Panel;
+use super::loft::{End, Frame, loft};
+use super::material;
+use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
+use super::{BodyPart, Envelope, Family, fastener};
+
+/// Segments of a rounded edge.
+const FILLET: usize = 4;
+
+/// Everything behind the front glass.
+pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<BodyPart> {
+    match family {
+        Family::Bar => bar(envelope, panel),
+        Family::Comb => comb(envelope, panel),
+        Family::Box => compact(envelope, panel),
+    }
+}
+
+/// A convex hull-like box of the outer dimensions with bevelled edges.
+pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
+    let radius = envelope.corner_radius(family);
+    let bevel = (0.3 * radius).min(0.1 * envelope.depth);
+    let outline =
+        |inset: f64| rounded_rectangle(envelope.centre(), envelope.half - inset, radius - inset, 3);
+    let (back, front) = (envelope.back_x(), envelope.front.x);
+    let stations = [
+        (back, outline(bevel)),
+        (back + bevel, outline(0.0)),
+        (front - bevel, outline(0.0)),
+        (front, outline(bevel)),
+    ];
+    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
+}
+
+/// The block that holds the glass: from `back_x` to the front face, as wide and high as the envelope.
+fn shell(envelope: &Envelope, family: Family, panel: &Panel, back_x: f64, metal: &'static str) -> BodyPart {
+    let radius = envelope.corner_radius(family);
+    let front_x = envelope.front.x;
+    let outline = |inset: f64| -> Outline {
+        rounded_rectangle(envelope.centre(), envelope.half - inset, radius - inset, FINE)
+    };
+    let small = (envelope.half.min_element() / 20.0).min(1.0);
+    let back_fillet = 2.2 * small;
+    let front_fillet = 1.0 * small;
+    let mut stations = Vec::new();
+    for step in 0..=FILLET {
+        let angle = FRAC_PI_2 * fraction(step, FILLET);
+        let x = back_x + back_fillet * (1.0 - angle.cos());
+        stations.push((x, outline(back_fillet * (1.0 - angle.sin()))));
+    }
+    // The seam between the front frame and the housing.
+    let seam = panel.floor_x.max(back_x + back_fillet + 1.0);
+    if seam + 1.2 < front_x - front_fillet {
+        let groove = 0.35 * small;
+        stations.extend([
+            (seam, outline(0.0)),
+            (seam, outline(groove)),
+            (seam + 0.5, outline(groove)),
+            (seam + 0.5, outline(0.0)),
+        ]);
+    }
+    for step in 0..=FILLET {
+        let angle = FRAC_PI_2 * fraction(step, FILLET);
+        let x = front_x - front_fillet * (1.0 - angle.sin());
+        stations.push((x, outline(front_fillet * (1.0 - angle.cos()))));
+    }
+    stations.push((front_x, panel.pocket()));
+    stations.push((panel.floor_x, panel.pocket()));
+    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
+}
+
+/// A vertical fin: its middle's y, its extents along x and z.
+fn fin(name: &str, y: f64, thickness: f64, x: [f64; 2], z: [f64; 2], metal: &'static str) -> BodyPart {
+    let centre = DVec2::new((z[0] + z[1]) / 2.0, (x[0] + x[1]) / 2.0);
+    let half = DVec2::new((z[1] - z[0]).abs() / 2.0, (x[1] - x[0]).abs() / 2.0);
+    let bevel = 0.25 * thickness;
+    let outline = |inset: f64| rounded_rectangle(centre, half - inset, 2.0 - inset, COARSE);
+    let stations = [
+        (-thickness / 2.0, outline(bevel)),
+        (bevel - thickness / 2.0, outline(0.0)),
+        (thickness / 2.0 - bevel, outline(0.0)),
+        (thickness / 2.0, outline(bevel)),
+    ];
+    loft(Frame::left(DVec3::new(0.0, y, 0.0)), &stations, End::Flat, End::Flat).into_part(name, metal)
+}
+
+/// Evenly spaced from `-half` to `half`, about `pitch` apart.
+fn spread(half: f64, pitch: f64) -> impl Iterator<Item = f64> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few dozen")]
+    let gaps = (2.0 * half / pitch).round().clamp(1.0, 40.0) as usize;
+    (0..=gaps).map(move |i| half * (2.0 * fraction(i, gaps) - 1.0))
+}
+
+fn bar(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
+    let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
+    let fins = 0.19 * envelope.depth;
+    let wall = back + fins;
+    let mut parts = vec![shell(envelope, Family::Bar, panel, wall, material::ALUMINIUM)];
+    let reach = half.y - 4.0;
+    for (i, y) in spread(0.47 * half.x, 4.4).enumerate() {
+        let z = [centre.y - reach, centre.y + reach];
+        let name = format!("fin_{i:02}");
+        parts.push(fin(&name, centre.x + y, 1.7, [back, wall + 1.5], z, material::ALUMINIUM));
+    }
+    let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
+    parts.extend(fastener::socket("connector_m12", on_wall(-0.72 * half.x, 0.0), 6.0, fins - 0.4));
+    parts.extend(fastener::socket("connector_m8", on_wall(0.72 * half.x, 0.0), 4.0, fins - 1.2));
+    let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    for (i, (side, up)) in corners.into_iter().enumerate() {
+        let place = on_wall(side * (half.x - 8.5), up * (half.y - 6.5));
+        parts.push(fastener::screw(&format!("screw_{i}"), place));
+    }
+    parts
+}
+
+fn compact(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
+    let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
+    let fins = 0.13 * envelope.depth;
+    let wall = back + fins;
+    let mut parts = vec![shell(envelope, Family::Box, panel, wall, material::ALUMINIUM)];
+    for (i, y) in spread(0.78 * half.x, 4.4).enumerate() {
+        let z = [centre.y - 0.08 * half.y, centre.y + half.y - 4.0];
+        let name = format!("fin_{i:02}");
+        parts.push(fin(&name, centre.x + y, 1.7, [back, wall + 1.5], z, material::ALUMINIUM));
+    }
+    let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
+    let low = -0.52 * half.y;
+    parts.extend(fastener::socket("connector_m12", on_wall(-0.36 * half.x, low), 6.0, fins - 0.4));
+    parts.extend(fastener::socket("connector_m8", on_wall(0.36 * half.x, low), 4.0, fins - 1.0));
+    for (i, side) in [1.0, -1.0].into_iter().enumerate() {
+        let place = on_wall(side * (half.x - 7.5), -(half.y - 7.5));
+        parts.push(fastener::screw(&format!("screw_{i}"), place));
+    }
+    parts
+}
+
+fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
+    let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
+    let metal = material::BLACK_ALUMINIUM;
+    let block_back = (panel.floor_x - 3.0).max(back + 0.4 * envelope.depth);
+    let mut parts = vec![shell(envelope, Family::Comb, panel, block_back, metal)];
+
+    // The core that the fins stand on, and the bay for the connectors.
+    let wall = back + 0.12 * envelope.depth;
+    let fin_depth = 0.17 * half.y.min(40.0);
+    let core_half = half - DVec2::new(1.0, fin_depth);
+    let core = |inset: f64| rounded_rectangle(centre, core_half - inset, 3.0, FINE);
+    let stations = [(wall, core(0.8)), (wall + 0.8, core(0.0)), (block_back + 3.0, core(0.0))];
+    parts.push(loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
+
+    let radius = envelope.corner_radius(Family::Comb);
+    let bay_half = 0.36 * half.x;
+    let thickness = 1.9;
+    for (i, y) in spread(half.x - thickness / 2.0, 4.8).enumerate() {
+        // The fins' ends follow the round corners of the block.
+        let outer = y.abs() + thickness / 2.0;
+        let into_corner = (outer - (half.x - radius)).clamp(0.0, radius);
+        let reach = half.y - radius + (radius * radius - into_corner * into_corner).sqrt();
+        let bottom = if y.abs() < bay_half { 0.1 * half.y } else { -reach };
+        let x = [back, block_back + 2.5];
+        let name = format!("fin_{i:02}");
+        parts.push(fin(&name, centre.x + y, thickness, x, [centre.y + bottom, centre.y + reach], metal));
+        if y.abs() < bay_half {
+            let x = [wall - 1.0, block_back + 2.5];
+            let z = [centre.y - reach, centre.y - reach + 2.0 * fin_depth];
+            parts.push(fin(&format!("fin_{i:02}_low"), centre.x + y, thickness, x, z, metal));
+        }
+    }
+    let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
+    let height = wall - back;
+    let low = -0.36 * half.y;
+    parts.extend(fastener::socket("connector_m12", on_wall(-0.2 * half.x, low), 6.0, height - 0.6));
+    parts.extend(fastener::socket("connector_m8", on_wall(0.08 * half.x, low), 4.0, height - 1.6));
+    parts.push(fastener::usb_c(on_wall(0.25 * half.x, low), 0.8));
+    parts
+}

@@ -1,0 +1,160 @@
+use oaktwin_camera::math::DVec2;
+
+use super::loft::Frame;
+use super::mesh::Mesh;
+use super::outline::Outline;
+
+/// A convex opening through a plate: its outlines at the front and the back, of one count.
+#[derive(Clone, Debug)]
+pub(super) struct Opening {
+    pub(super) front: Outline,
+    pub(super) back: Outline,
+}
+
+/// A plate with openings, from `back_x` to `front_x`; its front edge is bevelled.
+///
+/// The openings are in order of falling u, and `cuts` are the u of lines between them, one fewer.
+pub(super) fn plate(
+    outer: &[Outline; 3],
+    levels: [f64; 3],
+    openings: &[Opening],
+    cuts: &[f64],
+) -> Mesh {
+    let frame = Frame::FORWARD;
+    let mut mesh = Mesh::default();
+    // Seams cross the outer outline at the same share of the same edges on every level.
+    let splits = split(&outer[0], cuts);
+    let rings: Vec<Vec<usize>> = outer
+        .iter()
+        .zip(levels)
+        .map(|(outline, x)| {
+            let first = mesh.points.len();
+            mesh.points.extend(splits.iter().map(|place| frame.point(place.on(outline), x)));
+            (first..mesh.points.len()).collect()
+        })
+        .collect();
+    let flat: Vec<DVec2> = splits.iter().map(|place| place.on(&outer[0])).collect();
+    for ring in rings.windows(2) {
+        walls(&mut mesh, &ring[0], &ring[1]);
+    }
+    let mut holes = Vec::with_capacity(openings.len());
+    for opening in openings {
+        let back = mesh.points.len();
+        mesh.points.extend(opening.back.iter().map(|&uv| frame.point(uv, levels[0])));
+        let front = mesh.points.len();
+        mesh.points.extend(opening.front.iter().map(|&uv| frame.point(uv, levels[2])));
+        let back: Vec<usize> = (back..front).collect();
+        let front: Vec<usize> = (front..mesh.points.len()).collect();
+        walls(&mut mesh, &front, &back);
+        holes.push((front, back));
+    }
+    let seams: Vec<(usize, usize)> = (0..cuts.len()).map(|cut| seam(&splits, &flat, cut)).collect();
+    for (index, (front, back)) in holes.iter().enumerate() {
+        let cell = cell(flat.len(), index, &seams);
+        bridge(&mut mesh, front, &cell.iter().map(|&i| rings[2][i]).collect::<Vec<_>>(), false);
+        bridge(&mut mesh, back, &cell.iter().map(|&i| rings[0][i]).collect::<Vec<_>>(), true);
+    }
+    mesh
+}
+
+/// A place on an outline: a share of the edge that starts at a vertex; the cut that made it, if any.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    edge: usize,
+    share: f64,
+    cut: Option<usize>,
+}
+
+impl Place {
+    fn on(&self, outline: &[DVec2]) -> DVec2 {
+        outline[self.edge].lerp(outline[(self.edge + 1) % outline.len()], self.share)
+    }
+}
+
+/// The vertices of an outline, and where vertical lines cross it.
+fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
+    let mut places = Vec::with_capacity(outline.len() + 2 * cuts.len());
+    for edge in 0..outline.len() {
+        places.push(Place { edge, share: 0.0, cut: None });
+        let (a, b) = (outline[edge].x, outline[(edge + 1) % outline.len()].x);
+        let mut crossed: Vec<Place> = cuts
+            .iter()
+            .enumerate()
+            .filter(|(_, u)| (a - **u) * (b - **u) < 0.0)
+            .map(|(cut, &u)| Place { edge, share: (u - a) / (b - a), cut: Some(cut) })
+            .collect();
+        crossed.sort_by(|a, b| a.share.total_cmp(&b.share));
+        places.extend(crossed);
+    }
+    places
+}
+
+/// The places of a cut: on the upper and on the lower side.
+fn seam(places: &[Place], flat: &[DVec2], cut: usize) -> (usize, usize) {
+    let mut on_cut = (0..places.len()).filter(|&i| places[i].cut == Some(cut));
+    let (a, b) = (on_cut.next().unwrap_or(0), on_cut.next().unwrap_or(0));
+    if flat[a].y > flat[b].y { (a, b) } else { (b, a) }
+}
+
+/// The outline of the cell around an opening, counter-clockwise. Seams fall in u.
+fn cell(count: usize, index: usize, seams: &[(usize, usize)]) -> Vec<usize> {
+    // From its right seam's lower end counter-clockwise to that seam's upper end, and on to the left seam.
+    let left = seams.get(index);
+    let right = index.checked_sub(1).and_then(|i| seams.get(i));
+    let run = |from: usize, to: usize| {
+        let length = (to + count - from) % count;
+        (0..=length).map(move |step| (from + step) % count)
+    };
+    match (right, left) {
+        (None, None) => (0..count).collect(),
+        (None, Some(&(upper, lower))) => run(lower, upper).collect(),
+        (Some(&(upper, lower)), None) => run(upper, lower).collect(),
+        (Some(&(upper, lower)), Some(&(far_upper, far_lower))) => {
+            run(upper, far_upper).chain(run(far_lower, lower)).collect()
+        }
+    }
+}
+
+fn walls(mesh: &mut Mesh, near: &[usize], far: &[usize]) {
+    for i in 0..near.len() {
+        let j = (i + 1) % near.len();
+        mesh.quad(near[i], near[j], far[j], far[i]);
+    }
+}
+
+/// Fills the band between a convex opening and the convex cell around it, both counter-clockwise in (y, z).
+fn bridge(mesh: &mut Mesh, hole: &[usize], cell: &[usize], reversed: bool) {
+    let at = |mesh: &Mesh, i: usize| DVec2::new(mesh.points[i].y, mesh.points[i].z);
+    let cross = |mesh: &Mesh, a: usize, b: usize, c: usize| {
+        (at(mesh, b) - at(mesh, a)).perp_dot(at(mesh, c) - at(mesh, a))
+    };
+    let distance = |mesh: &Mesh, a: usize, b: usize| at(mesh, a).distance_squared(at(mesh, b));
+    let start = (0..cell.len())
+        .min_by(|&a, &b| distance(mesh, hole[0], cell[a]).total_cmp(&distance(mesh, hole[0], cell[b])))
+        .unwrap_or(0);
+    let (mut h, mut c) = (0, 0);
+    while h < hole.len() || c < cell.len() {
+        let before = hole[(h + hole.len() - 1) % hole.len()];
+        let (inner, next_inner) = (hole[h % hole.len()], hole[(h + 1) % hole.len()]);
+        let (outer, next_outer) = (cell[(start + c) % cell.len()], cell[(start + c + 1) % cell.len()]);
+        // A diagonal may not cross the opening: its far end lies outside one of the two edges at its near end.
+        let outside = |a: usize, b: usize, point: usize| cross(mesh, a, b, point) < -1e-9;
+        let inner_can = h < hole.len() && outside(inner, next_inner, outer);
+        let outer_can = c < cell.len()
+            && cross(mesh, inner, outer, next_outer) > 1e-9
+            && (outside(inner, next_inner, next_outer) || outside(before, inner, next_outer));
+        let advance_inner = match (inner_can, outer_can) {
+            (true, true) => distance(mesh, next_inner, outer) <= distance(mesh, inner, next_outer),
+            (false, false) => h < hole.len(),
+            (inner_can, _) => inner_can,
+        };
+        let [a, b, c_index] = if advance_inner {
+            h += 1;
+            [inner, outer, next_inner]
+        } else {
+            c += 1;
+            [inner, outer, next_outer]
+        };
+        if reversed { mesh.triangle(c_index, b, a) } else { mesh.triangle(a, b, c_index) }
+    }
+}

@@ -1,0 +1,38 @@
+"""What every oracle test shares."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from assets import Builder
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--slow", action="store_true", help="also run the tests marked slow")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "slow: left out without --slow")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--slow"):
+        for item in items:
+            if item.get_closest_marker("slow"):
+                item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+@pytest.fixture(scope="session")
+def program() -> Path:
+    """The program under test."""
+    named = os.environ.get("OAKTWIN_BIN")
+    if not named:
+        pytest.skip("OAKTWIN_BIN names no program: run by cargo xtask test")
+    return Path(named)
+
+
+@pytest.fixture(scope="session")
+def builder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Builder:
+    """Assets, built on first use."""
+    return Builder(program, tmp_path_factory.mktemp("assets"))

@@ -1,0 +1,203 @@
+//! All five assets: by the library, by the program, and by Python with OpenUSD, taken in turns.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use crate::python::{ENVIRONMENTS, Interpreter};
+use crate::workspace::{self, output};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Print the medians and ratios as JSON
+    #[arg(long)]
+    json: bool,
+    /// How often each is measured
+    #[arg(long, default_value_t = 15)]
+    rounds: u32,
+}
+
+/// How often a process that excludes its own start repeats the work; the first is left out as its warm-up.
+const RUNS_IN_PROCESS: usize = 20;
+
+/// The programs measured.
+struct Contestants {
+    library: Option<PathBuf>,
+    program: PathBuf,
+    python: PathBuf,
+    script: PathBuf,
+}
+
+/// Medians, in seconds.
+struct Medians {
+    library: Option<f64>,
+    program: f64,
+    python_inside: f64,
+    python_whole: f64,
+}
+
+/// Measures and prints.
+pub(crate) fn run(args: &Args) -> Result<(), String> {
+    let contestants = Contestants::build()?;
+    let folder = workspace::target().join("bench-assets");
+    let medians = contestants.measure(args.rounds.max(1), &folder)?;
+    if args.json {
+        println!("{}", medians.json());
+    } else {
+        medians.print(args.rounds.max(1));
+    }
+    Ok(())
+}
+
+impl Contestants {
+    fn build() -> Result<Self, String> {
+        let mut programs = workspace::build(&["--release", "--package", "oaktwin-cli", "--bin", "oaktwin"])?;
+        let program = programs
+            .remove("oaktwin")
+            .ok_or("cargo built no program named oaktwin")?;
+        // The example that times the library from inside; without it that row is left out.
+        let example = workspace::root().join("crates/oaktwin/examples/time_assets.rs");
+        let mut library = None;
+        if example.exists() {
+            let mut built =
+                workspace::build(&["--release", "--package", "oaktwin", "--example", "time_assets"])?;
+            library = built.remove("time_assets");
+        }
+        let [current, _] = &ENVIRONMENTS;
+        let python = current.prepare(current.choose(&Interpreter::find_all())?)?;
+        let script = workspace::root().join("tests/oracles/bench_assets.py");
+        Ok(Self {
+            library,
+            program,
+            python,
+            script,
+        })
+    }
+
+    /// One of each in every round, so that a machine that slows down slows all of them down.
+    fn measure(&self, rounds: u32, folder: &Path) -> Result<Medians, String> {
+        let (mut library, mut program) = (Vec::new(), Vec::new());
+        let (mut python_inside, mut python_whole) = (Vec::new(), Vec::new());
+        for _ in 0..rounds {
+            if let Some(example) = &self.library {
+                library.push(inside(Command::new(example).arg(empty(folder, "library")?))?);
+            }
+            let into = empty(folder, "program")?;
+            program.push(whole(
+                Command::new(&self.program).args(["asset", "all", "-o"]).arg(into),
+            )?);
+            python_inside.push(inside(self.python().arg(empty(folder, "python")?))?);
+            python_whole.push(whole(self.python().arg(empty(folder, "python")?).arg("1"))?);
+        }
+        Ok(Medians {
+            library: self.library.is_some().then(|| median(library)),
+            program: median(program),
+            python_inside: median(python_inside),
+            python_whole: median(python_whole),
+        })
+    }
+
+    fn python(&self) -> Command {
+        let mut command = Command::new(&self.python);
+        command
+            .arg(&self.script)
+            .env_remove("PYTHONPATH")
+            .env_remove("PYTHONHOME");
+        command
+    }
+}
+
+impl Medians {
+    fn print(&self, rounds: u32) {
+        println!("All five assets written as text, median of {rounds} rounds in turns:\n");
+        println!("| what is timed | OpenUSD in Python | oaktwin | ratio |");
+        println!("|---|---:|---:|---:|");
+        let row = |what: &str, peer: f64, own: f64| {
+            println!(
+                "| {what} | {:.2} ms | {:.2} ms | {:.1} x |",
+                peer * 1e3,
+                own * 1e3,
+                peer / own
+            );
+        };
+        if let Some(library) = self.library {
+            row(
+                "the work alone, in a process that has started and warmed up",
+                self.python_inside,
+                library,
+            );
+        }
+        row(
+            "the whole command, from start to exit",
+            self.python_whole,
+            self.program,
+        );
+    }
+
+    fn json(&self) -> serde_json::Value {
+        serde_json::json!({
+            "library_s": self.library,
+            "program_s": self.program,
+            "python_inside_s": self.python_inside,
+            "python_whole_s": self.python_whole,
+            "ratio_inside": self.library.map(|library| self.python_inside / library),
+            "ratio_whole": self.python_whole / self.program,
+        })
+    }
+}
+
+/// An empty folder for one run.
+fn empty(folder: &Path, name: &str) -> Result<PathBuf, String> {
+    let place = folder.join(name);
+    let failed = |error: std::io::Error| format!("{}: {error}", place.display());
+    if place.exists() {
+        std::fs::remove_dir_all(&place).map_err(failed)?;
+    }
+    std::fs::create_dir_all(&place).map_err(failed)?;
+    Ok(place)
+}
+
+/// The seconds from a process's start to its exit.
+fn whole(command: &mut Command) -> Result<f64, String> {
+    command.stdin(Stdio::null());
+    let start = Instant::now();
+    output(command)?;
+    Ok(start.elapsed().as_secs_f64())
+}
+
+/// The median of what a process says that each of its runs took: one number of seconds a line, the first a warm-up.
+fn inside(command: &mut Command) -> Result<f64, String> {
+    let text = output(command.arg(RUNS_IN_PROCESS.to_string()))?;
+    let times: Vec<f64> = text
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.trim().parse().ok())
+        .collect();
+    if times.len() + 1 == RUNS_IN_PROCESS {
+        Ok(median(times))
+    } else {
+        Err(format!("unexpected output: {text}"))
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.get(middle) {
+        None => f64::NAN,
+        Some(upper) if values.len() % 2 == 1 => *upper,
+        Some(upper) => (values[middle - 1] + upper) / 2.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::median;
+
+    #[test]
+    fn medians() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
+        assert!(median(Vec::new()).is_nan());
+    }
+}

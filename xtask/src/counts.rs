@@ -1,0 +1,104 @@
+//! How many tests passed, failed and were skipped, read from the runners' closing lines.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+/// Numbers of tests.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Counts {
+    pub(crate) passed: u64,
+    pub(crate) failed: u64,
+    pub(crate) skipped: u64,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+        self.skipped += other.skipped;
+    }
+}
+
+impl fmt::Display for Counts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} passed, {} failed, {} skipped",
+            self.passed, self.failed, self.skipped
+        )
+    }
+}
+
+/// Reads a closing line of `cargo test`: `test result: ok. 3 passed; 0 failed; 1 ignored; …`.
+pub(crate) fn of_cargo_test(line: &str) -> Option<Counts> {
+    let (_, figures) = line.strip_prefix("test result: ")?.split_once(". ")?;
+    Some(sum(figures.split("; ")))
+}
+
+/// Reads the closing line of `pytest`: `=== 2 failed, 3 passed, 1 skipped in 0.1s ===`, or that without the bars.
+pub(crate) fn of_pytest(line: &str) -> Option<Counts> {
+    let (figures, time) = line.trim_matches(['=', ' ']).rsplit_once(" in ")?;
+    let seconds = time.split_whitespace().next()?.strip_suffix('s')?;
+    seconds.parse::<f64>().ok()?;
+    let parts = || figures.split(", ");
+    if figures != "no tests ran" && !parts().all(|part| figure(part).is_some()) {
+        return None;
+    }
+    Some(sum(parts()))
+}
+
+fn sum<'a>(parts: impl Iterator<Item = &'a str>) -> Counts {
+    let mut counts = Counts::default();
+    for (number, word) in parts.filter_map(figure) {
+        match word {
+            "passed" | "xpassed" => counts.passed += number,
+            "failed" | "error" | "errors" => counts.failed += number,
+            "skipped" | "ignored" | "xfailed" => counts.skipped += number,
+            // Measured, filtered out, deselected, warnings: not results.
+            _ => {}
+        }
+    }
+    counts
+}
+
+/// `3 passed` as (3, "passed").
+fn figure(part: &str) -> Option<(u64, &str)> {
+    let (number, word) = part.trim().split_once(' ')?;
+    Some((number.parse().ok()?, word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counts(passed: u64, failed: u64, skipped: u64) -> Option<Counts> {
+        Some(Counts {
+            passed,
+            failed,
+            skipped,
+        })
+    }
+
+    #[test]
+    fn closing_lines_of_cargo_test() {
+        let line =
+            "test result: ok. 12 passed; 0 failed; 3 ignored; 0 measured; 4 filtered out; finished in 0.01s";
+        assert_eq!(of_cargo_test(line), counts(12, 0, 3));
+        let line = "test result: FAILED. 1 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.5s";
+        assert_eq!(of_cargo_test(line), counts(1, 2, 0));
+        assert_eq!(of_cargo_test("test lens::tests::round_trip ... ok"), None);
+        assert_eq!(of_cargo_test("running 3 tests"), None);
+    }
+
+    #[test]
+    fn closing_lines_of_pytest() {
+        assert_eq!(of_pytest("12 passed in 0.50s"), counts(12, 0, 0));
+        let line =
+            "==== 1 failed, 2 passed, 3 skipped, 4 deselected, 1 warning, 2 errors in 75.01s (0:01:15) ====";
+        assert_eq!(of_pytest(line), counts(2, 3, 3));
+        assert_eq!(of_pytest("no tests ran in 0.01s"), counts(0, 0, 0));
+        assert_eq!(of_pytest("tests/oracles/test_x.py ..s. [100%]"), None);
+        assert_eq!(of_pytest("wrote five assets in 3 ms"), None);
+        assert_eq!(of_pytest("SKIPPED [1] x.py:3: not in 24.5s"), None);
+    }
+}

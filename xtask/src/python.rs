@@ -1,0 +1,224 @@
+//! The Python environments of the oracles: made here, pinned, and made anew only when a pin changes.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::workspace::{self, output};
+
+/// A Python minor version, (3, 11).
+type Version = (u32, u32);
+
+/// A Python on this machine.
+#[derive(Clone, Debug)]
+pub(crate) struct Interpreter {
+    path: PathBuf,
+    version: Version,
+}
+
+/// A set of pinned packages.
+pub(crate) struct Environment {
+    /// Its folder below `target/oracles`, and its requirements file's name.
+    pub(crate) name: &'static str,
+    /// The Python versions that its packages have wheels for, first and last; no last where none is known.
+    versions: (Version, Option<Version>),
+}
+
+/// The newest OpenUSD and the other oracles; the OpenUSD generation of Isaac Sim 5.1.
+pub(crate) const ENVIRONMENTS: [Environment; 2] = [
+    Environment {
+        name: "current",
+        versions: ((3, 11), None),
+    },
+    Environment {
+        name: "usd-24.5",
+        versions: ((3, 10), Some((3, 11))),
+    },
+];
+
+impl Interpreter {
+    /// The Pythons found under their usual names, the default one first. `OAKTWIN_PYTHON` names one more, before all.
+    pub(crate) fn find_all() -> Vec<Self> {
+        let own = std::env::var_os("OAKTWIN_PYTHON").map(PathBuf::from);
+        let names = [
+            "python3",
+            "python",
+            "python3.11",
+            "python3.12",
+            "python3.13",
+            "python3.10",
+        ];
+        own.into_iter()
+            .chain(names.map(PathBuf::from))
+            .filter_map(Self::ask)
+            .collect()
+    }
+
+    fn ask(path: PathBuf) -> Option<Self> {
+        let version = "import sys; print('%d.%d' % sys.version_info[:2])";
+        let answer = output(Command::new(&path).args(["-c", version])).ok()?;
+        let (major, minor) = answer.trim().split_once('.')?;
+        let version = (major.parse().ok()?, minor.parse().ok()?);
+        (version.0 == 3).then_some(Self { path, version })
+    }
+}
+
+impl Environment {
+    /// The first interpreter that it can be made with, or why there is none.
+    pub(crate) fn choose<'a>(&self, interpreters: &'a [Interpreter]) -> Result<&'a Interpreter, String> {
+        let (first, last) = self.versions;
+        let fits = |version| version >= first && last.is_none_or(|last| version <= last);
+        if let Some(interpreter) = interpreters.iter().find(|interpreter| fits(interpreter.version)) {
+            return Ok(interpreter);
+        }
+        let wanted = match last {
+            Some(last) => format!("Python {} to {}", dotted(first), dotted(last)),
+            None => format!("Python {} or newer", dotted(first)),
+        };
+        let mut found: Vec<_> = interpreters
+            .iter()
+            .map(|interpreter| dotted(interpreter.version))
+            .collect();
+        found.dedup();
+        let found = if found.is_empty() {
+            "no Python 3".to_owned()
+        } else {
+            format!("only {}", found.join(", "))
+        };
+        Err(format!(
+            "its packages want {wanted}, and {found} is here; OAKTWIN_PYTHON can name another"
+        ))
+    }
+
+    /// Makes it if it is not there as its requirements file has it; the path of its Python.
+    pub(crate) fn prepare(&self, interpreter: &Interpreter) -> Result<PathBuf, String> {
+        let pins = workspace::root().join(format!("tests/oracles/requirements-{}.txt", self.name));
+        let text = fs::read_to_string(&pins).map_err(|error| format!("{}: {error}", pins.display()))?;
+        let stamp = format!("Python {}\n{text}", dotted(interpreter.version));
+        let folder = workspace::target().join("oracles");
+        prepare_in(&folder, self.name, interpreter, &pins, &stamp)
+    }
+}
+
+fn prepare_in(
+    folder: &Path,
+    name: &str,
+    interpreter: &Interpreter,
+    pins: &Path,
+    stamp: &str,
+) -> Result<PathBuf, String> {
+    let place = folder.join(name);
+    let python = place.join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    });
+    let stamp_file = place.join("made-from.txt");
+    let failed = |what: &Path, error: &std::io::Error| format!("{}: {error}", what.display());
+    fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
+
+    // Held until the return: a second run waits instead of using a half-made environment.
+    let lock_file = folder.join(format!("{name}.lock"));
+    let lock = File::create(&lock_file).map_err(|error| failed(&lock_file, &error))?;
+    lock.lock().map_err(|error| failed(&lock_file, &error))?;
+
+    // The interpreter it was made with may be gone, so it is also asked.
+    if is_as(&stamp_file, stamp) && output(Command::new(&python).arg("--version")).is_ok() {
+        return Ok(python);
+    }
+    if place.exists() {
+        fs::remove_dir_all(&place).map_err(|error| failed(&place, &error))?;
+    }
+    output(Command::new(&interpreter.path).args(["-m", "venv"]).arg(&place)).map_err(|error| {
+        format!("{error}\nThis Python cannot make environments; install its venv and ensurepip (Debian: python3-venv)")
+    })?;
+    // Without dependencies: the file pins every package, and the check says so if one is missing.
+    let mut install = Command::new(&python);
+    install.args([
+        "-m",
+        "pip",
+        "install",
+        "--disable-pip-version-check",
+        "--no-input",
+        "--no-deps",
+    ]);
+    install
+        .args(["--only-binary", ":all:", "--requirement"])
+        .arg(pins);
+    output(&mut install).map_err(|error| format!("{error}\nPackages come from PyPI: is it reachable?"))?;
+    output(Command::new(&python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
+    // Last, so that an interrupted installation is made anew.
+    fs::write(&stamp_file, stamp).map_err(|error| failed(&stamp_file, &error))?;
+    Ok(python)
+}
+
+fn is_as(file: &Path, text: &str) -> bool {
+    fs::read_to_string(file).is_ok_and(|found| found == text)
+}
+
+fn dotted((major, minor): Version) -> String {
+    format!("{major}.{minor}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interpreter(version: Version) -> Interpreter {
+        Interpreter {
+            path: "python3".into(),
+            version,
+        }
+    }
+
+    #[test]
+    fn an_environment_takes_the_first_interpreter_that_fits() {
+        let found = [interpreter((3, 13)), interpreter((3, 10)), interpreter((3, 11))];
+        let [current, old] = &ENVIRONMENTS;
+        assert_eq!(current.choose(&found).unwrap().version, (3, 13));
+        assert_eq!(old.choose(&found).unwrap().version, (3, 10));
+        let reason = old.choose(&found[..1]).unwrap_err();
+        assert!(
+            reason.contains("3.10 to 3.11") && reason.contains("only 3.13"),
+            "{reason}"
+        );
+        assert!(current.choose(&[]).unwrap_err().contains("no Python 3"));
+    }
+
+    #[test]
+    fn a_half_made_environment_is_made_anew_and_a_whole_one_kept() {
+        let Some(found) = Interpreter::ask("python3".into()) else {
+            println!("skipped: no python3");
+            return;
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let pins = folder.path().join("requirements.txt");
+        fs::write(&pins, "").unwrap();
+        let rubbish = folder.path().join("small/half-made");
+        fs::create_dir_all(rubbish.parent().unwrap()).unwrap();
+        fs::write(&rubbish, "").unwrap();
+        let make = |stamp| prepare_in(folder.path(), "small", &found, &pins, stamp);
+        let python = match make("one") {
+            Err(error) if error.contains("ensurepip") => return println!("skipped: {error}"),
+            other => other.unwrap(),
+        };
+        assert!(python.exists() && !rubbish.exists());
+
+        fs::write(&rubbish, "kept").unwrap();
+        make("one").unwrap();
+        assert!(rubbish.exists(), "an environment with the right stamp is kept");
+        make("two").unwrap();
+        assert!(!rubbish.exists(), "a changed pin makes it anew");
+    }
+
+    #[test]
+    fn a_python_that_cannot_make_environments_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let nobody = Interpreter {
+            path: "no-such-python".into(),
+            version: (3, 11),
+        };
+        let error = prepare_in(folder.path(), "small", &nobody, Path::new("none"), "").unwrap_err();
+        assert!(error.contains("python3-venv"), "{error}");
+    }
+}

@@ -1,0 +1,163 @@
+//! `cargo xtask test`: every check of the project, each as a step; one that fails does not hide the others.
+
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+use std::thread;
+
+use crate::counts::{self, Counts};
+use crate::python::{ENVIRONMENTS, Environment, Interpreter};
+use crate::report::Report;
+use crate::workspace;
+
+/// The tests that ask other people's libraries.
+const ORACLES: &str = "tests/oracles";
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Also the tests marked as slow: `#[ignore]` in Rust, `slow` in Python
+    #[arg(long)]
+    all: bool,
+    /// Leave the Python oracles out
+    #[arg(long)]
+    skip_python: bool,
+}
+
+/// The programs that the Python tests run.
+struct Programs {
+    oaktwin: PathBuf,
+    camera_eval: Option<PathBuf>,
+}
+
+/// What became of a Python environment.
+enum Readiness {
+    Ready(PathBuf),
+    Failed(String),
+    Skipped(String),
+}
+
+/// Runs the steps; the last line it prints is `N passed, N failed, N skipped`.
+pub(crate) fn run(args: &Args) -> ExitCode {
+    let mut report = Report::default();
+    // Mostly waiting for downloads: done beside the Rust steps.
+    let environments = (!args.skip_python).then(|| thread::spawn(prepare_environments));
+    rust_steps(&mut report, args);
+    match environments {
+        None => report.skip("Python oracles", "--skip-python"),
+        Some(environments) => match environments.join() {
+            Ok(environments) => python_steps(&mut report, args, environments),
+            Err(_) => {
+                report.step("Python environments", || {
+                    Err::<(), _>("the thread that makes them panicked".into())
+                });
+                report.count_failure();
+            }
+        },
+    }
+    report.finish()
+}
+
+fn rust_steps(report: &mut Report, args: &Args) {
+    let no_tests: fn(&str) -> Option<Counts> = |_| None;
+    report.command(
+        "format",
+        workspace::cargo().args(["fmt", "--all", "--check"]),
+        no_tests,
+    );
+    let clippy = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
+    report.command("clippy", workspace::cargo().args(clippy), no_tests);
+    let doc = ["doc", "--workspace", "--no-deps"];
+    report.command(
+        "docs",
+        workspace::cargo().args(doc).env("RUSTDOCFLAGS", "-D warnings"),
+        no_tests,
+    );
+    let mut test = workspace::cargo();
+    test.args(["test", "--workspace", "--no-fail-fast"]);
+    if args.all {
+        test.args(["--", "--include-ignored"]);
+    }
+    report.command("Rust tests", &mut test, counts::of_cargo_test);
+}
+
+fn prepare_environments() -> Vec<(&'static Environment, Readiness)> {
+    let interpreters = Interpreter::find_all();
+    let prepare = |environment: &'static Environment| {
+        let readiness = match environment.choose(&interpreters) {
+            Err(reason) => Readiness::Skipped(reason),
+            Ok(interpreter) => match environment.prepare(interpreter) {
+                Ok(python) => Readiness::Ready(python),
+                Err(message) => Readiness::Failed(message),
+            },
+        };
+        (environment, readiness)
+    };
+    ENVIRONMENTS.iter().map(prepare).collect()
+}
+
+fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
+    let any_ready = environments
+        .iter()
+        .any(|(_, readiness)| matches!(readiness, Readiness::Ready(_)));
+    let programs = if any_ready {
+        report.step("programs for the oracles", build_programs)
+    } else {
+        None
+    };
+    if any_ready && programs.is_none() {
+        report.count_failure();
+    }
+    for (environment, readiness) in environments {
+        let name = format!("Python oracles, {}", environment.name);
+        match (readiness, &programs) {
+            (Readiness::Skipped(reason), _) => report.skip(&name, reason),
+            (Readiness::Failed(message), _) => {
+                report.step(&name, || Err::<(), _>(message));
+                report.count_failure();
+            }
+            (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
+            (Readiness::Ready(python), Some(programs)) => {
+                report.command(&name, &mut pytest(python, programs, args), counts::of_pytest);
+            }
+        }
+    }
+}
+
+fn build_programs() -> Result<Programs, String> {
+    let mut programs = workspace::build(&["--package", "oaktwin-cli", "--bin", "oaktwin"])?;
+    let oaktwin = programs
+        .remove("oaktwin")
+        .ok_or("cargo built no program named oaktwin")?;
+    let mut camera_eval = None;
+    if workspace::root().join("crates/testkit").is_dir() {
+        let mut programs = workspace::build(&["--package", "oaktwin-testkit", "--bin", "camera-eval"])?;
+        camera_eval = programs.remove("camera-eval");
+    }
+    Ok(Programs { oaktwin, camera_eval })
+}
+
+fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
+    let mut command = Command::new(python);
+    command.current_dir(workspace::root());
+    command.args([
+        "-m",
+        "pytest",
+        "--quiet",
+        "--color=no",
+        "-p",
+        "no:cacheprovider",
+        ORACLES,
+    ]);
+    if args.all {
+        command.arg("--slow");
+    }
+    command.env("OAKTWIN_BIN", &programs.oaktwin);
+    if let Some(camera_eval) = &programs.camera_eval {
+        command.env("OAKTWIN_CAMERA_EVAL", camera_eval);
+    }
+    // The environment is pinned: nothing of the user's own Python gets in.
+    command
+        .env_remove("PYTHONPATH")
+        .env_remove("PYTHONHOME")
+        .env("PYTHONDONTWRITEBYTECODE", "1");
+    command
+}
