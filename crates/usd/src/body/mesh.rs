@@ -24,6 +24,14 @@ impl Mesh {
         self.indices.extend([a, b, c, d]);
     }
 
+    pub(super) fn append(&mut self, other: &Self) {
+        let first = self.points.len();
+        self.points.extend(&other.points);
+        self.counts.extend(&other.counts);
+        self.indices
+            .extend(other.indices.iter().map(|index| first + index));
+    }
+
     /// The part in metres, with normals averaged by area across edges that are no creases.
     pub(super) fn into_part(self, name: &str, material: &'static str) -> BodyPart {
         let faces = self.faces();
@@ -44,7 +52,11 @@ impl Mesh {
         let integer = |value: &usize| i32::try_from(*value).unwrap_or(i32::MAX);
         BodyPart {
             name: name.to_owned(),
-            points: self.points.iter().map(|&point| rounded(point / 1e3, 1e6)).collect(),
+            points: self
+                .points
+                .iter()
+                .map(|&point| rounded(point / 1e3, 1e6))
+                .collect(),
             face_vertex_counts: self.counts.iter().map(integer).collect(),
             face_vertex_indices: self.indices.iter().map(integer).collect(),
             normals,
@@ -101,11 +113,17 @@ impl Incidence {
     }
 
     fn faces(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
-        self.faces[self.starts[vertex]..self.starts[vertex + 1]].iter().copied()
+        self.faces[self.starts[vertex]..self.starts[vertex + 1]]
+            .iter()
+            .copied()
     }
 }
 
 /// Short in text, and never `-0`.
 fn rounded(value: DVec3, steps_per_unit: f64) -> [f32; 3] {
-    ((value * steps_per_unit).round() / steps_per_unit + DVec3::ZERO).as_vec3().to_array()
+    // Adding 1.5 × 2^52 leaves no fraction bits: rounding without a library call, for all that fits a body.
+    const WHOLE: DVec3 = DVec3::splat(6_755_399_441_055_744.0);
+    ((value * steps_per_unit + WHOLE - WHOLE) / steps_per_unit + DVec3::ZERO)
+        .as_vec3()
+        .to_array()
 }
