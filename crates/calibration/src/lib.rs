@@ -28,3 +28,6 @@ pub use rectify::StereoPair;
 pub use socket::Socket;
 pub use summary::{CalibrationSummary, CameraSummary, ImuSummary, PairSummary, StereoSummary, summary};
 pub use twin::twin;
+
+/// The calibration of one OAK-D Pro PoE, made up for demonstrations: plausible numbers, no real unit's.
+pub const EXAMPLE: &str = include_str!("../fixtures/example-oak-d-pro-poe.json");
