@@ -65,20 +65,6 @@ pub enum AssetError {
         /// The path.
         path: String,
     },
-    /// Geometry that contradicts itself.
-    #[error(
-        "body: {part}: {normals} normals for {points} points and {corners} corners; give one for each of either"
-    )]
-    Normals {
-        /// The part's name.
-        part: String,
-        /// How many there are.
-        normals: usize,
-        /// How many points.
-        points: usize,
-        /// How many corners of faces.
-        corners: usize,
-    },
     /// A layer of overrides was asked of a twin without a calibration.
     #[error("{model}: nothing to override: its numbers are the nominal ones; give a calibration")]
     NothingToOverride {
