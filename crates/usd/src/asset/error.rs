@@ -65,20 +65,6 @@ pub enum AssetError {
         /// The path.
         path: String,
     },
-    /// Geometry that contradicts itself.
-    #[error(
-        "body: {part}: {normals} normals for {points} points and {corners} corners; give one for each of either"
-    )]
-    Normals {
-        /// The part's name.
-        part: String,
-        /// How many there are.
-        normals: usize,
-        /// How many points.
-        points: usize,
-        /// How many corners of faces.
-        corners: usize,
-    },
     /// An asset that the overrides of a model do not fit.
     #[error("{asset}: {what}, so it is no asset of an {model}; name the vendor's asset of that model")]
     NoBase {

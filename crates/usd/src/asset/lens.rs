@@ -1,8 +1,8 @@
-use oaktwin_camera::{Intrinsics, LensModel, OpenCv, PixelPoint, Usd};
+use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, PixelPoint, Usd};
 use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::{AssetError, AssetOptions, LensChoice, ROOT, float, tilt};
+use super::{AssetError, AssetOptions, LensChoice, ROOT, float};
 use crate::text::{Prim, Value};
 
 /// The lens-distortion schema of a camera prim.
@@ -141,7 +141,7 @@ pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
         if let LensModel::OpenCvPinhole(lens) = &camera.lens {
             let tilt = [lens.coefficients[12], lens.coefficients[13]];
             if tilt != [0.0, 0.0] {
-                let error_px = tilt::largest_error_px(&camera.intrinsics, tilt);
+                let error_px = Camera::new(camera.intrinsics, camera.lens).largest_tilt_error_px();
                 findings.push(Finding::new(
                     "lens-tilt-lost",
                     Level::Warning,

@@ -36,7 +36,6 @@ mod options;
 mod overrides;
 mod physics;
 mod pose;
-mod tilt;
 
 #[cfg(test)]
 pub(crate) mod sample;
@@ -47,11 +46,11 @@ use oaktwin_catalog::{Origin, Twin};
 use oaktwin_diagnostic::Finding;
 
 pub use error::AssetError;
-pub use geometry::{BodyMaterial, BodyPart};
 pub use names::{PrimNames, render_product_name};
 pub use options::{AssetOptions, Format, IsaacVersion, LensChoice, Target};
 pub use overrides::{OverrideBase, overrides};
 
+use crate::body;
 use crate::text::{Dictionary, Layer, Prim, UpAxis, Value};
 use crate::usdz;
 
@@ -105,42 +104,34 @@ impl Asset {
 /// An option that the model cannot have (fisheye lenses, extended disparity), a twin whose depth sensor names a
 /// camera it lacks, names that are no prim names or occur twice, numbers that are not finite.
 pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
-    let parts = if options.body {
-        geometry::body_parts(twin)
-    } else {
-        Vec::new()
-    };
-    asset_with_body(twin, options, &parts)
-}
-
-/// The asset of a twin with a body of these parts.
-///
-/// # Errors
-/// As [`asset`], and a part whose normals fit neither its points nor its corners.
-pub fn asset_with_body(twin: &Twin, options: &AssetOptions, body: &[BodyPart]) -> Result<Asset, AssetError> {
     options.check(twin)?;
     let device = &twin.device;
     let device_path = format!("/{ROOT}/{}", device.prim);
     let mut findings = lens::findings(twin, options);
     findings.extend(depth::findings(twin, options, &device_path));
 
-    let mut camera_body = Prim::def("Xform", &device.prim).documented(describe::device(twin, options));
+    let body = (options.body || options.rigid_body).then(|| body::body(twin));
+
+    let mut device_prim = Prim::def("Xform", &device.prim).documented(describe::device(twin, options));
     for sensor in &twin.depth_sensors {
-        camera_body
+        device_prim
             .children
             .push(depth::virtual_camera(twin, sensor, options)?);
     }
     for camera in &twin.cameras {
-        camera_body.children.push(camera::prim(twin, camera, options)?);
+        device_prim.children.push(camera::prim(twin, camera, options)?);
     }
-    camera_body.children.push(imu::prim(twin, options));
-    if !body.is_empty() {
-        camera_body.children.extend(geometry::prims(body, &device_path)?);
+    device_prim.children.push(imu::prim(twin, options));
+    if let Some(body) = body {
+        if options.body {
+            let scopes = geometry::scopes(body.parts, &body.materials, &device_path);
+            device_prim.children.extend(scopes);
+        }
+        if options.rigid_body {
+            physics::add_rigid_body(&mut device_prim, device, body.collider);
+        }
     }
-    if options.rigid_body {
-        physics::add_rigid_body(&mut camera_body, device);
-    }
-    camera_body
+    device_prim
         .children
         .push(depth::products(twin, options, &device_path)?);
 
@@ -150,7 +141,7 @@ pub fn asset_with_body(twin: &Twin, options: &AssetOptions, body: &[BodyPart]) -
         ("name".into(), Value::string(&device.id)),
         ("version".into(), Value::string(env!("CARGO_PKG_VERSION"))),
     ]);
-    root.children.push(camera_body);
+    root.children.push(device_prim);
 
     let layer = Layer {
         custom_layer_data: layer_data(twin, options),

@@ -34,27 +34,6 @@ fn near(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{a} {b}");
 }
 
-/// Two parts that share a material, one smooth and one flat.
-fn body() -> Vec<BodyPart> {
-    let material = BodyMaterial {
-        name: "Aluminium".into(),
-        diffuse: [0.1, 0.1, 0.11],
-        metallic: 1.0,
-        roughness: 0.4,
-        opacity: 1.0,
-        ior: 1.5,
-    };
-    let triangle = |name: &str, normals: usize| BodyPart {
-        name: name.into(),
-        points: vec![[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.1, 0.1, 0.0]],
-        face_vertex_counts: vec![3, 3],
-        face_vertex_indices: vec![0, 1, 2, 1, 3, 2],
-        normals: vec![[0.0, 0.0, 1.0]; normals],
-        material: material.clone(),
-    };
-    vec![triangle("housing", 6), triangle("glass", 4)]
-}
-
 /// A release changes the version in every asset and nothing else.
 fn snapshot(text: &str, name: &str) {
     insta::assert_snapshot!(name, text.replace(env!("CARGO_PKG_VERSION"), "VERSION"));
@@ -62,7 +41,8 @@ fn snapshot(text: &str, name: &str) {
 
 #[test]
 fn the_text_of_one_asset() {
-    snapshot(&text(&nominal_of("oak_d_pro_poe"), &plain()), "asset");
+    let options = AssetOptions { body: false, ..plain() };
+    snapshot(&text(&nominal_of("oak_d_pro_poe"), &options), "asset");
 }
 
 #[test]
@@ -409,29 +389,38 @@ fn overrides_hold_what_a_calibration_changes() {
 
 #[test]
 fn bodies_and_rigid_bodies() {
-    let options = AssetOptions {
-        rigid_body: true,
-        ..plain()
-    };
-    let made = asset_with_body(&nominal_of("oak4_d"), &options, &body()).unwrap();
+    let twin = nominal_of("oak4_d");
+    let made = asset(&twin, &AssetOptions { rigid_body: true, ..plain() }).unwrap();
     let device = &made.layer.prims[0].children[0];
     assert_eq!(device.api_schemas, ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]);
-    near(number(device, "physics:mass"), 0.18, 1e-7);
-    assert_eq!(prim(&made, "Looks").children.len(), 1);
-    let glass = prim(&made, "visuals/glass").attribute("normals").unwrap();
-    assert_eq!(glass.interpolation, Some("vertex"));
-    let extent = prim(&made, "collisions/collider").attribute("extent").unwrap();
-    let Some(Value::Float3Array(extent)) = &extent.value else {
+    near(number(device, "physics:mass"), twin.device.body.mass_g * 1e-3, 1e-7);
+    let collider = prim(&made, "collisions").children[0].clone();
+    let Some(Value::Float3Array(extent)) = &collider.attribute("extent").unwrap().value else {
         panic!("an extent");
     };
-    near(f64::from(extent[1][0] - extent[0][0]), 0.0313, 1e-7);
-    near(f64::from(extent[1][1] - extent[0][1]), 0.111, 1e-7);
-    near(f64::from(extent[1][0]), 0.005, 1e-7);
+    // x is along the depth, y along the width, z along the height.
+    let [width, height, depth] = twin.device.body.dimensions_mm;
+    for (axis, mm) in [depth, width, height].into_iter().enumerate() {
+        near(f64::from(extent[1][axis] - extent[0][axis]), mm * 1e-3, 2e-6);
+    }
+    // Every mesh has a material that is there, and no material is there for nothing.
+    let bound: BTreeSet<String> = prim(&made, "visuals")
+        .children
+        .iter()
+        .flat_map(|mesh| &mesh.properties)
+        .filter_map(|property| match property {
+            crate::text::Property::Relationship(binding) => binding.targets.first().cloned(),
+            crate::text::Property::Attribute(_) => None,
+        })
+        .collect();
+    let looks = &prim(&made, "Looks").children;
+    let materials = looks.iter().map(|m| format!("/Root/oak4_d/Looks/{}", m.name));
+    assert_eq!(bound, materials.collect());
 
-    let mut broken = body();
-    broken[0].normals.pop();
-    let error = asset_with_body(&nominal_of("oak4_d"), &options, &broken).unwrap_err();
-    assert!(matches!(error, AssetError::Normals { .. }), "{error}");
+    // The collider needs no visible body.
+    let bare = AssetOptions { body: false, rigid_body: true, ..plain() };
+    let made = asset(&twin, &bare).unwrap();
+    assert!(made.text().contains("PhysicsCollisionAPI") && !made.text().contains("Looks"));
 }
 
 #[test]
@@ -494,8 +483,7 @@ fn every_asset() -> Vec<(String, Asset)> {
                         body: flag(4),
                         ..plain()
                     };
-                    let parts = if options.body { body() } else { Vec::new() };
-                    let Ok(made) = asset_with_body(&twin, &options, &parts) else {
+                    let Ok(made) = asset(&twin, &options) else {
                         continue;
                     };
                     let name = format!("{}-{kind}-{}-{}-{flags}", made.stem, isaac.name(), target.name());
@@ -571,30 +559,13 @@ fn write_for_openusd() {
 #[test]
 fn timing_tmp() {
     let twins = nominal();
-    let mut big = body();
-    let mut i = 0u32;
-    big[0].points = (0..3000)
-        .map(|_| {
-            i += 1;
-            let x = f64::from(i) * 1.234567e-5;
-            [super::f32_of(x), super::f32_of(x * 0.71), super::f32_of(-x * 1.3)]
-        })
-        .collect();
-    big[0].face_vertex_counts = vec![3; 6000];
-    big[0].face_vertex_indices = (0..18000).map(|i| i % 3000).collect();
-    big[0].normals = (0..18000).map(|i| big[0].points[i % 3000]).collect();
-    for _ in 0..5 {
+    for body in [true, false] { for _ in 0..5 {
+        let o = AssetOptions { body, ..plain() };
         let t = std::time::Instant::now();
-        let n: usize = twins.iter().map(|t| text(t, &plain()).len()).sum();
+        let v: Vec<_> = twins.iter().map(|t| asset(t, &o).unwrap()).collect();
         let a = t.elapsed();
         let t = std::time::Instant::now();
-        let m: usize = twins
-            .iter()
-            .map(|t| asset_with_body(t, &plain(), &big).unwrap().text().len())
-            .sum();
-        println!(
-            "five plain {n} bytes {a:?}; five with 6000 triangles {m} bytes {:?}",
-            t.elapsed()
-        );
-    }
+        let n: usize = v.iter().map(|t| t.text().len()).sum();
+        println!("five {body} {n} bytes build {a:?} text {:?}", t.elapsed());
+    } }
 }
