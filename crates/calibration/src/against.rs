@@ -117,7 +117,7 @@ fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog)
 
 fn focal_length(found: &CameraCalibration, camera: &TwinCamera) -> Option<Finding> {
     let size = camera.intrinsics.size;
-    let (fx, nominal) = (found.intrinsics_at(size, true).fx, camera.intrinsics.fx);
+    let (fx, nominal) = (found.intrinsics.resized(size, true).fx, camera.intrinsics.fx);
     let off = fx / nominal - 1.0;
     if off.abs() <= ODD_FOCAL_LENGTH {
         return None;

@@ -1,6 +1,6 @@
 //! What a calibration must be beyond its syntax, by itself.
 
-use oaktwin_camera::{OpenCv, RigidTransform};
+use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
 use oaktwin_diagnostic::{Finding, Level};
 
 use crate::model::{Calibration, CameraCalibration, Link};
@@ -58,6 +58,15 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
                 "correct width, or calibrate again",
             );
         }
+        if !reaches_corners(camera) {
+            let message = "the lens model folds back inside the image: some pixels see nothing by it";
+            reader.warn(
+                "distortion-folds",
+                format!("{}.distortionCoeff", camera.place),
+                message,
+                "calibrate again with views that fill the image",
+            );
+        }
         if !(0.9..=1.1).contains(&(k.fx / k.fy)) {
             let message = format!("fx = {} and fy = {} px differ by more than 10 %", k.fx, k.fy);
             reader.warn(
@@ -68,6 +77,23 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
             );
         }
     }
+}
+
+fn reaches_corners(camera: &CameraCalibration) -> bool {
+    let (width, height) = (f64::from(camera.size().width), f64::from(camera.size().height));
+    [
+        (0.0, 0.0),
+        (width - 1.0, 0.0),
+        (0.0, height - 1.0),
+        (width - 1.0, height - 1.0),
+    ]
+    .into_iter()
+    .all(|(x, y)| {
+        camera
+            .camera()
+            .unproject(PixelPoint::<OpenCv>::new(x, y))
+            .is_some()
+    })
 }
 
 pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
@@ -167,7 +193,9 @@ pub(crate) fn stereo(reader: &mut Reader, calibration: &Calibration) {
 
 fn rectification(reader: &mut Reader, calibration: &Calibration, right_from_left: &RigidTransform) {
     let Some(stereo) = calibration.stereo else { return };
-    let (r1, r2) = rectifying_rotations(right_from_left);
+    let Some((r1, r2)) = rectifying_rotations(right_from_left) else {
+        return;
+    };
     for (stored, computed, key) in [
         (stereo.rectified_from_left, r1, "rectifiedRotationLeft"),
         (stereo.rectified_from_right, r2, "rectifiedRotationRight"),

@@ -65,9 +65,9 @@ pub enum CalibrationError {
         /// The key.
         place: &'static str,
     },
-    /// The calibration cannot be written in a format.
+    /// The calibration does not do for what is asked.
     #[error("{file}: {place}: {what}; {remedy}")]
-    Export {
+    Unsuited {
         /// The file.
         file: String,
         /// The field's path.

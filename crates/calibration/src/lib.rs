@@ -6,6 +6,7 @@
 mod against;
 mod check;
 mod error;
+pub mod export;
 mod extrinsics;
 mod model;
 mod nominal;
@@ -13,7 +14,6 @@ pub mod raw;
 mod read;
 mod reader;
 mod rectify;
-mod resize;
 mod socket;
 mod summary;
 mod twin;
@@ -24,6 +24,10 @@ pub use error::CalibrationError;
 pub use model::{Board, Calibration, CameraCalibration, CameraKind, Link, StereoRectification};
 pub use nominal::nominal_calibration;
 pub use raw::Raw;
+pub use rectify::StereoPair;
 pub use socket::Socket;
 pub use summary::{CalibrationSummary, CameraSummary, ImuSummary, PairSummary, StereoSummary, summary};
 pub use twin::twin;
+
+/// The calibration of one OAK-D Pro PoE, made up for demonstrations: plausible numbers, no real unit's.
+pub const EXAMPLE: &str = include_str!("../fixtures/example-oak-d-pro-poe.json");

@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_camera::{ImageSize, Intrinsics, LensModel, RigidTransform};
+use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
 use serde::Serialize;
 
 use crate::{CalibrationError, Socket};
@@ -111,6 +111,12 @@ impl CameraCalibration {
     #[must_use]
     pub const fn size(&self) -> ImageSize {
         self.intrinsics.size
+    }
+
+    /// Its optics.
+    #[must_use]
+    pub const fn camera(&self) -> Camera {
+        Camera::new(self.intrinsics, self.lens)
     }
 }
 

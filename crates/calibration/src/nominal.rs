@@ -67,7 +67,8 @@ fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera)
     let (kind, coefficients) = match &camera.lens {
         LensModel::OpenCvPinhole(lens) => (0, lens.coefficients.to_vec()),
         LensModel::OpenCvFisheye(lens) => (1, lens.k.to_vec()),
-        LensModel::Pinhole => (0, vec![0.0; 14]),
+        // DepthAI has no f-theta; no calibration or catalog gives one either.
+        LensModel::Pinhole | LensModel::FTheta(_) => (0, vec![0.0; 14]),
     };
     let size = camera.intrinsics.size;
     // Of the design with its distortion, where that is known.
@@ -119,7 +120,7 @@ fn stereo(twin: &Twin) -> Node {
         (Some(body_from_left), Some(body_from_right)) => body_from_right.inverse() * body_from_left,
         _ => RigidTransform::IDENTITY,
     };
-    let (r1, r2) = rectifying_rotations(&right_from_left);
+    let (r1, r2) = rectifying_rotations(&right_from_left).unwrap_or_default();
     Node::from([
         ("leftCameraSocket", i64::from(left.number()).into()),
         ("rectifiedRotationLeft", matrix(r1.transpose().to_cols_array_2d())),

@@ -102,7 +102,7 @@ impl Reader {
     }
 
     pub(crate) fn missing(&mut self, parent: &Field<'_>, key: &str) {
-        let message = format!("the key is missing from line {} on", parent.node.at.line);
+        let message = format!("the key is missing in the object at line {}", parent.node.at.line);
         self.error(
             "missing-key",
             parent.key_path(key),

@@ -159,7 +159,7 @@ fn pairs(calibration: &Calibration) -> Vec<PairSummary> {
 
 fn stereo(calibration: &Calibration) -> Option<StereoSummary> {
     let (left, right) = calibration.stereo_pair()?;
-    let (r1, r2) = rectifying_rotations(&calibration.transform(left, right, false).ok()?);
+    let (r1, r2) = rectifying_rotations(&calibration.transform(left, right, false).ok()?)?;
     let rows = |r: DMat3| r.transpose().to_cols_array_2d();
     Some(StereoSummary {
         left,

@@ -103,7 +103,9 @@ fn body(
             )],
         });
     }
-    let (rectified_from_left, _) = rectifying_rotations(&right_from_left);
+    let Some((rectified_from_left, _)) = rectifying_rotations(&right_from_left) else {
+        return Ok(None);
+    };
     let rotation = Axes::Ros.rotation_from(Axes::OpenCv) * rectified_from_left;
     let left_in_body = DVec3::new(0.0, t.length() / 2.0, 0.0);
     Ok(Some((left, RigidTransform::new(rotation, left_in_body))))
@@ -132,7 +134,7 @@ fn apply(
         ));
         return;
     };
-    camera.intrinsics = found.intrinsics_at(camera.intrinsics.size, true);
+    camera.intrinsics = found.intrinsics.resized(camera.intrinsics.size, true);
     camera.lens = found.lens;
     let Some((left, body_from_left)) = body else {
         return;

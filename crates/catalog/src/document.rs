@@ -5,7 +5,7 @@ use std::path::Path;
 use oaktwin_diagnostic::nearest;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeTable, DeValue, Deserializer};
 
 use crate::CatalogError;
 
@@ -13,7 +13,7 @@ use crate::CatalogError;
 pub(crate) struct Document<'a> {
     file: &'a Path,
     text: &'a str,
-    table: DeTable<'a>,
+    table: Spanned<DeTable<'a>>,
 }
 
 impl<'a> Document<'a> {
@@ -34,11 +34,7 @@ impl<'a> Document<'a> {
             ));
         }
         match DeTable::parse(text) {
-            Ok(table) => Ok(Self {
-                file,
-                text,
-                table: table.into_inner(),
-            }),
+            Ok(table) => Ok(Self { file, text, table }),
             Err(cause) => {
                 let line = cause.span().map(|span| line_at(text, span.start));
                 let problem = format!("not TOML: {}", one_line(cause.message()));
@@ -48,7 +44,7 @@ impl<'a> Document<'a> {
     }
 
     pub(crate) fn has(&self, key: &str) -> bool {
-        self.table.contains_key(key)
+        self.table.get_ref().contains_key(key)
     }
 
     /// Every number of the file that is NaN or infinite is an error: no quantity here can be.
@@ -65,7 +61,7 @@ impl<'a> Document<'a> {
                 _ => None,
             }
         }
-        match self.table.iter().find_map(|(_, value)| walk(value)) {
+        match self.table.get_ref().iter().find_map(|(_, value)| walk(value)) {
             Some(offset) => Err(CatalogError::new(
                 self.file,
                 Some(line_at(self.text, offset)),
@@ -78,7 +74,7 @@ impl<'a> Document<'a> {
 
     pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CatalogError> {
         self.check_finite()?;
-        toml::from_str(self.text).map_err(|cause| {
+        T::deserialize(Deserializer::from(self.table.clone())).map_err(|cause| {
             let line = cause.span().map(|span| line_at(self.text, span.start));
             let (problem, remedy) = explain(cause.message());
             CatalogError::new(self.file, line, problem, remedy)
@@ -98,7 +94,7 @@ impl<'a> Document<'a> {
     /// Whether the file says something at `place`.
     pub(crate) fn contains(&self, place: &str) -> bool {
         let mut segments = place.split('.');
-        let first = segments.next().and_then(|key| self.table.get(key));
+        let first = segments.next().and_then(|key| self.table.get_ref().get(key));
         first.is_some_and(|value| {
             segments
                 .try_fold(value, |value, segment| {
@@ -111,7 +107,7 @@ impl<'a> Document<'a> {
     /// The line of `place`, or of the last part of its path that exists.
     fn line_of(&self, place: &str) -> Option<usize> {
         let mut segments = place.split('.');
-        let (key, mut value) = self.table.get_key_value(segments.next()?)?;
+        let (key, mut value) = self.table.get_ref().get_key_value(segments.next()?)?;
         let mut offset = key.span().start;
         for segment in segments {
             let Some((at, next)) = step(value.get_ref(), segment) else {

@@ -19,7 +19,11 @@ pub struct FileError {
 impl FileError {
     /// An error about `path`.
     pub fn new(path: &Path, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { path: path.to_owned(), message: message.into(), remedy: remedy.into() }
+        Self {
+            path: path.to_owned(),
+            message: message.into(),
+            remedy: remedy.into(),
+        }
     }
 
     fn reading(path: &Path, error: &io::Error) -> Self {
@@ -36,11 +40,22 @@ impl FileError {
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("its folder does not exist", "make the folder first"),
             io::ErrorKind::PermissionDenied => ("may not be written", "choose another place with -o"),
-            io::ErrorKind::ReadOnlyFilesystem => ("is on a read-only file system", "choose another place with -o"),
-            io::ErrorKind::StorageFull => ("there is no space left", "free some, or choose another place with -o"),
+            io::ErrorKind::ReadOnlyFilesystem => {
+                ("is on a read-only file system", "choose another place with -o")
+            }
+            io::ErrorKind::StorageFull => (
+                "there is no space left",
+                "free some, or choose another place with -o",
+            ),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
             io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
-            _ => return Self::new(path, format!("cannot be written ({error})"), "choose another place with -o"),
+            _ => {
+                return Self::new(
+                    path,
+                    format!("cannot be written ({error})"),
+                    "choose another place with -o",
+                );
+            }
         };
         Self::new(path, message, remedy)
     }
@@ -58,7 +73,9 @@ pub fn read(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>, FileError> {
     }
     let mut bytes = Vec::new();
     // One byte more than allowed, since a pipe does not say its length.
-    file.take(limit + 1).read_to_end(&mut bytes).map_err(|e| FileError::reading(path, &e))?;
+    file.take(limit + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|e| FileError::reading(path, &e))?;
     if bytes.len() as u64 > limit {
         let message = format!("is larger than {} MiB, which {what} never is", limit >> 20);
         return Err(FileError::new(path, message, "check that it is the right file"));
@@ -97,16 +114,26 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
         }
         Ok(metadata) if !metadata.is_file() => {
             let mut device = OpenOptions::new().write(true).open(&target).map_err(failed)?;
-            return device.write_all(bytes).and_then(|()| device.flush()).map_err(failed);
+            return device
+                .write_all(bytes)
+                .and_then(|()| device.flush())
+                .map_err(failed);
         }
         Ok(metadata) if metadata.permissions().readonly() => {
-            return Err(FileError::new(path, "is read-only", "choose another place with -o, or make it writable"));
+            return Err(FileError::new(
+                path,
+                "is read-only",
+                "choose another place with -o, or make it writable",
+            ));
         }
         _ => {}
     }
     let temporary = Temporary::beside(&target);
-    let mut file =
-        OpenOptions::new().write(true).create_new(true).open(&temporary.path).map_err(failed)?;
+    let mut file = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&temporary.path)
+        .map_err(failed)?;
     file.write_all(bytes).map_err(failed)?;
     drop(file);
     fs::rename(&temporary.path, &target).map_err(failed)
@@ -121,7 +148,11 @@ fn follow(path: &Path) -> Result<PathBuf, FileError> {
             Err(_) => return Ok(target),
         }
     }
-    Err(FileError::new(path, "is a circle of symbolic links", "name the file itself"))
+    Err(FileError::new(
+        path,
+        "is a circle of symbolic links",
+        "name the file itself",
+    ))
 }
 
 /// A file that is gone when this value is, unless it was renamed away.
@@ -134,7 +165,9 @@ impl Temporary {
         let mut name = std::ffi::OsString::from(".");
         name.push(target.file_name().unwrap_or_default());
         name.push(format!(".{}.part", std::process::id()));
-        Self { path: target.with_file_name(name) }
+        Self {
+            path: target.with_file_name(name),
+        }
     }
 }
 
@@ -154,8 +187,10 @@ mod tests {
     }
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<_> =
-            fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> = fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }
@@ -173,8 +208,13 @@ mod tests {
     #[test]
     fn a_missing_folder_is_named() {
         let folder = folder();
-        let error = write(&folder.path().join("no/a.usd"), b"x").unwrap_err().to_string();
-        assert!(error.contains("no/a.usd: its folder does not exist; make the folder first"), "{error}");
+        let error = write(&folder.path().join("no/a.usd"), b"x")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("no/a.usd: its folder does not exist; make the folder first"),
+            "{error}"
+        );
     }
 
     #[cfg(unix)]
@@ -206,7 +246,12 @@ mod tests {
         let mut permissions = fs::metadata(&path).unwrap().permissions();
         permissions.set_readonly(true);
         fs::set_permissions(&path, permissions).unwrap();
-        assert!(write(&path, b"two").unwrap_err().to_string().contains("read-only"));
+        assert!(
+            write(&path, b"two")
+                .unwrap_err()
+                .to_string()
+                .contains("read-only")
+        );
         assert_eq!(fs::read(&path).unwrap(), b"one");
         assert_eq!(names(folder.path()), ["a.usd"]);
     }
@@ -216,9 +261,21 @@ mod tests {
         let folder = folder();
         let path = folder.path().join("big.json");
         fs::write(&path, vec![b' '; (1 << 20) + 1]).unwrap();
-        assert!(read(&path, 1 << 20, "a calibration").unwrap_err().to_string().contains("larger than 1 MiB"));
-        assert!(read(folder.path(), 1 << 20, "a calibration").unwrap_err().to_string().contains("is a directory"));
-        let missing = read(&folder.path().join("x"), 1 << 20, "a calibration").unwrap_err().to_string();
+        assert!(
+            read(&path, 1 << 20, "a calibration")
+                .unwrap_err()
+                .to_string()
+                .contains("larger than 1 MiB")
+        );
+        assert!(
+            read(folder.path(), 1 << 20, "a calibration")
+                .unwrap_err()
+                .to_string()
+                .contains("is a directory")
+        );
+        let missing = read(&folder.path().join("x"), 1 << 20, "a calibration")
+            .unwrap_err()
+            .to_string();
         assert!(missing.contains("there is no such file"), "{missing}");
     }
 }

@@ -1,6 +1,8 @@
 //! Digital twins of Luxonis OAK depth cameras: one door to all of oaktwin's crates.
 
 pub mod files;
+pub mod report;
+pub mod unit;
 
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_camera as camera;

@@ -2,5 +2,7 @@
 
 pub mod asset;
 pub mod body;
+pub mod check;
+pub mod stage;
 pub mod text;
 pub mod usdz;

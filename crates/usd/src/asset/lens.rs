@@ -44,6 +44,8 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
         (LensModel::OpenCvFisheye(lens), _) => with(Kind::Fisheye(lens.k)),
         (LensModel::Pinhole, Origin::Calibration { .. }) => with(Kind::Pinhole([0.0; 12])),
         (LensModel::Pinhole, Origin::Nominal) => nominal_fisheye(camera, options),
+        // No calibration or catalog has this lens.
+        (LensModel::FTheta(_), _) => None,
     }
 }
 

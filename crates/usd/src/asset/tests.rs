@@ -55,16 +55,21 @@ fn body() -> Vec<BodyPart> {
     vec![triangle("housing", 6), triangle("glass", 4)]
 }
 
+/// A release changes the version in every asset and nothing else.
+fn snapshot(text: &str, name: &str) {
+    insta::assert_snapshot!(name, text.replace(env!("CARGO_PKG_VERSION"), "VERSION"));
+}
+
 #[test]
 fn the_text_of_one_asset() {
-    insta::assert_snapshot!(text(&nominal_of("oak_d_pro_poe"), &plain()));
+    snapshot(&text(&nominal_of("oak_d_pro_poe"), &plain()), "asset");
 }
 
 #[test]
 fn the_text_of_overrides() {
     let twin = calibrated(nominal_of("oak_d_tof"), false);
     let base = OverrideBase::new("./oak_d_tof.usd", &twin, PrimNames::Isaac);
-    insta::assert_snapshot!(overrides(&twin, &plain(), &base).unwrap().text());
+    snapshot(&overrides(&twin, &plain(), &base).unwrap().text(), "overrides");
 }
 
 /// The sheet's "Camera Parameters" table: focal length, apertures, by model.
@@ -560,5 +565,36 @@ fn write_for_openusd() {
             let path = format!("{}.{}", path.display(), format.extension());
             std::fs::write(path, made.bytes(format).unwrap()).unwrap();
         }
+    }
+}
+
+#[test]
+fn timing_tmp() {
+    let twins = nominal();
+    let mut big = body();
+    let mut i = 0u32;
+    big[0].points = (0..3000)
+        .map(|_| {
+            i += 1;
+            let x = f64::from(i) * 1.234567e-5;
+            [super::f32_of(x), super::f32_of(x * 0.71), super::f32_of(-x * 1.3)]
+        })
+        .collect();
+    big[0].face_vertex_counts = vec![3; 6000];
+    big[0].face_vertex_indices = (0..18000).map(|i| i % 3000).collect();
+    big[0].normals = (0..18000).map(|i| big[0].points[i % 3000]).collect();
+    for _ in 0..5 {
+        let t = std::time::Instant::now();
+        let n: usize = twins.iter().map(|t| text(t, &plain()).len()).sum();
+        let a = t.elapsed();
+        let t = std::time::Instant::now();
+        let m: usize = twins
+            .iter()
+            .map(|t| asset_with_body(t, &plain(), &big).unwrap().text().len())
+            .sum();
+        println!(
+            "five plain {n} bytes {a:?}; five with 6000 triangles {m} bytes {:?}",
+            t.elapsed()
+        );
     }
 }

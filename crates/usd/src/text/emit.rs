@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use super::number::{push_f32, push_f64};
+use super::number::{push_f32, push_f64, push_i32};
 use super::order::{dictionary_order, is_identifier};
 use super::quote::{push_asset, push_string};
 use super::{Attribute, Dictionary, Layer, Prim, Property, Relationship, Specifier, Value};
@@ -327,10 +327,6 @@ impl Prim {
     }
 }
 
-fn push_i32(out: &mut String, value: i32) {
-    let _ = write!(out, "{value}");
-}
-
 fn push_separated<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String, T)) {
     for (i, &item) in items.iter().enumerate() {
         if i > 0 {
@@ -347,6 +343,8 @@ fn push_tuple<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String,
 }
 
 fn push_array<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String, T)) {
+    // Arrays are the bulk of a text; about this many bytes an item.
+    out.reserve(items.len() * (2 + 3 * size_of::<T>()));
     out.push('[');
     push_separated(out, items, push);
     out.push(']');

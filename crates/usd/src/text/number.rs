@@ -3,6 +3,11 @@
 
 use zmij::{Buffer, Float};
 
+/// Appends a whole number.
+pub(super) fn push_i32(out: &mut String, value: i32) {
+    out.push_str(itoa::Buffer::new().format(value));
+}
+
 /// Appends a 32-bit number: the digits that are enough for 32 bits.
 pub(super) fn push_f32(out: &mut String, value: f32) {
     if value.is_finite() {
@@ -37,27 +42,33 @@ fn push_finite<F: Float>(out: &mut String, value: F) {
     let text = buffer.format_finite(value);
     let (sign, text) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
     out.push_str(sign);
-    // Nearly all numbers of an asset: plain decimals that need no exponent in either notation.
-    if let Some(short) = plain(text) {
-        out.push_str(short);
-        return;
-    }
-    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
+
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits: String = [whole, fraction].concat();
-    let leading_zeros = digits.len() - digits.trim_start_matches('0').len();
-    let digits = digits.trim_matches('0');
-    if digits.is_empty() {
-        out.push('0');
+    let fraction = fraction.trim_end_matches('0');
+    // The value is d.ddd · 10^exponent.
+    let exponent = power
+        + if whole == "0" {
+            length(fraction.trim_start_matches('0')) - length(fraction) - 1
+        } else {
+            length(whole) - 1
+        };
+    if power == 0 && PLAIN_EXPONENTS.contains(&exponent) {
+        out.push_str(whole);
+        if !fraction.is_empty() {
+            out.push('.');
+            out.push_str(fraction);
+        }
         return;
     }
-    // The value is d.ddd · 10^exponent.
-    let exponent = exponent + length(whole) - 1 - length(&"0".repeat(leading_zeros));
+    // The two notations switch at different exponents: lay the digits out anew.
+    let digits = [whole, fraction].concat();
+    let digits = digits.trim_matches('0');
     if PLAIN_EXPONENTS.contains(&exponent) {
         push_plain(out, digits, exponent);
     } else {
-        let (first, rest) = digits.split_at(1);
+        let (first, rest) = digits.split_at(1.min(digits.len()));
         out.push_str(first);
         if !rest.is_empty() {
             out.push('.');
@@ -66,16 +77,6 @@ fn push_finite<F: Float>(out: &mut String, value: F) {
         out.push('e');
         out.push_str(&exponent.to_string());
     }
-}
-
-/// `text` less a trailing `.0` where it stands for a number between 1e-6 and 1e9 or 0 without an exponent.
-fn plain(text: &str) -> Option<&str> {
-    let whole = text.strip_suffix(".0").unwrap_or(text);
-    (whole.len() <= 9 || (whole.contains('.') && whole.len() <= 24))
-        .then_some(whole)
-        .filter(|_| !text.bytes().any(|b| matches!(b, b'e' | b'E')))
-        .filter(|whole| !whole.starts_with("0.000000"))
-        .filter(|whole| whole.find('.').unwrap_or(whole.len()) <= 9)
 }
 
 fn push_plain(out: &mut String, digits: &str, exponent: i32) {

@@ -1,0 +1,121 @@
+use std::fmt::Write as _;
+
+use oaktwin_camera::{LensModel, OpenCv};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::simplify::{equidistant, error_px, radial_tangential};
+use super::text::list;
+use super::{Export, camera_name};
+use crate::{Calibration, CalibrationError, CameraCalibration, Socket};
+
+/// `camchain.yaml`: left and right first, then the others by socket; metres. Kalibr has four coefficients a camera, so
+/// larger models are fitted, which is told with the error that is left.
+pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
+    let mut export = Export::default();
+    let mut text = String::new();
+    let pair = calibration.stereo_pair();
+    let mut order: Vec<Socket> = calibration.cameras.keys().copied().collect();
+    if let Some((left, right)) = pair {
+        order.retain(|socket| *socket != left && *socket != right);
+        order.splice(0..0, [left, right]);
+    }
+    let mut before: Option<Socket> = None;
+    for (i, socket) in order.into_iter().enumerate() {
+        let camera = calibration.camera(socket)?;
+        let name = camera_name(calibration, socket);
+        let (model, coefficients) = distortion(calibration, camera, &mut export.findings)?;
+        let c = camera.intrinsics.principal_point::<OpenCv>();
+        let intrinsics = list(&[camera.intrinsics.fx, camera.intrinsics.fy, c.x, c.y]);
+        // Writing to a string cannot fail.
+        _ = writeln!(text, "cam{i}:");
+        if let Some(before) = before {
+            match calibration.transform(before, socket, false) {
+                Ok(here_from_before) => transform(&mut text, "T_cn_cnm1", &here_from_before.rows()),
+                Err(_) => export.findings.push(Finding::new(
+                    "not-joined",
+                    Level::Warning,
+                    format!("{}.extrinsics", camera.place),
+                    format!("no extrinsics join {before} and {socket}: cam{i} gets no T_cn_cnm1, which Kalibr wants"),
+                    "calibrate the cameras together, or remove this one from the file",
+                )),
+            }
+        }
+        if let Ok(camera_from_imu) = calibration.camera_from_imu(socket, false) {
+            transform(&mut text, "T_cam_imu", &camera_from_imu.rows());
+        }
+        _ = write!(
+            text,
+            "  camera_model: pinhole\n  intrinsics: {intrinsics}\n  distortion_model: {model}\n  \
+             distortion_coeffs: {}\n  resolution: [{}, {}]\n  rostopic: /{name}/image_raw\n",
+            list(&coefficients),
+            camera.size().width,
+            camera.size().height,
+        );
+        before = Some(socket);
+    }
+    export.files.push(("camchain.yaml".to_owned(), text));
+    Ok(export)
+}
+
+fn transform(text: &mut String, key: &str, rows: &[[f64; 4]; 4]) {
+    _ = writeln!(text, "  {key}:");
+    for row in rows {
+        _ = writeln!(text, "  - {}", list(row));
+    }
+}
+
+fn distortion(
+    calibration: &Calibration,
+    camera: &CameraCalibration,
+    findings: &mut Vec<Finding>,
+) -> Result<(&'static str, [f64; 4]), CalibrationError> {
+    match camera.lens {
+        LensModel::OpenCvFisheye(lens) => return Ok(("equidistant", lens.k)),
+        LensModel::Pinhole => return Ok(("radtan", [0.0; 4])),
+        LensModel::OpenCvPinhole(lens) if lens.coefficients[4..].iter().all(|c| *c == 0.0) => {
+            let [k1, k2, p1, p2, ..] = lens.coefficients;
+            return Ok(("radtan", [k1, k2, p1, p2]));
+        }
+        LensModel::OpenCvPinhole(_) | LensModel::FTheta(_) => {}
+    }
+    let optics = camera.camera();
+    let place = format!("{}.distortionCoeff", camera.place);
+    let radtan = radial_tangential(&optics).map(|lens| {
+        let [k1, k2, p1, p2, ..] = lens.coefficients;
+        (
+            "radtan",
+            [k1, k2, p1, p2],
+            error_px(&optics, &LensModel::OpenCvPinhole(lens)),
+        )
+    });
+    let fisheye = equidistant(&optics).map(|lens| {
+        (
+            "equidistant",
+            lens.k,
+            error_px(&optics, &LensModel::OpenCvFisheye(lens)),
+        )
+    });
+    let best = radtan
+        .into_iter()
+        .chain(fisheye)
+        .min_by(|a, b| a.2.0.total_cmp(&b.2.0));
+    let Some((model, coefficients, (rms, worst))) = best else {
+        return Err(CalibrationError::Unsuited {
+            file: calibration.file_name.clone(),
+            place,
+            what: "too few pixels see anything by the lens model for a simpler one to be fitted".to_owned(),
+            remedy: "calibrate again",
+        });
+    };
+    findings.push(Finding::new(
+        "distortion-fitted",
+        Level::Warning,
+        place,
+        format!(
+            "Kalibr has four coefficients; the {model} lens fitted in their place is {rms:.2} px off (root mean square), \
+             {worst:.2} px at worst"
+        ),
+        "calibrate with Kalibr itself where that matters",
+    ));
+    Ok((model, coefficients))
+}

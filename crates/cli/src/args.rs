@@ -1,0 +1,338 @@
+//! What the program understands.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use oaktwin::camera::ApertureOffsets;
+use oaktwin::usd::asset;
+
+/// Digital twins of Luxonis OAK depth cameras.
+#[derive(Parser, Debug)]
+#[command(
+    name = "oaktwin",
+    version,
+    propagate_version = true,
+    arg_required_else_help = true
+)]
+#[command(after_help = "Exit codes: 0 good, 1 findings (check), 2 error.\n\
+    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+
+    /// Add the sensors and devices of your own TOML files in this folder to the catalog
+    #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) catalog: Option<PathBuf>,
+}
+
+#[derive(Subcommand, Debug)]
+pub(crate) enum Command {
+    /// Write the five assets and one unit's own twin, and compare the models
+    Demo(DemoArgs),
+    /// List the models
+    Models(JsonArgs),
+    /// Print every number of a model, and what is known about it
+    Show(ShowArgs),
+    /// Print the comparison tables of some or all models
+    Compare(CompareArgs),
+    /// Read a DepthAI calibration, or export one to other formats
+    Calibration(CalibrationArgs),
+    /// Write a model as a USD asset
+    Asset(AssetArgs),
+    /// Find mistakes in the cameras and depth sensors of a USD file
+    Check(CheckArgs),
+    /// Print a script that completes commands in a shell
+    Completions(CompletionsArgs),
+    /// Print the manual page
+    Man(ManArgs),
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct JsonArgs {
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct DemoArgs {
+    /// Where to write
+    #[arg(short, long, value_name = "DIR", default_value = "oaktwin-demo", value_hint = ValueHint::DirPath)]
+    pub(crate) output: PathBuf,
+}
+
+/// A model, and the calibration that makes it one unit's twin.
+#[derive(Args, Debug)]
+pub(crate) struct UnitArgs {
+    /// The DepthAI calibration (JSON) of one unit
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) calibration: Option<PathBuf>,
+
+    /// Use a calibration in spite of the errors found in it
+    #[arg(long, requires = "calibration")]
+    pub(crate) force: bool,
+
+    /// The lens of the left and right cameras of the wide models
+    #[arg(long, value_enum, default_value_t = Lens::Pinhole)]
+    pub(crate) lens: Lens,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ShowArgs {
+    /// The model
+    pub(crate) model: String,
+
+    #[command(flatten)]
+    pub(crate) unit: UnitArgs,
+
+    /// Say where each number comes from, and what other sources say
+    #[arg(long)]
+    pub(crate) provenance: bool,
+
+    /// Print JSON (always with provenance)
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CompareArgs {
+    /// The models; all when none is named
+    pub(crate) models: Vec<String>,
+
+    /// How to print
+    #[arg(long, value_enum, default_value_t = TableFormat::Text)]
+    pub(crate) format: TableFormat,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CalibrationArgs {
+    #[command(subcommand)]
+    pub(crate) command: CalibrationCommand,
+}
+
+#[derive(Subcommand, Debug)]
+pub(crate) enum CalibrationCommand {
+    /// Print what a calibration says, and what is odd in it
+    Show(CalibrationShowArgs),
+    /// Write a calibration for other programs
+    Export(CalibrationExportArgs),
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CalibrationShowArgs {
+    /// The DepthAI calibration (JSON)
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub(crate) file: PathBuf,
+
+    /// Check it against this model; by default the one that its product name says
+    #[arg(long)]
+    pub(crate) model: Option<String>,
+
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CalibrationExportArgs {
+    /// A DepthAI calibration (JSON), or a model for its nominal device
+    #[arg(value_name = "FILE|MODEL", value_hint = ValueHint::FilePath)]
+    pub(crate) from: String,
+
+    /// The format: ROS camera_info, OpenCV FileStorage, Kalibr camchain, DepthAI JSON
+    #[arg(long, value_enum)]
+    pub(crate) to: ExportFormat,
+
+    /// A file, or a folder where the format has several files; standard output by default
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Export in spite of the errors found in the calibration
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct AssetArgs {
+    /// The model, or `all`
+    #[arg(value_name = "MODEL|all")]
+    pub(crate) model: String,
+
+    /// A file, or a folder; with `all` a folder
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
+    pub(crate) output: PathBuf,
+
+    /// The file format; by default the output's extension says it, else usd
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<AssetFormat>,
+
+    /// The Isaac Sim that will load it
+    #[arg(long, value_enum, default_value_t = Isaac::V5_1)]
+    pub(crate) isaac: Isaac,
+
+    /// The renderer that will load it (ovrtx is experimental)
+    #[arg(long, value_enum, default_value_t = Target::Isaac)]
+    pub(crate) target: Target,
+
+    #[command(flatten)]
+    pub(crate) unit: UnitArgs,
+
+    /// How a principal point becomes aperture offsets
+    #[arg(long, value_enum, default_value_t = Offsets::Openusd)]
+    pub(crate) aperture_offsets: Offsets,
+
+    /// Disparity up to 191 px instead of 95: nearer things, the same step
+    #[arg(long)]
+    pub(crate) extended_disparity: bool,
+
+    /// Write the older distortion attributes for Isaac Sim 6 too, where they do nothing
+    #[arg(long)]
+    pub(crate) legacy_distortion: bool,
+
+    /// Add a rigid body, its mass and a collider: the inertial sensor needs one above it
+    #[arg(long)]
+    pub(crate) rigid_body: bool,
+
+    /// Leave the visible body out
+    #[arg(long)]
+    pub(crate) no_body: bool,
+
+    /// Write only what the calibration changes, as a layer over this asset (the vendor's or Isaac's own)
+    #[arg(long, value_name = "ASSET", requires = "calibration", value_hint = ValueHint::FilePath)]
+    pub(crate) over: Option<PathBuf>,
+
+    /// Print what was written as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CheckArgs {
+    /// The USD file: usda, usdc, usd or usdz
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub(crate) file: PathBuf,
+
+    /// Compare with this model; by default the one that the prim names say
+    #[arg(long)]
+    pub(crate) model: Option<String>,
+
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ManArgs {
+    /// The page of this command; by default the program's
+    pub(crate) command: Vec<String>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lens {
+    Pinhole,
+    Fisheye,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TableFormat {
+    Text,
+    Markdown,
+    Json,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ExportFormat {
+    Ros,
+    Opencv,
+    Kalibr,
+    Depthai,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum AssetFormat {
+    /// Text
+    Usda,
+    /// The same text under the name that Isaac Sim's own asset paths use
+    #[default]
+    Usd,
+    /// A package
+    Usdz,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Isaac {
+    #[value(name = "5.1")]
+    V5_1,
+    #[value(name = "6")]
+    V6,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    Isaac,
+    Ovrtx,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Offsets {
+    /// OpenUSD's sign: the window moves to the principal point
+    Openusd,
+    /// The parameter sheet's formula
+    Document,
+    /// None
+    Zero,
+}
+
+impl From<Lens> for asset::LensChoice {
+    fn from(lens: Lens) -> Self {
+        match lens {
+            Lens::Pinhole => Self::Pinhole,
+            Lens::Fisheye => Self::Fisheye,
+        }
+    }
+}
+
+impl From<AssetFormat> for asset::Format {
+    fn from(format: AssetFormat) -> Self {
+        match format {
+            AssetFormat::Usda => Self::Usda,
+            AssetFormat::Usd => Self::Usd,
+            AssetFormat::Usdz => Self::Usdz,
+        }
+    }
+}
+
+impl From<Isaac> for asset::IsaacVersion {
+    fn from(isaac: Isaac) -> Self {
+        match isaac {
+            Isaac::V5_1 => Self::V5_1,
+            Isaac::V6 => Self::V6,
+        }
+    }
+}
+
+impl From<Target> for asset::Target {
+    fn from(target: Target) -> Self {
+        match target {
+            Target::Isaac => Self::Isaac,
+            Target::Ovrtx => Self::Ovrtx,
+        }
+    }
+}
+
+impl From<Offsets> for ApertureOffsets {
+    fn from(offsets: Offsets) -> Self {
+        match offsets {
+            Offsets::Openusd => Self::OpenUsd,
+            Offsets::Document => Self::Document,
+            Offsets::Zero => Self::Zero,
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! One file a command.
+
+pub(crate) mod asset;
+pub(crate) mod calibration;
+pub(crate) mod check;
+pub(crate) mod compare;
+pub(crate) mod demo;
+pub(crate) mod export;
+pub(crate) mod manual;
+pub(crate) mod models;
+pub(crate) mod show;

@@ -1,0 +1,152 @@
+use std::fmt::Write;
+use std::path::Path;
+
+use oaktwin::calibration::{self, CalibrationSummary, CameraSummary};
+use oaktwin::catalog::Device;
+use oaktwin::diagnostic::Level;
+use oaktwin::unit;
+
+use crate::args::{CalibrationArgs, CalibrationCommand, CalibrationShowArgs};
+use crate::context::{Context, Exit, Result};
+use crate::output;
+
+pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
+    match &args.command {
+        CalibrationCommand::Show(args) => show(context, args),
+        CalibrationCommand::Export(args) => super::export::run(context, args),
+    }
+}
+
+/// Prints the file whatever is odd in it; errors decide only the exit code.
+fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
+    let (_, calibration, mut findings) = unit::read_calibration(&args.file)?;
+    let named = args
+        .model
+        .as_deref()
+        .map(|model| context.device(model))
+        .transpose()?;
+    let device = named.or_else(|| context.catalog.device(&calibration.board.product_name).ok());
+    if let Some(device) = device {
+        let nominal = context.catalog.nominal(device);
+        findings.extend(calibration::check_against(
+            &calibration,
+            &nominal,
+            &context.catalog,
+        ));
+    }
+    let summary = calibration::summary(&calibration, &findings);
+    if args.json {
+        output::print_json(&summary)?;
+    } else {
+        output::print(&text(&args.file, &summary, device))?;
+    }
+    let failed = findings.iter().any(|finding| finding.level == Level::Error);
+    Ok(if failed { Exit::Error } else { Exit::Good })
+}
+
+fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> String {
+    let board = &summary.board;
+    let mut out = format!(
+        "{}: DepthAI calibration, version {}\n",
+        file.display(),
+        summary.version
+    );
+    let model = device.map_or_else(
+        || "none in the catalog; name one with --model".to_owned(),
+        |d| d.name.clone(),
+    );
+    field(
+        &mut out,
+        "product",
+        &format!("{} (model: {model})", named(&board.product_name)),
+    );
+    field(
+        &mut out,
+        "board",
+        &format!("{} {}", named(&board.board_name), board.board_rev),
+    );
+    for camera in &summary.cameras {
+        camera_text(&mut out, camera);
+    }
+    let _ = writeln!(
+        out,
+        "\nExtrinsics (the first camera's origin in the second's frame: x right, y down, z forward)"
+    );
+    for pair in summary.pairs.iter().filter(|pair| pair.from < pair.to) {
+        let label = format!("{} in {}", pair.from, pair.to);
+        let Some(rows) = &pair.to_from_from_cm else {
+            field(&mut out, &label, "not joined");
+            continue;
+        };
+        let spec = pair
+            .spec_baseline_cm
+            .map_or_else(String::new, |b| format!(", by design {b:.3} cm"));
+        let angle_deg = ((rows[0][0] + rows[1][1] + rows[2][2] - 1.0) / 2.0)
+            .clamp(-1.0, 1.0)
+            .acos()
+            .to_degrees();
+        field(
+            &mut out,
+            &label,
+            &format!(
+                "({:.3}, {:.3}, {:.3}) cm, turned {angle_deg:.2}°, distance {:.3} cm{spec}",
+                rows[0][3],
+                rows[1][3],
+                rows[2][3],
+                pair.baseline_cm.unwrap_or_default()
+            ),
+        );
+    }
+    for imu in &summary.imu {
+        let t = imu.camera_from_imu_cm;
+        field(
+            &mut out,
+            &format!("IMU in {}", imu.camera),
+            &format!("({:.3}, {:.3}, {:.3}) cm", t[0][3], t[1][3], t[2][3]),
+        );
+    }
+    if !summary.findings.is_empty() {
+        let _ = writeln!(out, "\nFindings");
+        for finding in &summary.findings {
+            let _ = writeln!(out, "  {finding}");
+        }
+    }
+    out
+}
+
+fn camera_text(out: &mut String, camera: &CameraSummary) {
+    let k = &camera.camera_matrix;
+    let _ = writeln!(
+        out,
+        "\n{} {:?} {}x{}",
+        camera.socket, camera.model, camera.width, camera.height
+    );
+    field(out, "fx, fy", &format!("{:.3}, {:.3} px", k[0][0], k[1][1]));
+    field(
+        out,
+        "cx, cy",
+        &format!("{:.3}, {:.3} px (first pixel's centre at 0)", k[0][2], k[1][2]),
+    );
+    field(
+        out,
+        "field of view",
+        &format!(
+            "{:.2}° × {:.2}° as a pinhole; the design says {:.1}° with distortion",
+            camera.hfov_deg, camera.vfov_deg, camera.spec_hfov_deg
+        ),
+    );
+    let coefficients: Vec<String> = camera.distortion.iter().map(|c| format!("{c:.6}")).collect();
+    field(out, "distortion", &coefficients.join(" "));
+    match camera.extrinsics_to {
+        Some(to) => field(out, "extrinsics", &format!("to {to}")),
+        None => field(out, "extrinsics", "root"),
+    }
+}
+
+fn named(text: &str) -> &str {
+    if text.is_empty() { "unnamed" } else { text }
+}
+
+fn field(out: &mut String, label: &str, value: &str) {
+    let _ = writeln!(out, "  {label:<16}{}", value.trim_end());
+}

@@ -1,0 +1,60 @@
+use std::fmt::Write;
+
+use oaktwin::catalog::compare;
+use oaktwin::files;
+use oaktwin::usd::asset::{self, AssetOptions, Format};
+use oaktwin::{calibration, unit};
+
+use crate::args::DemoArgs;
+use crate::context::{Context, Exit, Result};
+use crate::{destination, output};
+
+/// The model that the shipped calibration is of.
+const UNIT_MODEL: &str = "oak_d_pro_poe";
+
+pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
+    let format = Format::default();
+    let options = AssetOptions::default();
+    let mut listing = String::new();
+    let mut put = |name: &str, what: &str, bytes: &[u8]| -> Result<std::path::PathBuf> {
+        let path = destination::in_folder(&args.output, name)?;
+        files::write(&path, bytes)?;
+        let _ = writeln!(listing, "  {:<44} {what}", path.display().to_string());
+        Ok(path)
+    };
+    for device in context.catalog.devices() {
+        let made = asset::asset(&context.catalog.nominal(device), &options)?;
+        put(&made.file_name(format), &device.name, &made.bytes(format)?)?;
+    }
+    let file = put(
+        "example_calibration.json",
+        "the calibration of one unit (an example)",
+        calibration::EXAMPLE.as_bytes(),
+    )?;
+    let (twin, findings) = unit::open(&context.catalog, context.device(UNIT_MODEL)?, &file, false)?;
+    let made = asset::asset(&twin, &options)?;
+    let what = format!("the twin of that {}", twin.device.name);
+    let path = put(&format!("{}_unit.usd", made.stem), &what, &made.bytes(format)?)?;
+    output::say_findings(&file, &findings);
+    output::say_findings(&path, &made.findings);
+
+    let tables = compare(&context.catalog, &context.devices(&[])?);
+    let tables: Vec<String> = tables.iter().map(output::text_table).collect();
+    output::print(&format!(
+        "{}\nWritten:\n{listing}\n{}",
+        tables.join("\n"),
+        next_steps(&args.output)
+    ))?;
+    Ok(Exit::Good)
+}
+
+fn next_steps(folder: &std::path::Path) -> String {
+    let folder = folder.display();
+    format!(
+        "Next:\n  \
+         drag {folder}/oak_d_pro_poe.usd into Isaac Sim, or open it in any OpenUSD tool\n  \
+         oaktwin show OAK4-D\n  \
+         oaktwin check {folder}/oak_d_tof.usd\n  \
+         oaktwin asset OAK-D-Pro-PoE --calibration FILE -o my_oak.usd\n"
+    )
+}

@@ -1,0 +1,265 @@
+use std::fmt::Write;
+
+use oaktwin::catalog::{Source, Sources};
+use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
+
+use crate::args::ShowArgs;
+use crate::context::{Context, Exit, Result};
+use crate::output;
+
+pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
+    let (twin, findings) = context.twin(&args.model, &args.unit)?;
+    let report = DeviceReport::new(&context.catalog, &twin, findings);
+    if args.json {
+        output::print_json(&report)?;
+    } else {
+        output::print(&text(&report, args.provenance))?;
+    }
+    Ok(Exit::Good)
+}
+
+/// The report for people: a heading a device, a block a camera and a depth sensor, then notes.
+fn text(report: &DeviceReport, provenance: bool) -> String {
+    let mut out = format!("{} ({})\n", report.name, report.id);
+    let mut line = |label: &str, value: String| field(&mut out, label, &value);
+    line(
+        "generation",
+        format!("{}, {}", report.generation, report.platform),
+    );
+    line("variant", report.variant.clone());
+    line("numbers", report.origin.clone());
+    let [width, height, depth] = report.body.dimensions_mm;
+    line(
+        "dimensions",
+        format!("{width} × {height} × {depth} mm, {} g", report.body.mass_g),
+    );
+    line(
+        "baseline",
+        match report.origin.as_str() {
+            "nominal" => format!("{:.1} mm", report.baseline_mm),
+            _ => format!(
+                "{:.3} mm (nominal {:.1} mm)",
+                report.baseline_mm, report.nominal_baseline_mm
+            ),
+        },
+    );
+    line(
+        "IMU",
+        format!("{} at {} mm", report.imu.model, triple(report.imu.position_mm)),
+    );
+    for sensor in &report.sensors {
+        line(
+            &sensor.id,
+            format!(
+                "{} {}, {}×{} used of {}×{}, {} µm, {}",
+                sensor.manufacturer,
+                sensor.kind,
+                sensor.used_resolution.0,
+                sensor.used_resolution.1,
+                sensor.native_resolution.0,
+                sensor.native_resolution.1,
+                sensor.pixel_size_um,
+                sensor.optical_format,
+            ),
+        );
+    }
+    if provenance {
+        sources(&mut out, report.source, &report.sources);
+        let _ = writeln!(out, "  body");
+        sources(&mut out, report.body.source, &report.body.sources);
+        let _ = writeln!(out, "  imu");
+        sources(&mut out, report.imu.source, &report.imu.sources);
+    }
+    for camera in &report.cameras {
+        camera_text(&mut out, camera, provenance);
+    }
+    for sensor in &report.depth_sensors {
+        depth_text(&mut out, sensor, provenance);
+    }
+    let _ = writeln!(out, "\nAccuracy");
+    for table in &report.accuracy {
+        let bands: Vec<String> = table
+            .bands
+            .iter()
+            .map(|band| {
+                let range = format!("{}–{} m", band.from_m, band.to_m);
+                let condition = band
+                    .condition
+                    .as_ref()
+                    .map_or_else(String::new, |c| format!(" ({c})"));
+                band.error_percent.map_or_else(
+                    || format!("{range} none{condition}"),
+                    |e| format!("{range} < {e} %{condition}"),
+                )
+            })
+            .collect();
+        field(&mut out, table.source.as_str(), &bands.join(", "));
+    }
+    if provenance && !report.evidence.is_empty() {
+        let _ = writeln!(out, "\nOther evidence");
+        for evidence in &report.evidence {
+            let _ = writeln!(
+                out,
+                "  {}: {} ({}: {})",
+                evidence.about,
+                evidence.value,
+                evidence.source.as_str(),
+                evidence.from
+            );
+        }
+    }
+    if !report.notes.is_empty() {
+        let _ = writeln!(out, "\nNotes");
+        for note in &report.notes {
+            let _ = writeln!(out, "  [{}] {}", note.topic, note.text);
+        }
+    }
+    if !report.findings.is_empty() {
+        let _ = writeln!(out, "\nCalibration");
+        for finding in &report.findings {
+            let _ = writeln!(out, "  {finding}");
+        }
+    }
+    out
+}
+
+fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
+    let usd = &camera.usd;
+    let _ = writeln!(out, "\n{} ({}, {})", camera.prim, camera.sensor, camera.size);
+    for line in &camera.calculation {
+        let _ = writeln!(out, "  {line}");
+    }
+    let c = camera.principal_point_usd;
+    let o = camera.principal_point_opencv;
+    field(
+        out,
+        "principal point",
+        &format!("({:.2}, {:.2}) px; OpenCV ({:.2}, {:.2})", c.x, c.y, o.x, o.y),
+    );
+    let [h, v, d] = camera.fov_deg;
+    field(
+        out,
+        "field of view",
+        &format!(
+            "{h:.2}° × {v:.2}°, diagonal {d:.2}° (maxFOV {}°)",
+            usd.max_fov_deg
+        ),
+    );
+    let (a, b) = (usd.aperture_offsets_openusd, usd.aperture_offsets_document);
+    field(
+        out,
+        "aperture offsets",
+        &format!(
+            "OpenUSD ({:.4}, {:.4}) mm, sheet's formula ({:.4}, {:.4}) mm",
+            a.horizontal, a.vertical, b.horizontal, b.vertical
+        ),
+    );
+    field(
+        out,
+        "USD",
+        &format!(
+            "focusDistance {}, fStop {}, {}, stereoRole {}, clippingRange ({}, {}), {}",
+            usd.focus_distance,
+            usd.f_stop,
+            usd.projection,
+            usd.stereo_role,
+            usd.clipping_range.0,
+            usd.clipping_range.1,
+            usd.camera_projection_type,
+        ),
+    );
+    field(
+        out,
+        "place",
+        &format!(
+            "{} mm, yaw {:.2}°, pitch {:.2}°",
+            triple(camera.position_mm),
+            camera.yaw_pitch_deg[0] + 0.0,
+            camera.yaw_pitch_deg[1] + 0.0
+        ),
+    );
+    let coefficients: Vec<String> = camera.distortion.iter().map(f64::to_string).collect();
+    field(
+        out,
+        "lens",
+        &format!("{} {}", camera.lens, coefficients.join(" ")),
+    );
+    let legacy = &camera.legacy_distortion;
+    let all = legacy
+        .poly_k
+        .iter()
+        .chain(&legacy.p)
+        .chain(&legacy.s)
+        .map(f64::to_string)
+        .collect::<Vec<_>>();
+    field(
+        out,
+        "polyK, p, s",
+        &format!("{} (no effect on a pinhole)", all.join(" ")),
+    );
+    if provenance {
+        sources(out, camera.source, &camera.sources);
+    }
+}
+
+fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
+    let _ = writeln!(out, "\n{} ({:?})", sensor.prim, sensor.kind);
+    for attribute in &sensor.attributes {
+        field(
+            out,
+            attribute.name,
+            &format!("{:<8} {}", attribute.value, attribute.meaning),
+        );
+    }
+    let extended = sensor
+        .extended_min_z_m
+        .map_or_else(String::new, |z| format!(" (extended {z:.3} m)"));
+    field(
+        out,
+        "MinZ",
+        &format!("{:.3} m by the disparity range{extended}", sensor.min_z_m),
+    );
+    field(
+        out,
+        "MaxZ",
+        &format!("{:.1} m at one pixel of disparity", sensor.max_z_m),
+    );
+    field(
+        out,
+        "ideal range",
+        &format!("{}–{} m", sensor.ideal_range_m.0, sensor.ideal_range_m.1),
+    );
+    for at in &sensor.at {
+        let step = |s: Option<f64>| s.map_or_else(|| "none".to_owned(), |s| format!("{:.1} mm", s * 1e3));
+        field(
+            out,
+            &format!("at {} m", at.z_m),
+            &format!(
+                "{:.3} px; step {} a pixel, {} a 1/32 px",
+                at.disparity_px,
+                step(at.step_px_m),
+                step(at.step_subpixel_m)
+            ),
+        );
+    }
+    if provenance {
+        sources(out, sensor.source, &sensor.sources);
+    }
+}
+
+fn field(out: &mut String, label: &str, value: &str) {
+    let _ = writeln!(out, "  {label:<26}{}", value.trim_end());
+}
+
+fn sources(out: &mut String, source: Source, others: &Sources) {
+    let mut text = source.as_str().to_owned();
+    for (key, source) in others {
+        let _ = write!(text, "; {key}: {}", source.as_str());
+    }
+    field(out, "source", &text);
+}
+
+fn triple([x, y, z]: [f64; 3]) -> String {
+    // Adding 0 turns −0 into 0.
+    format!("({:.2}, {:.2}, {:.2})", x + 0.0, y + 0.0, z + 0.0)
+}

@@ -1,0 +1,67 @@
+//! What every command needs: the catalog, a model with or without a calibration, and how a command ends.
+
+use std::borrow::Cow;
+use std::path::Path;
+use std::process::ExitCode;
+
+use oaktwin::catalog::{Catalog, Device, Twin};
+use oaktwin::diagnostic::Finding;
+use oaktwin::unit;
+
+use crate::args::UnitArgs;
+
+pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
+
+/// How a command ends when nothing broke.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Exit {
+    Good,
+    Findings,
+    Error,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(match exit {
+            Exit::Good => 0,
+            Exit::Findings => 1,
+            Exit::Error => 2,
+        })
+    }
+}
+
+pub(crate) struct Context {
+    pub(crate) catalog: Cow<'static, Catalog>,
+}
+
+impl Context {
+    pub(crate) fn new(catalog: Option<&Path>) -> Result<Self> {
+        Ok(Self {
+            catalog: match catalog {
+                Some(folder) => Cow::Owned(Catalog::with_dir(folder)?),
+                None => Cow::Borrowed(Catalog::builtin()),
+            },
+        })
+    }
+
+    pub(crate) fn device(&self, name: &str) -> Result<&Device> {
+        Ok(self.catalog.device(name)?)
+    }
+
+    /// The models that are named, or all when none is.
+    pub(crate) fn devices(&self, names: &[String]) -> Result<Vec<&Device>> {
+        if names.is_empty() {
+            return Ok(self.catalog.devices().iter().collect());
+        }
+        names.iter().map(|name| self.device(name)).collect()
+    }
+
+    /// A model, or the unit of it that a calibration is of; the findings are the calibration's.
+    pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
+        let device = self.device(model)?;
+        match &unit.calibration {
+            Some(path) => Ok(unit::open(&self.catalog, device, path, unit.force)?),
+            None => Ok((self.catalog.nominal(device), Vec::new())),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Standard output, where a closed pipe is no error, and messages beside it.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use comfy_table::{ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
+use oaktwin::catalog::Table;
+use oaktwin::diagnostic::Finding;
+use serde::Serialize;
+
+use crate::context::Result;
+
+/// Prints text as it is.
+pub(crate) fn print(text: &str) -> Result<()> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    out.flush()?;
+    Ok(())
+}
+
+pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
+    print(&(serde_json::to_string_pretty(value)? + "\n"))
+}
+
+/// A message for people, on standard error; it gets lost where that is closed.
+pub(crate) fn say(message: &str) {
+    let _ = writeln!(io::stderr(), "{message}");
+}
+
+/// Findings for people, on standard error, each with the file that it is about.
+pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
+    for finding in findings {
+        say(&format!("{}: {finding}", file.display()));
+    }
+}
+
+pub(crate) fn is_closed_pipe(error: &(dyn std::error::Error + 'static)) -> bool {
+    error
+        .downcast_ref::<io::Error>()
+        .is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+}
+
+/// Columns apart by two spaces, a line under the header.
+const PLAIN: TableStyle = TableStyle::new()
+    .header_lines(ContentLineStyle::none().junction(' '))
+    .header_separator(LineStyle::none().fill('─').junction('─'))
+    .content_lines(ContentLineStyle::none().junction(' '));
+
+/// A table for people, wrapped to the terminal where there is one.
+pub(crate) fn text_table(table: &Table) -> String {
+    let mut drawn = comfy_table::Table::new();
+    drawn
+        .load_style(PLAIN)
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_header(&table.header);
+    drawn.add_rows(&table.rows);
+    format!("{}\n{}\n", table.title, drawn.trim_fmt())
+}
+
+pub(crate) fn markdown_table(table: &Table) -> String {
+    let escaped = |cells: &[String]| {
+        cells
+            .iter()
+            .map(|cell| cell.replace('|', "\\|"))
+            .collect::<Vec<_>>()
+    };
+    let mut drawn = comfy_table::Table::new();
+    drawn
+        .load_style(presets::ASCII_MARKDOWN)
+        .set_header(escaped(&table.header));
+    drawn.add_rows(table.rows.iter().map(|row| escaped(row)));
+    format!("### {}\n\n{drawn}\n", table.title)
+}

@@ -1,0 +1,169 @@
+use oaktwin_diagnostic::{Finding, Level, nearest};
+
+use super::rule::Rule;
+use super::scene::{CheckedCamera, DepthSensor, Generation};
+use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
+use crate::stage::Value;
+
+pub(super) const CAMERA_TYPE: Rule = Rule {
+    code: "camera-type",
+    level: Level::Warning,
+    what: "a camera attribute has another type than OpenUSD's schema gives it",
+    remedy: "author it with the schema's type",
+};
+pub(super) const DEPTH_ATTRIBUTE_UNKNOWN: Rule = Rule {
+    code: "depth-attribute-unknown",
+    level: Level::Warning,
+    what: "a depth sensor's namespace holds an attribute that the schema does not have: it has no effect",
+    remedy: "correct its name, or remove it",
+};
+pub(super) const OUTLIER_REMOVAL_RANGE: Rule = Rule {
+    code: "outlier-removal-range",
+    level: Level::Warning,
+    what: "`outlierRemovalRange` is authored: it is how Isaac Sim 5.x labels the attribute \
+           `outlierRemovalEnabled`, not an attribute",
+    remedy: "author `int outlierRemovalEnabled = 3` for Isaac Sim 5.1, `bool outlierRemovalEnabled = 1` for 6.x",
+};
+pub(super) const DEPTH_ATTRIBUTE_TYPE: Rule = Rule {
+    code: "depth-attribute-type",
+    level: Level::Warning,
+    what: "a depth attribute has another type than the schema gives it",
+    remedy: "author it with the schema's type",
+};
+pub(super) const OUTLIER_REMOVAL_TYPE: Rule = Rule {
+    code: "outlier-removal-type",
+    level: Level::Note,
+    what: "the type of `outlierRemovalEnabled` says which Isaac Sim the file is for: int is 5.x, bool is 6.x",
+    remedy: "",
+};
+
+/// UsdGeomCamera's optical attributes.
+const CAMERA_TYPES: [(&str, &str); 11] = [
+    ("focalLength", "float"),
+    ("horizontalAperture", "float"),
+    ("verticalAperture", "float"),
+    ("horizontalApertureOffset", "float"),
+    ("verticalApertureOffset", "float"),
+    ("clippingRange", "float2"),
+    ("focusDistance", "float"),
+    ("fStop", "float"),
+    ("projection", "token"),
+    ("stereoRole", "token"),
+    ("exposure", "float"),
+];
+
+/// Attributes of the single-view depth sensor. Source: Kit's schema; ovrtx documents the same fourteen.
+const DEPTH_TYPES: [(&str, &str); 14] = [
+    ("baselineMM", "float"),
+    ("confidenceThreshold", "float"),
+    ("enabled", "bool"),
+    ("focalLengthPixel", "float"),
+    ("maxDisparityPixel", "float"),
+    ("maxDistance", "float"),
+    ("minDistance", "float"),
+    ("noiseDownscaleFactorPixel", "float"),
+    ("noiseMean", "float"),
+    ("noiseSigma", "float"),
+    (OUTLIER_REMOVAL, "int"),
+    ("rgbDepthOutputMode", "int"),
+    ("sensorSizePixel", "float"),
+    ("showDistance", "bool"),
+];
+const OUTLIER_REMOVAL: &str = "outlierRemovalEnabled";
+
+pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
+    for (name, expected) in CAMERA_TYPES {
+        if let Some(attribute) = camera.camera.prim.attributes.get(name)
+            && attribute.type_name != expected
+        {
+            findings.push(CAMERA_TYPE.with_remedy(
+                camera.path(),
+                format!("{name} is of type {}", attribute.type_name),
+                format!("author it as `{expected}`"),
+            ));
+        }
+    }
+}
+
+pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+    let path = &sensor.prim.path;
+    let namespace = namespace(sensor.generation);
+    for (name, attribute) in sensor.prim.in_namespace(namespace) {
+        let full = format!("{namespace}{name}");
+        if name == "outlierRemovalRange" {
+            findings.push(OUTLIER_REMOVAL_RANGE.at(
+                path,
+                format!(
+                    "{full} is no attribute: it is how Isaac Sim 5.x labels {namespace}{OUTLIER_REMOVAL}"
+                ),
+            ));
+            continue;
+        }
+        let Some((_, expected)) = DEPTH_TYPES.iter().find(|(known, _)| *known == name) else {
+            findings.push(unknown(sensor.generation, path, &full, name));
+            continue;
+        };
+        if name == OUTLIER_REMOVAL {
+            outlier_removal(path, &full, &attribute.type_name, findings);
+        } else if attribute.type_name != *expected {
+            findings.push(DEPTH_ATTRIBUTE_TYPE.with_remedy(
+                path,
+                format!("{full} is of type {}", attribute.type_name),
+                format!("author it as `{expected}`"),
+            ));
+        }
+        if let Some(Value::Int(mode)) = attribute.value.as_ref().filter(|_| name == "rgbDepthOutputMode")
+            && !(0..=7).contains(mode)
+        {
+            findings.push(super::depth::DEPTH_VALUE.with_remedy(
+                path,
+                format!("{full} is {mode}"),
+                "set it to one of 0 (colour) to 7 (disparity)",
+            ));
+        }
+    }
+}
+
+pub(super) const fn namespace(generation: Generation) -> &'static str {
+    match generation {
+        Generation::Product => PRODUCT_NAMESPACE,
+        Generation::Camera => CAMERA_NAMESPACE,
+    }
+}
+
+fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Finding {
+    if generation == Generation::Camera {
+        return DEPTH_ATTRIBUTE_UNKNOWN.note(
+            path,
+            format!("{full} is not among the names that ovrtx's pages give; its full list is not public"),
+        );
+    }
+    let near = nearest(name, DEPTH_TYPES.iter().map(|(known, _)| *known));
+    let remedy = match near.first() {
+        Some(near) => format!("write {PRODUCT_NAMESPACE}{near}, or remove it"),
+        None => "remove it".to_owned(),
+    };
+    DEPTH_ATTRIBUTE_UNKNOWN.with_remedy(
+        path,
+        format!("{full} is no attribute of the depth sensor and has no effect"),
+        remedy,
+    )
+}
+
+fn outlier_removal(path: &str, full: &str, type_name: &str, findings: &mut Vec<Finding>) {
+    findings.push(match type_name {
+        "int" => OUTLIER_REMOVAL_TYPE.note(
+            path,
+            format!("{full} is an int, a range in pixels: as Isaac Sim 5.x has it; 6.x takes it as on"),
+        ),
+        "bool" => OUTLIER_REMOVAL_TYPE.note(
+            path,
+            format!("{full} is a bool: as Isaac Sim 6.x has it; 5.x would take it as a range of 1 px"),
+        ),
+        other => DEPTH_ATTRIBUTE_TYPE.with_remedy(
+            path,
+            format!("{full} is of type {other}"),
+            "author it as `int` for Isaac Sim 5.x, as `bool` for 6.x",
+        ),
+    });
+}

@@ -1,0 +1,229 @@
+use oaktwin_camera::{ApertureOffsets, UsdOptics};
+use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::depth::Parameters;
+use super::rule::Rule;
+use super::scene::{CheckedCamera, DepthSensor, Scene};
+use super::units::slip;
+use super::{num, same};
+use crate::asset::PrimNames;
+
+pub(super) const CATALOG_VALUE: Rule = Rule {
+    code: "catalog-value",
+    level: Level::Warning,
+    what: "a value differs from the catalog's for this model",
+    remedy: "set it to the catalog's value (`oaktwin show MODEL`), or check against the right model (`--model`)",
+};
+pub(super) const CATALOG_MISSING: Rule = Rule {
+    code: "catalog-missing",
+    level: Level::Warning,
+    what: "the model has a camera or depth sensor that the file lacks",
+    remedy: "check against the right model, or write the asset again with `oaktwin asset`",
+};
+
+/// The sheet prints four digits after the point.
+const PRINTED_MM: f64 = 5.5e-5;
+/// A unit's focal length is within this of its model's. Factory calibrations of five units: up to 2.1 %.
+const CALIBRATED: f64 = 0.1;
+
+pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
+    let Some(known) = camera.known else { return };
+    let expected = UsdOptics::from_intrinsics(
+        &known.camera.intrinsics,
+        known.camera.pixel_size_um,
+        ApertureOffsets::Zero,
+    );
+    let model = &known.twin.device.name;
+    let path = camera.path();
+    let differs = |name: &str, value: f64, expected: f64| {
+        CATALOG_VALUE.with_remedy(
+            path,
+            format!("{name} is {}, but {model} has {}", num(value), num(expected)),
+            format!("set it to {}, or check against the right model", num(expected)),
+        )
+    };
+    let focal_length = camera.camera.focal_length();
+    // What is not a number, or slipped by a power of ten, has been told.
+    let told =
+        |value: f64, expected: f64| !value.is_finite() || value <= 0.0 || slip(value, expected).is_some();
+    if !told(focal_length, expected.focal_length_mm)
+        && (focal_length - expected.focal_length_mm).abs() > PRINTED_MM
+    {
+        let off = focal_length / expected.focal_length_mm - 1.0;
+        findings.push(if camera.is_calibrated() && off.abs() <= CALIBRATED {
+            CATALOG_VALUE.note(
+                path,
+                format!(
+                    "focalLength is {}, {:+.2} % from {model}'s nominal {}: a calibrated unit's",
+                    num(focal_length),
+                    off * 100.0,
+                    num(expected.focal_length_mm)
+                ),
+            )
+        } else {
+            differs("focalLength", focal_length, expected.focal_length_mm)
+        });
+    }
+    for (name, value, expected) in [
+        (
+            "horizontalAperture",
+            camera.camera.horizontal_aperture(),
+            expected.horizontal_aperture_mm,
+        ),
+        (
+            "verticalAperture",
+            camera.camera.vertical_aperture(),
+            expected.vertical_aperture_mm,
+        ),
+    ] {
+        if !told(value, expected) && (value - expected).abs() > PRINTED_MM {
+            findings.push(differs(name, value, expected));
+        }
+    }
+    let (focus_distance, clipping_range) = match known.sensor {
+        Some(sensor) => (sensor.spec.focus_distance, sensor.spec.clipping_range_m),
+        None => (
+            known.camera.spec.focus_distance,
+            known.camera.spec.clipping_range_m,
+        ),
+    };
+    if let Some(value) = camera.camera.prim.number("focusDistance")
+        && !same(value, focus_distance)
+    {
+        findings.push(differs("focusDistance", value, focus_distance));
+    }
+    let unit = scene.meters_per_unit();
+    let (near, far) = camera.camera.clipping_range();
+    if camera.camera.prim.pair("clippingRange").is_some()
+        && !(same(near * unit, clipping_range.0) && same(far * unit, clipping_range.1))
+    {
+        findings.push(CATALOG_VALUE.at(
+            path,
+            format!(
+                "clippingRange is ({}, {}) m, but {model} has ({}, {})",
+                num(near * unit),
+                num(far * unit),
+                num(clipping_range.0),
+                num(clipping_range.1)
+            ),
+        ));
+    }
+}
+
+pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+    let Some(known) = sensor.known else { return };
+    let spec = &known.spec;
+    let parameters = Parameters::of(sensor);
+    let extended = |value: f64, standard: f64, extended: Option<f64>| {
+        if extended.is_some_and(|extended| same(value, extended)) {
+            value
+        } else {
+            standard
+        }
+    };
+    let expected = [
+        ("baselineMM", spec.baseline_mm),
+        ("sensorSizePixel", spec.sensor_size_px),
+        (
+            "maxDisparityPixel",
+            extended(
+                parameters.get("maxDisparityPixel"),
+                spec.max_disparity_px,
+                spec.extended_max_disparity_px,
+            ),
+        ),
+        (
+            "minDistance",
+            extended(
+                parameters.get("minDistance"),
+                spec.min_distance_m,
+                spec.extended_min_distance_m,
+            ),
+        ),
+        ("maxDistance", spec.max_distance_m),
+        ("noiseMean", spec.noise_mean_px),
+        ("noiseSigma", spec.noise_sigma_px),
+        ("noiseDownscaleFactorPixel", spec.noise_downscale_factor_px),
+        ("confidenceThreshold", spec.confidence_threshold),
+    ];
+    let path = &sensor.prim.path;
+    for (name, expected) in expected {
+        let value = parameters.get(name);
+        // A noiseMean of 0 is told by its own rule, as the choice that it is.
+        if same(value, expected) || (name == "noiseMean" && value == 0.0) {
+            continue;
+        }
+        let authored = if parameters.authored(name).is_some() {
+            ""
+        } else {
+            " (not authored: the schema's)"
+        };
+        findings.push(CATALOG_VALUE.with_remedy(
+            path,
+            format!(
+                "{name} is {}{authored}, but the catalog has {}",
+                num(value),
+                num(expected)
+            ),
+            format!("set it to {}, or check against the right model", num(expected)),
+        ));
+    }
+    focal_length(path, known, parameters.get("focalLengthPixel"), findings);
+}
+
+/// A unit's rounded fx may differ from the model's by as much as calibration does.
+fn focal_length(path: &str, known: &TwinDepthSensor, value: f64, findings: &mut Vec<Finding>) {
+    let expected = known.spec.focal_length_px;
+    if same(value, expected) {
+        return;
+    }
+    let off = value / expected - 1.0;
+    let message = format!(
+        "focalLengthPixel is {}, {:+.2} % from the nominal {}",
+        num(value),
+        off * 100.0,
+        num(expected)
+    );
+    findings.push(CATALOG_VALUE.at_or_note(off.abs() <= CALIBRATED, path, message));
+}
+
+/// Cameras and depth sensors of a model that are not there. A note where the model was only recognised.
+pub(super) fn scene_rules(scene: &Scene<'_>, model: Option<&Twin>, findings: &mut Vec<Finding>) {
+    let mut twins: Vec<&Twin> = model.into_iter().collect();
+    for camera in &scene.cameras {
+        if let Some(known) = camera.known
+            && !twins.iter().any(|twin| twin.device.id == known.twin.device.id)
+        {
+            twins.push(known.twin);
+        }
+    }
+    if scene.cameras.is_empty() {
+        return;
+    }
+    for twin in twins {
+        let cameras = twin.cameras.iter().map(|camera| camera.spec.prim.as_str());
+        let sensors = twin.depth_sensors.iter().map(|sensor| sensor.spec.prim.as_str());
+        let missing: Vec<&str> = cameras
+            .chain(sensors)
+            .filter(|name| {
+                !scene.cameras.iter().any(|camera| {
+                    let here = camera.camera.prim.name();
+                    here == *name || here == PrimNames::Isaac.of(name)
+                })
+            })
+            .collect();
+        if missing.is_empty() {
+            continue;
+        }
+        findings.push(CATALOG_MISSING.at_or_note(
+            model.is_none(),
+            "/",
+            format!(
+                "{} has {}, but the file does not",
+                twin.device.name,
+                missing.join(", ")
+            ),
+        ));
+    }
+}

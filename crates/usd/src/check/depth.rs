@@ -1,0 +1,349 @@
+use oaktwin_catalog::{DepthKind, DepthSensor as Spec};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::attributes::namespace;
+use super::rule::Rule;
+use super::scene::{CheckedCamera, DepthSensor, Scene};
+use super::{num, same};
+
+pub(super) const DEPTH_VALUE: Rule = Rule {
+    code: "depth-value",
+    level: Level::Error,
+    what: "a depth sensor's value is zero, negative, infinite or not a number where that makes no sense",
+    remedy: "author a value that the sensor can have",
+};
+pub(super) const CONFIDENCE_THRESHOLD: Rule = Rule {
+    code: "confidence-threshold",
+    level: Level::Error,
+    what: "confidenceThreshold is outside 0 to 1",
+    remedy: "set it between 0 and 1; the sheet has 0.8",
+};
+pub(super) const NOISE_MEAN_ZERO: Rule = Rule {
+    code: "noise-mean-zero",
+    level: Level::Note,
+    what: "noiseMean is 0: the quantization of disparity and the jitter of noiseSigma are both off",
+    remedy: "",
+};
+pub(super) const FOCAL_LENGTH_PIXEL: Rule = Rule {
+    code: "focal-length-pixel",
+    level: Level::Warning,
+    what: "focalLengthPixel is not the camera's fx on an image sensorSizePixel wide: depth and disparity then do not \
+           belong together",
+    remedy: "set focalLengthPixel to sensorSizePixel × focalLength / horizontalAperture, rounded",
+};
+pub(super) const SENSOR_SIZE_PIXEL: Rule = Rule {
+    code: "sensor-size-pixel",
+    level: Level::Warning,
+    what: "sensorSizePixel is neither the width that is rendered nor the width of the camera's own image",
+    remedy: "set sensorSizePixel to the width of the sensor's image, and focalLengthPixel with it",
+};
+pub(super) const DISTANCE_RANGE: Rule = Rule {
+    code: "distance-range",
+    level: Level::Error,
+    what: "minDistance is not below maxDistance: no depth is left",
+    remedy: "author 0 ≤ minDistance < maxDistance, in metres",
+};
+pub(super) const MIN_DISTANCE: Rule = Rule {
+    code: "min-distance",
+    level: Level::Warning,
+    what: "minDistance is below what maxDisparityPixel allows, focalLengthPixel × baselineMM / maxDisparityPixel: \
+           nearer depth is cut already there",
+    remedy: "raise minDistance, or raise maxDisparityPixel (191 is OAK's extended mode)",
+};
+pub(super) const CLIPPED_RANGE: Rule = Rule {
+    code: "clipped-range",
+    level: Level::Warning,
+    what: "the camera's clippingRange cuts into the depth sensor's range",
+    remedy: "widen clippingRange beyond minDistance and maxDistance; it is in stage units, they are in metres",
+};
+pub(super) const TOF_AS_STEREO: Rule = Rule {
+    code: "tof-as-stereo",
+    level: Level::Warning,
+    what: "a baseline of a few millimetres makes stereo of a time-of-flight sensor: disparity vanishes with distance, \
+           and a tenth of a pixel becomes a large part of the depth",
+    remedy: "do not take its noise for that of a time-of-flight sensor; simulate one as such",
+};
+
+/// No stereo camera's imagers stand closer, mm.
+const SHORTEST_BASELINE_MM: f64 = 5.0;
+/// Whole pixels, as the sheet writes them, and what `float` loses.
+const FOCAL_LENGTH_TOLERANCE_PX: f64 = 0.5 + 1e-3;
+
+/// The schema's values where a file has none (Isaac Sim 5.1).
+const FALLBACKS: [(&str, f64); 10] = [
+    ("baselineMM", 55.0),
+    ("confidenceThreshold", 0.95),
+    ("focalLengthPixel", 897.0),
+    ("maxDisparityPixel", 110.0),
+    ("maxDistance", 10_000_000.0),
+    ("minDistance", 0.5),
+    ("noiseDownscaleFactorPixel", 1.0),
+    ("noiseMean", 0.25),
+    ("noiseSigma", 0.25),
+    ("sensorSizePixel", 1280.0),
+];
+
+/// The numbers of a depth sensor, authored or the schema's.
+#[derive(Clone, Copy)]
+pub(super) struct Parameters<'a> {
+    sensor: &'a DepthSensor<'a>,
+}
+
+impl<'a> Parameters<'a> {
+    pub(super) fn of(sensor: &'a DepthSensor<'a>) -> Self {
+        Self { sensor }
+    }
+
+    pub(super) fn authored(&self, name: &str) -> Option<f64> {
+        let full = format!("{}{name}", namespace(self.sensor.generation));
+        self.sensor.prim.number(&full)
+    }
+
+    pub(super) fn get(&self, name: &str) -> f64 {
+        let fallback = || FALLBACKS.iter().find(|(known, _)| *known == name);
+        self.authored(name)
+            .or_else(|| fallback().map(|(_, value)| *value))
+            .unwrap_or(f64::NAN)
+    }
+
+    /// The distance at which disparity reaches its limit, m.
+    pub(super) fn nearest_by_disparity_m(&self) -> f64 {
+        (self.get("baselineMM") * 1e-3).abs() * self.get("focalLengthPixel") / self.get("maxDisparityPixel")
+    }
+
+    /// Disparity at a distance, px of the sensor.
+    fn disparity_px(&self, distance_m: f64) -> f64 {
+        (self.get("baselineMM") * 1e-3).abs() * self.get("focalLengthPixel") / distance_m
+    }
+
+    /// `805`, or `897 (not authored: the schema's)`.
+    fn say(&self, name: &str) -> String {
+        let value = num(self.get(name));
+        if self.authored(name).is_some() {
+            value
+        } else {
+            format!("{value} (not authored: the schema's)")
+        }
+    }
+}
+
+pub(super) fn rules(scene: &Scene<'_>, sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+    let parameters = Parameters::of(sensor);
+    let path = &sensor.prim.path;
+    if !values(path, &parameters, findings) {
+        return;
+    }
+    let spec = sensor.known.map(|known| &known.spec);
+    if let Some(camera) = scene.camera(sensor) {
+        focal_length(path, &parameters, camera, findings);
+        clipping(scene, path, &parameters, camera, findings);
+    }
+    sensor_size(scene, sensor, &parameters, findings);
+    min_distance(path, &parameters, spec, findings);
+    tof(path, &parameters, spec, findings);
+}
+
+/// Whether the numbers can be computed with.
+fn values(path: &str, parameters: &Parameters<'_>, findings: &mut Vec<Finding>) -> bool {
+    let before = findings.len();
+    let mut bad = |name: &str, remedy: &str| {
+        findings.push(DEPTH_VALUE.with_remedy(
+            path,
+            format!("{name} is {}", num(parameters.get(name))),
+            remedy,
+        ));
+    };
+    let positive = [
+        "focalLengthPixel",
+        "maxDisparityPixel",
+        "sensorSizePixel",
+        "noiseDownscaleFactorPixel",
+    ];
+    for name in positive {
+        if !(parameters.get(name).is_finite() && parameters.get(name) > 0.0) {
+            bad(name, "author a positive number of pixels");
+        }
+    }
+    let baseline = parameters.get("baselineMM");
+    if !(baseline.is_finite() && baseline != 0.0) {
+        bad("baselineMM", "author the distance of the imagers in millimetres");
+    }
+    for name in ["noiseMean", "noiseSigma"] {
+        if !(parameters.get(name).is_finite() && parameters.get(name) >= 0.0) {
+            bad(name, "author 0 or a positive number of pixels");
+        }
+    }
+    let (nearest, farthest) = (parameters.get("minDistance"), parameters.get("maxDistance"));
+    if !(nearest >= 0.0 && nearest < farthest) {
+        findings.push(DISTANCE_RANGE.at(
+            path,
+            format!(
+                "minDistance is {} m and maxDistance {} m",
+                parameters.say("minDistance"),
+                parameters.say("maxDistance")
+            ),
+        ));
+    }
+    let threshold = parameters.get("confidenceThreshold");
+    if !(0.0..=1.0).contains(&threshold) {
+        findings.push(CONFIDENCE_THRESHOLD.at(path, format!("confidenceThreshold is {}", num(threshold))));
+    }
+    let sound = findings.len() == before;
+    if parameters.get("noiseMean") == 0.0 {
+        findings.push(NOISE_MEAN_ZERO.note(path, NOISE_MEAN_ZERO.what));
+    }
+    sound
+}
+
+fn focal_length(
+    path: &str,
+    parameters: &Parameters<'_>,
+    camera: &CheckedCamera<'_>,
+    findings: &mut Vec<Finding>,
+) {
+    let width = parameters.get("sensorSizePixel");
+    let optics = camera.camera.optics();
+    let by_aperture = width * optics.focal_length_mm / optics.horizontal_aperture_mm;
+    let by_lens = camera
+        .lens
+        .as_ref()
+        .and_then(super::lens::Lens::intrinsics)
+        .map(|k| k.fx * width / f64::from(k.size.width));
+    if !by_aperture.is_finite() || !camera.camera.is_perspective() {
+        return;
+    }
+    let written = parameters.get("focalLengthPixel");
+    let fits = |fx: f64| (written - fx).abs() <= FOCAL_LENGTH_TOLERANCE_PX;
+    if fits(by_aperture) || by_lens.is_some_and(fits) {
+        return;
+    }
+    findings.push(FOCAL_LENGTH_PIXEL.with_remedy(
+        path,
+        format!(
+            "focalLengthPixel is {}, but {} has fx {by_aperture:.2} px on sensorSizePixel {}",
+            parameters.say("focalLengthPixel"),
+            camera.path(),
+            parameters.say("sensorSizePixel"),
+        ),
+        format!("set focalLengthPixel to {}", by_aperture.round()),
+    ));
+}
+
+fn sensor_size(
+    scene: &Scene<'_>,
+    sensor: &DepthSensor<'_>,
+    parameters: &Parameters<'_>,
+    findings: &mut Vec<Finding>,
+) {
+    let written = parameters.get("sensorSizePixel");
+    let rendered = sensor.product.and_then(crate::stage::RenderProduct::resolution);
+    let own = scene.camera(sensor).and_then(CheckedCamera::own_size);
+    let path = &sensor.prim.path;
+    let is = |size: Option<oaktwin_camera::ImageSize>| {
+        size.is_some_and(|size| same(f64::from(size.width), written))
+    };
+    let says = parameters.say("sensorSizePixel");
+    match (rendered, own) {
+        (_, Some(own)) if !is(Some(own)) => findings.push(SENSOR_SIZE_PIXEL.with_remedy(
+            path,
+            format!("sensorSizePixel is {says}, but the camera's image is {own}"),
+            format!(
+                "set it to {}, and focalLengthPixel to the fx of that width",
+                own.width
+            ),
+        )),
+        (Some(rendered), Some(_)) if !is(Some(rendered)) => findings.push(SENSOR_SIZE_PIXEL.note(
+            path,
+            format!("{rendered} is rendered of a sensor {says} px wide: disparity is scaled in between"),
+        )),
+        (Some(rendered), None) if !is(Some(rendered)) => findings.push(SENSOR_SIZE_PIXEL.with_remedy(
+            path,
+            format!("sensorSizePixel is {says}, but the product renders {rendered}"),
+            "make them agree, or be sure that the simulated sensor has another width than the image",
+        )),
+        _ => {}
+    }
+}
+
+fn min_distance(path: &str, parameters: &Parameters<'_>, spec: Option<&Spec>, findings: &mut Vec<Finding>) {
+    let limit = parameters.nearest_by_disparity_m();
+    let written = parameters.get("minDistance");
+    if written >= limit * (1.0 - 1e-3) {
+        return;
+    }
+    let shipped = spec.is_some_and(|spec| {
+        same(written, spec.min_distance_m)
+            || spec.extended_min_distance_m.is_some_and(|min| same(written, min))
+    });
+    findings.push(MIN_DISTANCE.at_or_note(
+        shipped,
+        path,
+        format!(
+            "minDistance is {} m, but disparity reaches its limit of {} px at {limit:.3} m already{}",
+            parameters.say("minDistance"),
+            parameters.say("maxDisparityPixel"),
+            if shipped { " (as the sheet has it)" } else { "" }
+        ),
+    ));
+}
+
+fn clipping(
+    scene: &Scene<'_>,
+    path: &str,
+    parameters: &Parameters<'_>,
+    camera: &CheckedCamera<'_>,
+    findings: &mut Vec<Finding>,
+) {
+    let unit = scene.meters_per_unit();
+    let (near, far) = camera.camera.clipping_range();
+    let (near, far) = (near * unit, far * unit);
+    let cuts_near = near > parameters.get("minDistance") * (1.0 + 1e-6);
+    let cuts_far = parameters
+        .authored("maxDistance")
+        .is_some_and(|farthest| far < farthest * (1.0 - 1e-6));
+    if cuts_near || cuts_far {
+        findings.push(CLIPPED_RANGE.at(
+            path,
+            format!(
+                "{} renders {} to {} m, but the depth sensor's range is {} to {} m",
+                camera.path(),
+                num(near),
+                num(far),
+                parameters.say("minDistance"),
+                parameters.say("maxDistance")
+            ),
+        ));
+    }
+}
+
+fn tof(path: &str, parameters: &Parameters<'_>, spec: Option<&Spec>, findings: &mut Vec<Finding>) {
+    let baseline = parameters.get("baselineMM");
+    if baseline.abs() >= SHORTEST_BASELINE_MM {
+        return;
+    }
+    let shipped = spec.is_some_and(|spec| spec.kind == DepthKind::Tof && same(baseline, spec.baseline_mm));
+    let at = |name: &str| {
+        let distance = parameters.get(name);
+        let disparity = parameters.disparity_px(distance);
+        let error = parameters.get("noiseSigma") / disparity * 100.0;
+        format!(
+            "{disparity:.2} px at {} m (noiseSigma is {error:.0} % of it)",
+            num(distance)
+        )
+    };
+    findings.push(TOF_AS_STEREO.at_or_note(
+        shipped,
+        path,
+        format!(
+            "baselineMM is {}: disparity is {} and {}{}",
+            parameters.say("baselineMM"),
+            at("minDistance"),
+            at("maxDistance"),
+            if shipped {
+                "; the sheet writes its time-of-flight sensor so"
+            } else {
+                ""
+            }
+        ),
+    ));
+}

@@ -1,0 +1,116 @@
+//! The linter behind `oaktwin check`: what a USD file's cameras and depth sensors are, as Isaac Sim's renderer and as
+//! OpenUSD see them, and what is wrong with them.
+//!
+//! Each theme is a file of small rules. [`RULES`] lists every code with its usual level; a finding's level is lower
+//! where the file has just what the catalog's source ships.
+
+mod attributes;
+mod catalog;
+mod depth;
+mod lens;
+mod offsets;
+mod optics;
+mod product;
+mod report;
+mod rule;
+mod scene;
+mod schema;
+mod stage;
+#[cfg(test)]
+mod tests;
+mod units;
+
+use std::path::Path;
+
+use oaktwin_catalog::{Catalog, Twin};
+use oaktwin_diagnostic::{Finding, Level};
+
+use crate::stage::{Stage, StageError, open};
+
+pub use report::{CameraReport, DepthReport, LensReport, Report, ResolutionSource, View};
+pub use rule::{RULES, Rule};
+
+/// What to check against.
+#[derive(Clone, Copy, Debug)]
+pub struct CheckOptions<'a> {
+    /// Where devices are recognised by the names of their prims or of the file.
+    pub catalog: &'a Catalog,
+    /// What every camera of the file is to be; without it, it is recognised.
+    pub model: Option<&'a Twin>,
+}
+
+impl Default for CheckOptions<'static> {
+    fn default() -> Self {
+        Self {
+            catalog: Catalog::builtin(),
+            model: None,
+        }
+    }
+}
+
+/// Opens a USD file and checks its cameras and depth sensors.
+///
+/// # Errors
+/// As [`open`]: the file cannot be read as USD. What is wrong inside it is in the report's findings.
+pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Report, StageError> {
+    Ok(check_stage(&open(path)?, options))
+}
+
+/// Checks a stage that is open already.
+#[must_use]
+pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> Report {
+    let twins: Vec<Twin> = options
+        .catalog
+        .devices()
+        .iter()
+        .map(|device| options.catalog.nominal(device))
+        .collect();
+    let scene = scene::Scene::new(stage, &twins, options.model);
+    let mut findings = stage.findings.clone();
+    stage::rules(stage, &mut findings);
+    for camera in &scene.cameras {
+        attributes::camera_rules(camera, &mut findings);
+        if optics::rules(camera, &mut findings) {
+            units::rules(camera, &mut findings);
+            offsets::rules(camera, &mut findings);
+        }
+        lens::rules(camera, &mut findings);
+        catalog::camera_rules(&scene, camera, &mut findings);
+    }
+    for product in &stage.products {
+        product::rules(product, &mut findings);
+    }
+    schema::rules(&scene, &mut findings);
+    for sensor in &scene.depth_sensors {
+        attributes::depth_rules(sensor, &mut findings);
+        depth::rules(&scene, sensor, &mut findings);
+        catalog::depth_rules(sensor, &mut findings);
+    }
+    catalog::scene_rules(&scene, options.model, &mut findings);
+    findings.sort_by(|a, b| order(a).cmp(&order(b)));
+    report::report(&scene, findings)
+}
+
+/// Errors first, then by place and code, so that reports compare.
+fn order(finding: &Finding) -> (u8, &str, &str, &str) {
+    let level = match finding.level {
+        Level::Error => 0,
+        Level::Warning => 1,
+        Level::Note => 2,
+    };
+    (level, &finding.place, finding.code, &finding.message)
+}
+
+/// A number as a file would write it: the shortest that gives its `float` back.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the attributes are floats; rounding to one is meant"
+)]
+fn num(value: f64) -> String {
+    (value as f32).to_string()
+}
+
+/// Whether two numbers are the same `float`, give or take its last digits.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
+}

@@ -1,0 +1,97 @@
+use oaktwin_diagnostic::{Finding, Level};
+use serde::Serialize;
+
+use super::{attributes, catalog, depth, lens, offsets, optics, product, schema, stage, units};
+
+/// What `check` looks for under one code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Rule {
+    /// The code of its findings.
+    pub code: &'static str,
+    /// Their level, unless a case is milder.
+    pub level: Level,
+    /// What it finds.
+    pub what: &'static str,
+    /// What to do about it.
+    pub remedy: &'static str,
+}
+
+/// Every rule, by theme.
+pub const RULES: &[Rule] = &[
+    stage::NO_CAMERA,
+    stage::COMPOSITION,
+    stage::PACKAGE_LAYOUT,
+    stage::UP_AXIS,
+    stage::STAGE_UNITS,
+    stage::DEFAULT_PRIM,
+    attributes::CAMERA_TYPE,
+    optics::CAMERA_VALUE,
+    optics::UNAUTHORED_OPTICS,
+    optics::ANIMATED_OPTICS,
+    optics::NOT_PERSPECTIVE,
+    optics::NON_SQUARE_PIXELS,
+    optics::VERTICAL_APERTURE,
+    optics::DEPTH_OF_FIELD,
+    optics::CLIPPING_RANGE,
+    units::UNITS_SLIP,
+    units::IMPLAUSIBLE_FOV,
+    offsets::APERTURE_OFFSET,
+    offsets::OFFSET_CONVENTION,
+    lens::LENS_MODEL,
+    lens::LENS_VALUE,
+    lens::LENS_FOCAL_LENGTH,
+    lens::LEGACY_DISTORTION,
+    lens::PROJECTION_TYPE,
+    product::PRODUCT_CAMERA,
+    product::PRODUCT_RESOLUTION,
+    schema::SCHEMA_MISSING,
+    schema::SCHEMA_WRONG_PRIM,
+    schema::SCHEMA_CONFLICT,
+    schema::OVRTX_SCHEMA,
+    attributes::DEPTH_ATTRIBUTE_UNKNOWN,
+    attributes::OUTLIER_REMOVAL_RANGE,
+    attributes::DEPTH_ATTRIBUTE_TYPE,
+    attributes::OUTLIER_REMOVAL_TYPE,
+    depth::DEPTH_VALUE,
+    depth::CONFIDENCE_THRESHOLD,
+    depth::NOISE_MEAN_ZERO,
+    depth::FOCAL_LENGTH_PIXEL,
+    depth::SENSOR_SIZE_PIXEL,
+    depth::DISTANCE_RANGE,
+    depth::MIN_DISTANCE,
+    depth::CLIPPED_RANGE,
+    depth::TOF_AS_STEREO,
+    catalog::CATALOG_VALUE,
+    catalog::CATALOG_MISSING,
+];
+
+impl Rule {
+    /// A finding at the rule's own level.
+    pub(super) fn at(&self, place: &str, message: impl Into<String>) -> Finding {
+        Finding::new(self.code, self.level, place, message, self.remedy)
+    }
+
+    /// A finding that is only worth knowing.
+    pub(super) fn note(&self, place: &str, message: impl Into<String>) -> Finding {
+        Finding::new(self.code, Level::Note, place, message, "")
+    }
+
+    /// A finding at the rule's own level, or a note where the file has what its source ships.
+    pub(super) fn at_or_note(&self, as_shipped: bool, place: &str, message: impl Into<String>) -> Finding {
+        if as_shipped {
+            self.note(place, message)
+        } else {
+            self.at(place, message)
+        }
+    }
+
+    /// A finding with a remedy for just this case.
+    pub(super) fn with_remedy(
+        &self,
+        place: &str,
+        message: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Finding {
+        Finding::new(self.code, self.level, place, message, remedy)
+    }
+}

@@ -1,0 +1,154 @@
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::lens;
+use super::rule::Rule;
+use super::scene::{Generation, Scene};
+use crate::stage::Prim;
+
+pub(super) const SCHEMA_MISSING: Rule = Rule {
+    code: "schema-missing",
+    level: Level::Error,
+    what: "a schema's attributes are authored, but apiSchemas does not list the schema: they have no effect",
+    remedy: "add the schema to the prim's apiSchemas",
+};
+pub(super) const SCHEMA_WRONG_PRIM: Rule = Rule {
+    code: "schema-wrong-prim",
+    level: Level::Error,
+    what: "a sensor or lens schema is on a prim of a type that it does not apply to",
+    remedy: "move schema and attributes to a prim of the right type",
+};
+pub(super) const SCHEMA_CONFLICT: Rule = Rule {
+    code: "schema-conflict",
+    level: Level::Error,
+    what: "two sensor schemas meet on one camera: the model then produces no output",
+    remedy: "keep one of them",
+};
+pub(super) const OVRTX_SCHEMA: Rule = Rule {
+    code: "ovrtx-schema",
+    level: Level::Note,
+    what: "the depth sensor follows ovrtx's schema, whose attribute list is not public: Isaac Sim does not read it",
+    remedy: "",
+};
+
+/// Kit's depth sensor: on render products.
+pub(super) const PRODUCT_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
+pub(super) const PRODUCT_NAMESPACE: &str = "omni:rtx:post:depthSensor:";
+/// ovrtx's depth sensor: on cameras.
+pub(super) const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
+pub(super) const CAMERA_NAMESPACE: &str = "omni:sensor:depthSensor:";
+/// Names and tick rate only, beside any sensor schema.
+const IDENTITY_SCHEMA: &str = "OmniSensorAPI";
+
+struct Family {
+    schema: fn(&str) -> bool,
+    /// How it is called where none is applied.
+    name: &'static str,
+    namespace: &'static str,
+    prim_type: &'static str,
+}
+
+const FAMILIES: [Family; 3] = [
+    Family {
+        schema: |name| name == PRODUCT_SCHEMA,
+        name: PRODUCT_SCHEMA,
+        namespace: PRODUCT_NAMESPACE,
+        prim_type: "RenderProduct",
+    },
+    Family {
+        schema: |name| name == CAMERA_SCHEMA,
+        name: CAMERA_SCHEMA,
+        namespace: CAMERA_NAMESPACE,
+        prim_type: "Camera",
+    },
+    Family {
+        schema: |name| name.starts_with("OmniLensDistortion"),
+        name: "OmniLensDistortionOpenCvPinholeAPI (or another lens schema)",
+        namespace: lens::NAMESPACE,
+        prim_type: "Camera",
+    },
+];
+
+pub(super) fn rules(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
+    let stage = scene.stage;
+    let cameras = stage.cameras.iter().map(|camera| &camera.prim);
+    let products = stage.products.iter().map(|product| &product.prim);
+    for prim in cameras.chain(products).chain(&stage.others) {
+        for family in &FAMILIES {
+            family_rules(prim, family, findings);
+        }
+    }
+    conflicts(scene, findings);
+    for sensor in &scene.depth_sensors {
+        if sensor.generation == Generation::Camera {
+            findings.push(OVRTX_SCHEMA.note(&sensor.prim.path, OVRTX_SCHEMA.what));
+        }
+    }
+}
+
+fn family_rules(prim: &Prim, family: &Family, findings: &mut Vec<Finding>) {
+    let applied = prim.api_schemas.iter().find(|name| (family.schema)(name));
+    let attribute = prim.in_namespace(family.namespace).next();
+    let is_type = prim.type_name == family.prim_type;
+    let type_name = if prim.type_name.is_empty() {
+        "untyped"
+    } else {
+        &prim.type_name
+    };
+    match (applied, attribute) {
+        (Some(schema), _) if !is_type => findings.push(SCHEMA_WRONG_PRIM.with_remedy(
+            &prim.path,
+            format!("{schema} is on a prim of type {type_name}, where it has no effect"),
+            format!("move it and its attributes to the {}", family.prim_type),
+        )),
+        (None, Some((name, _))) if !is_type => findings.push(SCHEMA_WRONG_PRIM.with_remedy(
+            &prim.path,
+            format!(
+                "{}{name} is on a prim of type {type_name}, where it has no effect",
+                family.namespace
+            ),
+            format!(
+                "move it to the {}, with {} in its apiSchemas",
+                family.prim_type, family.name
+            ),
+        )),
+        (None, Some((name, _))) => findings.push(SCHEMA_MISSING.with_remedy(
+            &prim.path,
+            format!(
+                "{}{name} is authored, but its schema is not in apiSchemas",
+                family.namespace
+            ),
+            format!("add {} to apiSchemas", family.name),
+        )),
+        _ => {}
+    }
+}
+
+fn conflicts(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
+    for camera in &scene.cameras {
+        let prim = &camera.camera.prim;
+        if !prim.has_api(CAMERA_SCHEMA) {
+            continue;
+        }
+        let other = prim.api_schemas.iter().find(|name| {
+            name.starts_with("OmniSensor") && *name != CAMERA_SCHEMA && *name != IDENTITY_SCHEMA
+        });
+        if let Some(other) = other {
+            findings.push(SCHEMA_CONFLICT.at(
+                &prim.path,
+                format!("{CAMERA_SCHEMA} and {other} are on one camera: the model produces no output"),
+            ));
+        }
+        for product in &scene.stage.products {
+            let targets = product.cameras.iter().any(|target| target.path == prim.path);
+            if targets && product.prim.has_api(PRODUCT_SCHEMA) {
+                findings.push(SCHEMA_CONFLICT.at(
+                    &prim.path,
+                    format!(
+                        "{CAMERA_SCHEMA} is on the camera and {PRODUCT_SCHEMA} on its product {}",
+                        product.prim.path
+                    ),
+                ));
+            }
+        }
+    }
+}

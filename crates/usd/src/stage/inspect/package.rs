@@ -1,0 +1,163 @@
+use std::collections::BTreeSet;
+
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::{Problem, TAKE_ANOTHER};
+
+const CODE: &str = "package-layout";
+const REPACK: &str = "package it again with `oaktwin asset --format usdz` or OpenUSD's `usdzip`";
+
+/// The directory of a USDZ package: entries stored, inside the file, under names that stay inside the package.
+/// What a strict reader would mind but ours does not (alignment) comes back as findings.
+pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
+    let end = end_record(bytes).ok_or_else(|| {
+        Problem::new(
+            "package",
+            "has no directory at its end: it is cut short",
+            TAKE_ANOTHER,
+        )
+    })?;
+    let (count, length, start) = (
+        u16_at(bytes, end + 10),
+        u32_at(bytes, end + 12),
+        u32_at(bytes, end + 16),
+    );
+    let (Some(count), Some(length), Some(start)) = (count, length, start) else {
+        return Err(lying("package", "its directory ends early"));
+    };
+    if start.checked_add(length).is_none_or(|after| after > end) {
+        return Err(lying("package", "its directory lies outside the file"));
+    }
+    let mut findings = Vec::new();
+    let mut names = BTreeSet::new();
+    let mut at = start;
+    for index in 0..count {
+        let entry =
+            entry(bytes, at, start).map_err(|what| lying(&format!("package entry {}", index + 1), what))?;
+        let place = format!("package entry `{}`", entry.name);
+        if index == 0 && !is_layer(&entry.name) {
+            return Err(Problem::new(
+                place,
+                "comes first, but the first entry must be the root layer",
+                REPACK,
+            ));
+        }
+        if !stays_inside(&entry.name) {
+            return Err(Problem::new(
+                place,
+                "has a name that leads out of the package",
+                "do not use this file; package the originals again",
+            ));
+        }
+        if entry.method != 0 || entry.encrypted {
+            return Err(Problem::new(
+                place,
+                "is compressed or encrypted, which USDZ forbids",
+                REPACK,
+            ));
+        }
+        if entry.data % 64 != 0 {
+            findings.push(Finding::new(
+                CODE,
+                Level::Warning,
+                place,
+                "its data does not start at a multiple of 64 bytes, as USDZ demands",
+                REPACK,
+            ));
+        }
+        at = entry.next;
+        if !names.insert(entry.name.clone()) {
+            return Err(lying(&format!("package entry `{}`", entry.name), "appears twice"));
+        }
+    }
+    if names.is_empty() {
+        return Err(Problem::new("package", "holds nothing", REPACK));
+    }
+    Ok(findings)
+}
+
+fn lying(place: &str, what: &str) -> Problem {
+    Problem::new(place, what, TAKE_ANOTHER)
+}
+
+struct Entry {
+    name: String,
+    method: usize,
+    encrypted: bool,
+    /// Where its data starts.
+    data: usize,
+    /// Where the directory's next entry starts.
+    next: usize,
+}
+
+/// The entry of the directory at `at`, checked against its header before its data.
+fn entry(bytes: &[u8], at: usize, directory: usize) -> Result<Entry, &'static str> {
+    const CUT: &str = "its directory entry is cut short";
+    if bytes
+        .get(at..)
+        .is_none_or(|rest| !rest.starts_with(b"PK\x01\x02"))
+    {
+        return Err("is no directory entry");
+    }
+    let word = |offset| u16_at(bytes, at + offset).ok_or(CUT);
+    let long = |offset| u32_at(bytes, at + offset).ok_or(CUT);
+    let (flags, method, stored, size) = (word(8)?, word(10)?, long(20)?, long(24)?);
+    let (name_length, extra, comment, header) = (word(28)?, word(30)?, word(32)?, long(42)?);
+    let name = bytes.get(at + 46..at + 46 + name_length).ok_or(CUT)?;
+    let name = std::str::from_utf8(name)
+        .map_err(|_| "its name is not valid UTF-8")?
+        .to_owned();
+    if bytes
+        .get(header..)
+        .is_none_or(|rest| !rest.starts_with(b"PK\x03\x04"))
+    {
+        return Err("its header is not where the directory says");
+    }
+    let local_name = u16_at(bytes, header + 26).ok_or(CUT)?;
+    let data = header + 30 + local_name + u16_at(bytes, header + 28).ok_or(CUT)?;
+    if bytes.get(header + 30..header + 30 + local_name) != Some(name.as_bytes()) {
+        return Err("has two different names");
+    }
+    if method == 0 && stored != size {
+        return Err("is stored, but its two sizes differ");
+    }
+    if data.checked_add(stored).is_none_or(|after| after > directory) {
+        return Err("claims more bytes than the file has");
+    }
+    Ok(Entry {
+        name,
+        method,
+        encrypted: flags & 1 != 0,
+        data,
+        next: at + 46 + name_length + extra + comment,
+    })
+}
+
+fn is_layer(name: &str) -> bool {
+    [".usd", ".usda", ".usdc"].iter().any(|end| name.ends_with(end))
+}
+
+fn stays_inside(name: &str) -> bool {
+    !name.is_empty()
+        && !name.starts_with('/')
+        && !name.contains(['\\', ':', '\0', '[', ']'])
+        && name.split('/').all(|part| part != "..")
+}
+
+/// Where the record at the end of the directory starts.
+fn end_record(bytes: &[u8]) -> Option<usize> {
+    let last = bytes.len().checked_sub(22)?;
+    (last.saturating_sub(usize::from(u16::MAX))..=last)
+        .rev()
+        .find(|at| bytes[*at..].starts_with(b"PK\x05\x06"))
+}
+
+fn u16_at(bytes: &[u8], at: usize) -> Option<usize> {
+    let bytes = bytes.get(at..at.checked_add(2)?)?;
+    Some(usize::from(u16::from_le_bytes(bytes.try_into().ok()?)))
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> Option<usize> {
+    let bytes = bytes.get(at..at.checked_add(4)?)?;
+    usize::try_from(u32::from_le_bytes(bytes.try_into().ok()?)).ok()
+}

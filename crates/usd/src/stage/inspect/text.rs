@@ -1,0 +1,122 @@
+use super::{Problem, TAKE_ANOTHER};
+
+/// Deeper than people nest prims or dictionaries, shallower than a recursive reader's stack.
+const DEEPEST: usize = 1000;
+
+/// UTF-8, no zero bytes, and no nesting deeper than a recursive reader can bear.
+pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
+    let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
+    if let Err(error) = std::str::from_utf8(bytes) {
+        return Err(Problem::new(
+            format!("line {}", line_at(error.valid_up_to())),
+            "is not valid UTF-8",
+            "save the file as UTF-8",
+        ));
+    }
+    if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
+        return Err(Problem::new(
+            format!("line {}", line_at(offset)),
+            "holds a zero byte",
+            TAKE_ANOTHER,
+        ));
+    }
+    let mut depth = 0_usize;
+    for (offset, byte) in Structure::new(bytes) {
+        match byte {
+            b'{' | b'(' | b'[' => {
+                depth += 1;
+                if depth > DEEPEST {
+                    return Err(Problem::new(
+                        format!("line {}", line_at(offset)),
+                        format!("brackets nest more than {DEEPEST} deep"),
+                        "flatten the stage",
+                    ));
+                }
+            }
+            _ => depth = depth.saturating_sub(1),
+        }
+    }
+    Ok(())
+}
+
+/// The brackets of a text layer that are not inside strings, asset paths or comments.
+struct Structure<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Structure<'a> {
+    fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 0 }
+    }
+
+    /// Past the delimiter that closes what opens here; to the end where nothing does.
+    fn skip_delimited(&mut self, delimiter: &[u8], escapes: bool) {
+        self.at += delimiter.len();
+        while self.at < self.bytes.len() {
+            if self.bytes[self.at..].starts_with(delimiter) {
+                self.at += delimiter.len();
+                return;
+            }
+            self.at += if escapes && self.bytes[self.at] == b'\\' {
+                2
+            } else {
+                1
+            };
+        }
+    }
+}
+
+impl Iterator for Structure<'_> {
+    type Item = (usize, u8);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while let Some(&byte) = self.bytes.get(self.at) {
+            let rest = &self.bytes[self.at..];
+            match byte {
+                b'#' => {
+                    while self.bytes.get(self.at).is_some_and(|byte| *byte != b'\n') {
+                        self.at += 1;
+                    }
+                }
+                b'"' | b'\'' => {
+                    let triple = [byte; 3];
+                    if rest.starts_with(&triple) {
+                        self.skip_delimited(&triple, true);
+                    } else {
+                        self.skip_delimited(&[byte], true);
+                    }
+                }
+                b'@' if rest.starts_with(b"@@@") => self.skip_delimited(b"@@@", false),
+                b'@' => self.skip_delimited(b"@", false),
+                b'{' | b'}' | b'(' | b')' | b'[' | b']' => {
+                    self.at += 1;
+                    return Some((self.at - 1, byte));
+                }
+                _ => self.at += 1,
+            }
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn brackets_in_strings_comments_and_asset_paths_do_not_count() {
+        let text = br#"#usda 1.0 (((
+def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string t = 'don\'t(' }"#;
+        let seen: Vec<u8> = Structure::new(text).map(|(_, byte)| byte).collect();
+        assert_eq!(seen, b"{}");
+    }
+
+    #[test]
+    fn deep_nesting_and_foreign_encodings_are_told_with_their_line() {
+        let deep = format!("#usda 1.0\n{}", "{".repeat(DEEPEST + 1));
+        assert_eq!(inspect(deep.as_bytes()).unwrap_err().place, "line 2");
+        assert_eq!(inspect(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
+        assert_eq!(inspect(b"#usda 1.0\n"), Ok(()));
+    }
+}
