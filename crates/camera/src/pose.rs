@@ -89,7 +89,7 @@ impl RigidTransform {
         if q.w < 0.0 { -q } else { q }
     }
 
-    /// How far the rotation is from orthonormal: the largest entry of |RᵀR − I|, or infinity for a reflection.
+    /// How far the rotation is from orthonormal: the largest entry of `|RᵀR − I|`, or infinity for a reflection.
     #[must_use]
     pub fn orthonormality_error(&self) -> f64 {
         if self.rotation.determinant() <= 0.0 {

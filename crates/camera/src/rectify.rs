@@ -277,18 +277,21 @@ fn opencv_lens(lens: &LensModel) -> Option<OpenCvPinhole> {
 
 /// The principal point that puts the mean of the four undistorted, rotated corners at the image's middle.
 ///
-/// The corners are (0 | W, 0 | H) and the middle is (⌊W/2⌋, ⌊H/2⌋), OpenCV's choice.
+/// Of the pixel centres, (0 | W − 1, 0 | H − 1).
 fn centre_of_corners(camera: &Intrinsics, lens: &OpenCvPinhole, rotation: DMat3, focal: f64) -> DVec2 {
-    let ImageSize { width, height } = camera.size;
+    let (right, bottom) = (
+        f64::from(camera.size.width) - 1.0,
+        f64::from(camera.size.height) - 1.0,
+    );
     let mut sum = DVec2::ZERO;
-    for corner in [(0, 0), (width, 0), (0, height), (width, height)] {
-        let pixel = PixelPoint::<OpenCv>::new(f64::from(corner.0), f64::from(corner.1));
+    for (x, y) in [(0.0, 0.0), (right, 0.0), (0.0, bottom), (right, bottom)] {
+        let pixel = PixelPoint::<OpenCv>::new(x, y);
         let undistorted = as_f32(opencv_undistort(lens, camera.normalized_from_pixel(pixel)));
         let p = rotation * undistorted.extend(1.0);
         let z = if p.z == 0.0 { 1.0 } else { p.z };
         sum += as_f32(focal * p.truncate() / z);
     }
-    DVec2::new(f64::from(width / 2), f64::from(height / 2)) - sum / 4.0
+    DVec2::new(right / 2.0, bottom / 2.0) - sum / 4.0
 }
 
 /// `cv2.undistortPoints` as `cv2.stereoRectify` calls it: five steps of a fixed-point iteration, converged or not.
@@ -313,7 +316,6 @@ fn opencv_undistort(lens: &OpenCvPinhole, distorted: DVec2) -> DVec2 {
 }
 
 /// OpenCV keeps these corners in float32.
-#[expect(clippy::cast_possible_truncation, reason = "the rounding is meant")]
 fn as_f32(p: DVec2) -> DVec2 {
     p.as_vec2().as_dvec2()
 }

@@ -34,12 +34,12 @@ fn positive<const N: usize>(mut bernstein: [f64; N], halvings: u32) -> bool {
         return false;
     }
     // De Casteljau at the middle: the left half appears at the front, the right half stays.
-    let mut left = bernstein;
-    for pass in 1..N {
-        for j in 0..N - pass {
-            bernstein[j] = f64::midpoint(bernstein[j], bernstein[j + 1]);
+    let mut left = [0.0; N];
+    for (pass, first) in left.iter_mut().enumerate() {
+        *first = bernstein[0];
+        for j in 1..N - pass {
+            bernstein[j - 1] = f64::midpoint(bernstein[j - 1], bernstein[j]);
         }
-        left[pass] = bernstein[0];
     }
     positive(left, halvings - 1) && positive(bernstein, halvings - 1)
 }

@@ -6,7 +6,7 @@ use super::depth::Parameters;
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Scene};
 use super::units::slip;
-use super::{num, same};
+use super::{brief, num, same};
 use crate::asset::PrimNames;
 
 pub(super) const CATALOG_VALUE: Rule = Rule {
@@ -39,8 +39,8 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
     let differs = |name: &str, value: f64, expected: f64| {
         CATALOG_VALUE.with_remedy(
             path,
-            format!("{name} is {}, but {model} has {}", num(value), num(expected)),
-            format!("set it to {}, or check against the right model", num(expected)),
+            format!("{name} is {}, but {model} has {}", num(value), brief(expected)),
+            format!("set it to {}, or check against the right model", brief(expected)),
         )
     };
     let focal_length = camera.camera.focal_length();
@@ -58,7 +58,7 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
                     "focalLength is {}, {:+.2} % from {model}'s nominal {}: a calibrated unit's",
                     num(focal_length),
                     off * 100.0,
-                    num(expected.focal_length_mm)
+                    brief(expected.focal_length_mm)
                 ),
             )
         } else {
@@ -164,9 +164,9 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             format!(
                 "{name} is {}{authored}, but the catalog has {}",
                 num(value),
-                num(expected)
+                brief(expected)
             ),
-            format!("set it to {}, or check against the right model", num(expected)),
+            format!("set it to {}, or check against the right model", brief(expected)),
         ));
     }
     focal_length(path, known, parameters.get("focalLengthPixel"), findings);
@@ -183,7 +183,7 @@ fn focal_length(path: &str, known: &TwinDepthSensor, value: f64, findings: &mut 
         "focalLengthPixel is {}, {:+.2} % from the nominal {}",
         num(value),
         off * 100.0,
-        num(expected)
+        brief(expected)
     );
     findings.push(CATALOG_VALUE.at_or_note(off.abs() <= CALIBRATED, path, message));
 }

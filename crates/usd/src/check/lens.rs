@@ -149,11 +149,12 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
             ),
         ));
     }
-    let model = prim.text(MODEL).unwrap_or_default();
-    if model != lens.model {
+    let model = prim.text(MODEL);
+    if model != Some(lens.model) {
+        let says = model.map_or_else(|| "not authored".to_owned(), |model| format!("`{model}`"));
         findings.push(LENS_MODEL.with_remedy(
             path,
-            format!("{MODEL} is `{model}`, but {} is applied", lens.schema),
+            format!("{MODEL} is {says}, but {} is applied", lens.schema),
             format!("set it to `{}`", lens.model),
         ));
     }

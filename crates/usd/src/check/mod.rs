@@ -16,8 +16,6 @@ mod rule;
 mod scene;
 mod schema;
 mod stage;
-#[cfg(test)]
-mod tests;
 mod units;
 
 use std::path::Path;
@@ -113,4 +111,10 @@ fn num(value: f64) -> String {
 /// Whether two numbers are the same `float`, give or take its last digits.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
+}
+
+/// A number to suggest, with the four digits after the point that the sheet prints.
+fn brief(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

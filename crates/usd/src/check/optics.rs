@@ -1,6 +1,6 @@
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::num;
+use super::{brief, num};
 use super::rule::Rule;
 use super::scene::CheckedCamera;
 
@@ -154,7 +154,7 @@ fn aspect(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         let k = optics.openusd_intrinsics(size);
         ((k.fx / k.fy - 1.0).abs() > SQUARE).then_some(k)
     };
-    let fitting = |size: oaktwin_camera::ImageSize| num(optics.horizontal_aperture_mm / size.aspect());
+    let fitting = |size: oaktwin_camera::ImageSize| brief(optics.horizontal_aperture_mm / size.aspect());
     let own = camera.own_size();
     if let Some(own) = own
         && let Some(k) = oblong(own)

@@ -1,7 +1,7 @@
 use oaktwin_camera::UsdOptics;
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::num;
+use super::{brief, num};
 use super::rule::Rule;
 use super::scene::CheckedCamera;
 
@@ -71,7 +71,7 @@ fn against(camera: &CheckedCamera<'_>, expected: &UsdOptics, findings: &mut Vec<
         ),
     ] {
         if let Some(power) = slip(value, expected) {
-            let said = format!("{name} {} (catalog: {} mm)", num(value), num(expected));
+            let said = format!("{name} {} (catalog: {} mm)", num(value), brief(expected));
             match slips.iter_mut().find(|(of, _)| *of == power) {
                 Some((_, names)) => names.push(said),
                 None => slips.push((power, vec![said])),

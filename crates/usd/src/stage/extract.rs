@@ -183,20 +183,65 @@ fn overridden_cameras(stage: &usd::Stage) -> Vec<String> {
 }
 
 fn composition_finding(error: &pcp::Error) -> Finding {
-    let place = match error {
-        pcp::Error::UnresolvedLayer { site_path, .. }
-        | pcp::Error::MalformedLayer { site_path, .. }
-        | pcp::Error::UnresolvedPrimPath { site_path, .. }
-        | pcp::Error::MissingDefaultPrim { site_path, .. }
-        | pcp::Error::InvalidDefaultPrim { site_path, .. } => site_path.to_string(),
-        pcp::Error::ArcCycle(chain) => chain.composing.to_string(),
-        _ => "composition".to_owned(),
+    use pcp::Error as E;
+    let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
+    let (place, message) = match error {
+        E::UnresolvedLayer {
+            asset_path,
+            arc,
+            site_path,
+            ..
+        } => (
+            site_path.to_string(),
+            format!("the {} @{asset_path}@ cannot be found", said(arc)),
+        ),
+        E::MalformedLayer {
+            asset_path,
+            arc,
+            site_path,
+            reason,
+            ..
+        } => (
+            site_path.to_string(),
+            format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc)),
+        ),
+        E::UnresolvedPrimPath {
+            arc,
+            target_layer,
+            prim_path,
+            site_path,
+            ..
+        } => (
+            site_path.to_string(),
+            format!("the {} @{target_layer}@ has no prim <{prim_path}>", said(arc)),
+        ),
+        E::MissingDefaultPrim {
+            layer_id,
+            arc,
+            site_path,
+        }
+        | E::InvalidDefaultPrim {
+            layer_id,
+            arc,
+            site_path,
+        } => (
+            site_path.to_string(),
+            format!(
+                "the {} @{layer_id}@ names no prim, and the layer has no default prim",
+                said(arc)
+            ),
+        ),
+        E::ArcCycle(chain) => (
+            chain.composing.to_string(),
+            "references lead back to themselves".to_owned(),
+        ),
+        other => ("composition".to_owned(), other.to_string()),
     };
     Finding::new(
         "composition",
         Level::Warning,
         place,
-        one_line(&error.to_string()),
+        one_line(&message),
         "put the file where the path says, or correct the path; what it holds was not checked",
     )
 }

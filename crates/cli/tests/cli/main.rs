@@ -1,0 +1,8 @@
+//! The program as its users meet it: whole outputs as snapshots, bad inputs, exit codes, files left behind.
+
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
+
+mod assets;
+mod bad_input;
+mod output;
+mod program;

@@ -1,0 +1,99 @@
+//! Runs the program in a folder of its own.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// The calibration that ships with the project.
+pub(crate) const EXAMPLE: &str =
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../calibration/fixtures/example-oak-d-pro-poe.json");
+
+pub(crate) struct Program {
+    folder: tempfile::TempDir,
+}
+
+/// How a run ended, with the folder's name taken out.
+pub(crate) struct Ended {
+    pub(crate) code: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Program {
+    pub(crate) fn new() -> Self {
+        Self { folder: tempfile::tempdir().unwrap() }
+    }
+
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub(crate) fn put(&self, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        fs::write(&path, bytes).unwrap();
+        path
+    }
+
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_oaktwin"));
+        command.args(arguments).current_dir(self.folder()).stdin(Stdio::null());
+        command
+    }
+
+    pub(crate) fn run(&self, arguments: &[&str]) -> Ended {
+        self.ended(&self.command(arguments).output().unwrap())
+    }
+
+    /// Runs what must end well; its standard output.
+    pub(crate) fn good(&self, arguments: &[&str]) -> String {
+        let ended = self.run(arguments);
+        assert_eq!(ended.code, 0, "{arguments:?}: {}{}", ended.stdout, ended.stderr);
+        ended.stdout
+    }
+
+    /// Runs what must be refused: one line on standard error, nothing on standard output, nothing new in the folder.
+    pub(crate) fn refused(&self, arguments: &[&str]) -> String {
+        let before = self.names();
+        let ended = self.run(arguments);
+        assert_eq!(ended.code, 2, "{arguments:?}: {}{}", ended.stdout, ended.stderr);
+        assert_eq!(ended.stdout, "", "{arguments:?}");
+        assert!(ended.stderr.starts_with("error: "), "{arguments:?}: {}", ended.stderr);
+        assert_eq!(ended.stderr.trim_end().lines().count(), 1, "{arguments:?}: {}", ended.stderr);
+        assert_eq!(self.names(), before, "{arguments:?} left something behind");
+        ended.stderr
+    }
+
+    /// Every file and folder below the folder.
+    pub(crate) fn names(&self) -> Vec<String> {
+        fn walk(folder: &Path, root: &Path, names: &mut Vec<String>) {
+            for entry in fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                names.push(path.strip_prefix(root).unwrap().display().to_string());
+                if path.is_dir() && !path.is_symlink() {
+                    walk(&path, root, names);
+                }
+            }
+        }
+        let mut names = Vec::new();
+        walk(self.folder(), self.folder(), &mut names);
+        names.sort();
+        names
+    }
+
+    fn ended(&self, output: &Output) -> Ended {
+        let folder = self.folder().display().to_string();
+        let fixtures = EXAMPLE.rsplit_once('/').unwrap().0;
+        let text = |bytes: &[u8]| {
+            String::from_utf8(bytes.to_vec()).unwrap().replace(&folder, "[FOLDER]").replace(fixtures, "[FIXTURES]")
+        };
+        Ended {
+            code: output.status.code().expect("no signal"),
+            stdout: text(&output.stdout),
+            stderr: text(&output.stderr),
+        }
+    }
+}
