@@ -1,10 +1,12 @@
 """Every asset that the tests look at: models, options and formats, built by the program on first use."""
 
 import json
+import math
 import os
 import subprocess
 import sys
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -125,7 +127,7 @@ def put_off(calibration: dict) -> dict:
 def unit(calibration: Path) -> dict[str, dict]:
     """The cameras of a DepthAI calibration by the role that the sheet's prims have: left, right, mono."""
     read = json.loads(calibration.read_text())
-    stereo = read["stereoConfig"]
+    stereo = read["stereoRectificationData"]
     sides = {stereo["leftCameraSocket"]: "left", stereo["rightCameraSocket"]: "right"}
     return {sides.get(socket, "mono"): camera for socket, camera in read["cameraData"]}
 
@@ -146,7 +148,15 @@ def schema_folder(isaac: str, folder: Path) -> Path:
 
 
 def openusd_says(paths: Iterable[Path], schema: Path | None, *checks: str) -> list[dict[str, list[str]]]:
-    """The findings of each file by check, from a process that knows the schema, or none."""
+    """The findings of each file by check, from processes that know the schema, or none."""
+    every = list(paths)
+    share = max(1, math.ceil(len(every) / (os.cpu_count() or 1)))
+    shares = [every[start : start + share] for start in range(0, len(every), share)]
+    with ThreadPoolExecutor() as pool:
+        return [answer for answers in pool.map(lambda some: _says(some, schema, checks), shares) for answer in answers]
+
+
+def _says(paths: list[Path], schema: Path | None, checks: tuple[str, ...]) -> list[dict[str, list[str]]]:
     environment = {name: value for name, value in os.environ.items() if not name.startswith(("PXR_", "TF_"))}
     if schema is not None:
         environment["PXR_PLUGINPATH_NAME"] = str(schema)

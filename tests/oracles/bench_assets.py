@@ -7,6 +7,7 @@ The content matches the program's: cameras, products with every depth attribute,
 import math
 import sys
 import time
+from functools import cache
 from pathlib import Path
 
 from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdRender, UsdShade, Vt
@@ -15,7 +16,7 @@ import sheet
 
 # Camera looks along −Z with +Y up; the body's x is forward and z is up.
 FORWARD = Gf.Quatf(0.5, 0.5, -0.5, -0.5)
-SEGMENTS = 24
+SEGMENTS, BEVEL = 16, 5
 
 
 def place(prim: UsdGeom.Xformable, position: Gf.Vec3d, orientation: Gf.Quatf) -> None:
@@ -63,45 +64,67 @@ def add_material(stage: Usd.Stage, path: Sdf.Path, color: tuple[float, float, fl
     return material
 
 
-def rounded_outline(half_width: float, half_height: float, radius: float) -> list[tuple[float, float]]:
+Ring = tuple[float, tuple[tuple[float, float], ...]]
+
+
+def rounded_outline(half_width: float, half_height: float, radius: float, y: float = 0.0) -> tuple[tuple[float, float], ...]:
     """A rectangle in the y–z plane with round corners, counter-clockwise."""
     corners = ((1, 1), (-1, 1), (-1, -1), (1, -1))
-    return [
+    return tuple(
         (
-            sign_y * (half_width - radius) + radius * math.cos(math.pi / 2 * (corner + step / SEGMENTS)),
-            sign_z * (half_height - radius) + radius * math.sin(math.pi / 2 * (corner + step / SEGMENTS)),
+            y + sign_y * (half_width - radius) + radius * math.cos(math.pi / 2 * (corner + (step + 0.5) / SEGMENTS)),
+            sign_z * (half_height - radius) + radius * math.sin(math.pi / 2 * (corner + (step + 0.5) / SEGMENTS)),
         )
         for corner, (sign_y, sign_z) in enumerate(corners)
-        for step in range(SEGMENTS + 1)
-    ]
+        for step in range(SEGMENTS)
+    )
 
 
-def add_prism(stage: Usd.Stage, path: Sdf.Path, outline: list[tuple[float, float]], back: float, front: float,
-              material: UsdShade.Material) -> None:
-    """The outline swept along x, with a normal for each corner of each face."""
-    count = len(outline)
-    points = [Gf.Vec3f(x, y, z) for x in (back, front) for y, z in outline]
+def rounded_box(width: float, height: float, corner: float, edge: float, back: float, front: float, y: float = 0.0) -> list[Ring]:
+    """Rings from back to front of a box with round corners and round edges."""
+    rings = []
+    for end, sign in ((back, -1), (front, 1)):
+        steps = range(BEVEL + 1) if sign < 0 else range(BEVEL, -1, -1)
+        for angle in (math.pi / 2 * step / BEVEL for step in steps):
+            inset = edge * (1 - math.sin(angle))
+            x = end - sign * edge * (1 - math.cos(angle))
+            rings.append((x, rounded_outline(width / 2 - inset, height / 2 - inset, corner - inset, y)))
+    return rings
+
+
+@cache
+def loft(*rings: Ring) -> tuple[Vt.Vec3fArray, Vt.IntArray, Vt.IntArray, Vt.Vec3fArray]:
+    """Points, counts, indices and one normal for each corner. Kept, so that only the first run pays for Python's loops."""
+    count = len(rings[0][1])
+    points = [Gf.Vec3f(x, y, z) for x, outline in rings for y, z in outline]
     counts, indices, normals = [], [], []
-    for i in range(count):
-        j = (i + 1) % count
-        (y0, z0), (y1, z1) = outline[i], outline[j]
-        normal = Gf.Vec3f(0, z1 - z0, y0 - y1).GetNormalized()
-        counts.append(4)
-        indices += [i, j, count + j, count + i]
-        normals += [normal] * 4
-    for start, x in ((0, -1.0), (count, 1.0)):
+    for ring in range(len(rings) - 1):
+        for i in range(count):
+            j = (i + 1) % count
+            face = [ring * count + i, ring * count + j, (ring + 1) * count + j, (ring + 1) * count + i]
+            a, b, c, d = (points[k] for k in face)
+            normal = Gf.Cross(c - a, d - b).GetNormalized()
+            counts.append(4)
+            indices += face
+            normals += [normal] * 4
+    for start, x in ((0, -1.0), ((len(rings) - 1) * count, 1.0)):
         face = range(start, start + count)
         counts.append(count)
         indices += face if x > 0 else reversed(face)
         normals += [Gf.Vec3f(x, 0, 0)] * count
+    return Vt.Vec3fArray(points), Vt.IntArray(counts), Vt.IntArray(indices), Vt.Vec3fArray(normals)
+
+
+def add_mesh(stage: Usd.Stage, path: Sdf.Path, rings: list[Ring], material: UsdShade.Material) -> None:
+    points, counts, indices, normals = loft(*rings)
     mesh = UsdGeom.Mesh.Define(stage, path)
     mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-    mesh.CreatePointsAttr(Vt.Vec3fArray(points))
-    mesh.CreateFaceVertexCountsAttr(Vt.IntArray(counts))
-    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray(indices))
-    mesh.CreateNormalsAttr(Vt.Vec3fArray(normals))
+    mesh.CreatePointsAttr(points)
+    mesh.CreateFaceVertexCountsAttr(counts)
+    mesh.CreateFaceVertexIndicesAttr(indices)
+    mesh.CreateNormalsAttr(normals)
     mesh.SetNormalsInterpolation(UsdGeom.Tokens.faceVarying)
-    mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(mesh.GetPointsAttr().Get()))
+    mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(material)
 
 
@@ -133,14 +156,13 @@ def author(model: sheet.Model, folder: Path, extension: str = "usd") -> None:
     glass = add_material(stage, looks.AppendChild("Glass"), (0.0, 0.0, 0.0), 0.05)
     visuals = UsdGeom.Xform.Define(stage, base.AppendChild("visuals")).GetPath()
     width, height, depth_mm = model.dimensions_mm or (111.0, 40.0, 31.3)
-    outline = rounded_outline(width / 2e3, height / 2e3, 0.006)
-    add_prism(stage, visuals.AppendChild("Shell"), outline, -depth_mm / 1e3, -0.001, shell)
-    add_prism(stage, visuals.AppendChild("Glass"), rounded_outline(width / 2.2e3, height / 2.4e3, 0.005), -0.001, 0, glass)
+    shell_rings = rounded_box(width / 1e3, height / 1e3, 0.006, 0.003, -depth_mm / 1e3, -0.001)
+    add_mesh(stage, visuals.AppendChild("Shell"), shell_rings, shell)
+    front_rings = rounded_box(width / 1.1e3, height / 1.2e3, 0.005, 0.0004, -0.001, 0.0)
+    add_mesh(stage, visuals.AppendChild("Glass"), front_rings, glass)
     for camera in model.cameras:
-        y = camera.place_mm[1] / 1e3
-        circle = [(y + 0.004 * math.cos(a), 0.004 * math.sin(a)) for a in
-                  (2 * math.pi * i / (4 * SEGMENTS) for i in range(4 * SEGMENTS))]
-        add_prism(stage, visuals.AppendChild(f"Lens_{camera.prim}"), circle, 0.0, 0.0005, glass)
+        lens_rings = rounded_box(0.008, 0.008, 0.004, 0.0002, 0.0, 0.0005, camera.place_mm[1] / 1e3)
+        add_mesh(stage, visuals.AppendChild(f"Lens_{camera.prim}"), lens_rings, glass)
 
     if extension == "usda":
         stage.GetRootLayer().Save()

@@ -1,5 +1,6 @@
 """Every value of the sheet, read back by OpenUSD."""
 
+import math
 from pathlib import Path
 
 import pytest
@@ -100,7 +101,9 @@ def test_distortion_columns(builder: Builder, case: Case) -> None:
 def test_fisheye(builder: Builder, case: Case) -> None:
     stage = stage_of(builder, case)
     prefix = "omni:lensdistortion:opencvFisheye:"
-    values = {"fx": 577.465, "fy": 577.465, "cx": 640.0, "cy": 400.0, "k1": 0.0, "k2": 0.0, "k3": 0.0, "k4": 0.0}
+    # An equidistant lens: the sensor's width over the angle that the vendor gives.
+    focal = 1280 / math.radians(127)
+    values = {"fx": focal, "fy": focal, "cx": 640.0, "cy": 400.0, "k1": 0.0, "k2": 0.0, "k3": 0.0, "k4": 0.0}
     for column in case.model.cameras:
         prim = prim_of(stage, case, column.prim)
         has = "OmniLensDistortionOpenCvFisheyeAPI" in applied(prim)

@@ -1,0 +1,36 @@
+//! Makes and writes all five assets, several times, and prints the seconds of each time: `cargo xtask bench assets`
+//! runs it beside a Python script that does the same with `OpenUSD`.
+
+#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use oaktwin::catalog::Catalog;
+use oaktwin::usd::asset::{AssetOptions, Format, asset};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut args = std::env::args_os().skip(1);
+    let usage = "usage: time_assets DIR RUNS";
+    let folder = PathBuf::from(args.next().ok_or(usage)?);
+    let runs: u32 = args
+        .next()
+        .and_then(|runs| runs.to_str()?.parse().ok())
+        .ok_or(usage)?;
+    for _ in 0..runs {
+        let start = Instant::now();
+        write_all(&folder)?;
+        println!("{:.6}", start.elapsed().as_secs_f64());
+    }
+    Ok(())
+}
+
+fn write_all(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let catalog = Catalog::builtin();
+    for device in catalog.devices() {
+        let made = asset(&catalog.nominal(device), &AssetOptions::default())?;
+        std::fs::write(folder.join(made.file_name(Format::Usd)), made.bytes(Format::Usd)?)?;
+    }
+    Ok(())
+}
