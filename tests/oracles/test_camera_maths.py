@@ -214,7 +214,7 @@ def test_rectify_as_opencv(ask, flags, intrinsics):
     off, rig_count = 0, 0
     for rig in rigs():
         k1, d1, k2, d2, r, t, size = rig
-        r1, r2, p1, p2, q, *_ = cv2.stereoRectify(k1, d1, k2, d2, size, r, t, flags=flags, alpha=-1)
+        r1, r2, p1, p2, q, *_ = cv2.stereoRectify(k1, d1, k2, d2, size, r, t[:, None], flags=flags, alpha=-1)
         got = rectify(ask, *rig, intrinsics=intrinsics)
         np.testing.assert_allclose(got["r1"], r1, rtol=0, atol=RAD)
         np.testing.assert_allclose(got["r2"], r2, rtol=0, atol=RAD)
@@ -243,7 +243,7 @@ def test_rectification_of_exports(ask):
         # For a fisheye pair only the rotations can be compared, and they do not depend on the lens.
         d1, d2 = (np.zeros(14), np.zeros(14)) if fisheye else (np.array(left["dist"]), np.array(right["dist"]))
         k1, k2 = np.array(left["K"]), np.array(right["K"])
-        r1, r2, p1, p2, *_ = cv2.stereoRectify(k1, d1, k2, d2, size, m[:3, :3], m[:3, 3])
+        r1, r2, p1, p2, *_ = cv2.stereoRectify(k1, d1, k2, d2, size, m[:3, :3], m[:3, 3:])
         got = rectify(ask, k1, d1, k2, d2, m[:3, :3], m[:3, 3], size)
         np.testing.assert_allclose(got["r1"], r1, rtol=0, atol=RAD)
         np.testing.assert_allclose(got["r2"], r2, rtol=0, atol=RAD)
@@ -268,7 +268,7 @@ def test_map_as_opencv(ask):
     size = (160, 100)
     scale = np.diag([0.125, 0.125, 1])
     for k1, d1, k2, d2, r, t, full in rigs():
-        r1, _, p1, *_ = cv2.stereoRectify(k1, d1, k2, d2, full, r, t)
+        r1, _, p1, *_ = cv2.stereoRectify(k1, d1, k2, d2, full, r, t[:, None])
         target = scale @ p1[:, :3]
         expected = np.dstack(cv2.initUndistortRectifyMap(k1, d1, r1, target, size, cv2.CV_32FC1))
         got = map_of(ask, camera(k1, d1), r1, target, size)
