@@ -1,4 +1,6 @@
-use oaktwin_camera::{Intrinsics, LensModel, RigidTransform};
+use oaktwin_camera::{
+    Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
+};
 
 use crate::{Camera, DepthSensor, Device, Role};
 
@@ -62,5 +64,21 @@ impl Twin {
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&TwinCamera> {
         self.cameras.iter().find(|camera| camera.spec.role == role)
+    }
+}
+
+impl TwinCamera {
+    /// The equidistant lens `r = f θ` that spans the real lens's field of view across the image, `f = width / hfov`,
+    /// centred: for the cameras whose catalog entry has such a field of view. No unit's coefficients are known.
+    #[must_use]
+    pub fn nominal_fisheye(&self) -> Option<Optics> {
+        let size = self.intrinsics.size;
+        let (width, height) = (f64::from(size.width), f64::from(size.height));
+        let f = width / self.spec.fisheye_hfov_deg?.to_radians();
+        let centre = PixelPoint::<Usd>::new(width / 2.0, height / 2.0);
+        Some(Optics {
+            intrinsics: Intrinsics::new(size, f, f, centre),
+            lens: LensModel::OpenCvFisheye(OpenCvFisheye { k: [0.0; 4] }),
+        })
     }
 }

@@ -7,8 +7,9 @@ use std::process::ExitCode;
 use oaktwin::catalog::{Catalog, Device, Twin};
 use oaktwin::diagnostic::Finding;
 use oaktwin::unit;
+use oaktwin::usd::asset::AssetError;
 
-use crate::args::UnitArgs;
+use crate::args::{Lens, UnitArgs};
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -59,6 +60,17 @@ impl Context {
     /// A model, or the unit of it that a calibration is of; the findings are the calibration's.
     pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
         let device = self.device(model)?;
+        if unit.lens == Lens::Fisheye
+            && device
+                .cameras
+                .iter()
+                .all(|camera| camera.fisheye_hfov_deg.is_none())
+        {
+            return Err(AssetError::NoFisheyeLens {
+                model: device.name.clone(),
+            }
+            .into());
+        }
         match &unit.calibration {
             Some(path) => Ok(unit::open(&self.catalog, device, path, unit.force)?),
             None => Ok((self.catalog.nominal(device), Vec::new())),

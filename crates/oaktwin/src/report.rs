@@ -9,6 +9,7 @@ use crate::catalog::{
     Accuracy, Body, Catalog, Evidence, Imu, Note, Origin, Role, Sensor, Source, Sources, Twin,
 };
 use crate::diagnostic::Finding;
+use crate::usd::asset::LensChoice;
 
 pub use camera::{CameraReport, OffsetsReport, PixelReport, UsdReport};
 pub use depth::{AtDistance, AttributeReport, DepthReport};
@@ -61,9 +62,9 @@ pub struct DeviceReport {
 }
 
 impl DeviceReport {
-    /// The report of a twin; `findings` are those of its calibration.
+    /// The report of a twin with the lens that an asset of it would have; `findings` are those of its calibration.
     #[must_use]
-    pub fn new(catalog: &Catalog, twin: &Twin, findings: Vec<Finding>) -> Self {
+    pub fn new(catalog: &Catalog, twin: &Twin, lens: LensChoice, findings: Vec<Finding>) -> Self {
         let device = &twin.device;
         let mut sensors: Vec<Sensor> = Vec::new();
         for camera in &device.cameras {
@@ -91,11 +92,15 @@ impl DeviceReport {
             nominal_baseline_mm: device.stereo_baseline_mm,
             baseline_mm: baseline_m(twin) * 1e3,
             body: device.body.clone(),
-            imu: device.imu.clone(),
+            imu: Imu {
+                position_mm: (twin.body_from_imu.translation * 1e3).to_array(),
+                rotation: twin.body_from_imu.rotation.transpose().to_cols_array_2d(),
+                ..device.imu.clone()
+            },
             cameras: twin
                 .cameras
                 .iter()
-                .map(|camera| CameraReport::new(twin, camera))
+                .map(|camera| CameraReport::new(twin, camera, lens))
                 .collect(),
             depth_sensors: twin
                 .depth_sensors

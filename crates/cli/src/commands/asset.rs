@@ -120,7 +120,11 @@ fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> R
         args.output.parent().map(Path::to_owned).unwrap_or_default()
     };
     let name = destination::relative(&folder, base)?;
-    Ok(asset::overrides(twin, options, &OverrideBase::of(&stage, &name, twin)?)?)
+    Ok(asset::overrides(
+        twin,
+        options,
+        &OverrideBase::of(&stage, &name, twin)?,
+    )?)
 }
 
 impl AssetArgs {

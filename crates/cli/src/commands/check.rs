@@ -8,15 +8,29 @@ use crate::context::{Context, Exit, Result};
 use crate::output;
 
 pub(crate) fn run(context: &Context, args: &CheckArgs) -> Result<Exit> {
-    let model = args.model.as_deref().map(|name| context.device(name)).transpose()?;
+    let model = args
+        .model
+        .as_deref()
+        .map(|name| context.device(name))
+        .transpose()?;
     let model = model.map(|device| context.catalog.nominal(device));
-    let report = check(&args.file, &CheckOptions { catalog: &context.catalog, model: model.as_ref() })?;
+    let report = check(
+        &args.file,
+        &CheckOptions {
+            catalog: &context.catalog,
+            model: model.as_ref(),
+        },
+    )?;
     if args.json {
         output::print_json(&report)?;
     } else {
         output::print(&text(&report))?;
     }
-    Ok(if report.worst() >= Some(Level::Warning) { Exit::Findings } else { Exit::Good })
+    Ok(if report.worst() >= Some(Level::Warning) {
+        Exit::Findings
+    } else {
+        Exit::Good
+    })
 }
 
 fn text(report: &Report) -> String {
@@ -48,7 +62,10 @@ fn text(report: &Report) -> String {
 }
 
 fn camera_text(out: &mut String, camera: &CameraReport) {
-    let model = camera.model.as_ref().map_or_else(String::new, |model| format!(", {model}"));
+    let model = camera
+        .model
+        .as_ref()
+        .map_or_else(String::new, |model| format!(", {model}"));
     let source = match &camera.resolution_from {
         ResolutionSource::Product(path) => format!("by {path}"),
         ResolutionSource::Catalog => "by the catalog".to_owned(),
@@ -79,9 +96,17 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
 }
 
 fn depth_text(out: &mut String, sensor: &DepthReport) {
-    let resolution = sensor.resolution.map_or_else(String::new, |size| format!(" ({size})"));
+    let resolution = sensor
+        .resolution
+        .map_or_else(String::new, |size| format!(" ({size})"));
     let _ = writeln!(out, "\n{}{resolution}", sensor.path);
-    let _ = writeln!(out, "  {:<10}{} of {}", "depth", sensor.schema, sensor.cameras.join(", "));
+    let _ = writeln!(
+        out,
+        "  {:<10}{} of {}",
+        "depth",
+        sensor.schema,
+        sensor.cameras.join(", ")
+    );
     let _ = writeln!(
         out,
         "  {:<10}baseline {} mm, focal length {} px of {}; {} to {} m, disparity to {} px (from {:.3} m)",

@@ -12,7 +12,10 @@ use crate::{destination, output};
 pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exit> {
     let file = Path::new(&args.from);
     let (raw, calibration, mut findings) = open(context, file, args)?;
-    let Export { files, findings: lost } = export::export(&raw, &calibration, args.to.into())?;
+    let Export {
+        files,
+        findings: lost,
+    } = export::export(&raw, &calibration, args.to.into())?;
     findings.extend(lost);
     output::say_findings(file, &findings);
     match &args.output {
@@ -37,9 +40,10 @@ fn open(
     file: &Path,
     args: &CalibrationExportArgs,
 ) -> Result<(Raw, Calibration, Vec<Finding>)> {
-    if !file.exists()
-        && let Ok(device) = context.device(&args.from)
-    {
+    if !file.exists() {
+        let device = context
+            .device(&args.from)
+            .map_err(|unknown| format!("{}: there is no such file, and {unknown}", file.display()))?;
         let raw = nominal_calibration(&context.catalog.nominal(device));
         let (calibration, findings) = Calibration::from_raw(&raw)?;
         return Ok((raw, calibration, findings));
@@ -59,7 +63,10 @@ fn put(path: &Path, input: &Path, text: &str) -> Result<()> {
 fn joined(files: &[(String, String)]) -> String {
     match files {
         [(_, text)] => text.clone(),
-        _ => files.iter().map(|(name, text)| format!("# {name}\n{text}\n")).collect(),
+        _ => files
+            .iter()
+            .map(|(name, text)| format!("# {name}\n{text}\n"))
+            .collect(),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::output;
 
 pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
     let (twin, findings) = context.twin(&args.model, &args.unit)?;
-    let report = DeviceReport::new(&context.catalog, &twin, findings);
+    let report = DeviceReport::new(&context.catalog, &twin, args.unit.lens.into(), findings);
     if args.json {
         output::print_json(&report)?;
     } else {
@@ -178,7 +178,7 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
             camera.yaw_pitch_deg[1] + 0.0
         ),
     );
-    let coefficients: Vec<String> = camera.distortion.iter().map(f64::to_string).collect();
+    let coefficients: Vec<String> = camera.distortion.iter().map(|c| format!("{c:.6}")).collect();
     field(
         out,
         "lens",

@@ -4,7 +4,13 @@ use std::fs;
 
 use crate::program::{EXAMPLE, Program};
 
-const STEMS: [&str; 5] = ["oak4_d", "oak4_d_wide", "oak_d_pro_poe", "oak_d_pro_w_poe", "oak_d_tof"];
+const STEMS: [&str; 5] = [
+    "oak4_d",
+    "oak4_d_wide",
+    "oak_d_pro_poe",
+    "oak_d_pro_w_poe",
+    "oak_d_tof",
+];
 
 #[test]
 fn all_assets_in_every_format_twice_the_same() {
@@ -19,17 +25,32 @@ fn all_assets_in_every_format_twice_the_same() {
             assert_eq!(read("one"), read("two"), "{name}");
         }
     }
-    assert_eq!(fs::read(program.path("one/oak4_d.usd")).unwrap(), fs::read(program.path("one/oak4_d.usda")).unwrap());
+    assert_eq!(
+        fs::read(program.path("one/oak4_d.usd")).unwrap(),
+        fs::read(program.path("one/oak4_d.usda")).unwrap()
+    );
 }
 
 #[test]
 fn a_single_asset_goes_to_a_file_or_into_a_folder() {
     let program = Program::new();
-    assert_eq!(program.good(&["asset", "OAK4-D", "-o", "mine.usdz"]), "mine.usdz\n");
+    assert_eq!(
+        program.good(&["asset", "OAK4-D", "-o", "mine.usdz"]),
+        "mine.usdz\n"
+    );
     assert_eq!(&fs::read(program.path("mine.usdz")).unwrap()[..2], b"PK");
-    assert_eq!(program.good(&["asset", "OAK4-D", "-o", "folder"]), "folder/oak4_d.usd\n");
-    assert_eq!(program.good(&["asset", "OAK4-D", "-o", "folder", "--format", "usda"]), "folder/oak4_d.usda\n");
-    assert_eq!(program.names(), ["folder", "folder/oak4_d.usd", "folder/oak4_d.usda", "mine.usdz"]);
+    assert_eq!(
+        program.good(&["asset", "OAK4-D", "-o", "folder"]),
+        "folder/oak4_d.usd\n"
+    );
+    assert_eq!(
+        program.good(&["asset", "OAK4-D", "-o", "folder", "--format", "usda"]),
+        "folder/oak4_d.usda\n"
+    );
+    assert_eq!(
+        program.names(),
+        ["folder", "folder/oak4_d.usd", "folder/oak4_d.usda", "mine.usdz"]
+    );
 }
 
 /// Every asset that the program can write gives `check` no warning and no error.
@@ -50,7 +71,9 @@ fn the_checker_is_content_with_every_option() {
     for stem in STEMS {
         for option in options {
             let wide = stem.contains("w_") || stem.ends_with("wide");
-            if (option.contains(&"fisheye") && !wide) || (option.contains(&"--extended-disparity") && stem.contains("tof")) {
+            if (option.contains(&"fisheye") && !wide)
+                || (option.contains(&"--extended-disparity") && stem.contains("tof"))
+            {
                 program.refused(&[&["asset", stem, "-o", "no.usd"], option].concat());
                 continue;
             }
@@ -62,7 +85,16 @@ fn the_checker_is_content_with_every_option() {
     }
     assert_eq!(written, 5 * 8 - 3 - 1);
     for offsets in ["openusd", "document", "zero"] {
-        program.good(&["asset", "oak-d-pro-poe", "--calibration", EXAMPLE, "--aperture-offsets", offsets, "-o", "x.usd"]);
+        program.good(&[
+            "asset",
+            "oak-d-pro-poe",
+            "--calibration",
+            EXAMPLE,
+            "--aperture-offsets",
+            offsets,
+            "-o",
+            "x.usd",
+        ]);
         let checked = program.run(&["check", "x.usd"]);
         assert_eq!(checked.code, 0, "{offsets}: {}", checked.stdout);
     }
@@ -72,16 +104,41 @@ fn the_checker_is_content_with_every_option() {
 fn overrides_on_an_asset_elsewhere() {
     let program = Program::new();
     program.good(&["asset", "oak-d-pro-poe", "-o", "vendor/"]);
-    let over = ["asset", "oak-d-pro-poe", "--calibration", EXAMPLE, "--over", "vendor/oak_d_pro_poe.usd"];
+    let over = [
+        "asset",
+        "oak-d-pro-poe",
+        "--calibration",
+        EXAMPLE,
+        "--over",
+        "vendor/oak_d_pro_poe.usd",
+    ];
     fs::create_dir(program.path("mine")).unwrap();
     program.good(&[&over[..], &["-o", "mine/unit.usda"]].concat());
-    assert!(fs::read_to_string(program.path("mine/unit.usda")).unwrap().contains("@../vendor/oak_d_pro_poe.usd@"));
+    assert!(
+        fs::read_to_string(program.path("mine/unit.usda"))
+            .unwrap()
+            .contains("@../vendor/oak_d_pro_poe.usd@")
+    );
     let checked = program.run(&["check", "mine/unit.usda"]);
     assert_eq!(checked.code, 0, "{}", checked.stdout);
     // Not over its own base, and not over another model's.
-    assert!(program.refused(&[&over[..], &["-o", "vendor/oak_d_pro_poe.usd"]].concat()).contains("is an input"));
+    assert!(
+        program
+            .refused(&[&over[..], &["-o", "vendor/oak_d_pro_poe.usd"]].concat())
+            .contains("is an input")
+    );
     program.good(&["asset", "oak4-d", "-o", "vendor/"]);
-    let other = ["asset", "oak-d-tof", "--calibration", EXAMPLE, "--force", "--over", "vendor/oak4_d.usd", "-o", "x.usda"];
+    let other = [
+        "asset",
+        "oak-d-tof",
+        "--calibration",
+        EXAMPLE,
+        "--force",
+        "--over",
+        "vendor/oak4_d.usd",
+        "-o",
+        "x.usda",
+    ];
     program.refused(&other);
 }
 
@@ -90,10 +147,18 @@ fn the_demo_writes_five_assets_and_a_unit() {
     let program = Program::new();
     let printed = program.good(&["demo"]);
     for name in [
-        "oak_d_pro_poe.usd", "oak_d_pro_w_poe.usd", "oak4_d.usd", "oak4_d_wide.usd", "oak_d_tof.usd",
-        "example_calibration.json", "oak_d_pro_poe_unit.usd",
+        "oak_d_pro_poe.usd",
+        "oak_d_pro_w_poe.usd",
+        "oak4_d.usd",
+        "oak4_d_wide.usd",
+        "oak_d_tof.usd",
+        "example_calibration.json",
+        "oak_d_pro_poe_unit.usd",
     ] {
-        assert!(program.path("oaktwin-demo").join(name).is_file() && printed.contains(name), "{name}");
+        assert!(
+            program.path("oaktwin-demo").join(name).is_file() && printed.contains(name),
+            "{name}"
+        );
     }
     assert!(printed.contains("Close-Range Accuracy"));
     program.good(&["check", "oaktwin-demo/oak_d_pro_poe_unit.usd"]);

@@ -22,7 +22,11 @@ fn help_of_every_command() {
     ] {
         let mut arguments = command.to_vec();
         arguments.push("--help");
-        all += &format!("$ oaktwin {}\n{}\n", arguments.join(" "), program.good(&arguments));
+        all += &format!(
+            "$ oaktwin {}\n{}\n",
+            arguments.join(" "),
+            program.good(&arguments)
+        );
     }
     insta::assert_snapshot!(all);
 }
@@ -34,7 +38,13 @@ fn models() {
 
 #[test]
 fn show_a_model() {
-    insta::assert_snapshot!(Program::new().good(&["show", "OAK4-D Wide", "--provenance", "--lens", "fisheye"]));
+    insta::assert_snapshot!(Program::new().good(&[
+        "show",
+        "OAK4-D Wide",
+        "--provenance",
+        "--lens",
+        "fisheye"
+    ]));
 }
 
 #[test]
@@ -50,7 +60,10 @@ fn show_the_sensor_of_two_depths() {
 #[test]
 fn compare() {
     let program = Program::new();
-    insta::assert_snapshot!("compare_markdown", program.good(&["compare", "--format", "markdown"]));
+    insta::assert_snapshot!(
+        "compare_markdown",
+        program.good(&["compare", "--format", "markdown"])
+    );
     insta::assert_snapshot!("compare_text", program.good(&["compare", "oak4-d", "oak-d-tof"]));
 }
 
@@ -80,7 +93,10 @@ fn calibration() {
 fn completions_and_manual_pages() {
     let program = Program::new();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        assert!(program.good(&["completions", shell]).contains("calibration"), "{shell}");
+        assert!(
+            program.good(&["completions", shell]).contains("calibration"),
+            "{shell}"
+        );
     }
     assert!(program.good(&["man"]).contains(".TH oaktwin"));
     assert!(program.good(&["man", "calibration", "export"]).contains("kalibr"));
@@ -89,8 +105,12 @@ fn completions_and_manual_pages() {
 #[test]
 fn a_closed_pipe_is_no_error() {
     let program = Program::new();
-    let mut child =
-        program.command(&["compare"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = program
+        .command(&["compare"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     drop(child.stdout.take());
     let mut message = String::new();
     child.stderr.take().unwrap().read_to_string(&mut message).unwrap();

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// The calibration that ships with the project.
-pub(crate) const EXAMPLE: &str =
-    concat!(env!("CARGO_MANIFEST_DIR"), "/../calibration/fixtures/example-oak-d-pro-poe.json");
+pub(crate) const EXAMPLE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../calibration/fixtures/example-oak-d-pro-poe.json"
+);
 
 pub(crate) struct Program {
     folder: tempfile::TempDir,
@@ -21,7 +23,9 @@ pub(crate) struct Ended {
 
 impl Program {
     pub(crate) fn new() -> Self {
-        Self { folder: tempfile::tempdir().unwrap() }
+        Self {
+            folder: tempfile::tempdir().unwrap(),
+        }
     }
 
     pub(crate) fn folder(&self) -> &Path {
@@ -40,7 +44,10 @@ impl Program {
 
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_oaktwin"));
-        command.args(arguments).current_dir(self.folder()).stdin(Stdio::null());
+        command
+            .args(arguments)
+            .current_dir(self.folder())
+            .stdin(Stdio::null());
         command
     }
 
@@ -61,8 +68,17 @@ impl Program {
         let ended = self.run(arguments);
         assert_eq!(ended.code, 2, "{arguments:?}: {}{}", ended.stdout, ended.stderr);
         assert_eq!(ended.stdout, "", "{arguments:?}");
-        assert!(ended.stderr.starts_with("error: "), "{arguments:?}: {}", ended.stderr);
-        assert_eq!(ended.stderr.trim_end().lines().count(), 1, "{arguments:?}: {}", ended.stderr);
+        assert!(
+            ended.stderr.starts_with("error: "),
+            "{arguments:?}: {}",
+            ended.stderr
+        );
+        assert_eq!(
+            ended.stderr.trim_end().lines().count(),
+            1,
+            "{arguments:?}: {}",
+            ended.stderr
+        );
         assert_eq!(self.names(), before, "{arguments:?} left something behind");
         ended.stderr
     }
@@ -88,7 +104,10 @@ impl Program {
         let folder = self.folder().display().to_string();
         let fixtures = EXAMPLE.rsplit_once('/').unwrap().0;
         let text = |bytes: &[u8]| {
-            String::from_utf8(bytes.to_vec()).unwrap().replace(&folder, "[FOLDER]").replace(fixtures, "[FIXTURES]")
+            String::from_utf8(bytes.to_vec())
+                .unwrap()
+                .replace(&folder, "[FOLDER]")
+                .replace(fixtures, "[FIXTURES]")
         };
         Ended {
             code: output.status.code().expect("no signal"),

@@ -1,9 +1,10 @@
 use serde::Serialize;
 
 use crate::camera::{
-    ApertureOffsets, ImageSize, LensModel, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
+    ApertureOffsets, Camera, ImageSize, LensModel, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
 };
 use crate::catalog::{LegacyDistortion, Origin, Role, Source, Sources, Twin, TwinCamera};
+use crate::usd::asset::LensChoice;
 
 /// One camera: intrinsics, the calculation that they enter, USD parameters and the check of the field of view.
 #[derive(Clone, Debug, Serialize)]
@@ -38,6 +39,8 @@ pub struct CameraReport {
     pub calculation: Vec<String>,
     /// `pinhole`, `opencv-pinhole`, `opencv-fisheye` or `f-theta`.
     pub lens: &'static str,
+    /// fx, fy, cx, cy of the lens, px (the first pixel's centre at 0): those above but for a nominal fisheye.
+    pub lens_intrinsics: [f64; 4],
     /// The lens's coefficients in its library's order.
     pub distortion: Vec<f64>,
     /// The optical centre in the body frame (x forward, y left, z up), mm.
@@ -100,16 +103,23 @@ pub struct OffsetsReport {
 }
 
 impl CameraReport {
-    pub(super) fn new(twin: &Twin, camera: &TwinCamera) -> Self {
+    pub(super) fn new(twin: &Twin, camera: &TwinCamera, lens: LensChoice) -> Self {
         let nominal = twin.origin == Origin::Nominal;
         let (spec, intrinsics) = (&camera.spec, &camera.intrinsics);
-        let optics = |offsets| UsdOptics::from_intrinsics(intrinsics, camera.pixel_size_um, offsets);
-        let usd = optics(ApertureOffsets::OpenUsd);
+        let usd_with = |offsets| UsdOptics::from_intrinsics(intrinsics, camera.pixel_size_um, offsets);
+        let usd = usd_with(ApertureOffsets::OpenUsd);
         // The sheet's formula means the numbers of a calibration file; centred cameras have no offsets by it.
-        let document = optics(if nominal {
+        let document = usd_with(if nominal {
             ApertureOffsets::Zero
         } else {
             ApertureOffsets::Document
+        });
+        let fisheye = camera
+            .nominal_fisheye()
+            .filter(|_| nominal && lens == LensChoice::Fisheye);
+        let optics = fisheye.unwrap_or(Camera {
+            intrinsics: *intrinsics,
+            lens: camera.lens,
         });
         let forward = camera.body_from_camera.rotation.z_axis;
         Self {
@@ -140,8 +150,12 @@ impl CameraReport {
                 camera_projection_type: spec.projection_type.clone(),
                 max_fov_deg: spec.max_fov_deg,
             },
-            lens: camera.lens.name(),
-            distortion: camera.lens.coefficients(),
+            lens: optics.lens.name(),
+            lens_intrinsics: {
+                let (k, c) = (optics.intrinsics, optics.intrinsics.principal_point::<OpenCv>());
+                [k.fx, k.fy, c.x, c.y]
+            },
+            distortion: optics.lens.coefficients(),
             position_mm: (camera.body_from_camera.translation * 1e3).to_array(),
             yaw_pitch_deg: [
                 forward.y.atan2(forward.x),

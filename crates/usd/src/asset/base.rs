@@ -17,15 +17,23 @@ impl<'a> OverrideBase<'a> {
             what,
         };
         for names in [PrimNames::Document, PrimNames::Isaac] {
-            let wanted: Vec<&str> = twin.depth_sensors.iter().map(|sensor| names.of(&sensor.spec.prim)).collect();
+            let wanted: Vec<&str> = twin
+                .depth_sensors
+                .iter()
+                .map(|sensor| names.of(&sensor.spec.prim))
+                .collect();
             let has = |name: &&str| stage.cameras.iter().any(|camera| camera.prim.name() == *name);
             if !wanted.iter().all(has) {
                 continue;
             }
-            let found = stage.cameras.iter().find(|camera| wanted.contains(&camera.prim.name()));
+            let found = stage
+                .cameras
+                .iter()
+                .find(|camera| wanted.contains(&camera.prim.name()));
             let path = found.map_or("", |camera| camera.prim.path.as_str());
             let mut parts = path.split('/').skip(1);
-            let (Some(root), Some(device), Some(_), None) = (parts.next(), parts.next(), parts.next(), parts.next())
+            let (Some(root), Some(device), Some(_), None) =
+                (parts.next(), parts.next(), parts.next(), parts.next())
             else {
                 return Err(not_found(format!("{path} is not two prims below the root")));
             };
@@ -41,7 +49,11 @@ impl<'a> OverrideBase<'a> {
                 },
             });
         }
-        let wanted: Vec<&str> = twin.depth_sensors.iter().map(|sensor| sensor.spec.prim.as_str()).collect();
+        let wanted: Vec<&str> = twin
+            .depth_sensors
+            .iter()
+            .map(|sensor| sensor.spec.prim.as_str())
+            .collect();
         Err(not_found(format!("no camera prim {}", wanted.join(" and "))))
     }
 }

@@ -1,5 +1,5 @@
-use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, PixelPoint, Usd};
-use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
+use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv};
+use oaktwin_catalog::{Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::{AssetError, AssetOptions, LensChoice, ROOT, float};
@@ -58,17 +58,13 @@ pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSc
     })
 }
 
-/// The equidistant lens `r = f θ` whose image spans the width: `f = width / hfov`. No unit's coefficients are
-/// known, and 0 has to be said: the schema's own fallback of k1 is not 0.
+/// The wide models' fisheye. Its coefficients have to be said: the schema's own fallback of k1 is not 0.
 fn nominal_fisheye(camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
-    let hfov_deg = camera.spec.fisheye_hfov_deg.filter(|_| {
-        options.lens == LensChoice::Fisheye && matches!(camera.spec.role, Role::Left | Role::Right)
-    })?;
-    let size = camera.intrinsics.size;
-    let f = f64::from(size.width) / hfov_deg.to_radians();
-    let centre = PixelPoint::<Usd>::new(f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
+    let fisheye = camera
+        .nominal_fisheye()
+        .filter(|_| options.lens == LensChoice::Fisheye)?;
     Some(LensSchema {
-        intrinsics: Intrinsics::new(size, f, f, centre),
+        intrinsics: fisheye.intrinsics,
         kind: Kind::Fisheye([0.0; 4]),
     })
 }

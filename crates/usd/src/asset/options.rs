@@ -1,5 +1,5 @@
 use oaktwin_camera::ApertureOffsets;
-use oaktwin_catalog::{Role, Twin};
+use oaktwin_catalog::Twin;
 
 use super::AssetError;
 
@@ -119,11 +119,11 @@ impl AssetOptions {
     /// Whether the model can have all of this.
     pub(super) fn check(&self, twin: &Twin) -> Result<(), AssetError> {
         let model = || twin.device.name.clone();
-        let is_wide = |role| {
-            twin.camera(role)
-                .is_some_and(|camera| camera.spec.fisheye_hfov_deg.is_some())
-        };
-        if self.lens == LensChoice::Fisheye && !is_wide(Role::Left) && !is_wide(Role::Right) {
+        let is_wide = twin
+            .cameras
+            .iter()
+            .any(|camera| camera.spec.fisheye_hfov_deg.is_some());
+        if self.lens == LensChoice::Fisheye && !is_wide {
             return Err(AssetError::NoFisheyeLens { model: model() });
         }
         let lacks_extended = twin

@@ -41,7 +41,10 @@ fn snapshot(text: &str, name: &str) {
 
 #[test]
 fn the_text_of_one_asset() {
-    let options = AssetOptions { body: false, ..plain() };
+    let options = AssetOptions {
+        body: false,
+        ..plain()
+    };
     snapshot(&text(&nominal_of("oak_d_pro_poe"), &options), "asset");
 }
 
@@ -390,10 +393,21 @@ fn overrides_hold_what_a_calibration_changes() {
 #[test]
 fn bodies_and_rigid_bodies() {
     let twin = nominal_of("oak4_d");
-    let made = asset(&twin, &AssetOptions { rigid_body: true, ..plain() }).unwrap();
+    let made = asset(
+        &twin,
+        &AssetOptions {
+            rigid_body: true,
+            ..plain()
+        },
+    )
+    .unwrap();
     let device = &made.layer.prims[0].children[0];
     assert_eq!(device.api_schemas, ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]);
-    near(number(device, "physics:mass"), twin.device.body.mass_g * 1e-3, 1e-7);
+    near(
+        number(device, "physics:mass"),
+        twin.device.body.mass_g * 1e-3,
+        1e-7,
+    );
     let collider = prim(&made, "collisions").children[0].clone();
     let Some(Value::Float3Array(extent)) = &collider.attribute("extent").unwrap().value else {
         panic!("an extent");
@@ -418,7 +432,11 @@ fn bodies_and_rigid_bodies() {
     assert_eq!(bound, materials.collect());
 
     // The collider needs no visible body.
-    let bare = AssetOptions { body: false, rigid_body: true, ..plain() };
+    let bare = AssetOptions {
+        body: false,
+        rigid_body: true,
+        ..plain()
+    };
     let made = asset(&twin, &bare).unwrap();
     assert!(made.text().contains("PhysicsCollisionAPI") && !made.text().contains("Looks"));
 }
@@ -559,13 +577,15 @@ fn write_for_openusd() {
 #[test]
 fn timing_tmp() {
     let twins = nominal();
-    for body in [true, false] { for _ in 0..5 {
-        let o = AssetOptions { body, ..plain() };
-        let t = std::time::Instant::now();
-        let v: Vec<_> = twins.iter().map(|t| asset(t, &o).unwrap()).collect();
-        let a = t.elapsed();
-        let t = std::time::Instant::now();
-        let n: usize = v.iter().map(|t| t.text().len()).sum();
-        println!("five {body} {n} bytes build {a:?} text {:?}", t.elapsed());
-    } }
+    for body in [true, false] {
+        for _ in 0..5 {
+            let o = AssetOptions { body, ..plain() };
+            let t = std::time::Instant::now();
+            let v: Vec<_> = twins.iter().map(|t| asset(t, &o).unwrap()).collect();
+            let a = t.elapsed();
+            let t = std::time::Instant::now();
+            let n: usize = v.iter().map(|t| t.text().len()).sum();
+            println!("five {body} {n} bytes build {a:?} text {:?}", t.elapsed());
+        }
+    }
 }
