@@ -1,8 +1,8 @@
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::{brief, num};
 use super::rule::Rule;
 use super::scene::CheckedCamera;
+use super::{brief, num};
 
 pub(super) const CAMERA_VALUE: Rule = Rule {
     code: "camera-value",

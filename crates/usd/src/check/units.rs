@@ -1,9 +1,9 @@
 use oaktwin_camera::UsdOptics;
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::{brief, num};
 use super::rule::Rule;
 use super::scene::CheckedCamera;
+use super::{brief, num};
 
 pub(super) const UNITS_SLIP: Rule = Rule {
     code: "units-slip",

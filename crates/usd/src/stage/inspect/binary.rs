@@ -26,7 +26,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     let (Some(version), Some(toc)) = (version, toc) else {
         return Err(damaged("header", "is cut short"));
     };
-    if version < (0, 4, 0) || version > (0, 13, 255) {
+    if !((0, 4, 0)..(0, 13, 0)).contains(&version) {
         let (major, minor, patch) = version;
         return Err(Problem::new(
             "header",
