@@ -1,4 +1,5 @@
 //! One small file for each rule; what is found in it is a snapshot.
+#![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::collections::BTreeSet;
 use std::fs;

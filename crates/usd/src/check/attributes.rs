@@ -8,7 +8,8 @@ use crate::stage::Value;
 pub(super) const CAMERA_TYPE: Rule = Rule {
     code: "camera-type",
     level: Level::Warning,
-    what: "a camera attribute has another type than OpenUSD's schema gives it",
+    what: "a camera attribute has another type than OpenUSD's schema gives it: OpenUSD's own reader then takes the \
+           schema's fallback instead of the value",
     remedy: "author it with the schema's type",
 };
 pub(super) const DEPTH_ATTRIBUTE_UNKNOWN: Rule = Rule {
@@ -37,7 +38,7 @@ pub(super) const OUTLIER_REMOVAL_TYPE: Rule = Rule {
     remedy: "",
 };
 
-/// UsdGeomCamera's optical attributes.
+/// The optical attributes of `UsdGeomCamera`.
 const CAMERA_TYPES: [(&str, &str); 11] = [
     ("focalLength", "float"),
     ("horizontalAperture", "float"),
@@ -78,7 +79,10 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
         {
             findings.push(CAMERA_TYPE.with_remedy(
                 camera.path(),
-                format!("{name} is of type {}", attribute.type_name),
+                format!(
+                    "{name} is of type {}: OpenUSD's own reader takes the schema's fallback instead",
+                    attribute.type_name
+                ),
                 format!("author it as `{expected}`"),
             ));
         }

@@ -34,7 +34,7 @@ pub(super) fn rules(product: &RenderProduct, findings: &mut Vec<Finding>) {
                 ),
             )),
             None => {
-                findings.push(PRODUCT_CAMERA.at(path, format!("its camera {} does not exist", target.path)))
+                findings.push(PRODUCT_CAMERA.at(path, format!("its camera {} does not exist", target.path)));
             }
         },
         several => {

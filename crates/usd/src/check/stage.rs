@@ -61,10 +61,10 @@ pub(super) fn rules(stage: &Stage, findings: &mut Vec<Finding>) {
     match metadata.up_axis.as_deref() {
         Some("Z") => {}
         Some(axis) => {
-            findings.push(UP_AXIS.note("/", format!("upAxis is {axis}; Isaac Sim's stages are Z up")))
+            findings.push(UP_AXIS.note("/", format!("upAxis is {axis}; Isaac Sim's stages are Z up")));
         }
         None => {
-            findings.push(UP_AXIS.note("/", "upAxis is not said, so Y holds; Isaac Sim's stages are Z up"))
+            findings.push(UP_AXIS.note("/", "upAxis is not said, so Y holds; Isaac Sim's stages are Z up"));
         }
     }
     match metadata.meters_per_unit {

@@ -7,6 +7,8 @@ use openusd::usd::{self, PrimPredicate};
 use openusd::{pcp, sdf};
 
 use super::error::one_line;
+use super::inspect::Inspected;
+use super::locate::failing_line;
 use super::resolver::InspectingResolver;
 use super::{Attribute, Prim, RenderProduct, SceneCamera, Stage, StageError, StageMetadata, Target, Value};
 
@@ -18,13 +20,18 @@ const SENSOR_NAMESPACES: [&str; 3] = [
 ];
 
 /// Opens and composes `path` and takes out what concerns cameras.
-pub(super) fn extract(file: &str, path: &str, findings: Vec<Finding>) -> Result<Stage, StageError> {
+pub(super) fn extract(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {
     let failed = |error: &dyn std::fmt::Display| {
+        let reason = format!("{error:#}");
+        let line = std::str::from_utf8(&layer.bytes).ok().and_then(failing_line);
         StageError::new(
             file,
-            "",
-            format!("cannot be read as USD: {}", one_line(&format!("{error:#}"))),
-            "open it with OpenUSD's `usdchecker` to see more, and repair or export it again",
+            line.map(|line| format!("line {line}")).unwrap_or_default(),
+            format!(
+                "cannot be read as USD: {}",
+                one_line(reason.trim_start_matches("failed to parse USDA layer: "))
+            ),
+            "repair it there, or export it again",
         )
     };
     let stage = usd::Stage::builder()
@@ -42,7 +49,7 @@ pub(super) fn extract(file: &str, path: &str, findings: Vec<Finding>) -> Result<
         products: Vec::new(),
         others: Vec::new(),
         overridden_cameras: Vec::new(),
-        findings,
+        findings: layer.findings,
     };
     for path in paths {
         let prim = stage.prim(path);
@@ -185,26 +192,42 @@ fn overridden_cameras(stage: &usd::Stage) -> Vec<String> {
 fn composition_finding(error: &pcp::Error) -> Finding {
     use pcp::Error as E;
     let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
+    let mut level = Level::Warning;
+    let mut remedy = "put the file where the path says, or correct the path; what it holds was not checked";
     let (place, message) = match error {
         E::UnresolvedLayer {
             asset_path,
             arc,
             site_path,
             ..
-        } => (
-            site_path.to_string(),
-            format!("the {} @{asset_path}@ cannot be found", said(arc)),
-        ),
+        } => {
+            let message = if let Some(url) = url(asset_path) {
+                remedy = "download it beside the file and reference it there; what it holds was not checked";
+                format!("the {} @{url}@ is not on this machine", said(arc))
+            } else {
+                format!("the {} @{asset_path}@ cannot be found", said(arc))
+            };
+            (site_path.to_string(), message)
+        }
         E::MalformedLayer {
             asset_path,
             arc,
             site_path,
             reason,
             ..
-        } => (
-            site_path.to_string(),
-            format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc)),
-        ),
+        } => {
+            // Materials hold no cameras.
+            let message = if asset_path.ends_with(".mtlx") {
+                level = Level::Note;
+                remedy = "";
+                format!("the {} @{asset_path}@ is MaterialX and was not read", said(arc))
+            } else if reason.contains("no file format registered") {
+                format!("the {} @{asset_path}@ is no USD layer", said(arc))
+            } else {
+                format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc))
+            };
+            (site_path.to_string(), message)
+        }
         E::UnresolvedPrimPath {
             arc,
             target_layer,
@@ -224,26 +247,36 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             layer_id,
             arc,
             site_path,
-        } => (
-            site_path.to_string(),
-            format!(
-                "the {} @{layer_id}@ names no prim, and the layer has no default prim",
-                said(arc)
-            ),
-        ),
-        E::ArcCycle(chain) => (
-            chain.composing.to_string(),
-            "references lead back to themselves".to_owned(),
-        ),
+        } => {
+            remedy = "name the prim in the reference, or give that layer a defaultPrim";
+            (
+                site_path.to_string(),
+                format!(
+                    "the {} @{layer_id}@ names no prim, and the layer has no default prim",
+                    said(arc)
+                ),
+            )
+        }
+        E::ArcCycle(chain) => {
+            remedy = "remove one of them; OpenUSD ignores the last";
+            (
+                chain.composing.to_string(),
+                "references or inherits lead back to themselves".to_owned(),
+            )
+        }
         other => ("composition".to_owned(), other.to_string()),
     };
-    Finding::new(
-        "composition",
-        Level::Warning,
-        place,
-        one_line(&message),
-        "put the file where the path says, or correct the path; what it holds was not checked",
-    )
+    Finding::new("composition", level, place, one_line(&message), remedy)
+}
+
+/// The address in an asset path that the library took for a file's, with the slash back that it dropped.
+fn url(asset_path: &str) -> Option<String> {
+    ["https:/", "http:/", "omniverse:/"]
+        .into_iter()
+        .find_map(|scheme| {
+            let (_, rest) = asset_path.split_once(scheme)?;
+            Some(format!("{scheme}/{}", rest.trim_start_matches('/')))
+        })
 }
 
 fn plain_value(value: sdf::Value) -> Value {

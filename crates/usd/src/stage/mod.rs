@@ -8,6 +8,7 @@ mod error;
 mod extract;
 mod guard;
 mod inspect;
+mod locate;
 mod prim;
 mod resolver;
 
@@ -72,7 +73,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<Stage, StageError> {
     };
     let read = || {
         let layer = inspect::file(path).map_err(|problem| StageError::from_problem(&name, problem))?;
-        extract::extract(&name, utf8, layer.findings)
+        extract::extract(&name, utf8, layer)
     };
     guard::contained(read).unwrap_or_else(|panic| {
         Err(StageError::new(

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use openusd::usdc::CrateFile;
 
 use super::values::Values;
-use super::{Problem, TAKE_ANOTHER};
+use super::{DEEPEST, Problem, TAKE_ANOTHER};
 
 /// More prims, paths or fields than any stage that fits in memory here; bounds what a table may make a reader allocate.
 const MOST_ENTRIES: u64 = 1 << 25;
@@ -26,7 +26,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     let (Some(version), Some(toc)) = (version, toc) else {
         return Err(damaged("header", "is cut short"));
     };
-    if version < (0, 4, 0) || version > (0, 13, 255) {
+    if !((0, 4, 0)..(0, 13, 0)).contains(&version) {
         let (major, minor, patch) = version;
         return Err(Problem::new(
             "header",
@@ -75,6 +75,15 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
         }
         Err(_) => return Err(damaged("tables", "contradict each other")),
     };
+    let deep = |path: &str| path.bytes().filter(|byte| *byte == b'/').count() > DEEPEST;
+    if let Some(path) = file.paths.iter().find(|path| deep(path.as_str())) {
+        let start: String = path.as_str().chars().take(60).collect();
+        return Err(Problem::new(
+            format!("{start}…"),
+            format!("prims nest more than {DEEPEST} deep"),
+            "flatten the stage",
+        ));
+    }
     let mut values = Values::new(bytes, version);
     for field in &file.fields {
         if values.check(field.value_rep.0, 0).is_none() {

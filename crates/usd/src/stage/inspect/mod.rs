@@ -51,6 +51,8 @@ impl fmt::Display for Problem {
     }
 }
 
+/// Deeper than people nest prims or dictionaries. The library's time grows with the cube of the depth.
+const DEEPEST: usize = 256;
 const TAKE_ANOTHER: &str = "take an undamaged copy";
 const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
 

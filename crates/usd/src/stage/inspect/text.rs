@@ -1,7 +1,4 @@
-use super::{Problem, TAKE_ANOTHER};
-
-/// Deeper than people nest prims or dictionaries, shallower than a recursive reader's stack.
-const DEEPEST: usize = 1000;
+use super::{DEEPEST, Problem, TAKE_ANOTHER};
 
 /// UTF-8, no zero bytes, and no nesting deeper than a recursive reader can bear.
 pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
