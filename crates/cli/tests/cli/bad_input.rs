@@ -200,7 +200,7 @@ fn a_users_catalog_adds_a_model_and_its_mistakes_have_lines() {
         ("hfov_deg = 68.0", "hfov_rad = 1.2", "hfov_deg"),
         ("hfov_deg = 68.0", "", "hfov_deg"),
         ("sensor = \"IMX586\"", "sensor = \"IMX587\"", "IMX586"),
-        ("hfov_deg = 68.0", "hfov_deg = \"wide\"", "hfov_deg"),
+        ("hfov_deg = 68.0", "hfov_deg = \"wide\"", "expected a number"),
         ("hfov_deg = 68.0", "hfov_deg = nan", "hfov_deg"),
     ] {
         program.put("catalog/my_cam.toml", own.replacen(from, to, 1));

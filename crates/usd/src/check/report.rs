@@ -189,6 +189,11 @@ fn lens_report(lens: &Lens) -> LensReport {
 
 fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
     let parameters = Parameters::of(sensor);
+    // As the file writes it: 0.2, not the double nearest to the float nearest to it.
+    let decimal = |name| {
+        let value = parameters.get(name);
+        super::num(value).parse().unwrap_or(value)
+    };
     let cameras = match (sensor.generation, sensor.product) {
         (Generation::Product, Some(product)) => {
             product.cameras.iter().map(|target| target.path.clone()).collect()
@@ -207,12 +212,12 @@ fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
         },
         cameras,
         resolution: sensor.product.and_then(crate::stage::RenderProduct::resolution),
-        baseline_mm: parameters.get("baselineMM"),
-        focal_length_px: parameters.get("focalLengthPixel"),
-        sensor_size_px: parameters.get("sensorSizePixel"),
-        max_disparity_px: parameters.get("maxDisparityPixel"),
-        min_distance_m: parameters.get("minDistance"),
-        max_distance_m: parameters.get("maxDistance"),
+        baseline_mm: decimal("baselineMM"),
+        focal_length_px: decimal("focalLengthPixel"),
+        sensor_size_px: decimal("sensorSizePixel"),
+        max_disparity_px: decimal("maxDisparityPixel"),
+        min_distance_m: decimal("minDistance"),
+        max_distance_m: decimal("maxDistance"),
         nearest_by_disparity_m: parameters.nearest_by_disparity_m(),
     }
 }
