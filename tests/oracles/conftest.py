@@ -1,11 +1,16 @@
 """What every oracle test shares."""
 
 import os
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
 from assets import Builder
+
+# The environment of the older OpenUSD has neither of these, and what asks them has nothing to do with OpenUSD.
+NEEDS = {"test_calibration.py": ("cv2", "depthai", "yaml"), "test_camera_maths.py": ("cv2",)}
+collect_ignore = [name for name, packages in NEEDS.items() if not all(map(find_spec, packages))]
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
