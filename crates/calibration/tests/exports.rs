@@ -1,5 +1,11 @@
 //! The project's calibrations in every format, whole. Other programs read them in the Python tests.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on fails"
+)]
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;

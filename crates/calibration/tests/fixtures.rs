@@ -1,5 +1,11 @@
 //! The project's own calibrations: what is good reads and returns, what is odd is told, what is bad is refused.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a test that cannot go on fails"
+)]
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -29,15 +29,16 @@ pub enum UnitError {
     },
 }
 
-/// Reads a calibration file; the findings are what is odd in it, errors that [`calibration::force`] makes warnings
+/// Reads a calibration file: as written and checked. The findings are what is odd in it, errors that [`calibration::force`] makes warnings
 /// among them.
 ///
 /// # Errors
 /// The file cannot be read, or is no calibration.
-pub fn read_calibration(path: &Path) -> Result<(Calibration, Vec<Finding>), UnitError> {
+pub fn read_calibration(path: &Path) -> Result<(Raw, Calibration, Vec<Finding>), UnitError> {
     let bytes = files::read(path, MAX_BYTES, "a calibration")?;
     let raw = Raw::parse(&bytes, &path.display().to_string())?;
-    Ok(Calibration::from_raw(&raw)?)
+    let (calibration, findings) = Calibration::from_raw(&raw)?;
+    Ok((raw, calibration, findings))
 }
 
 /// The twin of the unit that a calibration file is of, taken as a device of `catalog`; the findings are what is odd.
@@ -51,7 +52,7 @@ pub fn open(
     force: bool,
 ) -> Result<(Twin, Vec<Finding>), UnitError> {
     let nominal = catalog.nominal(device);
-    let (calibration, mut findings) = read_calibration(path)?;
+    let (_, calibration, mut findings) = read_calibration(path)?;
     findings.extend(calibration::check_against(&calibration, &nominal, catalog));
     accept(path, &mut findings, force)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();

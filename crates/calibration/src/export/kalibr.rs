@@ -112,7 +112,7 @@ fn distortion(
         Level::Warning,
         place,
         format!(
-            "Kalibr has four coefficients; the {model} lens fitted in their place is {rms:.2} px off in the mean, \
+            "Kalibr has four coefficients; the {model} lens fitted in their place is {rms:.2} px off (root mean square), \
              {worst:.2} px at worst"
         ),
         "calibrate with Kalibr itself where that matters",

@@ -3,7 +3,8 @@ use std::path::{Path, PathBuf};
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files;
-use oaktwin::usd::asset::{self, Asset, AssetOptions, Format};
+use oaktwin::usd::asset::{self, Asset, AssetOptions, Format, OverrideBase};
+use oaktwin::usd::stage;
 use serde::Serialize;
 
 use crate::args::AssetArgs;
@@ -110,9 +111,16 @@ fn format(args: &AssetArgs) -> Result<Format> {
     }
 }
 
-/// The layer of overrides on somebody's asset.
-fn over(_twin: &Twin, _options: &AssetOptions, _base: &Path, _args: &AssetArgs) -> Result<Asset> {
-    Err("not wired".into())
+/// The layer of overrides on somebody's asset, which it names relative to its own folder.
+fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> Result<Asset> {
+    let stage = stage::open(base)?;
+    let folder = if destination::names_folder(&args.output) {
+        args.output.clone()
+    } else {
+        args.output.parent().map(Path::to_owned).unwrap_or_default()
+    };
+    let name = destination::relative(&folder, base)?;
+    Ok(asset::overrides(twin, options, &OverrideBase::of(&stage, &name, twin)?)?)
 }
 
 impl AssetArgs {

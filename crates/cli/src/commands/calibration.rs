@@ -19,7 +19,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
 
 /// Prints the file whatever is odd in it; errors decide only the exit code.
 fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
-    let (calibration, mut findings) = unit::read_calibration(&args.file)?;
+    let (_, calibration, mut findings) = unit::read_calibration(&args.file)?;
     let named = args
         .model
         .as_deref()

@@ -1,6 +1,97 @@
+use std::fmt::Write;
+
+use oaktwin::diagnostic::Level;
+use oaktwin::usd::check::{CameraReport, CheckOptions, DepthReport, Report, ResolutionSource, View, check};
+
 use crate::args::CheckArgs;
 use crate::context::{Context, Exit, Result};
+use crate::output;
 
-pub(crate) fn run(_context: &Context, _args: &CheckArgs) -> Result<Exit> {
-    Err("check is not wired".into())
+pub(crate) fn run(context: &Context, args: &CheckArgs) -> Result<Exit> {
+    let model = args.model.as_deref().map(|name| context.device(name)).transpose()?;
+    let model = model.map(|device| context.catalog.nominal(device));
+    let report = check(&args.file, &CheckOptions { catalog: &context.catalog, model: model.as_ref() })?;
+    if args.json {
+        output::print_json(&report)?;
+    } else {
+        output::print(&text(&report))?;
+    }
+    Ok(if report.worst() >= Some(Level::Warning) { Exit::Findings } else { Exit::Good })
+}
+
+fn text(report: &Report) -> String {
+    let mut out = format!("{}\n", report.file);
+    for camera in &report.cameras {
+        camera_text(&mut out, camera);
+    }
+    for sensor in &report.depth_sensors {
+        depth_text(&mut out, sensor);
+    }
+    if !report.findings.is_empty() {
+        let _ = writeln!(out);
+    }
+    for finding in &report.findings {
+        let _ = writeln!(out, "{finding}");
+    }
+    let count = |level, name: &str| {
+        let n = report.count(level);
+        format!("{n} {name}{}", if n == 1 { "" } else { "s" })
+    };
+    let _ = writeln!(
+        out,
+        "\n{}, {}, {}",
+        count(Level::Error, "error"),
+        count(Level::Warning, "warning"),
+        count(Level::Note, "note")
+    );
+    out
+}
+
+fn camera_text(out: &mut String, camera: &CameraReport) {
+    let model = camera.model.as_ref().map_or_else(String::new, |model| format!(", {model}"));
+    let source = match &camera.resolution_from {
+        ResolutionSource::Product(path) => format!("by {path}"),
+        ResolutionSource::Catalog => "by the catalog".to_owned(),
+        ResolutionSource::LensSchema => "by its lens schema".to_owned(),
+        ResolutionSource::Apertures => "by its apertures".to_owned(),
+    };
+    let _ = writeln!(out, "\n{} ({} {source}{model})", camera.path, camera.resolution);
+    let mut view = |label: &str, view: Option<&View>| {
+        let text = view.map_or_else(
+            || "no usable pinhole".to_owned(),
+            |v| {
+                format!(
+                    "fx {:.2}  fy {:.2}  cx {:.2}  cy {:.2} px   {:.2}° × {:.2}°",
+                    v.fx, v.fy, v.cx, v.cy, v.hfov_deg, v.vfov_deg
+                )
+            },
+        );
+        let _ = writeln!(out, "  {label:<10}{text}");
+    };
+    view("Isaac Sim", camera.isaac.as_ref());
+    view("OpenUSD", camera.openusd.as_ref());
+    if let Some(lens) = &camera.lens {
+        let intrinsics = lens.intrinsics.map_or_else(String::new, |[fx, fy, cx, cy]| {
+            format!("fx {fx:.2}  fy {fy:.2}  cx {cx:.2}  cy {cy:.2} px (first centre at 0)")
+        });
+        let _ = writeln!(out, "  {:<10}{intrinsics} {}", "lens", lens.schema);
+    }
+}
+
+fn depth_text(out: &mut String, sensor: &DepthReport) {
+    let resolution = sensor.resolution.map_or_else(String::new, |size| format!(" ({size})"));
+    let _ = writeln!(out, "\n{}{resolution}", sensor.path);
+    let _ = writeln!(out, "  {:<10}{} of {}", "depth", sensor.schema, sensor.cameras.join(", "));
+    let _ = writeln!(
+        out,
+        "  {:<10}baseline {} mm, focal length {} px of {}; {} to {} m, disparity to {} px (from {:.3} m)",
+        "",
+        sensor.baseline_mm,
+        sensor.focal_length_px,
+        sensor.sensor_size_px,
+        sensor.min_distance_m,
+        sensor.max_distance_m,
+        sensor.max_disparity_px,
+        sensor.nearest_by_disparity_m
+    );
 }

@@ -1,6 +1,75 @@
-use crate::args::CalibrationExportArgs;
-use crate::context::{Context, Exit, Result};
+use std::path::Path;
 
-pub(crate) fn run(_context: &Context, _args: &CalibrationExportArgs) -> Result<Exit> {
+use oaktwin::calibration::export::{self, Export};
+use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
+use oaktwin::diagnostic::Finding;
+use oaktwin::{files, unit};
+
+use crate::args::{CalibrationExportArgs, ExportFormat};
+use crate::context::{Context, Exit, Result};
+use crate::{destination, output};
+
+pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exit> {
+    let file = Path::new(&args.from);
+    let (raw, calibration, mut findings) = open(context, file, args)?;
+    let Export { files, findings: lost } = export::export(&raw, &calibration, args.to.into())?;
+    findings.extend(lost);
+    output::say_findings(file, &findings);
+    match &args.output {
+        None => output::print(&joined(&files))?,
+        Some(folder) if files.len() > 1 => {
+            for (name, text) in &files {
+                put(&destination::in_folder(folder, name)?, file, text)?;
+            }
+        }
+        Some(path) => {
+            for (name, text) in &files {
+                put(&destination::file_or_folder(path, name)?, file, text)?;
+            }
+        }
+    }
     Ok(Exit::Good)
+}
+
+/// The calibration in a file, or of a model's nominal device where there is no such file.
+fn open(
+    context: &Context,
+    file: &Path,
+    args: &CalibrationExportArgs,
+) -> Result<(Raw, Calibration, Vec<Finding>)> {
+    if !file.exists()
+        && let Ok(device) = context.device(&args.from)
+    {
+        let raw = nominal_calibration(&context.catalog.nominal(device));
+        let (calibration, findings) = Calibration::from_raw(&raw)?;
+        return Ok((raw, calibration, findings));
+    }
+    let (raw, calibration, mut findings) = unit::read_calibration(file)?;
+    unit::accept(file, &mut findings, args.force)?;
+    Ok((raw, calibration, findings))
+}
+
+fn put(path: &Path, input: &Path, text: &str) -> Result<()> {
+    destination::spare_inputs(path, [Some(input)])?;
+    files::write(path, text.as_bytes())?;
+    output::print(&format!("{}\n", path.display()))
+}
+
+/// Several files on one stream: each under a line that names it. Standard output of one file is that file.
+fn joined(files: &[(String, String)]) -> String {
+    match files {
+        [(_, text)] => text.clone(),
+        _ => files.iter().map(|(name, text)| format!("# {name}\n{text}\n")).collect(),
+    }
+}
+
+impl From<ExportFormat> for export::Format {
+    fn from(format: ExportFormat) -> Self {
+        match format {
+            ExportFormat::Ros => Self::Ros,
+            ExportFormat::Opencv => Self::OpenCv,
+            ExportFormat::Kalibr => Self::Kalibr,
+            ExportFormat::Depthai => Self::DepthAi,
+        }
+    }
 }

@@ -65,6 +65,16 @@ pub enum AssetError {
         /// The path.
         path: String,
     },
+    /// An asset that the overrides of a model do not fit.
+    #[error("{asset}: {what}, so it is no asset of an {model}; name the vendor's asset of that model")]
+    NoBase {
+        /// The asset's file.
+        asset: String,
+        /// The device's name.
+        model: String,
+        /// What is missing.
+        what: String,
+    },
     /// A layer of overrides was asked of a twin without a calibration.
     #[error("{model}: nothing to override: its numbers are the nominal ones; give a calibration")]
     NothingToOverride {

@@ -22,6 +22,7 @@
 //! OpenUSD defines as tenths of a stage unit, as in the vendor's assets: projection depends on ratios alone, and
 //! `fStop = 0` switches off the depth of field that does not.
 
+mod base;
 mod camera;
 mod depth;
 mod describe;

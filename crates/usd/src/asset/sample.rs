@@ -1,7 +1,9 @@
 //! Twins for tests.
 
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_camera::{Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform};
+use oaktwin_camera::{
+    Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
+};
 use oaktwin_catalog::{Catalog, Origin, Twin};
 
 /// The five nominal twins, in the sheet's order.

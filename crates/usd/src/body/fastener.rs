@@ -5,13 +5,14 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use super::BodyPart;
 use super::loft::{End, Frame, loft};
 use super::material;
-use super::outline::{COARSE, FINE, circle, rounded_rectangle};
+use super::mesh::Mesh;
+use super::outline::{COARSE, MEDIUM, circle, rounded_rectangle};
 
 /// A round socket for a screwed plug: M12 or M8 by its thread's radius. It stands `height` high on the wall at
 /// `base` and looks backward.
 pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -> [BodyPart; 2] {
     let frame = Frame::backward(base);
-    let ring = |radius: f64| circle(DVec2::ZERO, radius, FINE);
+    let ring = |radius: f64| circle(DVec2::ZERO, radius, MEDIUM);
     let flange = thread_radius + 1.7;
     let step = 0.4 * height;
     let shell = [
@@ -39,15 +40,18 @@ pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -
 /// A USB-C receptacle in the wall at `base`, looking backward.
 pub(super) fn usb_c(base: DVec3, height: f64) -> BodyPart {
     let frame = Frame::backward(base);
-    let slot = |grow: f64| {
-        rounded_rectangle(DVec2::ZERO, DVec2::new(4.2, 1.3) + grow, 1.3 + grow, COARSE)
-    };
-    let stations = [(-0.5, slot(0.3)), (height, slot(0.3)), (height, slot(0.0)), (-0.3, slot(0.0))];
+    let slot = |grow: f64| rounded_rectangle(DVec2::ZERO, DVec2::new(4.2, 1.3) + grow, 1.3 + grow, COARSE);
+    let stations = [
+        (-0.5, slot(0.3)),
+        (height, slot(0.3)),
+        (height, slot(0.0)),
+        (-0.3, slot(0.0)),
+    ];
     loft(frame, &stations, End::Flat, End::Flat).into_part("usb_c", material::NICKEL)
 }
 
-/// The head of a socket screw on the wall at `base`, looking backward.
-pub(super) fn screw(name: &str, base: DVec3) -> BodyPart {
+/// The heads of socket screws on walls at `bases`, looking backward.
+pub(super) fn screws(bases: impl IntoIterator<Item = DVec3>) -> BodyPart {
     let ring = |radius: f64| circle(DVec2::ZERO, radius, COARSE);
     let stations = [
         (-0.3, ring(2.1)),
@@ -56,5 +60,9 @@ pub(super) fn screw(name: &str, base: DVec3) -> BodyPart {
         (0.95, ring(1.1)),
         (-0.1, ring(1.0)),
     ];
-    loft(Frame::backward(base), &stations, End::Flat, End::Flat).into_part(name, material::NICKEL)
+    let mut mesh = Mesh::default();
+    for base in bases {
+        mesh.append(&loft(Frame::backward(base), &stations, End::Flat, End::Flat));
+    }
+    mesh.into_part("screws", material::NICKEL)
 }

@@ -36,8 +36,11 @@ impl Panel {
         } * (envelope.half.min_element() / 20.0).min(1.0);
         let whole = envelope.half - rim;
         // A tall front is glass only around the cameras.
-        let half = DVec2::new(whole.x, whole.y.min(0.45 * whole.x));
-        let cameras = twin.cameras.iter().map(|camera| camera.body_from_camera.translation.z * 1e3);
+        let half = DVec2::new(whole.x, whole.y.min(0.48 * whole.x));
+        let cameras = twin
+            .cameras
+            .iter()
+            .map(|camera| camera.body_from_camera.translation.z * 1e3);
         let lowest = cameras.clone().fold(f64::INFINITY, f64::min);
         let highest = cameras.fold(f64::NEG_INFINITY, f64::max);
         let middle = if lowest.is_finite() && highest.is_finite() {
@@ -48,9 +51,16 @@ impl Panel {
         let slack = whole.y - half.y;
         let offset = (middle - envelope.front.z).clamp(-slack, slack);
         let centre = envelope.centre() + DVec2::new(0.0, offset);
-        let radius = if slack > 0.0 { 0.35 * half.y } else { envelope.corner_radius(family) - rim };
+        let radius = if slack > 0.0 {
+            0.35 * half.y
+        } else {
+            envelope.corner_radius(family) - rim
+        };
         let (windows, cuts) = window::fit(&twin.cameras, envelope.front.x, centre, half, radius);
-        let lens_x = windows.iter().map(|window| window.lens_x).fold(envelope.front.x, f64::min);
+        let lens_x = windows
+            .iter()
+            .map(|window| window.lens_x)
+            .fold(envelope.front.x, f64::min);
         let deepest = envelope.front.x - 0.5 * envelope.depth;
         Self {
             centre,
@@ -88,7 +98,11 @@ pub(super) fn parts(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<Body
 
 fn glass(panel: &Panel) -> BodyPart {
     let bevel = 0.3;
-    let outer = [panel.outline(0.12), panel.outline(0.12), panel.outline(0.12 + bevel)];
+    let outer = [
+        panel.outline(0.12),
+        panel.outline(0.12),
+        panel.outline(0.12 + bevel),
+    ];
     let levels = [panel.back_x, panel.front_x - bevel, panel.front_x];
     let openings: Vec<Opening> = panel
         .windows
@@ -114,8 +128,13 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
         return None;
     }
     let outer = window.outline(panel.back_x, 0.6);
-    let mut stations = vec![(window.lens_x, outer.clone()), (panel.back_x, outer)];
-    let steps = [1.0, 2.1, 3.6, 6.0].into_iter().filter(|least| height > *least).count().max(1);
+    let back_x = window.lens_x - 0.8;
+    let mut stations = vec![(back_x, outer.clone()), (panel.back_x, outer)];
+    let steps = [1.0, 2.1, 5.0]
+        .into_iter()
+        .filter(|least| height > *least)
+        .count()
+        .max(1);
     for step in (0..steps).rev() {
         let top = window.lens_x + height * fraction(step + 1, steps);
         let bottom = window.lens_x + height * fraction(step, steps);
@@ -124,7 +143,9 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
         stations.push((top, wall.clone()));
         stations.push((bottom, wall));
     }
-    stations.push((window.lens_x, window.outline(window.lens_x, 0.0)));
+    let lens = window.outline(window.lens_x, 0.0);
+    stations.push((window.lens_x, lens.clone()));
+    stations.push((back_x, lens));
     let mesh = loft(Frame::FORWARD, &stations, End::Closed, End::Closed);
     Some(mesh.into_part(&format!("hood_{}", window.suffix()), material::PLASTIC))
 }
@@ -133,8 +154,12 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
 fn bezel(window: &Window, panel: &Panel) -> BodyPart {
     let x = panel.front_x;
     let ring = |grow| window.outline(x, grow);
-    let stations =
-        [(x - 0.1, ring(0.55)), (x + 0.1, ring(0.45)), (x + 0.1, ring(0.18)), (x - 0.1, ring(0.12))];
+    let stations = [
+        (x - 0.1, ring(0.29)),
+        (x + 0.1, ring(0.24)),
+        (x + 0.1, ring(0.1)),
+        (x - 0.1, ring(0.05)),
+    ];
     loft(Frame::FORWARD, &stations, End::Closed, End::Closed)
         .into_part(&format!("bezel_{}", window.suffix()), material::NICKEL)
 }
@@ -193,7 +218,10 @@ fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
             (x + 0.12, window(centre, half, 1.0, 0.0)),
             (x - 0.05, window(centre, half, 1.0, -0.1)),
         ];
-        let pane = [(x - 0.1, window(centre, half, 1.0, 0.1)), (x + 0.06, window(centre, half, 1.0, 0.1))];
+        let pane = [
+            (x - 0.1, window(centre, half, 1.0, 0.1)),
+            (x + 0.06, window(centre, half, 1.0, 0.1)),
+        ];
         parts.push(
             loft(Frame::FORWARD, &frame, End::Closed, End::Closed)
                 .into_part(&format!("{name}_frame"), material::PLASTIC),
@@ -210,17 +238,32 @@ fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
             parts.extend(flood_light(flood, x));
         }
     } else if let Some(tof) = place(Role::Tof) {
-        // No source places the emitter: above its camera, on the side of the middle.
-        let emitter = tof + DVec2::new(0.25 * (envelope.front.y - tof.x), 0.55 * envelope.half.y);
-        rectangle("tof_emitter", emitter, DVec2::new(3.6, 2.7));
+        // No source places the emitter: above its camera, midway to the edge of the glass.
+        let opening = panel.windows.iter().find(|window| window.role == Role::Tof);
+        let lower = tof.y + opening.map_or(0.0, |window| window.half().y);
+        let upper = panel.centre.y + panel.half.y;
+        rectangle(
+            "tof_emitter",
+            DVec2::new(tof.x, (lower + upper) / 2.0),
+            DVec2::new(3.6, 2.7),
+        );
     }
     parts
 }
 
 fn flood_light(centre: DVec2, x: f64) -> [BodyPart; 2] {
     let ring = |radius| circle(centre, radius, FINE);
-    let seat = [(x - 0.1, ring(2.4)), (x + 0.12, ring(2.3)), (x + 0.12, ring(1.7)), (x - 0.02, ring(1.5))];
-    let dome = [(x - 0.1, ring(1.25)), (x + 0.08, ring(1.2)), (x + 0.18, ring(0.9))];
+    let seat = [
+        (x - 0.1, ring(2.4)),
+        (x + 0.12, ring(2.3)),
+        (x + 0.12, ring(1.7)),
+        (x - 0.02, ring(1.5)),
+    ];
+    let dome = [
+        (x - 0.1, ring(1.25)),
+        (x + 0.08, ring(1.2)),
+        (x + 0.18, ring(0.9)),
+    ];
     [
         loft(Frame::FORWARD, &seat, End::Flat, End::Flat).into_part("flood_led_seat", material::PLASTIC),
         loft(Frame::FORWARD, &dome, End::Flat, End::Pole(x + 0.25)).into_part("flood_led", material::LED),

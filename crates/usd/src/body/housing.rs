@@ -5,6 +5,7 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use super::front::Panel;
 use super::loft::{End, Frame, loft};
 use super::material;
+use super::mesh::Mesh;
 use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
 use super::{BodyPart, Envelope, Family, fastener};
 
@@ -24,8 +25,7 @@ pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<B
 pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let bevel = (0.3 * radius).min(0.1 * envelope.depth);
-    let outline =
-        |inset: f64| rounded_rectangle(envelope.centre(), envelope.half - inset, radius - inset, 3);
+    let outline = |inset: f64| rounded_rectangle(envelope.centre(), envelope.half - inset, radius - inset, 3);
     let (back, front) = (envelope.back_x(), envelope.front.x);
     let stations = [
         (back, outline(bevel)),
@@ -74,7 +74,7 @@ fn shell(envelope: &Envelope, family: Family, panel: &Panel, back_x: f64, metal:
 }
 
 /// A vertical fin: its middle's y, its extents along x and z.
-fn fin(name: &str, y: f64, thickness: f64, x: [f64; 2], z: [f64; 2], metal: &'static str) -> BodyPart {
+fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
     let centre = DVec2::new((z[0] + z[1]) / 2.0, (x[0] + x[1]) / 2.0);
     let half = DVec2::new((z[1] - z[0]).abs() / 2.0, (x[1] - x[0]).abs() / 2.0);
     let bevel = 0.25 * thickness;
@@ -85,12 +85,21 @@ fn fin(name: &str, y: f64, thickness: f64, x: [f64; 2], z: [f64; 2], metal: &'st
         (thickness / 2.0 - bevel, outline(0.0)),
         (thickness / 2.0, outline(bevel)),
     ];
-    loft(Frame::left(DVec3::new(0.0, y, 0.0)), &stations, End::Flat, End::Flat).into_part(name, metal)
+    loft(
+        Frame::left(DVec3::new(0.0, y, 0.0)),
+        &stations,
+        End::Flat,
+        End::Flat,
+    )
 }
 
 /// Evenly spaced from `-half` to `half`, about `pitch` apart.
 fn spread(half: f64, pitch: f64) -> impl Iterator<Item = f64> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few dozen")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to a few dozen"
+    )]
     let gaps = (2.0 * half / pitch).round().clamp(1.0, 40.0) as usize;
     (0..=gaps).map(move |i| half * (2.0 * fraction(i, gaps) - 1.0))
 }
@@ -101,19 +110,29 @@ fn bar(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let wall = back + fins;
     let mut parts = vec![shell(envelope, Family::Bar, panel, wall, material::ALUMINIUM)];
     let reach = half.y - 4.0;
-    for (i, y) in spread(0.47 * half.x, 4.4).enumerate() {
+    let mut comb = Mesh::default();
+    for y in spread(0.47 * half.x, 4.4) {
         let z = [centre.y - reach, centre.y + reach];
-        let name = format!("fin_{i:02}");
-        parts.push(fin(&name, centre.x + y, 1.7, [back, wall + 1.5], z, material::ALUMINIUM));
+        comb.append(&fin(centre.x + y, 1.7, [back, wall + 1.5], z));
     }
+    parts.push(comb.into_part("fins", material::ALUMINIUM));
     let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
-    parts.extend(fastener::socket("connector_m12", on_wall(-0.72 * half.x, 0.0), 6.0, fins - 0.4));
-    parts.extend(fastener::socket("connector_m8", on_wall(0.72 * half.x, 0.0), 4.0, fins - 1.2));
+    parts.extend(fastener::socket(
+        "connector_m12",
+        on_wall(-0.72 * half.x, 0.0),
+        6.0,
+        fins - 0.4,
+    ));
+    parts.extend(fastener::socket(
+        "connector_m8",
+        on_wall(0.72 * half.x, 0.0),
+        4.0,
+        fins - 1.2,
+    ));
     let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-    for (i, (side, up)) in corners.into_iter().enumerate() {
-        let place = on_wall(side * (half.x - 8.5), up * (half.y - 6.5));
-        parts.push(fastener::screw(&format!("screw_{i}"), place));
-    }
+    parts.push(fastener::screws(
+        corners.map(|(side, up)| on_wall(side * (half.x - 8.5), up * (half.y - 6.5))),
+    ));
     parts
 }
 
@@ -122,19 +141,28 @@ fn compact(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let fins = 0.13 * envelope.depth;
     let wall = back + fins;
     let mut parts = vec![shell(envelope, Family::Box, panel, wall, material::ALUMINIUM)];
-    for (i, y) in spread(0.78 * half.x, 4.4).enumerate() {
+    let mut comb = Mesh::default();
+    for y in spread(0.78 * half.x, 4.4) {
         let z = [centre.y - 0.08 * half.y, centre.y + half.y - 4.0];
-        let name = format!("fin_{i:02}");
-        parts.push(fin(&name, centre.x + y, 1.7, [back, wall + 1.5], z, material::ALUMINIUM));
+        comb.append(&fin(centre.x + y, 1.7, [back, wall + 1.5], z));
     }
+    parts.push(comb.into_part("fins", material::ALUMINIUM));
     let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
     let low = -0.52 * half.y;
-    parts.extend(fastener::socket("connector_m12", on_wall(-0.36 * half.x, low), 6.0, fins - 0.4));
-    parts.extend(fastener::socket("connector_m8", on_wall(0.36 * half.x, low), 4.0, fins - 1.0));
-    for (i, side) in [1.0, -1.0].into_iter().enumerate() {
-        let place = on_wall(side * (half.x - 7.5), -(half.y - 7.5));
-        parts.push(fastener::screw(&format!("screw_{i}"), place));
-    }
+    parts.extend(fastener::socket(
+        "connector_m12",
+        on_wall(-0.36 * half.x, low),
+        6.0,
+        fins - 0.4,
+    ));
+    parts.extend(fastener::socket(
+        "connector_m8",
+        on_wall(0.36 * half.x, low),
+        4.0,
+        fins - 1.0,
+    ));
+    let low_corners = [1.0, -1.0].map(|side| on_wall(side * (half.x - 7.5), -(half.y - 7.5)));
+    parts.push(fastener::screws(low_corners));
     parts
 }
 
@@ -147,34 +175,52 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     // The core that the fins stand on, and the bay for the connectors.
     let wall = back + 0.12 * envelope.depth;
     let fin_depth = 0.17 * half.y.min(40.0);
-    let core_half = half - DVec2::new(1.0, fin_depth);
+    let core_half = half - DVec2::new(0.5, fin_depth);
     let core = |inset: f64| rounded_rectangle(centre, core_half - inset, 3.0, FINE);
-    let stations = [(wall, core(0.8)), (wall + 0.8, core(0.0)), (block_back + 3.0, core(0.0))];
+    let stations = [
+        (wall, core(0.8)),
+        (wall + 0.8, core(0.0)),
+        (block_back + 3.0, core(0.0)),
+    ];
     parts.push(loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
 
     let radius = envelope.corner_radius(Family::Comb);
     let bay_half = 0.36 * half.x;
     let thickness = 1.9;
-    for (i, y) in spread(half.x - thickness / 2.0, 4.8).enumerate() {
-        // The fins' ends follow the round corners of the block.
-        let outer = y.abs() + thickness / 2.0;
-        let into_corner = (outer - (half.x - radius)).clamp(0.0, radius);
-        let reach = half.y - radius + (radius * radius - into_corner * into_corner).sqrt();
+    let reach = half.y;
+    let mut fins = Mesh::default();
+    // As far as the block's round corners leave its full height.
+    for y in spread(half.x - radius.max(3.0) - thickness / 2.0, 4.8) {
         let bottom = if y.abs() < bay_half { 0.1 * half.y } else { -reach };
         let x = [back, block_back + 2.5];
-        let name = format!("fin_{i:02}");
-        parts.push(fin(&name, centre.x + y, thickness, x, [centre.y + bottom, centre.y + reach], metal));
+        fins.append(&fin(
+            centre.x + y,
+            thickness,
+            x,
+            [centre.y + bottom, centre.y + reach],
+        ));
         if y.abs() < bay_half {
             let x = [wall - 1.0, block_back + 2.5];
             let z = [centre.y - reach, centre.y - reach + 2.0 * fin_depth];
-            parts.push(fin(&format!("fin_{i:02}_low"), centre.x + y, thickness, x, z, metal));
+            fins.append(&fin(centre.x + y, thickness, x, z));
         }
     }
+    parts.push(fins.into_part("fins", metal));
     let on_wall = |y: f64, z: f64| DVec3::new(wall, centre.x + y, centre.y + z);
     let height = wall - back;
     let low = -0.36 * half.y;
-    parts.extend(fastener::socket("connector_m12", on_wall(-0.2 * half.x, low), 6.0, height - 0.6));
-    parts.extend(fastener::socket("connector_m8", on_wall(0.08 * half.x, low), 4.0, height - 1.6));
+    parts.extend(fastener::socket(
+        "connector_m12",
+        on_wall(-0.2 * half.x, low),
+        6.0,
+        height - 0.6,
+    ));
+    parts.extend(fastener::socket(
+        "connector_m8",
+        on_wall(0.08 * half.x, low),
+        4.0,
+        height - 1.6,
+    ));
     parts.push(fastener::usb_c(on_wall(0.25 * half.x, low), 0.8));
     parts
 }

@@ -14,16 +14,31 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Towards the front: (u, v, w) is (y, z, x).
-    pub(super) const FORWARD: Self = Self { origin: DVec3::ZERO, u: DVec3::Y, v: DVec3::Z, w: DVec3::X };
+    pub(super) const FORWARD: Self = Self {
+        origin: DVec3::ZERO,
+        u: DVec3::Y,
+        v: DVec3::Z,
+        w: DVec3::X,
+    };
 
     /// Towards the back from a place: (u, v, w) is (-y, z, -x).
     pub(super) const fn backward(origin: DVec3) -> Self {
-        Self { origin, u: DVec3::NEG_Y, v: DVec3::Z, w: DVec3::NEG_X }
+        Self {
+            origin,
+            u: DVec3::NEG_Y,
+            v: DVec3::Z,
+            w: DVec3::NEG_X,
+        }
     }
 
     /// Towards the left from a place: (u, v, w) is (z, x, y).
     pub(super) const fn left(origin: DVec3) -> Self {
-        Self { origin, u: DVec3::Z, v: DVec3::X, w: DVec3::Y }
+        Self {
+            origin,
+            u: DVec3::Z,
+            v: DVec3::X,
+            w: DVec3::Y,
+        }
     }
 
     pub(super) fn point(&self, uv: DVec2, w: f64) -> DVec3 {
@@ -55,7 +70,10 @@ pub(super) fn loft(frame: Frame, stations: &[(f64, Outline)], start: End, end: E
     let last = stations.len() - 1;
     let closed = end == End::Closed;
     for station in 0..if closed { stations.len() } else { last } {
-        let (near, far) = (station * count, if station == last { 0 } else { (station + 1) * count });
+        let (near, far) = (
+            station * count,
+            if station == last { 0 } else { (station + 1) * count },
+        );
         for i in 0..count {
             let j = (i + 1) % count;
             mesh.quad(near + i, near + j, far + j, far + i);
@@ -75,7 +93,11 @@ fn cap(mesh: &mut Mesh, frame: Frame, outline: &[DVec2], first: usize, end: End,
             // Strips between mirrored points: no fans, no slivers at a centre.
             for i in 0..count / 2 - 1 {
                 let [a, b, c, d] = [i, i + 1, count - 2 - i, count - 1 - i].map(|k| first + k);
-                if reversed { mesh.quad(d, c, b, a) } else { mesh.quad(a, b, c, d) }
+                if reversed {
+                    mesh.quad(d, c, b, a);
+                } else {
+                    mesh.quad(a, b, c, d);
+                }
             }
         }
         End::Pole(w) => {
@@ -84,7 +106,11 @@ fn cap(mesh: &mut Mesh, frame: Frame, outline: &[DVec2], first: usize, end: End,
             mesh.points.push(frame.point(centre, w));
             for i in 0..count {
                 let (a, b) = (first + i, first + (i + 1) % count);
-                if reversed { mesh.triangle(pole, b, a) } else { mesh.triangle(pole, a, b) }
+                if reversed {
+                    mesh.triangle(pole, b, a);
+                } else {
+                    mesh.triangle(pole, a, b);
+                }
             }
         }
         End::Closed => {}

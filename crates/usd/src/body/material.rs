@@ -35,7 +35,15 @@ const fn new(
     roughness: f32,
     clearcoat: f32,
 ) -> BodyMaterial {
-    BodyMaterial { name, diffuse, metallic, roughness, opacity: 1.0, ior: 1.5, clearcoat }
+    BodyMaterial {
+        name,
+        diffuse,
+        metallic,
+        roughness,
+        opacity: 1.0,
+        ior: 1.5,
+        clearcoat,
+    }
 }
 
 /// In order of name.
@@ -52,5 +60,7 @@ const ALL: [BodyMaterial; 8] = [
 
 /// The materials that the parts name.
 pub(super) fn used(parts: &[BodyPart]) -> Vec<BodyMaterial> {
-    ALL.into_iter().filter(|material| parts.iter().any(|part| part.material == material.name)).collect()
+    ALL.into_iter()
+        .filter(|material| parts.iter().any(|part| part.material == material.name))
+        .collect()
 }

@@ -24,6 +24,14 @@ impl Mesh {
         self.indices.extend([a, b, c, d]);
     }
 
+    pub(super) fn append(&mut self, other: &Self) {
+        let first = self.points.len();
+        self.points.extend(&other.points);
+        self.counts.extend(&other.counts);
+        self.indices
+            .extend(other.indices.iter().map(|index| first + index));
+    }
+
     /// The part in metres, with normals averaged by area across edges that are no creases.
     pub(super) fn into_part(self, name: &str, material: &'static str) -> BodyPart {
         let faces = self.faces();
@@ -31,20 +39,31 @@ impl Mesh {
         let units: Vec<DVec3> = areas.iter().map(|area| area.normalize_or_zero()).collect();
         let around = Incidence::of(&faces, self.points.len());
         let mut normals = Vec::with_capacity(self.indices.len());
+        // Most vertices have one normal for all of their faces: the last one found there, with what it is the sum of.
+        let mut known = vec![(DVec3::NAN, [0.0; 3]); self.points.len()];
         for (face, unit) in faces.iter().zip(&units) {
             for &vertex in *face {
-                let sum: DVec3 = around
-                    .faces(vertex)
-                    .filter(|&other| units[other].dot(*unit) > CREASE_COS)
-                    .map(|other| areas[other])
-                    .sum();
-                normals.push(rounded(sum.normalize_or(*unit), 1e4));
+                let mut sum = DVec3::ZERO;
+                for &other in around.faces(vertex) {
+                    let smooth = f64::from(u8::from(units[other].dot(*unit) > CREASE_COS));
+                    sum += areas[other] * smooth;
+                }
+                let (known_sum, normal) = &mut known[vertex];
+                if *known_sum != sum {
+                    *known_sum = sum;
+                    *normal = rounded(sum.normalize_or(*unit), 1.0, 1e-4);
+                }
+                normals.push(*normal);
             }
         }
         let integer = |value: &usize| i32::try_from(*value).unwrap_or(i32::MAX);
         BodyPart {
             name: name.to_owned(),
-            points: self.points.iter().map(|&point| rounded(point / 1e3, 1e6)).collect(),
+            points: self
+                .points
+                .iter()
+                .map(|&point| rounded(point, 1e-3, 1e-6))
+                .collect(),
             face_vertex_counts: self.counts.iter().map(integer).collect(),
             face_vertex_indices: self.indices.iter().map(integer).collect(),
             normals,
@@ -100,12 +119,16 @@ impl Incidence {
         Self { starts, faces: table }
     }
 
-    fn faces(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
-        self.faces[self.starts[vertex]..self.starts[vertex + 1]].iter().copied()
+    fn faces(&self, vertex: usize) -> &[usize] {
+        &self.faces[self.starts[vertex]..self.starts[vertex + 1]]
     }
 }
 
-/// Short in text, and never `-0`.
-fn rounded(value: DVec3, steps_per_unit: f64) -> [f32; 3] {
-    ((value * steps_per_unit).round() / steps_per_unit + DVec3::ZERO).as_vec3().to_array()
+/// `value × scale` to a multiple of `step`: short in text, and never `-0`.
+fn rounded(value: DVec3, scale: f64, step: f64) -> [f32; 3] {
+    // Adding 1.5 × 2^52 leaves no fraction bits: rounding without a library call, for all that fits a body.
+    const WHOLE: DVec3 = DVec3::splat(6_755_399_441_055_744.0);
+    ((value * (scale / step) + WHOLE - WHOLE) * step + DVec3::ZERO)
+        .as_vec3()
+        .to_array()
 }

@@ -98,7 +98,7 @@ impl Envelope {
     fn corner_radius(&self, family: Family) -> f64 {
         let share = match family {
             Family::Bar => 0.46,
-            Family::Comb => 0.2,
+            Family::Comb => 0.14,
             Family::Box => 0.3,
         };
         share * self.half.min_element()

@@ -4,8 +4,10 @@ use oaktwin_camera::math::DVec2;
 
 /// Points of a convex outline in one quadrant.
 pub(super) const FINE: usize = 8;
+/// The same for connectors.
+pub(super) const MEDIUM: usize = 6;
 /// The same for small things.
-pub(super) const COARSE: usize = 4;
+pub(super) const COARSE: usize = 3;
 
 /// A counter-clockwise convex polygon, symmetric about both of its axes, `4 × quadrant` points; it starts in the
 /// first quadrant. Outlines of one count are lofted into each other point by point.
@@ -13,7 +15,9 @@ pub(super) type Outline = Vec<DVec2>;
 
 /// A rectangle with round corners. The radius is kept within what fits.
 pub(super) fn rounded_rectangle(centre: DVec2, half: DVec2, radius: f64, quadrant: usize) -> Outline {
-    let radius = radius.min(0.999 * half.min_element()).max(0.02 * half.min_element());
+    let radius = radius
+        .min(0.999 * half.min_element())
+        .max(0.02 * half.min_element());
     let signs = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
     let mut points = Vec::with_capacity(4 * quadrant);
     let mut start = 0.0;

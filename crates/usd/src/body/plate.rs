@@ -14,12 +14,7 @@ pub(super) struct Opening {
 /// A plate with openings, from `back_x` to `front_x`; its front edge is bevelled.
 ///
 /// The openings are in order of falling u, and `cuts` are the u of lines between them, one fewer.
-pub(super) fn plate(
-    outer: &[Outline; 3],
-    levels: [f64; 3],
-    openings: &[Opening],
-    cuts: &[f64],
-) -> Mesh {
+pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening], cuts: &[f64]) -> Mesh {
     let frame = Frame::FORWARD;
     let mut mesh = Mesh::default();
     // Seams cross the outer outline at the same share of the same edges on every level.
@@ -29,7 +24,8 @@ pub(super) fn plate(
         .zip(levels)
         .map(|(outline, x)| {
             let first = mesh.points.len();
-            mesh.points.extend(splits.iter().map(|place| frame.point(place.on(outline), x)));
+            mesh.points
+                .extend(splits.iter().map(|place| frame.point(place.on(outline), x)));
             (first..mesh.points.len()).collect()
         })
         .collect();
@@ -40,9 +36,11 @@ pub(super) fn plate(
     let mut holes = Vec::with_capacity(openings.len());
     for opening in openings {
         let back = mesh.points.len();
-        mesh.points.extend(opening.back.iter().map(|&uv| frame.point(uv, levels[0])));
+        mesh.points
+            .extend(opening.back.iter().map(|&uv| frame.point(uv, levels[0])));
         let front = mesh.points.len();
-        mesh.points.extend(opening.front.iter().map(|&uv| frame.point(uv, levels[2])));
+        mesh.points
+            .extend(opening.front.iter().map(|&uv| frame.point(uv, levels[2])));
         let back: Vec<usize> = (back..front).collect();
         let front: Vec<usize> = (front..mesh.points.len()).collect();
         walls(&mut mesh, &front, &back);
@@ -51,8 +49,18 @@ pub(super) fn plate(
     let seams: Vec<(usize, usize)> = (0..cuts.len()).map(|cut| seam(&splits, &flat, cut)).collect();
     for (index, (front, back)) in holes.iter().enumerate() {
         let cell = cell(flat.len(), index, &seams);
-        bridge(&mut mesh, front, &cell.iter().map(|&i| rings[2][i]).collect::<Vec<_>>(), false);
-        bridge(&mut mesh, back, &cell.iter().map(|&i| rings[0][i]).collect::<Vec<_>>(), true);
+        bridge(
+            &mut mesh,
+            front,
+            &cell.iter().map(|&i| rings[2][i]).collect::<Vec<_>>(),
+            false,
+        );
+        bridge(
+            &mut mesh,
+            back,
+            &cell.iter().map(|&i| rings[0][i]).collect::<Vec<_>>(),
+            true,
+        );
     }
     mesh
 }
@@ -75,13 +83,21 @@ impl Place {
 fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
     let mut places = Vec::with_capacity(outline.len() + 2 * cuts.len());
     for edge in 0..outline.len() {
-        places.push(Place { edge, share: 0.0, cut: None });
+        places.push(Place {
+            edge,
+            share: 0.0,
+            cut: None,
+        });
         let (a, b) = (outline[edge].x, outline[(edge + 1) % outline.len()].x);
         let mut crossed: Vec<Place> = cuts
             .iter()
             .enumerate()
             .filter(|(_, u)| (a - **u) * (b - **u) < 0.0)
-            .map(|(cut, &u)| Place { edge, share: (u - a) / (b - a), cut: Some(cut) })
+            .map(|(cut, &u)| Place {
+                edge,
+                share: (u - a) / (b - a),
+                cut: Some(cut),
+            })
             .collect();
         crossed.sort_by(|a, b| a.share.total_cmp(&b.share));
         places.extend(crossed);
@@ -123,38 +139,35 @@ fn walls(mesh: &mut Mesh, near: &[usize], far: &[usize]) {
 }
 
 /// Fills the band between a convex opening and the convex cell around it, both counter-clockwise in (y, z).
+///
+/// An edge of the one is joined to the vertex of the other that lies farthest along the edge's normal: by convexity no
+/// triangle turns over. In order of the edges' directions this walks around both once.
 fn bridge(mesh: &mut Mesh, hole: &[usize], cell: &[usize], reversed: bool) {
     let at = |mesh: &Mesh, i: usize| DVec2::new(mesh.points[i].y, mesh.points[i].z);
-    let cross = |mesh: &Mesh, a: usize, b: usize, c: usize| {
-        (at(mesh, b) - at(mesh, a)).perp_dot(at(mesh, c) - at(mesh, a))
+    let edge = |mesh: &Mesh, ring: &[usize], i: usize| {
+        at(mesh, ring[(i + 1) % ring.len()]) - at(mesh, ring[i % ring.len()])
     };
-    let distance = |mesh: &Mesh, a: usize, b: usize| at(mesh, a).distance_squared(at(mesh, b));
+    let normal = -edge(mesh, hole, 0).perp();
+    let along = |mesh: &Mesh, i: usize| at(mesh, cell[i]).dot(normal);
     let start = (0..cell.len())
-        .min_by(|&a, &b| distance(mesh, hole[0], cell[a]).total_cmp(&distance(mesh, hole[0], cell[b])))
+        .max_by(|&a, &b| along(mesh, a).total_cmp(&along(mesh, b)))
         .unwrap_or(0);
     let (mut h, mut c) = (0, 0);
     while h < hole.len() || c < cell.len() {
-        let before = hole[(h + hole.len() - 1) % hole.len()];
-        let (inner, next_inner) = (hole[h % hole.len()], hole[(h + 1) % hole.len()]);
-        let (outer, next_outer) = (cell[(start + c) % cell.len()], cell[(start + c + 1) % cell.len()]);
-        // A diagonal may not cross the opening: its far end lies outside one of the two edges at its near end.
-        let outside = |a: usize, b: usize, point: usize| cross(mesh, a, b, point) < -1e-9;
-        let inner_can = h < hole.len() && outside(inner, next_inner, outer);
-        let outer_can = c < cell.len()
-            && cross(mesh, inner, outer, next_outer) > 1e-9
-            && (outside(inner, next_inner, next_outer) || outside(before, inner, next_outer));
-        let advance_inner = match (inner_can, outer_can) {
-            (true, true) => distance(mesh, next_inner, outer) <= distance(mesh, inner, next_outer),
-            (false, false) => h < hole.len(),
-            (inner_can, _) => inner_can,
-        };
-        let [a, b, c_index] = if advance_inner {
+        let (inner, outer) = (hole[h % hole.len()], cell[(start + c) % cell.len()]);
+        let turn = edge(mesh, hole, h).perp_dot(edge(mesh, cell, start + c));
+        let advance_inner = c == cell.len() || (h < hole.len() && turn >= 0.0);
+        let next = if advance_inner {
             h += 1;
-            [inner, outer, next_inner]
+            hole[h % hole.len()]
         } else {
             c += 1;
-            [inner, outer, next_outer]
+            cell[(start + c) % cell.len()]
         };
-        if reversed { mesh.triangle(c_index, b, a) } else { mesh.triangle(a, b, c_index) }
+        if reversed {
+            mesh.triangle(next, outer, inner);
+        } else {
+            mesh.triangle(inner, outer, next);
+        }
     }
 }

@@ -196,15 +196,18 @@ pub(super) fn fit(
         })
         .collect();
     for (i, window) in windows.iter_mut().enumerate() {
-        let left = i.checked_sub(1).map_or(f64::INFINITY, |before| cuts[before] - window.centre.x);
+        let left = i
+            .checked_sub(1)
+            .map_or(f64::INFINITY, |before| cuts[before] - window.centre.x);
         let right = cuts.get(i).map_or(f64::INFINITY, |cut| window.centre.x - cut);
         let half = DVec2::new(left.min(right) - WEB / 2.0, f64::INFINITY).min(room(window.centre));
         window.shape = window.shape.limited(half);
         for _ in 0..24 {
             let outline = window.shape.outline(window.centre, 0.0);
-            if outline.iter().all(|&point| {
-                depth_inside(point - panel_centre, panel_half, panel_radius) > WEB / 2.0
-            }) {
+            if outline
+                .iter()
+                .all(|&point| depth_inside(point - panel_centre, panel_half, panel_radius) > WEB / 2.0)
+            {
                 break;
             }
             window.shape = window.shape.scaled(0.93);

@@ -7,7 +7,9 @@ use oaktwin_catalog::{Catalog, Origin, Twin};
 use oaktwin_diagnostic::Level;
 
 use super::*;
-use crate::asset::{AssetOptions, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, Target, asset, overrides};
+use crate::asset::{
+    AssetOptions, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, Target, asset, overrides,
+};
 
 /// A unit as its factory calibrates it: focal lengths 2 % off, fx and fy apart, the principal point moved.
 fn calibrated(nominal: &Twin, fisheye: bool) -> Twin {
@@ -54,9 +56,17 @@ fn every_option() -> Vec<AssetOptions> {
             ApertureOffsets::Zero,
         ] {
             all.push(AssetOptions {
-                isaac: if bit(0) { IsaacVersion::V6 } else { IsaacVersion::V5_1 },
+                isaac: if bit(0) {
+                    IsaacVersion::V6
+                } else {
+                    IsaacVersion::V5_1
+                },
                 target: if bit(1) { Target::Ovrtx } else { Target::Isaac },
-                lens: if bit(2) { LensChoice::Fisheye } else { LensChoice::Pinhole },
+                lens: if bit(2) {
+                    LensChoice::Fisheye
+                } else {
+                    LensChoice::Pinhole
+                },
                 aperture_offsets: offsets,
                 extended_disparity: bit(3),
                 legacy_distortion: bit(0),
@@ -70,7 +80,10 @@ fn every_option() -> Vec<AssetOptions> {
 
 /// What is worse than a note.
 fn complaints(report: &Report) -> Vec<String> {
-    let worse = report.findings.iter().filter(|finding| finding.level > Level::Note);
+    let worse = report
+        .findings
+        .iter()
+        .filter(|finding| finding.level > Level::Note);
     worse.map(ToString::to_string).collect()
 }
 
@@ -81,18 +94,31 @@ fn our_own_assets_with_every_option_earn_notes_at_most() {
     let mut checked = 0;
     for device in catalog.devices() {
         let nominal = catalog.nominal(device);
-        let units = [nominal.clone(), calibrated(&nominal, false), calibrated(&nominal, true)];
+        let units = [
+            nominal.clone(),
+            calibrated(&nominal, false),
+            calibrated(&nominal, true),
+        ];
         for twin in &units {
             for options in every_option() {
-                let Ok(asset) = asset(twin, &options) else { continue };
-                let format = if options.rigid_body { Format::Usdz } else { Format::Usd };
+                let Ok(asset) = asset(twin, &options) else {
+                    continue;
+                };
+                let format = if options.rigid_body {
+                    Format::Usdz
+                } else {
+                    Format::Usd
+                };
                 let path = folder.path().join(asset.file_name(format));
                 std::fs::write(&path, asset.bytes(format).unwrap()).unwrap();
                 for model in [None, Some(&nominal)] {
                     let report = check(&path, &CheckOptions { catalog, model }).unwrap();
                     assert_eq!(complaints(&report), [""; 0], "{} {options:?}", device.name);
                     assert_eq!(report.depth_sensors.len(), device.depth_sensors.len());
-                    assert_eq!(report.cameras.len(), device.cameras.len() + device.depth_sensors.len());
+                    assert_eq!(
+                        report.cameras.len(),
+                        device.cameras.len() + device.depth_sensors.len()
+                    );
                     assert!(report.cameras.iter().all(|camera| camera.model.is_some()));
                 }
                 checked += 1;
@@ -114,7 +140,12 @@ fn a_layer_of_overrides_is_checked_on_top_of_its_asset() {
         std::fs::write(folder.path().join(&base_name), base.text()).unwrap();
         let unit = calibrated(&nominal, false);
         let reference = format!("./{base_name}");
-        let over = overrides(&unit, &options, &OverrideBase::new(&reference, &unit, PrimNames::Document)).unwrap();
+        let over = overrides(
+            &unit,
+            &options,
+            &OverrideBase::new(&reference, &unit, PrimNames::Document),
+        )
+        .unwrap();
         let path = folder.path().join("unit.usda");
         std::fs::write(&path, over.text()).unwrap();
         let report = check(&path, &CheckOptions::default()).unwrap();
@@ -125,7 +156,11 @@ fn a_layer_of_overrides_is_checked_on_top_of_its_asset() {
         let report = check(&path, &CheckOptions::default()).unwrap();
         let codes: Vec<&str> = report.findings.iter().map(|finding| finding.code).collect();
         assert_eq!(codes, ["no-camera", "composition"], "{:?}", report.findings);
-        assert!(report.findings[0].message.contains("only overrides"), "{:?}", report.findings);
+        assert!(
+            report.findings[0].message.contains("only overrides"),
+            "{:?}",
+            report.findings
+        );
     }
 }
 
@@ -137,5 +172,9 @@ fn codes_are_unique_and_every_rule_says_what_it_finds() {
     codes.dedup();
     assert_eq!(codes.len(), all);
     assert!(RULES.iter().all(|rule| !rule.what.is_empty()));
-    assert!(RULES.iter().all(|rule| rule.level == Level::Note || !rule.remedy.is_empty()));
+    assert!(
+        RULES
+            .iter()
+            .all(|rule| rule.level == Level::Note || !rule.remedy.is_empty())
+    );
 }

@@ -1,0 +1,196 @@
+use oaktwin_diagnostic::Finding;
+
+use crate::model::{Board, Calibration};
+use crate::raw::Raw;
+use crate::reader::{Field, Reader};
+use crate::{CalibrationError, check};
+
+mod camera;
+mod link;
+mod stereo;
+
+const TOP_KEYS: [&str; 21] = [
+    "version",
+    "productName",
+    "boardName",
+    "boardRev",
+    "boardConf",
+    "hardwareConf",
+    "boardCustom",
+    "deviceName",
+    "batchName",
+    "batchTime",
+    "boardOptions",
+    "cameraData",
+    "stereoRectificationData",
+    "imuExtrinsics",
+    "housingExtrinsics",
+    "miscellaneousData",
+    "stereoUseSpecTranslation",
+    "stereoEnableDistortionCorrection",
+    "verticalCameraSocket",
+    "imuCalibrationParams",
+    "swapLeftRightCam",
+];
+
+impl Calibration {
+    /// Reads and checks a document. The findings are what is odd; among them a baseline that is far from the board's
+    /// design is an [error](oaktwin_diagnostic::Level::Error) that [`crate::force`] makes a warning.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Meaningless`] with everything that makes the file no calibration.
+    pub fn from_raw(raw: &Raw) -> Result<(Self, Vec<Finding>), CalibrationError> {
+        let mut reader = Reader::default();
+        let calibration = document(&mut reader, raw);
+        if reader.errors.is_empty()
+            && let Some(calibration) = &calibration
+        {
+            check::cameras(&mut reader, calibration);
+            check::links(&mut reader, calibration);
+            if reader.errors.is_empty() {
+                check::stereo(&mut reader, calibration);
+            }
+        }
+        match calibration {
+            Some(calibration) if reader.errors.is_empty() => Ok((calibration, reader.findings)),
+            _ => Err(CalibrationError::Meaningless {
+                file: raw.name.clone(),
+                errors: reader.errors,
+            }),
+        }
+    }
+}
+
+/// `None` has an error in the reader, as has any value that could not be read.
+fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
+    let root = Field::root(&raw.root);
+    reader.object(&root, &TOP_KEYS)?;
+    let version = version(reader, &root)?;
+    let board = board(reader, &root);
+    let cameras = camera::cameras(reader, &root)?;
+    if reader.errors.is_empty() {
+        old_names(reader, &root, version);
+    }
+    let link = |reader: &mut Reader, key| root.get(key).and_then(|field| link::placed(reader, &field));
+    let imu = link(reader, "imuExtrinsics");
+    let housing = link(reader, "housingExtrinsics");
+    let stereo = root
+        .get("stereoRectificationData")
+        .and_then(|field| stereo::stereo(reader, &field, &cameras));
+    Some(Calibration {
+        file_name: raw.name.clone(),
+        version,
+        board,
+        cameras,
+        stereo,
+        imu,
+        housing,
+    })
+}
+
+fn version(reader: &mut Reader, root: &Field<'_>) -> Option<u32> {
+    let Some(field) = root.get("version") else {
+        reader.warn(
+            "no-version",
+            "version",
+            "the key is missing; read as version 7, as DepthAI does",
+            "add it",
+        );
+        return Some(7);
+    };
+    let version = reader.integer(&field, 0, u32::MAX.into())?;
+    if version < 4 {
+        let message = format!("version {version} has no camera parameters that DepthAI reads; 5 to 7 have");
+        reader.error(
+            "old-version",
+            "version",
+            message,
+            "calibrate again with a current DepthAI",
+        );
+        return None;
+    }
+    if version > 7 {
+        let message = format!("version {version} is newer than 7; read as 7");
+        reader.warn(
+            "new-version",
+            "version",
+            message,
+            "compare the result with DepthAI's",
+        );
+    }
+    u32::try_from(version).ok()
+}
+
+fn board(reader: &mut Reader, root: &Field<'_>) -> Board {
+    let mut text = |key| {
+        root.get(key)
+            .and_then(|field| reader.text(&field))
+            .unwrap_or_default()
+    };
+    let mut board = Board {
+        product_name: text("productName"),
+        board_name: text("boardName"),
+        board_rev: text("boardRev"),
+        board_conf: text("boardConf"),
+        hardware_conf: text("hardwareConf"),
+        board_custom: text("boardCustom"),
+        device_name: text("deviceName"),
+        ..Board::default()
+    };
+    let mut number = |key, most| {
+        root.get(key)
+            .and_then(|field| reader.integer(&field, 0, most))
+            .unwrap_or_default()
+    };
+    board.batch_time = number("batchTime", 1 << 52);
+    board.board_options = number("boardOptions", u32::MAX.into());
+    board
+}
+
+/// What only version 5 has. `DepthAI` refuses such files, so whoever uses one should know.
+fn old_names(reader: &mut Reader, root: &Field<'_>, version: u32) {
+    let mut old: Vec<&str> = Vec::new();
+    let mut lacking: Vec<&str> = Vec::new();
+    let items = root
+        .get("cameraData")
+        .and_then(|f| reader.array(&f))
+        .unwrap_or_default();
+    for camera in items
+        .iter()
+        .filter_map(|item| reader.array(item)?.get(1).cloned())
+    {
+        let has = |key| camera.get(key).is_some();
+        let extrinsics_has = |key| camera.get("extrinsics").is_some_and(|e| e.get(key).is_some());
+        old.extend(["measuredFovDeg"].into_iter().filter(|key| has(key)));
+        old.extend(
+            ["measuredTranslation", "fromCameraSocket"]
+                .into_iter()
+                .filter(|key| extrinsics_has(key)),
+        );
+        lacking.extend(["cameraType", "lensPosition"].into_iter().filter(|key| !has(key)));
+    }
+    for keys in [&mut old, &mut lacking] {
+        keys.sort_unstable();
+        keys.dedup();
+    }
+    if old.is_empty() && lacking.is_empty() {
+        return;
+    }
+    let mut message = format!("version {version}");
+    if !old.is_empty() {
+        message += &format!(" with the old keys {}", old.join(", "));
+    }
+    if !lacking.is_empty() {
+        message += &format!(
+            " without {} (read as 0: perspective, fixed focus)",
+            lacking.join(", ")
+        );
+    }
+    message += "; DepthAI itself refuses such a file";
+    reader.warn(
+        "old-names",
+        "cameraData",
+        message,
+        "export it again with a current DepthAI",
+    );
+}
