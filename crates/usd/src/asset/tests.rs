@@ -112,7 +112,14 @@ fn optics_are_those_of_the_sheet() {
 #[test]
 fn the_trees_of_the_sheet() {
     let names = |id: &str| {
-        let asset = asset(&nominal_of(id), &AssetOptions { body: false, ..plain() }).unwrap();
+        let asset = asset(
+            &nominal_of(id),
+            &AssetOptions {
+                body: false,
+                ..plain()
+            },
+        )
+        .unwrap();
         let device = &asset.layer.prims[0].children[0];
         let mut names: Vec<String> = device.children.iter().map(|child| child.name.clone()).collect();
         let products = device.child(PRODUCTS).unwrap();
