@@ -143,6 +143,7 @@ fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
         "-m",
         "pytest",
         "--quiet",
+        "-rs",
         "--color=no",
         "-p",
         "no:cacheprovider",
