@@ -112,7 +112,14 @@ fn optics_are_those_of_the_sheet() {
 #[test]
 fn the_trees_of_the_sheet() {
     let names = |id: &str| {
-        let asset = asset(&nominal_of(id), &AssetOptions { body: false, ..plain() }).unwrap();
+        let asset = asset(
+            &nominal_of(id),
+            &AssetOptions {
+                body: false,
+                ..plain()
+            },
+        )
+        .unwrap();
         let device = &asset.layer.prims[0].children[0];
         let mut names: Vec<String> = device.children.iter().map(|child| child.name.clone()).collect();
         let products = device.child(PRODUCTS).unwrap();
@@ -572,22 +579,6 @@ fn write_for_openusd() {
             }
             let path = format!("{}.{}", path.display(), format.extension());
             std::fs::write(path, made.bytes(format).unwrap()).unwrap();
-        }
-    }
-}
-
-#[test]
-fn timing_tmp() {
-    let twins = nominal();
-    for body in [true, false] {
-        for _ in 0..5 {
-            let o = AssetOptions { body, ..plain() };
-            let t = std::time::Instant::now();
-            let v: Vec<_> = twins.iter().map(|t| asset(t, &o).unwrap()).collect();
-            let a = t.elapsed();
-            let t = std::time::Instant::now();
-            let n: usize = v.iter().map(|t| t.text().len()).sum();
-            println!("five {body} {n} bytes build {a:?} text {:?}", t.elapsed());
         }
     }
 }
