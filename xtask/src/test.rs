@@ -25,7 +25,7 @@ pub(crate) struct Args {
 /// The programs that the Python tests run.
 struct Programs {
     oaktwin: PathBuf,
-    camera_eval: Option<PathBuf>,
+    camera_eval: PathBuf,
 }
 
 /// What became of a Python environment.
@@ -123,16 +123,17 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
 }
 
 fn build_programs() -> Result<Programs, String> {
-    let mut programs = workspace::build(&["--package", "oaktwin-cli", "--bin", "oaktwin"])?;
-    let oaktwin = programs
-        .remove("oaktwin")
-        .ok_or("cargo built no program named oaktwin")?;
-    let mut camera_eval = None;
-    if workspace::root().join("crates/testkit").is_dir() {
-        let mut programs = workspace::build(&["--package", "oaktwin-testkit", "--bin", "camera-eval"])?;
-        camera_eval = programs.remove("camera-eval");
-    }
-    Ok(Programs { oaktwin, camera_eval })
+    // The whole workspace's features, as the tests were built with: nothing is compiled twice.
+    let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin", "--bin", "camera-eval"])?;
+    let mut take = |name| {
+        programs
+            .remove(name)
+            .ok_or(format!("cargo built no program named {name}"))
+    };
+    Ok(Programs {
+        oaktwin: take("oaktwin")?,
+        camera_eval: take("camera-eval")?,
+    })
 }
 
 fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
@@ -151,9 +152,7 @@ fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
         command.arg("--slow");
     }
     command.env("OAKTWIN_BIN", &programs.oaktwin);
-    if let Some(camera_eval) = &programs.camera_eval {
-        command.env("OAKTWIN_CAMERA_EVAL", camera_eval);
-    }
+    command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
     // The environment is pinned: nothing of the user's own Python gets in.
     command
         .env_remove("PYTHONPATH")

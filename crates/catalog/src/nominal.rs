@@ -6,6 +6,12 @@ use crate::{Catalog, Device, Origin, Twin, TwinCamera, TwinDepthSensor};
 const M_PER_MM: f64 = 1e-3;
 
 impl Catalog {
+    /// The [nominal](Self::nominal) twins of all devices, in their order.
+    #[must_use]
+    pub fn nominals(&self) -> Vec<Twin> {
+        self.devices().iter().map(|device| self.nominal(device)).collect()
+    }
+
     /// The ideal device of the catalog: every camera a centred pinhole of its field of view at its sensor's used
     /// resolution, in its nominal place, looking along +x of the body.
     ///

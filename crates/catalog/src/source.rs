@@ -109,7 +109,8 @@ mod tests {
     #[test]
     fn a_key_has_its_own_source_or_its_tables() {
         let device = Catalog::builtin().device("OAK4-D").unwrap();
-        assert_eq!(device.body.source_of("front_mm"), Source::BoardFile);
+        let pro = Catalog::builtin().device("OAK-D Pro PoE").unwrap();
+        assert_eq!(pro.body.source_of("mass_g"), Source::VendorPage);
         assert_eq!(device.body.source_of("mass_g"), Source::Estimate);
         assert_eq!(device.imu.source_of("model"), Source::Document);
         assert_eq!(device.imu.source_of("rotation"), Source::Estimate);

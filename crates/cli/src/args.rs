@@ -139,7 +139,7 @@ pub(crate) struct CalibrationExportArgs {
     #[arg(value_name = "FILE|MODEL", value_hint = ValueHint::FilePath)]
     pub(crate) from: String,
 
-    /// The format: ROS camera_info, OpenCV FileStorage, Kalibr camchain, DepthAI JSON
+    /// The format: ROS camera info, OpenCV FileStorage, Kalibr camchain, DepthAI JSON
     #[arg(long, value_enum)]
     pub(crate) to: ExportFormat,
 

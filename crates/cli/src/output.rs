@@ -13,9 +13,12 @@ use crate::context::Result;
 /// Prints text as it is.
 pub(crate) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())?;
-    out.flush()?;
-    Ok(())
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(format!("standard output: cannot be written ({error}); send it elsewhere").into())
+        }
+        written => Ok(written?),
+    }
 }
 
 pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {

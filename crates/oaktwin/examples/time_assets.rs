@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use oaktwin::catalog::Catalog;
-use oaktwin::usd::asset::{AssetOptions, Format, asset};
+use oaktwin::usd::asset::{AssetOptions, Format, files};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = std::env::args_os().skip(1);
@@ -28,9 +28,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn write_all(folder: &Path) -> Result<(), Box<dyn Error>> {
     let catalog = Catalog::builtin();
-    for device in catalog.devices() {
-        let made = asset(&catalog.nominal(device), &AssetOptions::default())?;
-        std::fs::write(folder.join(made.file_name(Format::Usd)), made.bytes(Format::Usd)?)?;
+    let twins = catalog.nominals();
+    for file in files(&twins, &AssetOptions::default(), Format::Usd)? {
+        std::fs::write(folder.join(file.name), file.bytes)?;
     }
     Ok(())
 }

@@ -1,4 +1,27 @@
 //! Digital twins of Luxonis OAK depth cameras: one door to all of oaktwin's crates.
+//!
+//! A [`Twin`](catalog::Twin) is a device with every camera resolved: optics, lens, place. It comes from the
+//! [`Catalog`](catalog::Catalog), nominal, or from a calibration, as one unit's ([`unit::open`]), and becomes a USD
+//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]).
+//!
+//! ```
+//! use oaktwin::camera::{Usd, math::DVec3};
+//! use oaktwin::catalog::{Catalog, Role};
+//! use oaktwin::usd::asset::{AssetOptions, asset};
+//!
+//! let catalog = Catalog::builtin();
+//! let twin = catalog.nominal(catalog.device("OAK-D Pro PoE")?);
+//!
+//! let left = twin.camera(Role::Left).ok_or("no left camera")?;
+//! assert_eq!(left.intrinsics.fx.round(), 805.0);
+//! assert_eq!(left.intrinsics.principal_point::<Usd>().x, 640.0);
+//! // Places are metres in the body frame: x forward, y left, z up.
+//! assert_eq!(left.body_from_camera.translation, DVec3::new(0.0, 0.0375, 0.0));
+//!
+//! let usd = asset(&twin, &AssetOptions::default())?;
+//! assert!(usd.text().starts_with("#usda 1.0"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod files;
 pub mod report;

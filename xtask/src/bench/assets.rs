@@ -22,7 +22,7 @@ const RUNS_IN_PROCESS: usize = 20;
 
 /// The programs measured.
 struct Contestants {
-    library: Option<PathBuf>,
+    library: PathBuf,
     program: PathBuf,
     python: PathBuf,
     script: PathBuf,
@@ -30,7 +30,7 @@ struct Contestants {
 
 /// Medians, in seconds.
 struct Medians {
-    library: Option<f64>,
+    library: f64,
     program: f64,
     python_inside: f64,
     python_whole: f64,
@@ -51,18 +51,21 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 
 impl Contestants {
     fn build() -> Result<Self, String> {
-        let mut programs = workspace::build(&["--release", "--package", "oaktwin-cli", "--bin", "oaktwin"])?;
-        let program = programs
-            .remove("oaktwin")
-            .ok_or("cargo built no program named oaktwin")?;
-        // The example that times the library from inside; without it that row is left out.
-        let example = workspace::root().join("crates/oaktwin/examples/time_assets.rs");
-        let mut library = None;
-        if example.exists() {
-            let mut built =
-                workspace::build(&["--release", "--package", "oaktwin", "--example", "time_assets"])?;
-            library = built.remove("time_assets");
-        }
+        let what = [
+            "--release",
+            "--workspace",
+            "--bin",
+            "oaktwin",
+            "--example",
+            "time_assets",
+        ];
+        let mut programs = workspace::build(&what)?;
+        let mut take = |name| {
+            programs
+                .remove(name)
+                .ok_or(format!("cargo built no program named {name}"))
+        };
+        let (program, library) = (take("oaktwin")?, take("time_assets")?);
         let [current, _] = &ENVIRONMENTS;
         let python = current.prepare(current.choose(&Interpreter::find_all())?)?;
         let script = workspace::root().join("tests/oracles/bench_assets.py");
@@ -79,9 +82,9 @@ impl Contestants {
         let (mut library, mut program) = (Vec::new(), Vec::new());
         let (mut python_inside, mut python_whole) = (Vec::new(), Vec::new());
         for _ in 0..rounds {
-            if let Some(example) = &self.library {
-                library.push(inside(Command::new(example).arg(empty(folder, "library")?))?);
-            }
+            library.push(inside(
+                Command::new(&self.library).arg(empty(folder, "library")?),
+            )?);
             let into = empty(folder, "program")?;
             program.push(whole(
                 Command::new(&self.program).args(["asset", "all", "-o"]).arg(into),
@@ -90,7 +93,7 @@ impl Contestants {
             python_whole.push(whole(self.python().arg(empty(folder, "python")?).arg("1"))?);
         }
         Ok(Medians {
-            library: self.library.is_some().then(|| median(library)),
+            library: median(library),
             program: median(program),
             python_inside: median(python_inside),
             python_whole: median(python_whole),
@@ -120,13 +123,11 @@ impl Medians {
                 peer / own
             );
         };
-        if let Some(library) = self.library {
-            row(
-                "the work alone, in a process that has started and warmed up",
-                self.python_inside,
-                library,
-            );
-        }
+        row(
+            "the work alone, in a process that has started and warmed up",
+            self.python_inside,
+            self.library,
+        );
         row(
             "the whole command, from start to exit",
             self.python_whole,
@@ -140,7 +141,7 @@ impl Medians {
             "program_s": self.program,
             "python_inside_s": self.python_inside,
             "python_whole_s": self.python_whole,
-            "ratio_inside": self.library.map(|library| self.python_inside / library),
+            "ratio_inside": self.python_inside / self.library,
             "ratio_whole": self.python_whole / self.program,
         })
     }

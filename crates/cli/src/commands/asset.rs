@@ -41,25 +41,18 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
         return Err("--calibration belongs to one model: name it instead of `all`".into());
     }
     let format = args.format.unwrap_or_default().into();
+    let devices = context.catalog.devices();
+    let twins = context.catalog.nominals();
     // Every asset is made before the first is written, so that an error leaves nothing behind.
-    let mut assets = Vec::new();
-    for device in context.catalog.devices() {
-        let made = asset::asset(&context.catalog.nominal(device), &args.options())?;
-        assets.push((
-            device.name.clone(),
-            made.file_name(format),
-            made.bytes(format)?,
-            made.findings,
-        ));
-    }
+    let made = asset::files(&twins, &args.options(), format)?;
     let mut written = Vec::new();
-    for (model, name, bytes, findings) in assets {
-        let path = destination::in_folder(&args.output, &name)?;
-        files::write(&path, &bytes)?;
+    for (device, file) in devices.iter().zip(made) {
+        let path = destination::in_folder(&args.output, &file.name)?;
+        files::write(&path, &file.bytes)?;
         written.push(Written {
-            model,
+            model: device.name.clone(),
             path,
-            findings,
+            findings: file.findings,
         });
     }
     Ok(written)

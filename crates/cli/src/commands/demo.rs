@@ -22,9 +22,10 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
         let _ = writeln!(listing, "  {:<44} {what}", path.display().to_string());
         Ok(path)
     };
-    for device in context.catalog.devices() {
-        let made = asset::asset(&context.catalog.nominal(device), &options)?;
-        put(&made.file_name(format), &device.name, &made.bytes(format)?)?;
+    let devices = context.catalog.devices();
+    let twins = context.catalog.nominals();
+    for (device, file) in devices.iter().zip(asset::files(&twins, &options, format)?) {
+        put(&file.name, &device.name, &file.bytes)?;
     }
     let file = put(
         "example_calibration.json",

@@ -201,7 +201,7 @@ fn a_users_catalog_adds_a_model_and_its_mistakes_have_lines() {
         ("hfov_deg = 68.0", "", "hfov_deg"),
         ("sensor = \"IMX586\"", "sensor = \"IMX587\"", "IMX586"),
         ("hfov_deg = 68.0", "hfov_deg = \"wide\"", "expected a number"),
-        ("hfov_deg = 68.0", "hfov_deg = nan", "hfov_deg"),
+        ("hfov_deg = 68.0", "hfov_deg = nan", "finite"),
     ] {
         program.put("catalog/my_cam.toml", own.replacen(from, to, 1));
         let error = program.refused(&["models", "--catalog", "catalog"]);

@@ -27,6 +27,7 @@ mod camera;
 mod depth;
 mod describe;
 mod error;
+mod files;
 mod geometry;
 mod guard;
 mod imu;
@@ -46,6 +47,7 @@ use oaktwin_catalog::{Origin, Twin};
 use oaktwin_diagnostic::Finding;
 
 pub use error::AssetError;
+pub use files::{AssetFile, files};
 pub use names::{PrimNames, render_product_name};
 pub use options::{AssetOptions, Format, IsaacVersion, LensChoice, Target};
 pub use overrides::{OverrideBase, overrides};

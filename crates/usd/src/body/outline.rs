@@ -3,11 +3,11 @@ use std::f64::consts::FRAC_PI_2;
 use oaktwin_camera::math::DVec2;
 
 /// Points of a convex outline in one quadrant.
-pub(super) const FINE: usize = 8;
+pub(super) const FINE: usize = 6;
 /// The same for connectors.
-pub(super) const MEDIUM: usize = 6;
+pub(super) const MEDIUM: usize = 4;
 /// The same for small things.
-pub(super) const COARSE: usize = 3;
+pub(super) const COARSE: usize = 2;
 
 /// A counter-clockwise convex polygon, symmetric about both of its axes, `4 × quadrant` points; it starts in the
 /// first quadrant. Outlines of one count are lofted into each other point by point.

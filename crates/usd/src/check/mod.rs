@@ -57,12 +57,7 @@ pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Repor
 /// Checks a stage that is open already.
 #[must_use]
 pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> Report {
-    let twins: Vec<Twin> = options
-        .catalog
-        .devices()
-        .iter()
-        .map(|device| options.catalog.nominal(device))
-        .collect();
+    let twins = options.catalog.nominals();
     let scene = scene::Scene::new(stage, &twins, options.model);
     let mut findings = stage.findings.clone();
     stage::rules(stage, &mut findings);
