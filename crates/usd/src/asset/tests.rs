@@ -582,19 +582,3 @@ fn write_for_openusd() {
         }
     }
 }
-
-#[test]
-fn timing_tmp() {
-    let twins = nominal();
-    for body in [true, false] {
-        for _ in 0..5 {
-            let o = AssetOptions { body, ..plain() };
-            let t = std::time::Instant::now();
-            let v: Vec<_> = twins.iter().map(|t| asset(t, &o).unwrap()).collect();
-            let a = t.elapsed();
-            let t = std::time::Instant::now();
-            let n: usize = v.iter().map(|t| t.text().len()).sum();
-            println!("five {body} {n} bytes build {a:?} text {:?}", t.elapsed());
-        }
-    }
-}

@@ -287,9 +287,7 @@ impl Emitter {
             Value::Float3Array(v)
             | Value::Point3fArray(v)
             | Value::Normal3fArray(v)
-            | Value::Color3fArray(v) => {
-                push_array(out, v, |out, xyz| push_tuple(out, &xyz, push_f32));
-            }
+            | Value::Color3fArray(v) => push_vectors(out, v),
             Value::Dictionary(entries) => self.dictionary(entries),
         }
     }
@@ -347,5 +345,31 @@ fn push_array<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String,
     out.reserve(items.len() * (2 + 3 * size_of::<T>()));
     out.push('[');
     push_separated(out, items, push);
+    out.push(']');
+}
+
+/// An array of vectors. The corners of faces share few normals: what was printed a while ago is copied.
+fn push_vectors(out: &mut String, vectors: &[[f32; 3]]) {
+    const SLOTS: usize = 256;
+    let mut printed = vec![([0; 3], 0..0); SLOTS];
+    out.reserve(vectors.len() * 24);
+    out.push('[');
+    for (i, &vector) in vectors.iter().enumerate() {
+        if i > 0 {
+            out.push_str(", ");
+        }
+        let bits = vector.map(f32::to_bits);
+        let hash = bits
+            .iter()
+            .fold(0_u32, |hash, &b| (hash ^ b).wrapping_mul(0x9e37_79b1));
+        let (key, text) = &mut printed[(hash >> 24) as usize % SLOTS];
+        if *key == bits && text.start < text.end {
+            out.extend_from_within(text.clone());
+        } else {
+            let begin = out.len();
+            push_tuple(out, &vector, push_f32);
+            (*key, *text) = (bits, begin..out.len());
+        }
+    }
     out.push(']');
 }

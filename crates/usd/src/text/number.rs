@@ -10,7 +10,11 @@ pub(super) fn push_i32(out: &mut String, value: i32) {
 
 /// Appends a 32-bit number: the digits that are enough for 32 bits.
 pub(super) fn push_f32(out: &mut String, value: f32) {
-    if value.is_finite() {
+    if value.to_bits() == 0 {
+        out.push('0');
+    } else if let Some(millionths) = millionths(value) {
+        push_millionths(out, millionths);
+    } else if value.is_finite() {
         push_finite(out, value);
     } else {
         push_special(out, value.is_nan(), value > 0.0);
@@ -25,6 +29,53 @@ pub(super) fn push_f64(out: &mut String, value: f64) {
         push_special(out, value.is_nan(), value > 0.0);
     }
 }
+
+/// `value · 10⁶` where it is a whole number of at most six digits, or ±10⁶: nearly all of a mesh's numbers.
+///
+/// No two decimals of six digits are the same `f32`, so its decimal is the shortest one there is, and quick to print.
+fn millionths(value: f32) -> Option<i32> {
+    let scaled = f64::from(value) * 1e6;
+    // Not `round`, which is a call into the C library where the processor's own may not be assumed.
+    let near = scaled + 0.5_f64.copysign(scaled);
+    if near.abs() < 1.0 || near.abs() > 1_000_000.75 {
+        return None;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "at most 10⁶, cut to the whole; and the nearest f32 is what is asked for"
+    )]
+    let (whole, nearest) = (near as i32, (f64::from(near as i32) / 1e6) as f32);
+    (nearest == value).then_some(whole)
+}
+
+fn push_millionths(out: &mut String, millionths: i32) {
+    if millionths.abs() == 1_000_000 {
+        out.push_str(if millionths < 0 { "-1" } else { "1" });
+        return;
+    }
+    let mut text = *b"-0.000000";
+    let pairs = millionths.unsigned_abs();
+    for (place, pair) in text[3..]
+        .chunks_exact_mut(2)
+        .zip([pairs / 10_000, pairs / 100, pairs])
+    {
+        place.copy_from_slice(&PAIRS[pair as usize % 100]);
+    }
+    let begin = usize::from(millionths > 0);
+    let end = text.iter().rposition(|&digit| digit != b'0').unwrap_or(0) + 1;
+    out.push_str(std::str::from_utf8(&text[begin..end]).unwrap_or_default());
+}
+
+/// `00` to `99`.
+const PAIRS: [[u8; 2]; 100] = {
+    let mut pairs = [[0; 2]; 100];
+    let mut i = 0_u8;
+    while i < 100 {
+        pairs[i as usize] = [b'0' + i / 10, b'0' + i % 10];
+        i += 1;
+    }
+    pairs
+};
 
 fn push_special(out: &mut String, is_nan: bool, positive: bool) {
     out.push_str(match (is_nan, positive) {
@@ -149,6 +200,11 @@ mod tests {
             (1e20, "1e20"),
             (16_777_216.0, "16777216"),
             (1e15, "1e15"),
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (1.0, "1"),
+            (-0.999_999, "-0.999999"),
+            (0.000_001, "0.000001"),
             (f32::MIN_POSITIVE, "1.1754944e-38"),
         ] {
             assert_eq!(f32_text(value), text);
@@ -170,6 +226,16 @@ mod tests {
                     prop_assert_eq!(f32_text(value).parse::<f32>().unwrap().to_bits(), value.to_bits());
                 }
             }
+        }
+
+        #[test]
+        fn millionths_print_as_all_numbers_do(millionths in -1_000_000i32..=1_000_000, ulps in -1i8..=1) {
+            #[expect(clippy::cast_possible_truncation, reason = "the nearest f32 is meant")]
+            let value = (f64::from(millionths) / 1e6) as f32;
+            let bits = value.to_bits().saturating_add_signed(ulps.into());
+            let mut general = String::new();
+            push_finite(&mut general, f32::from_bits(bits));
+            prop_assert_eq!(f32_text(f32::from_bits(bits)), general);
         }
 
         #[test]
