@@ -21,18 +21,12 @@ pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<B
     }
 }
 
-/// A convex hull-like box of the outer dimensions with bevelled edges.
+/// A prism of the outer dimensions with the corners of its outline cut off: so few faces that no array of it is
+/// longer than 64, beyond which NVIDIA's validator asks for OpenUSD's binary format.
 pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
     let radius = envelope.corner_radius(family);
-    let bevel = (0.3 * radius).min(0.1 * envelope.depth);
-    let outline = |inset: f64| rounded_rectangle(envelope.centre(), envelope.half - inset, radius - inset, 3);
-    let (back, front) = (envelope.back_x(), envelope.front.x);
-    let stations = [
-        (back, outline(bevel)),
-        (back + bevel, outline(0.0)),
-        (front - bevel, outline(0.0)),
-        (front, outline(bevel)),
-    ];
+    let outline = || rounded_rectangle(envelope.centre(), envelope.half, radius, 2);
+    let stations = [(envelope.back_x(), outline()), (envelope.front.x, outline())];
     loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
 }
 
