@@ -34,28 +34,7 @@ impl Mesh {
 
     /// The part in metres, with normals averaged by area across edges that are no creases.
     pub(super) fn into_part(self, name: &str, material: &'static str) -> BodyPart {
-        let faces = self.faces();
-        let areas: Vec<DVec3> = faces.iter().map(|face| self.area_vector(face)).collect();
-        let units: Vec<DVec3> = areas.iter().map(|area| area.normalize_or_zero()).collect();
-        let around = Incidence::of(&faces, self.points.len());
-        let mut normals = Vec::with_capacity(self.indices.len());
-        // Most vertices have one normal for all of their faces: the last one found there, with what it is the sum of.
-        let mut known = vec![(DVec3::NAN, [0.0; 3]); self.points.len()];
-        for (face, unit) in faces.iter().zip(&units) {
-            for &vertex in *face {
-                let mut sum = DVec3::ZERO;
-                for &other in around.faces(vertex) {
-                    let smooth = f64::from(u8::from(units[other].dot(*unit) > CREASE_COS));
-                    sum += areas[other] * smooth;
-                }
-                let (known_sum, normal) = &mut known[vertex];
-                if *known_sum != sum {
-                    *known_sum = sum;
-                    *normal = rounded(sum.normalize_or(*unit), 1.0, 1e-4);
-                }
-                normals.push(*normal);
-            }
-        }
+        let normals = self.normals();
         let integer = |value: &usize| i32::try_from(*value).unwrap_or(i32::MAX);
         BodyPart {
             name: name.to_owned(),
@@ -71,56 +50,93 @@ impl Mesh {
         }
     }
 
-    fn faces(&self) -> Vec<&[usize]> {
+    /// A unit normal for each corner: the sum over those faces around its vertex that continue its own smoothly.
+    fn normals(&self) -> Vec<[f32; 3]> {
+        let mut face_of_corner = Vec::with_capacity(self.indices.len());
+        let mut areas = Vec::with_capacity(self.counts.len());
         let mut rest = self.indices.as_slice();
-        self.counts
+        for (face, &count) in self.counts.iter().enumerate() {
+            let (corners, tail) = rest.split_at(count);
+            rest = tail;
+            areas.push(self.area_vector(corners));
+            face_of_corner.extend(std::iter::repeat_n(face, count));
+        }
+        let units: Vec<DVec3> = areas
             .iter()
-            .map(|&count| {
-                let (face, tail) = rest.split_at(count);
-                rest = tail;
-                face
-            })
-            .collect()
+            .map(|area: &DVec3| area.normalize_or_zero())
+            .collect();
+        let vertices = Vertices::of(&self.indices, self.points.len());
+        let mut normals = vec![[0.0; 3]; self.indices.len()];
+        for vertex in 0..self.points.len() {
+            let corners = vertices.corners(vertex);
+            // Which faces continue which, a bit each. No fan of ours has more blades than that; beyond, facets.
+            let mut continues = [0_u64; 64];
+            let count = corners.len().min(continues.len());
+            let mut faces = [0; 64];
+            for (i, &corner) in corners[..count].iter().enumerate() {
+                faces[i] = face_of_corner[corner];
+                continues[i] |= 1 << i;
+                for j in 0..i {
+                    let smooth = u64::from(units[faces[i]].dot(units[faces[j]]) > CREASE_COS);
+                    continues[i] |= smooth << j;
+                    continues[j] |= smooth << i;
+                }
+            }
+            let mut known = (0, [0.0; 3]);
+            for (i, &corner) in corners.iter().enumerate() {
+                let own = face_of_corner[corner];
+                let others = continues.get(i).copied().unwrap_or(0);
+                // Most corners of a vertex continue the same faces as the one before.
+                if others == 0 || others != known.0 {
+                    let sum: DVec3 = (0..count)
+                        .filter(|j| others >> j & 1 == 1)
+                        .map(|j| areas[faces[j]])
+                        .sum();
+                    known = (others, rounded(sum.normalize_or(units[own]), 1.0, 1e-4));
+                }
+                normals[corner] = known.1;
+            }
+        }
+        normals
     }
 
     /// Twice the area, along the normal.
     fn area_vector(&self, face: &[usize]) -> DVec3 {
-        let origin = self.points[face[0]];
-        face[1..]
-            .windows(2)
-            .map(|edge| (self.points[edge[0]] - origin).cross(self.points[edge[1]] - origin))
-            .sum()
+        match *face {
+            // By the diagonals.
+            [a, b, c, d] => (self.points[c] - self.points[a]).cross(self.points[d] - self.points[b]),
+            [a, b, c] => (self.points[b] - self.points[a]).cross(self.points[c] - self.points[a]),
+            _ => DVec3::ZERO,
+        }
     }
 }
 
-/// The faces around each vertex, as one flat table.
-struct Incidence {
+/// The corners of faces at each vertex, as one flat table.
+struct Vertices {
     starts: Vec<usize>,
-    faces: Vec<usize>,
+    corners: Vec<usize>,
 }
 
-impl Incidence {
-    fn of(faces: &[&[usize]], vertices: usize) -> Self {
+impl Vertices {
+    fn of(indices: &[usize], vertices: usize) -> Self {
         let mut starts = vec![0; vertices + 1];
-        for &vertex in faces.iter().copied().flatten() {
+        for &vertex in indices {
             starts[vertex + 1] += 1;
         }
         for vertex in 0..vertices {
             starts[vertex + 1] += starts[vertex];
         }
         let mut next = starts.clone();
-        let mut table = vec![0; starts[vertices]];
-        for (index, face) in faces.iter().enumerate() {
-            for &vertex in *face {
-                table[next[vertex]] = index;
-                next[vertex] += 1;
-            }
+        let mut corners = vec![0; indices.len()];
+        for (corner, &vertex) in indices.iter().enumerate() {
+            corners[next[vertex]] = corner;
+            next[vertex] += 1;
         }
-        Self { starts, faces: table }
+        Self { starts, corners }
     }
 
-    fn faces(&self, vertex: usize) -> &[usize] {
-        &self.faces[self.starts[vertex]..self.starts[vertex + 1]]
+    fn corners(&self, vertex: usize) -> &[usize] {
+        &self.corners[self.starts[vertex]..self.starts[vertex + 1]]
     }
 }
 

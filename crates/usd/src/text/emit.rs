@@ -10,11 +10,28 @@ impl Layer {
     #[must_use]
     pub fn text(&self) -> String {
         let mut emitter = Emitter {
-            out: String::with_capacity(16 << 10),
+            out: String::with_capacity(self.text_size()),
             depth: 0,
         };
         emitter.layer(self);
         emitter.out
+    }
+
+    /// About how long the text gets: growing a large one costs more than writing it.
+    fn text_size(&self) -> usize {
+        fn of(prim: &Prim) -> usize {
+            let arrays = prim.properties.iter().filter_map(|property| match property {
+                Property::Attribute(attribute) => attribute.value.as_ref(),
+                Property::Relationship(_) => None,
+            });
+            let arrays = arrays.map(|value| match value {
+                Value::IntArray(v) => 6 * v.len(),
+                Value::Point3fArray(v) | Value::Normal3fArray(v) | Value::Float3Array(v) => 29 * v.len(),
+                _ => 0,
+            });
+            512 + arrays.sum::<usize>() + prim.children.iter().map(of).sum::<usize>()
+        }
+        8192 + self.prims.iter().map(of).sum::<usize>()
     }
 }
 

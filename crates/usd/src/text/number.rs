@@ -49,33 +49,57 @@ fn millionths(value: f32) -> Option<i32> {
 }
 
 fn push_millionths(out: &mut String, millionths: i32) {
-    if millionths.abs() == 1_000_000 {
-        out.push_str(if millionths < 0 { "-1" } else { "1" });
-        return;
+    let magnitude = millionths.unsigned_abs() as usize;
+    out.push_str(match (millionths < 0, magnitude) {
+        (true, 1_000_000) => return out.push_str("-1"),
+        (false, 1_000_000) => return out.push('1'),
+        (true, _) => "-0.",
+        (false, _) => "0.",
+    });
+    let (thousands, rest) = (magnitude / 1000, magnitude % 1000);
+    if rest == 0 {
+        out.push_str(without_zeros(thousands));
+    } else {
+        out.push_str(three_digits(thousands));
+        out.push_str(without_zeros(rest));
     }
-    let mut text = *b"-0.000000";
-    let pairs = millionths.unsigned_abs();
-    for (place, pair) in text[3..]
-        .chunks_exact_mut(2)
-        .zip([pairs / 10_000, pairs / 100, pairs])
-    {
-        place.copy_from_slice(&PAIRS[pair as usize % 100]);
-    }
-    let begin = usize::from(millionths > 0);
-    let end = text.iter().rposition(|&digit| digit != b'0').unwrap_or(0) + 1;
-    out.push_str(std::str::from_utf8(&text[begin..end]).unwrap_or_default());
 }
 
-/// `00` to `99`.
-const PAIRS: [[u8; 2]; 100] = {
-    let mut pairs = [[0; 2]; 100];
-    let mut i = 0_u8;
-    while i < 100 {
-        pairs[i as usize] = [b'0' + i / 10, b'0' + i % 10];
-        i += 1;
+/// `000` to `999`, in one piece: text that needs no proof that it is text.
+const THREE_DIGITS: &str = {
+    const DIGITS: [u8; 3000] = {
+        let mut digits = [b'0'; 3000];
+        let mut i = 0;
+        while i < 1000 {
+            #[expect(clippy::cast_possible_truncation, reason = "single digits")]
+            let ones = [(i / 100) as u8, (i / 10 % 10) as u8, (i % 10) as u8];
+            digits[3 * i] += ones[0];
+            digits[3 * i + 1] += ones[1];
+            digits[3 * i + 2] += ones[2];
+            i += 1;
+        }
+        digits
+    };
+    match std::str::from_utf8(&DIGITS) {
+        Ok(digits) => digits,
+        Err(_) => panic!("digits are text"),
     }
-    pairs
 };
+
+/// A number below 1000 with its leading zeros.
+fn three_digits(number: usize) -> &'static str {
+    &THREE_DIGITS[3 * number..3 * number + 3]
+}
+
+/// The same without its zeros at the end; not for 0.
+fn without_zeros(number: usize) -> &'static str {
+    let digits = three_digits(number);
+    match number {
+        _ if number % 100 == 0 => &digits[..1],
+        _ if number % 10 == 0 => &digits[..2],
+        _ => digits,
+    }
+}
 
 fn push_special(out: &mut String, is_nan: bool, positive: bool) {
     out.push_str(match (is_nan, positive) {
