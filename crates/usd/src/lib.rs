@@ -3,6 +3,7 @@
 pub mod asset;
 pub mod body;
 pub mod check;
+mod nvidia;
 pub mod stage;
 pub mod text;
 pub mod usdz;

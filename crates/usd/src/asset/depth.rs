@@ -5,12 +5,9 @@ use super::camera::{CameraTraits, base};
 use super::{
     AssetError, AssetOptions, IsaacVersion, PRODUCTS, Target, describe, float, lens, render_product_name,
 };
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::text::{Attribute, Prim, Value};
 
-/// Kit's schema, for render products.
-const PRODUCT_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
-/// ovrtx's schema, for cameras.
-const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
 /// The scope of the render variables that products share.
 const RENDER_VARS: &str = "RenderVars";
 /// What the depth sensor reads, then what it makes: Isaac Sim 6 and later take them from the asset.
@@ -109,10 +106,10 @@ fn variables(options: &AssetOptions) -> Vec<&'static str> {
 /// The full name of a depth attribute of the target.
 pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     let namespace = match options.target {
-        Target::Isaac => "omni:rtx:post:depthSensor",
-        Target::Ovrtx => "omni:sensor:depthSensor",
+        Target::Isaac => PRODUCT_NAMESPACE,
+        Target::Ovrtx => CAMERA_NAMESPACE,
     };
-    format!("{namespace}:{name}")
+    format!("{namespace}{name}")
 }
 
 /// The rows of the sheet's depth-sensor tables, no others.

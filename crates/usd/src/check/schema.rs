@@ -3,6 +3,7 @@ use oaktwin_diagnostic::{Finding, Level};
 use super::lens;
 use super::rule::Rule;
 use super::scene::{Generation, Scene};
+pub(super) use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::Prim;
 
 pub(super) const SCHEMA_MISSING: Rule = Rule {
@@ -30,12 +31,6 @@ pub(super) const OVRTX_SCHEMA: Rule = Rule {
     remedy: "",
 };
 
-/// Kit's depth sensor: on render products.
-pub(super) const PRODUCT_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
-pub(super) const PRODUCT_NAMESPACE: &str = "omni:rtx:post:depthSensor:";
-/// ovrtx's depth sensor: on cameras.
-pub(super) const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
-pub(super) const CAMERA_NAMESPACE: &str = "omni:sensor:depthSensor:";
 /// Names and tick rate only, beside any sensor schema.
 const IDENTITY_SCHEMA: &str = "OmniSensorAPI";
 

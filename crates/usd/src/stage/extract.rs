@@ -11,13 +11,10 @@ use super::inspect::Inspected;
 use super::locate::failing_line;
 use super::resolver::InspectingResolver;
 use super::{Attribute, Prim, RenderProduct, SceneCamera, Stage, StageError, StageMetadata, Target, Value};
+use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
 /// What marks a prim of another type as one that a rule may want to see.
-const SENSOR_NAMESPACES: [&str; 3] = [
-    "omni:rtx:post:depthSensor:",
-    "omni:sensor:depthSensor:",
-    "omni:lensdistortion:",
-];
+const SENSOR_NAMESPACES: [&str; 3] = [PRODUCT_NAMESPACE, CAMERA_NAMESPACE, "omni:lensdistortion:"];
 
 /// Opens and composes `path` and takes out what concerns cameras.
 pub(super) fn extract(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {

@@ -93,12 +93,12 @@ fn three_digits(number: usize) -> &'static str {
 
 /// The same without its zeros at the end; not for 0.
 fn without_zeros(number: usize) -> &'static str {
-    let digits = three_digits(number);
-    match number {
-        _ if number % 100 == 0 => &digits[..1],
-        _ if number % 10 == 0 => &digits[..2],
-        _ => digits,
-    }
+    let zeros = if number.is_multiple_of(100) {
+        2
+    } else {
+        usize::from(number.is_multiple_of(10))
+    };
+    &three_digits(number)[..3 - zeros]
 }
 
 fn push_special(out: &mut String, is_nan: bool, positive: bool) {

@@ -1,0 +1,10 @@
+//! Names of NVIDIA's depth-sensor schemas, which no OpenUSD library registers.
+
+/// Kit's schema of a depth sensor (Isaac Sim 5.1 and 6), for render products.
+pub(crate) const PRODUCT_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
+/// Where its attributes are.
+pub(crate) const PRODUCT_NAMESPACE: &str = "omni:rtx:post:depthSensor:";
+/// ovrtx's schema of a depth sensor, for cameras.
+pub(crate) const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
+/// Where its attributes are.
+pub(crate) const CAMERA_NAMESPACE: &str = "omni:sensor:depthSensor:";
