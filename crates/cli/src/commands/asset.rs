@@ -13,10 +13,13 @@ use crate::{destination, output};
 
 /// One file that was written.
 #[derive(Debug, Serialize)]
-pub(crate) struct Written {
+struct Written {
     model: String,
-    pub(crate) path: PathBuf,
+    path: PathBuf,
+    /// About the asset.
     findings: Vec<Finding>,
+    /// About the calibration it was made from.
+    calibration_findings: Vec<Finding>,
 }
 
 pub(crate) fn run(context: &Context, args: &AssetArgs) -> Result<Exit> {
@@ -25,6 +28,9 @@ pub(crate) fn run(context: &Context, args: &AssetArgs) -> Result<Exit> {
         output::print_json(&written)?;
     } else {
         for file in &written {
+            if let Some(calibration) = &args.unit.calibration {
+                output::say_findings(calibration, &file.calibration_findings);
+            }
             output::say_findings(&file.path, &file.findings);
             output::print(&format!("{}\n", file.path.display()))?;
         }
@@ -53,12 +59,13 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
             model: device.name.clone(),
             path,
             findings: file.findings,
+            calibration_findings: Vec::new(),
         });
     }
     Ok(written)
 }
 
-fn write_one(twin: &Twin, mut findings: Vec<Finding>, args: &AssetArgs) -> Result<Written> {
+fn write_one(twin: &Twin, calibration_findings: Vec<Finding>, args: &AssetArgs) -> Result<Written> {
     let format = format(args)?;
     let options = args.options();
     let made = match &args.over {
@@ -69,11 +76,11 @@ fn write_one(twin: &Twin, mut findings: Vec<Finding>, args: &AssetArgs) -> Resul
     let path = destination::file_or_folder(&args.output, &made.file_name(format))?;
     destination::spare_inputs(&path, [args.unit.calibration.as_deref(), args.over.as_deref()])?;
     files::write(&path, &bytes)?;
-    findings.extend(made.findings);
     Ok(Written {
         model: twin.device.name.clone(),
         path,
-        findings,
+        findings: made.findings,
+        calibration_findings,
     })
 }
 
