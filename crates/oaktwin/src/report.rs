@@ -5,6 +5,7 @@ mod depth;
 
 use serde::Serialize;
 
+use crate::camera::math::DVec3;
 use crate::catalog::{
     Accuracy, Body, Catalog, Evidence, Imu, Note, Origin, Role, Sensor, Source, Sources, Twin,
 };
@@ -92,11 +93,7 @@ impl DeviceReport {
             nominal_baseline_mm: device.stereo_baseline_mm,
             baseline_mm: baseline_m(twin) * 1e3,
             body: device.body.clone(),
-            imu: Imu {
-                position_mm: (twin.body_from_imu.translation * 1e3).to_array(),
-                rotation: twin.body_from_imu.rotation.transpose().to_cols_array_2d(),
-                ..device.imu.clone()
-            },
+            imu: imu(twin),
             cameras: twin
                 .cameras
                 .iter()
@@ -116,6 +113,20 @@ impl DeviceReport {
             sensors,
         }
     }
+}
+
+/// The inertial unit where this twin has it: a calibration's place is no longer the catalog's.
+fn imu(twin: &Twin) -> Imu {
+    let mut imu = twin.device.imu.clone();
+    let position_mm = twin.body_from_imu.translation * 1e3;
+    if position_mm.distance(DVec3::from(imu.position_mm)) > 1e-6 {
+        imu.position_mm = position_mm.to_array();
+        imu.rotation = twin.body_from_imu.rotation.transpose().to_cols_array_2d();
+        for key in ["position_mm", "rotation"] {
+            imu.sources.insert(key.to_owned(), Source::CalibrationExport);
+        }
+    }
+    imu
 }
 
 /// Distance from the left to the right optical centre, m; 0 for a device that lacks one.

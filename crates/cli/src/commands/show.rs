@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use oaktwin::catalog::{Source, Sources};
+use oaktwin::catalog::{Source, Sourced, Sources};
 use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
 
 use crate::args::ShowArgs;
@@ -31,7 +31,12 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
     let [width, height, depth] = report.body.dimensions_mm;
     line(
         "dimensions",
-        format!("{width} × {height} × {depth} mm, {} g", report.body.mass_g),
+        format!(
+            "{width} × {height} × {depth} mm{}, {} g{}",
+            mark(&report.body, "dimensions_mm"),
+            report.body.mass_g,
+            mark(&report.body, "mass_g"),
+        ),
     );
     line(
         "baseline",
@@ -45,7 +50,12 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
     );
     line(
         "IMU",
-        format!("{} at {} mm", report.imu.model, triple(report.imu.position_mm)),
+        format!(
+            "{} at {} mm{}",
+            report.imu.model,
+            triple(report.imu.position_mm),
+            mark(&report.imu, "position_mm"),
+        ),
     );
     for sensor in &report.sensors {
         line(
@@ -249,6 +259,14 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
 
 fn field(out: &mut String, label: &str, value: &str) {
     let _ = writeln!(out, "  {label:<26}{}", value.trim_end());
+}
+
+/// What a reader must know of a number even where sources are not asked for.
+fn mark(table: &impl Sourced, key: &str) -> &'static str {
+    match table.source_of(key) {
+        Source::Estimate => " (estimate)",
+        _ => "",
+    }
 }
 
 fn sources(out: &mut String, source: Source, others: &Sources) {
