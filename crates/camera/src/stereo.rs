@@ -7,7 +7,7 @@
 ///
 /// let stereo = StereoGeometry { focal_length_px: 800.0, baseline_m: 0.075 };
 /// assert_eq!(stereo.disparity(4.0), 15.0);
-/// assert!((stereo.min_depth(95.0) - 0.632).abs() < 1e-3);
+/// assert!((stereo.depth(95.0) - 0.632).abs() < 1e-3);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StereoGeometry {
@@ -24,22 +24,10 @@ impl StereoGeometry {
         self.focal_length_px * self.baseline_m / depth_m
     }
 
-    /// The depth of a disparity, m.
+    /// The depth of a disparity, m: of a matcher's largest, the nearest that it can see.
     #[must_use]
     pub fn depth(&self, disparity_px: f64) -> f64 {
         self.focal_length_px * self.baseline_m / disparity_px
-    }
-
-    /// The nearest depth that a matcher of this largest disparity can see, m.
-    #[must_use]
-    pub fn min_depth(&self, max_disparity_px: f64) -> f64 {
-        self.depth(max_disparity_px)
-    }
-
-    /// The farthest depth that a matcher of this smallest disparity above 0 can tell, m.
-    #[must_use]
-    pub fn max_depth(&self, min_disparity_px: f64) -> f64 {
-        self.depth(min_disparity_px)
     }
 
     /// How much farther the next measurable depth lies, m: `depth(d − step) − z`, exactly.
@@ -88,8 +76,8 @@ mod tests {
             focal_length_px,
             baseline_m: 0.075,
         };
-        assert!((stereo.min_depth(95.0) - 0.447).abs() < 5e-4);
-        assert!((stereo.min_depth(190.0) - 0.224).abs() < 5e-4);
-        assert!((stereo.max_depth(1.0) - focal_length_px * 0.075).abs() < 1e-12);
+        assert!((stereo.depth(95.0) - 0.447).abs() < 5e-4);
+        assert!((stereo.depth(190.0) - 0.224).abs() < 5e-4);
+        assert!((stereo.depth(1.0) - focal_length_px * 0.075).abs() < 1e-12);
     }
 }

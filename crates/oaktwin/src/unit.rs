@@ -2,13 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::calibration::raw::MAX_BYTES;
 use crate::calibration::{self, Calibration, CalibrationError, Raw};
 use crate::catalog::{Catalog, Device, Twin};
 use crate::diagnostic::{Finding, Level};
 use crate::files::{self, FileError};
-
-/// No calibration is anywhere near this: real ones have 10 kB.
-const MAX_BYTES: u64 = 16 << 20;
 
 /// Why there is no twin of a unit.
 #[derive(Debug, thiserror::Error)]
@@ -35,7 +33,7 @@ pub enum UnitError {
 /// # Errors
 /// The file cannot be read, or is no calibration.
 pub fn read_calibration(path: &Path) -> Result<(Raw, Calibration, Vec<Finding>), UnitError> {
-    let bytes = files::read(path, MAX_BYTES, "a calibration")?;
+    let bytes = files::read(path, MAX_BYTES as u64, "a calibration")?;
     let raw = Raw::parse(&bytes, &path.display().to_string())?;
     let (calibration, findings) = Calibration::from_raw(&raw)?;
     Ok((raw, calibration, findings))

@@ -1,4 +1,3 @@
-use oaktwin_camera::{ApertureOffsets, UsdOptics};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::{Finding, Level};
 
@@ -29,11 +28,7 @@ const CALIBRATED: f64 = 0.1;
 
 pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     let Some(known) = camera.known else { return };
-    let expected = UsdOptics::from_intrinsics(
-        &known.camera.intrinsics,
-        known.camera.pixel_size_um,
-        ApertureOffsets::Zero,
-    );
+    let expected = known.optics();
     let model = &known.twin.device.name;
     let path = camera.path();
     let differs = |name: &str, value: f64, expected: f64| {

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use oaktwin_camera::ImageSize;
+use oaktwin_camera::{ApertureOffsets, ImageSize, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 
 use super::lens::Lens;
@@ -40,6 +40,17 @@ pub(super) struct Known<'a> {
     pub camera: &'a TwinCamera,
     /// The depth sensor, where the prim is its virtual camera.
     pub sensor: Option<&'a TwinDepthSensor>,
+}
+
+impl Known<'_> {
+    /// What the camera's optical attributes nominally are.
+    pub(super) fn optics(&self) -> UsdOptics {
+        UsdOptics::from_intrinsics(
+            &self.camera.intrinsics,
+            self.camera.pixel_size_um,
+            ApertureOffsets::Zero,
+        )
+    }
 }
 
 /// The prim that carries a depth sensor's attributes, and the camera it is about.

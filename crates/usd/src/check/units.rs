@@ -31,12 +31,7 @@ const USUAL_HFOV_DEG: (f64, f64) = (15.0, 130.0);
 /// Values off by a power of ten, against the catalog or against what sensors are.
 pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     if let Some(known) = camera.known {
-        let expected = UsdOptics::from_intrinsics(
-            &known.camera.intrinsics,
-            known.camera.pixel_size_um,
-            oaktwin_camera::ApertureOffsets::Zero,
-        );
-        against(camera, &expected, findings);
+        against(camera, &known.optics(), findings);
     } else {
         by_plausibility(camera, findings);
     }
