@@ -34,5 +34,5 @@ pub use stereo::StereoGeometry;
 
 /// The vector and matrix types of this crate's interface, from `glam`, so that one version serves all.
 pub mod math {
-    pub use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+    pub use glam::{DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 }

@@ -1,0 +1,16 @@
+//! Ground truth from a scene, on a CPU.
+//!
+//! A [`View`] says what a camera sees from where. Two backends find out what each pixel sees, and must agree: a
+//! rasterizer for ideal pinholes, a ray caster for every lens.
+
+mod backend;
+mod raster;
+mod ray;
+mod renderer;
+mod view;
+mod visibility;
+
+pub use backend::Backend;
+pub use renderer::Renderer;
+pub use view::{Clip, View};
+pub use visibility::{Hit, Visibility};

@@ -1,0 +1,62 @@
+use std::sync::OnceLock;
+
+use oaktwin_image::ZDepth;
+use oaktwin_scene::Scene;
+
+use crate::raster::Rasterizer;
+use crate::ray::RayCaster;
+use crate::{Backend, View, Visibility};
+
+/// A scene made ready to be rendered any number of times, from any number of threads.
+///
+/// What a backend needs of its own is made when it is first used.
+#[derive(Debug)]
+pub struct Renderer {
+    scene: Scene,
+    rasterizer: OnceLock<Rasterizer>,
+    ray_caster: OnceLock<RayCaster>,
+}
+
+impl Renderer {
+    /// For this scene.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        Self {
+            scene,
+            rasterizer: OnceLock::new(),
+            ray_caster: OnceLock::new(),
+        }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The distance of what each pixel sees, along the optical axis, metres; `+inf` for a miss.
+    #[must_use]
+    pub fn depth(&self, view: &View, backend: Backend) -> ZDepth {
+        match backend.for_view(view) {
+            Backend::Ray => self.ray_caster().depth(&self.scene, view),
+            Backend::Auto | Backend::Raster => self.rasterizer().depth(&self.scene, view),
+        }
+    }
+
+    /// What each pixel sees.
+    #[must_use]
+    pub fn visibility(&self, view: &View, backend: Backend) -> Visibility {
+        match backend.for_view(view) {
+            Backend::Ray => self.ray_caster().visibility(&self.scene, view),
+            Backend::Auto | Backend::Raster => self.rasterizer().visibility(&self.scene, view),
+        }
+    }
+
+    pub(crate) fn rasterizer(&self) -> &Rasterizer {
+        self.rasterizer.get_or_init(|| Rasterizer::new(&self.scene))
+    }
+
+    pub(crate) fn ray_caster(&self) -> &RayCaster {
+        self.ray_caster.get_or_init(|| RayCaster::new(&self.scene))
+    }
+}

@@ -1,0 +1,38 @@
+/// What a mesh carries at its corners: texture coordinates, normals, colours.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Attribute<T> {
+    /// One value for the whole mesh.
+    Constant(T),
+    /// One value for each triangle.
+    Triangle(Vec<T>),
+    /// One value for each vertex.
+    Vertex(Vec<T>),
+    /// Values of their own, picked by three indices for each triangle.
+    Corner {
+        /// The values.
+        values: Vec<T>,
+        /// For each triangle, which values its corners have.
+        indices: Vec<[u32; 3]>,
+    },
+}
+
+impl<T: Copy> Attribute<T> {
+    /// The values at the three corners of triangle number `triangle`, whose vertices are `vertices`; `None` where the
+    /// attribute is too short for it.
+    #[must_use]
+    pub fn corners(&self, triangle: usize, vertices: [u32; 3]) -> Option<[T; 3]> {
+        let pick = |values: &[T], [a, b, c]: [u32; 3]| {
+            Some([
+                *values.get(a as usize)?,
+                *values.get(b as usize)?,
+                *values.get(c as usize)?,
+            ])
+        };
+        match self {
+            Self::Constant(value) => Some([*value; 3]),
+            Self::Triangle(values) => Some([*values.get(triangle)?; 3]),
+            Self::Vertex(values) => pick(values, vertices),
+            Self::Corner { values, indices } => pick(values, *indices.get(triangle)?),
+        }
+    }
+}
