@@ -9,6 +9,7 @@ mod attribute;
 mod light;
 mod material;
 mod mesh;
+pub mod polygon;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 
