@@ -10,6 +10,7 @@ mod light;
 mod material;
 mod mesh;
 pub mod polygon;
+mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 
