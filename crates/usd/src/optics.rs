@@ -6,7 +6,8 @@ use oaktwin_camera::{
 use oaktwin_diagnostic::{Finding, Level};
 
 use crate::lens::{self, Lens, MODEL};
-use crate::stage::SceneCamera;
+use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
+use crate::stage::{RenderProduct, SceneCamera};
 
 /// How wide the image of a camera is of which nothing says it: Isaac Sim's viewport.
 pub const DEFAULT_WIDTH: u32 = 1280;
@@ -111,6 +112,12 @@ pub fn clipping_range_m(camera: &SceneCamera, meters_per_unit: f64) -> (Option<(
         "author (near, far) with 0 < near < far",
     );
     (None, Some(finding))
+}
+
+/// Whether a render product is a depth sensor's template: it carries Kit's depth-sensor schema, or its camera ovrtx's.
+#[must_use]
+pub fn is_depth_product(product: &RenderProduct, camera: Option<&SceneCamera>) -> bool {
+    product.prim.has_api(PRODUCT_SCHEMA) || camera.is_some_and(|camera| camera.prim.has_api(CAMERA_SCHEMA))
 }
 
 fn by_apertures(
