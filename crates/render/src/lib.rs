@@ -15,6 +15,7 @@ mod visibility;
 
 pub use annotate::AnnotateOptions;
 pub use backend::Backend;
+pub use ray::Ray;
 pub use renderer::Renderer;
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};

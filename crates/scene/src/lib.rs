@@ -10,6 +10,8 @@ mod light;
 mod material;
 mod mesh;
 pub mod polygon;
+pub mod shape;
+mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 

@@ -1,5 +1,6 @@
 //! Primvars into attributes of triangles, stored as compactly as their values allow.
 
+use super::weld::Welder;
 use super::{Interpolation, Primvar};
 use crate::Attribute;
 
@@ -15,19 +16,25 @@ pub(super) struct Triangles<'a> {
     pub(super) are_faces: bool,
 }
 
-/// A value that can be compared bit by bit.
+/// A value at a corner.
 pub(super) trait Value: Copy + PartialEq {
     const ZERO: Self;
     fn is_finite(&self) -> bool;
 }
 
-impl<const N: usize> Value for [f32; N] {
-    const ZERO: Self = [0.0; N];
+macro_rules! values {
+    ($($float:ty),*) => {$(
+        impl<const N: usize> Value for [$float; N] {
+            const ZERO: Self = [0.0; N];
 
-    fn is_finite(&self) -> bool {
-        self.iter().all(|x| x.is_finite())
-    }
+            fn is_finite(&self) -> bool {
+                self.iter().all(|x| x.is_finite())
+            }
+        }
+    )*};
 }
+
+values!(f32, f64);
 
 /// The attribute, from a primvar that was checked.
 pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> Attribute<T> {
@@ -90,52 +97,4 @@ fn one_for_each_triangle<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangl
     let count = triangles.vertices.len();
     (0..count.min(64)).map(one).collect::<Option<Vec<T>>>()?;
     (0..count).map(one).collect()
-}
-
-/// Finds a vertex's earlier corners of the same value.
-struct Welder<T> {
-    /// First one for each vertex, in order; then those of vertices that have several.
-    values: Vec<T>,
-    /// For each value the next of the same vertex; `NONE` at the end.
-    next: Vec<u32>,
-    seen: Vec<bool>,
-}
-
-const NONE: u32 = u32::MAX;
-/// A vertex with more values than this gets them unwelded, which keeps the time linear.
-const LONGEST_CHAIN: usize = 16;
-
-impl<T: Value> Welder<T> {
-    fn new(points: usize) -> Self {
-        Self {
-            values: vec![T::ZERO; points],
-            next: vec![NONE; points],
-            seen: vec![false; points],
-        }
-    }
-
-    fn index(&mut self, vertex: u32, value: T) -> u32 {
-        let mut at = vertex;
-        if !self.seen[at as usize] {
-            self.seen[at as usize] = true;
-            self.values[at as usize] = value;
-            return at;
-        }
-        for _ in 0..LONGEST_CHAIN {
-            if self.values[at as usize] == value {
-                return at;
-            }
-            let next = self.next[at as usize];
-            if next == NONE {
-                break;
-            }
-            at = next;
-        }
-        // Fewer values than corners, and those have 32 bits.
-        let new = u32::try_from(self.values.len()).unwrap_or(NONE);
-        self.next.push(self.next[at as usize]);
-        self.next[at as usize] = new;
-        self.values.push(value);
-        new
-    }
 }

@@ -11,6 +11,7 @@ mod normals;
 mod primvar;
 mod subdivision;
 mod triangulate;
+mod weld;
 
 pub use primvar::{Interpolation, Primvar};
 pub use subdivision::{BoundaryRule, Crease, FaceVaryingRule, Scheme, Subdivision};

@@ -1,3 +1,12 @@
+//! Refinement of meshes: what a file says about it, and the rules.
+
+mod cage;
+mod edges;
+mod refine;
+mod seams;
+mod sharp;
+mod surface;
+
 /// How a mesh is refined, in OpenUSD's terms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Subdivision {
@@ -65,3 +74,12 @@ pub enum FaceVaryingRule {
     /// Linear everywhere.
     All,
 }
+
+#[cfg(test)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss
+)]
+mod tests;
