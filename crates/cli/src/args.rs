@@ -270,12 +270,13 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) pose: Option<Vec<f64>>,
 
-    /// Where the body stands, what it looks at and which way is up (by default the scene's), three numbers each, metres
+    /// Where the body stands (EYE), what it looks at (TARGET) and, three numbers more, which way is UP (by default the
+    /// scene's up), metres
     #[arg(
         long,
         num_args = 6..=9,
         allow_negative_numbers = true,
-        value_name = "EYE TARGET [UP]",
+        value_names = ["EX", "EY", "EZ", "TX", "TY", "TZ"],
         conflicts_with = "trajectory",
         requires = "model"
     )]
