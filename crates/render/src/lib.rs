@@ -11,6 +11,7 @@ mod view;
 mod visibility;
 
 pub use backend::Backend;
+pub use ray::Ray;
 pub use renderer::Renderer;
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};

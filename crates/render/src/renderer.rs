@@ -5,7 +5,7 @@ use oaktwin_scene::Scene;
 
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
-use crate::{Backend, View, Visibility};
+use crate::{Backend, Hit, Ray, View, Visibility};
 
 /// A scene made ready to be rendered any number of times, from any number of threads.
 ///
@@ -50,6 +50,19 @@ impl Renderer {
             Backend::Ray => self.ray_caster().visibility(&self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().visibility(&self.scene, view),
         }
+    }
+
+    /// The nearest triangle on each ray, both its ends included, and how far that is, in lengths of the ray's
+    /// direction; of equally near ones the first. `None` for a miss.
+    #[must_use]
+    pub fn cast_rays(&self, rays: &[Ray]) -> Vec<Option<(f64, Hit)>> {
+        self.ray_caster().cast_all(&self.scene, rays)
+    }
+
+    /// Whether anything lies on each ray between its ends, which do not count.
+    #[must_use]
+    pub fn occluded(&self, rays: &[Ray]) -> Vec<bool> {
+        self.ray_caster().are_occluded(&self.scene, rays)
     }
 
     pub(crate) fn rasterizer(&self) -> &Rasterizer {

@@ -3,7 +3,9 @@
 pub mod asset;
 pub mod body;
 pub mod check;
+mod lens;
 mod nvidia;
+pub mod optics;
 pub mod stage;
 pub mod text;
 pub mod usdz;
