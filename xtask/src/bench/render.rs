@@ -20,6 +20,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         "--release",
         "--package",
         "oaktwin-testkit",
+        "--no-default-features",
         "--bin",
         "render-bench",
     ];
