@@ -3,6 +3,7 @@ use std::sync::OnceLock;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::Scene;
 
+use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::{Backend, Hit, Ray, View, Visibility};
@@ -15,6 +16,7 @@ pub struct Renderer {
     scene: Scene,
     rasterizer: OnceLock<Rasterizer>,
     ray_caster: OnceLock<RayCaster>,
+    semantics: OnceLock<Semantics>,
 }
 
 impl Renderer {
@@ -25,6 +27,7 @@ impl Renderer {
             scene,
             rasterizer: OnceLock::new(),
             ray_caster: OnceLock::new(),
+            semantics: OnceLock::new(),
         }
     }
 
@@ -71,5 +74,9 @@ impl Renderer {
 
     pub(crate) fn ray_caster(&self) -> &RayCaster {
         self.ray_caster.get_or_init(|| RayCaster::new(&self.scene))
+    }
+
+    pub(crate) fn semantics(&self) -> &Semantics {
+        self.semantics.get_or_init(|| Semantics::new(&self.scene))
     }
 }
