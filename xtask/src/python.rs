@@ -36,6 +36,12 @@ pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     },
 ];
 
+/// Open3D and the other engines that depth frames are compared with: large, so only made where they are asked for.
+pub(crate) const RENDER: Environment = Environment {
+    name: "render",
+    versions: ((3, 11), None),
+};
+
 impl Interpreter {
     /// The Pythons found under their usual names, the default one first. `OAKTWIN_PYTHON` names one more, before all.
     pub(crate) fn find_all() -> Vec<Self> {
@@ -88,6 +94,11 @@ impl Environment {
         Err(format!(
             "its packages want {wanted}, and {found} is here; OAKTWIN_PYTHON can name another"
         ))
+    }
+
+    /// Its folder.
+    pub(crate) fn folder(&self) -> PathBuf {
+        workspace::target().join("oracles").join(self.name)
     }
 
     /// Makes it if it is not there as its requirements file has it; the path of its Python.

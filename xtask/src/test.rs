@@ -26,6 +26,7 @@ pub(crate) struct Args {
 struct Programs {
     oaktwin: PathBuf,
     camera_eval: PathBuf,
+    scene_dump: PathBuf,
 }
 
 /// What became of a Python environment.
@@ -124,7 +125,10 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
 
 fn build_programs() -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
-    let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin", "--bin", "camera-eval"])?;
+    let names = ["oaktwin", "camera-eval", "scene-dump"];
+    let mut arguments = vec!["--workspace"];
+    arguments.extend(names.iter().flat_map(|name| ["--bin", name]));
+    let mut programs = workspace::build(&arguments)?;
     let mut take = |name| {
         programs
             .remove(name)
@@ -133,6 +137,7 @@ fn build_programs() -> Result<Programs, String> {
     Ok(Programs {
         oaktwin: take("oaktwin")?,
         camera_eval: take("camera-eval")?,
+        scene_dump: take("scene-dump")?,
     })
 }
 
@@ -154,6 +159,7 @@ fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
     }
     command.env("OAKTWIN_BIN", &programs.oaktwin);
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
+    command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
     // The environment is pinned: nothing of the user's own Python gets in.
     command
         .env_remove("PYTHONPATH")

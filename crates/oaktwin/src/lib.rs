@@ -24,6 +24,7 @@
 //! ```
 
 pub mod files;
+pub mod render;
 pub mod report;
 pub mod unit;
 
@@ -31,4 +32,6 @@ pub use oaktwin_calibration as calibration;
 pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
 pub use oaktwin_diagnostic as diagnostic;
+pub use oaktwin_image as image;
+pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

@@ -84,6 +84,17 @@ pub struct Instance {
     /// From the mesh's frame into the world, metres. Always invertible: what is squashed flat is baked into a mesh of
     /// its own by the importer.
     pub world_from_mesh: DAffine3,
-    /// The semantic labels as pairs of taxonomy and label (`class`, `chair`), its own first, then its ancestors'.
-    pub labels: Vec<(String, String)>,
+    /// The semantic labels: its own first, then its parent's, and so on.
+    pub labels: Vec<Label>,
+}
+
+/// A semantic label.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// The prim that carries it: the instance itself or one of its ancestors, of which it may be a part only.
+    pub prim: String,
+    /// What kind of label it is: `class`.
+    pub taxonomy: String,
+    /// The label: `chair`.
+    pub name: String,
 }

@@ -107,6 +107,11 @@ pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<(), Problem> {
     look_over(kind(name, bytes)?, bytes).map(drop)
 }
 
+/// The bytes of an entry of a package that was looked over.
+pub(super) fn packaged<'a>(package: &'a [u8], name: &str) -> Option<&'a [u8]> {
+    package::find(package, name)
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Text,

@@ -1,0 +1,353 @@
+//! Eight single-precision numbers at once, and the same eight one after another.
+//!
+//! Every operation is rounded by itself (nothing is fused), so both give the same bits.
+#![allow(unsafe_code, reason = "AVX2 is asked for at run time")]
+
+/// Eight `f32`. A comparison gives all ones or all zeros in each lane.
+pub(crate) trait Lanes: Copy {
+    fn load(values: &[f32; 8]) -> Self;
+    fn store(self, to: &mut [f32; 8]);
+    fn load_bits(values: &[u32; 8]) -> Self;
+    fn store_bits(self, to: &mut [u32; 8]);
+    fn splat(value: f32) -> Self;
+    fn add(self, other: Self) -> Self;
+    fn sub(self, other: Self) -> Self;
+    fn mul(self, other: Self) -> Self;
+    fn div(self, other: Self) -> Self;
+    /// The lesser; `other` where either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The greater; `other` where either is NaN.
+    fn max(self, other: Self) -> Self;
+    fn le(self, other: Self) -> Self;
+    fn lt(self, other: Self) -> Self;
+    fn and(self, other: Self) -> Self;
+    fn xor(self, other: Self) -> Self;
+    /// `then` where the lane is all ones, else `otherwise`.
+    fn select(self, then: Self, otherwise: Self) -> Self;
+    /// The sign bits, lane 0 lowest.
+    fn signs(self) -> u32;
+    /// The least of all lanes, none of which is NaN.
+    fn least(self) -> f32;
+
+    #[inline(always)]
+    fn values(self) -> [f32; 8] {
+        let mut values = [0.0; 8];
+        self.store(&mut values);
+        values
+    }
+}
+
+/// Work that is written for any [`Lanes`].
+pub(crate) trait Kernel {
+    type Output;
+    /// Must be `#[inline(always)]`, and so must all that it calls with `L`: only then is it compiled for the
+    /// instructions that `L` stands for.
+    fn run<L: Lanes>(self) -> Self::Output;
+}
+
+/// The instructions to use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Instructions {
+    /// Those that every processor has.
+    Baseline,
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2Token),
+}
+
+/// Exists only where the processor has AVX2.
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Avx2Token(());
+
+impl Instructions {
+    /// The best that this processor has.
+    pub(crate) fn detect() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            return Self::Avx2(Avx2Token(()));
+        }
+        Self::Baseline
+    }
+
+    #[inline]
+    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        match self {
+            Self::Baseline => kernel.run::<Scalar>(),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(_) => {
+                // SAFETY: the token says that the processor has AVX2.
+                unsafe { avx2::run(kernel) }
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Scalar([f32; 8]);
+
+impl Scalar {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
+        Self(std::array::from_fn(|i| f(self.0[i], other.0[i])))
+    }
+
+    #[inline(always)]
+    fn compare(self, other: Self, f: impl Fn(f32, f32) -> bool) -> Self {
+        self.zip(other, |a, b| f32::from_bits(if f(a, b) { u32::MAX } else { 0 }))
+    }
+}
+
+impl Lanes for Scalar {
+    #[inline(always)]
+    fn load(values: &[f32; 8]) -> Self {
+        Self(*values)
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f32; 8]) {
+        *to = self.0;
+    }
+    #[inline(always)]
+    fn load_bits(values: &[u32; 8]) -> Self {
+        Self(values.map(f32::from_bits))
+    }
+    #[inline(always)]
+    fn store_bits(self, to: &mut [u32; 8]) {
+        *to = self.0.map(f32::to_bits);
+    }
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Self([value; 8])
+    }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.zip(other, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a < b { a } else { b })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> Self {
+        self.compare(other, |a, b| a <= b)
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> Self {
+        self.compare(other, |a, b| a < b)
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        self.zip(other, |a, b| f32::from_bits(a.to_bits() & b.to_bits()))
+    }
+    #[inline(always)]
+    fn xor(self, other: Self) -> Self {
+        self.zip(other, |a, b| f32::from_bits(a.to_bits() ^ b.to_bits()))
+    }
+    #[inline(always)]
+    fn select(self, then: Self, otherwise: Self) -> Self {
+        Self(std::array::from_fn(|i| {
+            if self.0[i].is_sign_negative() {
+                then.0[i]
+            } else {
+                otherwise.0[i]
+            }
+        }))
+    }
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        (0..8).fold(0, |bits, i| bits | (self.0[i].to_bits() >> 31) << i)
+    }
+    #[inline(always)]
+    fn least(self) -> f32 {
+        self.0
+            .into_iter()
+            .fold(f32::INFINITY, |a, b| if b < a { b } else { a })
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    #[allow(clippy::wildcard_imports, reason = "intrinsics")]
+    use std::arch::x86_64::*;
+
+    use super::{Kernel, Lanes};
+
+    /// Is made only within [`run`], so the processor has AVX2.
+    #[derive(Clone, Copy)]
+    struct Avx2(__m256);
+
+    /// # Safety
+    /// The processor has AVX2.
+    #[target_feature(enable = "avx2")]
+    pub(super) unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<Avx2>()
+    }
+
+    // SAFETY of all below: the processor has AVX2 (see `Avx2`); loads and stores are of whole arrays, unaligned.
+    impl Lanes for Avx2 {
+        #[inline(always)]
+        fn load(values: &[f32; 8]) -> Self {
+            Self(unsafe { _mm256_loadu_ps(values.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f32; 8]) {
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
+        }
+        #[inline(always)]
+        fn load_bits(values: &[u32; 8]) -> Self {
+            Self(unsafe { _mm256_loadu_ps(values.as_ptr().cast()) })
+        }
+        #[inline(always)]
+        fn store_bits(self, to: &mut [u32; 8]) {
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr().cast(), self.0) }
+        }
+        #[inline(always)]
+        fn splat(value: f32) -> Self {
+            Self(unsafe { _mm256_set1_ps(value) })
+        }
+        #[inline(always)]
+        fn add(self, other: Self) -> Self {
+            Self(unsafe { _mm256_add_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn sub(self, other: Self) -> Self {
+            Self(unsafe { _mm256_sub_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn mul(self, other: Self) -> Self {
+            Self(unsafe { _mm256_mul_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn div(self, other: Self) -> Self {
+            Self(unsafe { _mm256_div_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn min(self, other: Self) -> Self {
+            Self(unsafe { _mm256_min_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            Self(unsafe { _mm256_max_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn le(self, other: Self) -> Self {
+            Self(unsafe { _mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn lt(self, other: Self) -> Self {
+            Self(unsafe { _mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn and(self, other: Self) -> Self {
+            Self(unsafe { _mm256_and_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn xor(self, other: Self) -> Self {
+            Self(unsafe { _mm256_xor_ps(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn select(self, then: Self, otherwise: Self) -> Self {
+            Self(unsafe { _mm256_blendv_ps(otherwise.0, then.0, self.0) })
+        }
+        #[inline(always)]
+        fn signs(self) -> u32 {
+            unsafe { _mm256_movemask_ps(self.0) }.cast_unsigned()
+        }
+        #[inline(always)]
+        fn least(self) -> f32 {
+            unsafe {
+                let four = _mm_min_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+                let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+                _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Every operation on one pair of vectors, as bits.
+    struct Everything([f32; 8], [f32; 8]);
+
+    impl Kernel for Everything {
+        type Output = Vec<u32>;
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Vec<u32> {
+            let (a, b) = (L::load(&self.0), L::load(&self.1));
+            let all = [
+                a.add(b),
+                a.sub(b),
+                a.mul(b),
+                a.div(b),
+                a.min(b),
+                a.max(b),
+                a.le(b),
+                a.lt(b),
+                a.and(b),
+                a.xor(b),
+                a.le(b).select(a, b),
+                L::splat(self.0[3]),
+            ];
+            let mut bits: Vec<u32> = all
+                .iter()
+                .flat_map(|v| v.values())
+                // Which NaN comes out is nobody's business.
+                .map(|x| if x.is_nan() { f32::NAN } else { x }.to_bits())
+                .collect();
+            bits.push(a.signs());
+            let mut raw = [0; 8];
+            L::load_bits(&self.0.map(f32::to_bits)).store_bits(&mut raw);
+            bits.extend(raw);
+            // No NaN, and only one zero.
+            let ordered = a.le(b).select(L::splat(-1.0), L::splat(2.0));
+            bits.push(ordered.least().to_bits());
+            bits.push(
+                L::load(&self.0.map(|x| if x.is_nan() { 1.0 } else { x + 0.0 }))
+                    .least()
+                    .to_bits(),
+            );
+            bits
+        }
+    }
+
+    fn number() -> impl Strategy<Value = f32> {
+        prop_oneof![
+            any::<f32>(),
+            -1e3f32..1e3,
+            Just(0.0),
+            Just(-0.0),
+            Just(f32::INFINITY),
+            Just(f32::NAN)
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn every_instruction_set_gives_the_same_bits(
+            a in prop::array::uniform8(number()), b in prop::array::uniform8(number())
+        ) {
+            let best = Instructions::detect().run(Everything(a, b));
+            prop_assert_eq!(best, Instructions::Baseline.run(Everything(a, b)));
+        }
+    }
+}
