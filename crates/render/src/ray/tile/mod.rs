@@ -6,10 +6,12 @@
 
 mod frame;
 mod rays;
+mod state;
 mod table;
 mod trace;
 mod triangles;
 
 pub(crate) use rays::{SIDE, TileRays, place};
+pub(crate) use state::Seen;
 pub(crate) use table::{RayTable, RayTables};
-pub(crate) use trace::{Origin, Seen, Trace};
+pub(crate) use trace::{Origin, Trace};
