@@ -12,8 +12,10 @@ use std::fmt;
 use std::time::Instant;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, RigidTransform};
-use oaktwin_render::{Backend, Clip, Renderer, View};
+use oaktwin_camera::{
+    Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
+};
+use oaktwin_render::{Backend, Clip, Ray, Renderer, View};
 use oaktwin_scene::{Instance, Mesh, Scene};
 
 fn main() {
@@ -55,6 +57,7 @@ fn measure(name: &str, mesh: Mesh, eye: DVec3) {
         })
     });
     println!("  build {build}");
+    shadows(&renderer, eye);
     let fisheye = LensModel::OpenCvFisheye(OpenCvFisheye {
         k: [-0.02, 0.001, 0.0, 0.0],
     });
@@ -69,6 +72,43 @@ fn measure(name: &str, mesh: Mesh, eye: DVec3) {
         });
         println!("  {kind} {frame}, {hits} hits");
     }
+}
+
+/// Rays by themselves: from what is seen towards a lamp, and into the view.
+fn shadows(renderer: &Renderer, eye: DVec3) {
+    let view = view(LensModel::Pinhole, 1280, 800, eye);
+    let z = renderer.depth(&view, Backend::Ray);
+    let lamp = eye + DVec3::new(1.0, -2.0, 0.3);
+    let mut seen = Vec::new();
+    let mut shadows = Vec::new();
+    for (i, z) in z.0.pixels().iter().enumerate() {
+        let pixel = PixelPoint::<Usd>::new((i % 1280) as f64 + 0.5, (i / 1280) as f64 + 0.5);
+        let direction = view.camera.intrinsics.normalized_from_pixel(pixel).extend(1.0);
+        seen.push(Ray {
+            origin: eye,
+            direction,
+            near: 0.01,
+            far: f64::INFINITY,
+        });
+        if z.is_finite() {
+            let origin = eye + direction * f64::from(*z);
+            shadows.push(Ray {
+                origin,
+                direction: lamp - origin,
+                near: 1e-3,
+                far: 1.0,
+            });
+        }
+    }
+    let mut count = 0;
+    let time = least(3, || {
+        Timer::time(|| count = renderer.occluded(&shadows).iter().filter(|x| **x).count())
+    });
+    println!("  {} shadow rays {time}, {count} in the shadow", shadows.len());
+    let time = least(3, || {
+        Timer::time(|| count = renderer.cast_rays(&seen).iter().flatten().count())
+    });
+    println!("  {} single rays {time}, {count} hits", seen.len());
 }
 
 /// Seconds on the clock and of all threads together.

@@ -1,5 +1,6 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 
+use super::rays::Range;
 use crate::ray::bvh::{Bounds, Node};
 use crate::ray::simd::Lanes;
 use crate::ray::vector::Vector;
@@ -26,13 +27,6 @@ struct Plane {
     farthest: [usize; 3],
 }
 
-/// What part of the plane z = 1 a tile sees.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Extent {
-    pub(super) u: [f32; 2],
-    pub(super) v: [f32; 2],
-}
-
 impl Frame {
     /// From the frame's place in the world and the tile's in the world; `None` where there is nothing to see.
     #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
@@ -41,7 +35,7 @@ impl Frame {
         origin_in_frame: DVec3,
         world_from_frame: &DAffine3,
         bounds: &Bounds,
-        extent: &Extent,
+        extent: &Range<f32>,
     ) -> Option<Self> {
         let tile_from_frame = *tile_from_world * world_from_frame.matrix3;
         if !(bounds.is_finite() && origin_in_frame.is_finite()) {
@@ -81,7 +75,7 @@ impl Frame {
 
     /// Eight points of the frame in the tile's.
     #[inline(always)]
-    pub(super) fn into_tile<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
+    pub(super) fn see<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
         let from_origin = point
             .sub(Vector::splat(self.coarse))
             .sub(Vector::splat(self.fine));

@@ -1,4 +1,3 @@
-use super::frame::Extent;
 use super::rays::{PACKETS, PerRay, TileRays};
 use super::triangles::Triangles;
 use crate::Clip;
@@ -27,81 +26,56 @@ pub(super) struct Leaf<'a> {
 }
 
 /// What is known of a tile's rays so far.
-pub(super) struct State {
-    pub(super) seen: Seen,
+pub(crate) struct State {
+    pub(crate) seen: Seen,
     /// The greatest 1/z that is not before the near end.
     nearest: PerRay<f32>,
-    /// Where each packet's rays are on the plane z = 1.
-    u: [[f32; 8]; 2],
-    v: [[f32; 8]; 2],
     /// The least 1/z in each packet, and of all.
     packet_least: [f32; 8],
     pub(super) least: f32,
     /// The greatest z that matters.
     pub(super) farthest: f32,
-    pub(super) extent: Extent,
 }
 
 impl State {
+    pub(crate) const NONE: Self = Self {
+        seen: Seen {
+            inverse_z: [[0.0; 8]; PACKETS],
+            instance: [[u32::MAX; 8]; PACKETS],
+            triangle: [[u32::MAX; 8]; PACKETS],
+        },
+        nearest: [[0.0; 8]; PACKETS],
+        packet_least: [0.0; 8],
+        least: 0.0,
+        farthest: 0.0,
+    };
+
+    /// Nothing is seen yet.
+    #[inline(always)]
     #[allow(
         clippy::cast_possible_truncation,
         reason = "ends are looked at again in double precision"
     )]
-    pub(super) fn new(rays: &TileRays, clip: Clip, scale: f64) -> Self {
-        let mut state = Self {
-            seen: Seen {
-                inverse_z: [[f32::INFINITY; 8]; PACKETS],
-                instance: [[u32::MAX; 8]; PACKETS],
-                triangle: [[u32::MAX; 8]; PACKETS],
-            },
-            nearest: [[-1.0; 8]; PACKETS],
-            u: [[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]],
-            v: [[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]],
-            packet_least: [f32::INFINITY; 8],
-            least: 0.0,
-            farthest: 0.0,
-            extent: Extent {
-                u: [f32::INFINITY, f32::NEG_INFINITY],
-                v: [f32::INFINITY, f32::NEG_INFINITY],
-            },
-        };
-        let [near, far] = [clip.near_m, clip.far_m].map(|end| 1.0 / (end * scale));
+    pub(super) fn reset<L: Lanes>(&mut self, rays: &TileRays, clip: Clip, scale: f64) {
+        let near = L::splat((1.0 / (clip.near_m * scale) * (1.0 + 1e-5)) as f32);
+        let far = L::splat((1.0 / (clip.far_m * scale) * (1.0 - 1e-5)) as f32);
+        self.seen.instance = [[u32::MAX; 8]; PACKETS];
+        self.seen.triangle = [[u32::MAX; 8]; PACKETS];
         for packet in 0..PACKETS {
-            for lane in 0..8 {
-                if rays.present[packet] >> lane & 1 == 0 {
-                    continue;
-                }
-                let per_length = 1.0 / f64::from(rays.z_per_length[packet][lane]);
-                state.nearest[packet][lane] = ((near * per_length) * (1.0 + 1e-5)) as f32;
-                state.seen.inverse_z[packet][lane] = ((far * per_length) * (1.0 - 1e-5)) as f32;
-                for (range, at) in [
-                    (&mut state.u, rays.u[packet][lane]),
-                    (&mut state.v, rays.v[packet][lane]),
-                ] {
-                    range[0][packet] = range[0][packet].min(at);
-                    range[1][packet] = range[1][packet].max(at);
-                }
-            }
-            state.packet_least[packet] = smallest(&state.seen.inverse_z[packet]);
+            let z_per_length = L::load(&rays.z_per_length[packet]);
+            let is_there = L::splat(0.0).lt(z_per_length);
+            // Where there is no ray, nothing is near enough.
+            let least = is_there.select(far.div(z_per_length), L::splat(f32::INFINITY));
+            let nearest = is_there.select(near.div(z_per_length), L::splat(-1.0));
+            least.store(&mut self.seen.inverse_z[packet]);
+            nearest.store(&mut self.nearest[packet]);
+            self.packet_least[packet] = least.least();
         }
-        // A little more than the rays, so that rounding at a triangle's side does not hide it from a ray.
-        for (packets, all) in [
-            (&mut state.u, &mut state.extent.u),
-            (&mut state.v, &mut state.extent.v),
-        ] {
-            let low = smallest(&packets[0]);
-            let high = packets[1].iter().copied().fold(f32::NEG_INFINITY, f32::max);
-            let slack = (high - low) / 256.0 + 2e-6 * (1.0 + low.abs().max(high.abs()));
-            *all = [low - slack, high + slack];
-            packets[0] = packets[0].map(|x| x - slack);
-            packets[1] = packets[1].map(|x| x + slack);
-        }
-        state.update_least();
-        state
+        self.update_least();
     }
 
     fn update_least(&mut self) {
-        self.least = smallest(&self.packet_least);
+        self.least = self.packet_least.into_iter().fold(f32::INFINITY, f32::min);
         self.farthest = 1.0 / self.least * (1.0 + 1e-6);
     }
 
@@ -111,14 +85,15 @@ impl State {
         let mut triangles = ready.seen & ((1 << leaf.triangles.len()) - 1);
         let mut is_nearer = false;
         while triangles != 0 {
+            let slot = leaf.first + triangles.trailing_zeros();
             let index = triangles.trailing_zeros() as usize & 7;
             triangles &= triangles - 1;
             let greatest = L::splat(ready.greatest[index]);
-            let touched = L::load(&self.u[0])
+            let touched = L::load(&rays.packets.u[0])
                 .le(L::splat(ready.u[1][index]))
-                .and(L::splat(ready.u[0][index]).le(L::load(&self.u[1])))
-                .and(L::load(&self.v[0]).le(L::splat(ready.v[1][index])))
-                .and(L::splat(ready.v[0][index]).le(L::load(&self.v[1])))
+                .and(L::splat(ready.u[0][index]).le(L::load(&rays.packets.u[1])))
+                .and(L::load(&rays.packets.v[0]).le(L::splat(ready.v[1][index])))
+                .and(L::splat(ready.v[0][index]).le(L::load(&rays.packets.v[1])))
                 .and(L::load(&self.packet_least).le(greatest));
             let mut packets = touched.signs();
             if packets == 0 {
@@ -152,7 +127,7 @@ impl State {
                 let nearer = met.select(w, best);
                 nearer.store(&mut self.seen.inverse_z[packet]);
                 replace(met, leaf.instance, &mut self.seen.instance[packet]);
-                replace(met, leaf.first + index as u32, &mut self.seen.triangle[packet]);
+                replace(met, slot, &mut self.seen.triangle[packet]);
                 self.packet_least[packet] = nearer.least();
             }
         }
@@ -189,8 +164,4 @@ fn replace<L: Lanes>(place: L, number: u32, numbers: &mut [u32; 8]) {
 #[inline(always)]
 fn at<L: Lanes>(n: Vector<L>, u: L, v: L) -> L {
     n.x.mul(u).add(n.y.mul(v)).add(n.z)
-}
-
-fn smallest(values: &[f32; 8]) -> f32 {
-    values.iter().copied().fold(f32::INFINITY, f32::min)
 }

@@ -2,8 +2,8 @@ use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::Mesh;
 
 use super::frame::Frame;
-use super::rays::{PACKETS, TileRays};
-use super::state::{Leaf, Seen, State};
+use super::rays::TileRays;
+use super::state::{Leaf, State};
 use super::triangles::Triangles;
 use crate::Clip;
 use crate::ray::Prepared;
@@ -29,24 +29,26 @@ pub(crate) struct Trace<'a> {
     pub(crate) origin: &'a Origin,
     pub(crate) rays: &'a TileRays,
     pub(crate) clip: Clip,
+    pub(crate) state: &'a mut State,
     pub(crate) stack: &'a mut Stack,
 }
 
 impl Kernel for Trace<'_> {
-    type Output = Seen;
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> Seen {
+    fn run<L: Lanes>(self) {
         let Self {
             scene,
             origin,
             rays,
             clip,
+            state,
             stack,
         } = self;
-        let mut state = State::new(rays, clip, origin.scale);
-        if rays.present == [0; PACKETS] {
-            return state.seen;
+        state.reset::<L>(rays, clip, origin.scale);
+        if rays.is_empty() {
+            return;
         }
         let top = scene.instances;
         let tile_from_world = rays.tile_from_camera * origin.camera_from_world * origin.scale;
@@ -55,9 +57,9 @@ impl Kernel for Trace<'_> {
             origin.point,
             &DAffine3::IDENTITY,
             &top.bounds,
-            &state.extent,
+            &rays.all,
         );
-        let Some(world) = world else { return state.seen };
+        let Some(world) = world else { return };
         stack.clear();
         let mut visit = VisitInstances {
             scene,
@@ -65,8 +67,7 @@ impl Kernel for Trace<'_> {
             rays,
             tile_from_world,
         };
-        walk::<L>(&top.nodes, &world, &mut state, stack, &mut visit);
-        state.seen
+        walk::<L>(&top.nodes, &world, state, stack, &mut visit);
     }
 }
 
@@ -94,7 +95,7 @@ impl Visit for VisitInstances<'_> {
                 mesh_from_world.transform_point3(self.origin.point),
                 &self.scene.scene.instances[instance as usize].world_from_mesh,
                 &tree.bounds,
-                &state.extent,
+                &self.rays.all,
             );
             let Some(frame) = frame else { continue };
             let mut visit = VisitTriangles {
@@ -124,7 +125,7 @@ impl Visit for VisitTriangles<'_> {
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Stack) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
-        self.ready.set(corners, self.frame, &state.extent, state.least);
+        self.ready.set(corners, self.frame, &self.rays.all, state.least);
         let leaf = Leaf {
             instance: self.instance,
             first,

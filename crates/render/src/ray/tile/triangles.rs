@@ -1,4 +1,5 @@
-use super::frame::{Extent, Frame};
+use super::frame::Frame;
+use super::rays::Range;
 use crate::ray::corners::Corners;
 use crate::ray::simd::Lanes;
 
@@ -33,12 +34,18 @@ impl Triangles {
 
     /// Makes triangles ready that the tile may see at 1/z of at least `least`.
     #[inline(always)]
-    pub(super) fn set<L: Lanes>(&mut self, corners: Corners<L>, frame: &Frame, extent: &Extent, least: f32) {
+    pub(super) fn set<L: Lanes>(
+        &mut self,
+        corners: Corners<L>,
+        frame: &Frame,
+        extent: &Range<f32>,
+        least: f32,
+    ) {
         let zero = L::splat(0.0);
         let one = L::splat(1.0);
-        let a = frame.into_tile(corners[0]);
-        let b = frame.into_tile(corners[1]);
-        let c = frame.into_tile(corners[2]);
+        let a = frame.see(corners[0]);
+        let b = frame.see(corners[1]);
+        let c = frame.see(corners[2]);
         let nearest = a.z.min(b.z).min(c.z);
         let farthest = a.z.max(b.z).max(c.z);
         // Where a corner is behind, the triangle may be anywhere.
