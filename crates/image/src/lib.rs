@@ -5,13 +5,21 @@
 
 pub mod annotation;
 mod bytes;
+pub mod colormap;
 mod depth;
 mod error;
+pub mod exr;
+mod limits;
 pub mod millimetres;
 pub mod npy;
 pub mod pfm;
 mod plane;
+pub mod ply;
 pub mod png;
+pub mod preview;
+pub mod srgb;
+pub mod text;
+pub mod texture;
 
 pub use depth::{RangeDepth, ZDepth};
 pub use error::CodecError;

@@ -2,9 +2,12 @@
 
 use crate::Image;
 
+/// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds.
+const ONE_A_STEP: f32 = 8_388_608.0;
+
 /// Whole millimetres; 0 where there is no value.
 ///
-/// * Rounded to the nearest, halves up, as ROS's `depth_image_proc` does (`metres · 1000 + 0.5`, cut off).
+/// * `metres · 1000` in `float32`, rounded to the nearest, halves to even, as OpenCV's `convertTo` does for ROS.
 /// * 0 for infinity, NaN, and whatever is not positive: what `DepthAI` and ROS take for "nothing measured".
 /// * 0 beyond 65.535 m too. Saturating there, as plain conversions do, would put a wall 65.5 m away that nobody can
 ///   tell from a measured one.
@@ -13,16 +16,12 @@ use crate::Image;
 #[must_use]
 pub fn from_metres(metres: &Image<f32>) -> Image<u16> {
     metres.map(|&metres| {
-        let millimetres = metres * 1000.0 + 0.5;
-        // False for a NaN. Written without branches, so that it is vectorised.
-        let fits = (millimetres > 0.0) & (millimetres < 65536.0);
+        let millimetres = metres * 1000.0;
+        // False for a NaN. Without branches and casts from float, so that it is vectorised.
+        let fits = (millimetres > 0.0) & (millimetres < 65535.5);
         let kept = if fits { millimetres } else { 0.0 };
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "0 to 65535.996"
-        )]
-        let whole = kept as i32 as u16;
+        #[expect(clippy::cast_possible_truncation, reason = "the number is in the low 16 bits")]
+        let whole = (kept + ONE_A_STEP).to_bits() as u16;
         whole
     })
 }
@@ -51,11 +50,13 @@ mod tests {
             (1.0, 1000),
             (1.234_49, 1234),
             (1.234_51, 1235),
+            (0.002_5, 2),
+            (0.003_5, 4),
             (65.535, 65535),
             (65.536, 0),
             (1e30, 0),
         ];
-        let image = Image::new(13, 1, cases.iter().map(|case| case.0).collect()).unwrap();
+        let image = Image::new(15, 1, cases.iter().map(|case| case.0).collect()).unwrap();
         let expected: Vec<u16> = cases.iter().map(|case| case.1).collect();
         assert_eq!(from_metres(&image).pixels(), expected);
     }

@@ -2,4 +2,6 @@
 
 #[cfg(target_os = "linux")]
 pub mod embree;
+pub mod random;
+pub mod reference;
 pub mod shapes;

@@ -6,12 +6,14 @@ mod corners;
 mod exact;
 mod instances;
 mod mesh_tree;
+mod render;
 mod simd;
 mod single;
 mod stack;
+mod tile;
+mod vector;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::{Mesh, Scene};
 use rayon::prelude::*;
@@ -21,6 +23,7 @@ use self::mesh_tree::MeshTree;
 use self::simd::Instructions;
 use self::single::{Cast, Until};
 pub(crate) use self::stack::Stack;
+use self::tile::RayTables;
 use crate::{Hit, View, Visibility};
 
 /// A piece of a half-line in the world.
@@ -42,6 +45,7 @@ pub(crate) struct RayCaster {
     trees: Vec<MeshTree>,
     instances: Instances,
     instructions: Instructions,
+    tables: RayTables,
 }
 
 /// A scene and what was prepared of it.
@@ -74,6 +78,7 @@ impl RayCaster {
             trees,
             instances,
             instructions: Instructions::detect(),
+            tables: RayTables::default(),
         }
     }
 
@@ -86,44 +91,14 @@ impl RayCaster {
     }
 
     pub(crate) fn depth(&self, scene: &Scene, view: &View) -> ZDepth {
-        self.visibility(scene, view).z
+        self.render(scene, view, None)
     }
 
-    #[allow(clippy::cast_possible_truncation, reason = "depth is float32")]
     pub(crate) fn visibility(&self, scene: &Scene, view: &View) -> Visibility {
         let size = view.camera.intrinsics.size;
-        let mut z = Image::filled(size.width, size.height, f32::INFINITY);
         let mut hits = Image::filled(size.width, size.height, Hit::MISS);
-        let width = (size.width as usize).max(1);
-        let along_axis = view.clips_along_axis();
-        let rows = z
-            .pixels_mut()
-            .par_chunks_mut(width)
-            .zip(hits.pixels_mut().par_chunks_mut(width));
-        rows.zip(0..size.height)
-            .for_each_init(Stack::new, |stack, ((z, hits), y)| {
-                for ((z, hit), x) in z.iter_mut().zip(hits).zip(0..size.width) {
-                    let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                    let Some(ray) = view.camera.unproject(pixel) else {
-                        continue;
-                    };
-                    let ray = if along_axis { ray / ray.z } else { ray };
-                    let found = self.cast(
-                        scene,
-                        Ray {
-                            origin: view.world_from_camera.translation,
-                            direction: view.world_from_camera.rotation * ray,
-                            near: view.clip.near_m,
-                            far: view.clip.far_m,
-                        },
-                        stack,
-                    );
-                    if let Some((t, found)) = found {
-                        (*z, *hit) = ((t * ray.z) as f32, found);
-                    }
-                }
-            });
-        Visibility { z: ZDepth(z), hits }
+        let z = self.render(scene, view, Some(&mut hits));
+        Visibility { z, hits }
     }
 
     /// The nearest triangle on the ray, both ends included, and how far it is, in lengths of `direction`. Of equally

@@ -4,10 +4,11 @@
 #![allow(unsafe_code, reason = "AVX2 is asked for at run time")]
 
 /// Eight `f32`. A comparison gives all ones or all zeros in each lane.
-#[allow(dead_code, reason = "packets come next")]
 pub(crate) trait Lanes: Copy {
     fn load(values: &[f32; 8]) -> Self;
     fn store(self, to: &mut [f32; 8]);
+    fn load_bits(values: &[u32; 8]) -> Self;
+    fn store_bits(self, to: &mut [u32; 8]);
     fn splat(value: f32) -> Self;
     fn add(self, other: Self) -> Self;
     fn sub(self, other: Self) -> Self;
@@ -25,6 +26,8 @@ pub(crate) trait Lanes: Copy {
     fn select(self, then: Self, otherwise: Self) -> Self;
     /// The sign bits, lane 0 lowest.
     fn signs(self) -> u32;
+    /// The least of all lanes, none of which is NaN.
+    fn least(self) -> f32;
 
     #[inline(always)]
     fn values(self) -> [f32; 8] {
@@ -104,6 +107,14 @@ impl Lanes for Scalar {
         *to = self.0;
     }
     #[inline(always)]
+    fn load_bits(values: &[u32; 8]) -> Self {
+        Self(values.map(f32::from_bits))
+    }
+    #[inline(always)]
+    fn store_bits(self, to: &mut [u32; 8]) {
+        *to = self.0.map(f32::to_bits);
+    }
+    #[inline(always)]
     fn splat(value: f32) -> Self {
         Self([value; 8])
     }
@@ -161,6 +172,12 @@ impl Lanes for Scalar {
     fn signs(self) -> u32 {
         (0..8).fold(0, |bits, i| bits | (self.0[i].to_bits() >> 31) << i)
     }
+    #[inline(always)]
+    fn least(self) -> f32 {
+        self.0
+            .into_iter()
+            .fold(f32::INFINITY, |a, b| if b < a { b } else { a })
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -190,6 +207,14 @@ mod avx2 {
         #[inline(always)]
         fn store(self, to: &mut [f32; 8]) {
             unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
+        }
+        #[inline(always)]
+        fn load_bits(values: &[u32; 8]) -> Self {
+            Self(unsafe { _mm256_loadu_ps(values.as_ptr().cast()) })
+        }
+        #[inline(always)]
+        fn store_bits(self, to: &mut [u32; 8]) {
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr().cast(), self.0) }
         }
         #[inline(always)]
         fn splat(value: f32) -> Self {
@@ -243,6 +268,14 @@ mod avx2 {
         fn signs(self) -> u32 {
             unsafe { _mm256_movemask_ps(self.0) }.cast_unsigned()
         }
+        #[inline(always)]
+        fn least(self) -> f32 {
+            unsafe {
+                let four = _mm_min_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+                let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+                _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
+            }
+        }
     }
 }
 
@@ -282,6 +315,17 @@ mod tests {
                 .map(|x| if x.is_nan() { f32::NAN } else { x }.to_bits())
                 .collect();
             bits.push(a.signs());
+            let mut raw = [0; 8];
+            L::load_bits(&self.0.map(f32::to_bits)).store_bits(&mut raw);
+            bits.extend(raw);
+            // No NaN, and only one zero.
+            let ordered = a.le(b).select(L::splat(-1.0), L::splat(2.0));
+            bits.push(ordered.least().to_bits());
+            bits.push(
+                L::load(&self.0.map(|x| if x.is_nan() { 1.0 } else { x + 0.0 }))
+                    .least()
+                    .to_bits(),
+            );
             bits
         }
     }

@@ -9,6 +9,7 @@ use super::exact::Plane;
 use super::mesh_tree::MeshTree;
 use super::simd::{Kernel, Lanes};
 use super::stack::{Entry, Stack, push_children};
+use super::vector::{add, cross, dot, sub};
 use super::{Prepared, Ray};
 use crate::Hit;
 
@@ -298,28 +299,4 @@ fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search:
     let in_range = limit(search.near, -1.0).le(t).and(t.le(limit(search.far, 1.0)));
     let is_inside = zero.le(least).signs() | greatest.le(zero).signs();
     is_inside & in_range.signs() & ((1u32 << triangles.len()) - 1)
-}
-
-#[inline(always)]
-pub(super) fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
-    [a[0].add(b[0]), a[1].add(b[1]), a[2].add(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
-    [a[0].sub(b[0]), a[1].sub(b[1]), a[2].sub(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
-    a[0].mul(b[0]).add(a[1].mul(b[1])).add(a[2].mul(b[2]))
-}
-
-#[inline(always)]
-pub(super) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
-    [
-        a[1].mul(b[2]).sub(a[2].mul(b[1])),
-        a[2].mul(b[0]).sub(a[0].mul(b[2])),
-        a[0].mul(b[1]).sub(a[1].mul(b[0])),
-    ]
 }

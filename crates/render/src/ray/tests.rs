@@ -8,7 +8,8 @@
 
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_camera::{
-    Camera, FTheta, ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, RigidTransform,
+    Camera, FTheta, ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, PixelPoint,
+    RigidTransform, Usd,
 };
 use oaktwin_scene::{Instance, Mesh, Scene};
 use proptest::prelude::*;

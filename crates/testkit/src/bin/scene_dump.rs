@@ -117,7 +117,11 @@ fn instance(instance: &Instance) -> Value {
         "mesh": instance.mesh,
         "path": instance.path,
         "world_from_mesh": rows(&instance.world_from_mesh),
-        "labels": instance.labels,
+        "labels": instance
+            .labels
+            .iter()
+            .map(|label| [&label.prim, &label.taxonomy, &label.name])
+            .collect::<Vec<_>>(),
     })
 }
 

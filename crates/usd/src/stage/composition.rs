@@ -18,7 +18,7 @@ pub(super) fn findings(stage: &usd::Stage) -> Vec<Finding> {
 fn composition_finding(error: &pcp::Error) -> Finding {
     use pcp::Error as E;
     let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
-    let mut level = Level::Warning;
+    let level = Level::Warning;
     let mut remedy = "put the file where the path says, or correct the path; what it holds was not checked";
     let (place, message) = match error {
         E::UnresolvedLayer {
@@ -42,12 +42,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             reason,
             ..
         } => {
-            // Materials hold no cameras.
-            let message = if asset_path.ends_with(".mtlx") {
-                level = Level::Note;
-                remedy = "";
-                format!("the {} @{asset_path}@ is MaterialX and was not read", said(arc))
-            } else if reason.contains("no file format registered") {
+            let message = if reason.contains("no file format registered") {
                 format!("the {} @{asset_path}@ is no USD layer", said(arc))
             } else {
                 format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc))

@@ -201,7 +201,7 @@ impl Visitor for Extraction {
     ) -> Outcome<Option<Context>> {
         let reader = walk.reader;
         let own = prim.own(reader);
-        let mut inner = context.with(own);
+        let mut inner = context.with(own, path);
         match prim.type_name.as_str() {
             "Camera" => self.camera(reader, path, &inner),
             "RenderProduct" => {

@@ -5,6 +5,7 @@ use openusd::tf::Token;
 use openusd::usd;
 
 use super::scene::Own;
+use super::value::number;
 
 /// What the library says when it cannot go on.
 pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
@@ -140,7 +141,10 @@ impl Reader {
         let attribute = self.stage.attribute(prim.append_property(name).ok()?);
         let at = |time| attribute.get_at::<Value>(time).ok().flatten();
         let value = match self.time {
-            Some(time) => at(Some(usd::TimeCode::new(time))),
+            Some(time) => match at(Some(usd::TimeCode::new(time))) {
+                Some(Value::Int64(_) | Value::Double(_)) => scalar_at(&attribute, time),
+                other => other,
+            },
             None => attribute.get::<Value>().ok().flatten().or_else(|| {
                 let times = attribute.time_sample_times().ok()?;
                 at(Some(usd::TimeCode::new(*times.first()?)))
@@ -162,4 +166,20 @@ impl Reader {
             .forwarded_targets()
             .unwrap_or_default()
     }
+}
+
+/// A number between samples. The library reads `0` in a text layer's samples as an integer and `0.5` as a double,
+/// whatever the attribute's type, and does not interpolate from one to the other.
+fn scalar_at(attribute: &usd::Attribute, time: f64) -> Option<Value> {
+    let at = |time| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
+    let kind = attribute.type_name().ok().flatten();
+    let is_continuous = kind.is_some_and(|kind| matches!(kind.as_str(), "half" | "float" | "double"));
+    let bracket = attribute.bracketing_time_samples(time).ok().flatten();
+    let Some((before, after)) = bracket.filter(|(before, after)| is_continuous && before < after) else {
+        return at(time);
+    };
+    let (from, to) = (number(&at(before)?)?, number(&at(after)?)?);
+    Some(Value::Double(
+        from + (to - from) * (time - before) / (after - before),
+    ))
 }

@@ -1,9 +1,38 @@
-use std::io::{self, Cursor};
+use std::fs;
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
 use super::inspect;
+use crate::materialx;
+
+/// What is put behind the name of a `MaterialX` document, so that the library takes it for a text layer: it chooses
+/// its readers by name and has none for these.
+const AS_TEXT: &str = ".usda";
+/// The largest document that is read, bytes.
+const MAX_DOCUMENT_BYTES: u64 = 64 << 20;
+
+/// The name under which the library sees a `MaterialX` document; `None` for other files.
+fn as_text_layer(path: &str) -> Option<String> {
+    let (name, bracket) = match path.strip_suffix(']') {
+        Some(name) => (name, "]"),
+        None => (path, ""),
+    };
+    let is_document = name.to_ascii_lowercase().ends_with(".mtlx");
+    is_document.then(|| format!("{name}{AS_TEXT}{bracket}"))
+}
+
+/// The document behind such a name.
+fn materialx_document(path: &str) -> Option<String> {
+    let (name, bracket) = match path.strip_suffix(']') {
+        Some(name) => (name, "]"),
+        None => (path, ""),
+    };
+    let document = name.strip_suffix(AS_TEXT)?;
+    let is_document = document.to_ascii_lowercase().ends_with(".mtlx");
+    is_document.then(|| format!("{document}{bracket}"))
+}
 
 /// OpenUSD's default resolver, with every file looked over before the library reads it.
 pub(super) struct InspectingResolver(DefaultResolver);
@@ -11,6 +40,35 @@ pub(super) struct InspectingResolver(DefaultResolver);
 impl InspectingResolver {
     pub(super) fn new() -> Self {
         Self(DefaultResolver::new())
+    }
+}
+
+impl InspectingResolver {
+    /// A `MaterialX` document as the text of a layer.
+    fn materialx(&self, path: &str) -> Result<Box<dyn Asset>, inspect::Problem> {
+        let unreadable = |what: &dyn std::fmt::Display| inspect::Problem {
+            place: String::new(),
+            what: format!("cannot be read: {what}"),
+            remedy: String::new(),
+        };
+        let bytes = match ar::split_package_relative_path_outer(path) {
+            Some((package, entry)) => {
+                let package = inspect::file(Path::new(&package))?;
+                let bytes =
+                    inspect::packaged(&package.bytes, &entry).ok_or_else(|| unreadable(&"no such entry"))?;
+                bytes.to_vec()
+            }
+            None => {
+                let mut bytes = Vec::new();
+                let file = fs::File::open(path).map_err(|error| unreadable(&error))?;
+                file.take(MAX_DOCUMENT_BYTES)
+                    .read_to_end(&mut bytes)
+                    .map_err(|error| unreadable(&error))?;
+                bytes
+            }
+        };
+        let layer = materialx::to_layer(&bytes).map_err(|error| unreadable(&error))?;
+        Ok(Box::new(Cursor::new(layer.text().into_bytes())))
     }
 }
 
@@ -26,7 +84,11 @@ impl Resolver for InspectingResolver {
         {
             return None;
         }
-        self.0.resolve(asset_path)
+        let resolved = self.0.resolve(asset_path)?;
+        Some(match as_text_layer(&resolved.to_string_lossy()) {
+            Some(named) => ResolvedPath::new(named),
+            None => resolved,
+        })
     }
 
     fn resolve_for_new_asset(&self, asset_path: &str) -> Option<ResolvedPath> {
@@ -36,7 +98,10 @@ impl Resolver for InspectingResolver {
     fn open_asset(&self, resolved: &ResolvedPath) -> io::Result<Box<dyn Asset>> {
         let refuse =
             |problem: inspect::Problem| io::Error::new(io::ErrorKind::InvalidData, problem.to_string());
-        let text = resolved.to_string();
+        let text = resolved.to_string_lossy().into_owned();
+        if let Some(document) = materialx_document(&text) {
+            return self.materialx(&document).map_err(refuse);
+        }
         if let Some((package, inner)) = ar::split_package_relative_path_outer(&text) {
             inspect::file(Path::new(&package)).map_err(refuse)?;
             let bytes = self.0.open_asset(resolved)?.read_all()?;

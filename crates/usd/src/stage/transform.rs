@@ -98,7 +98,7 @@ fn euler(axes: &str, value: &Value) -> Option<DMat3> {
 
 /// The rotation of a quaternion that need not be of length 1: its axis, and the angle whose half has the real part
 /// for its cosine, as OpenUSD's `GfRotation` takes it.
-pub(super) fn rotation(quaternion: DQuat) -> DMat3 {
+fn rotation(quaternion: DQuat) -> DMat3 {
     let imaginary = DVec3::new(quaternion.x, quaternion.y, quaternion.z);
     let length = imaginary.length();
     if length <= 1e-10 || !length.is_finite() {
@@ -106,6 +106,19 @@ pub(super) fn rotation(quaternion: DQuat) -> DMat3 {
     }
     let angle = 2.0 * quaternion.w.clamp(-1.0, 1.0).acos();
     DMat3::from_axis_angle(imaginary / length, angle)
+}
+
+/// The matrix of a quaternion as it stands, which for one that is not of length 1 is no rotation: OpenUSD's point
+/// instancers take theirs like this.
+pub(super) fn unchecked_rotation(q: DQuat) -> DMat3 {
+    let (xx, yy, zz) = (q.x * q.x, q.y * q.y, q.z * q.z);
+    let (xy, xz, yz) = (q.x * q.y, q.x * q.z, q.y * q.z);
+    let (wx, wy, wz) = (q.w * q.x, q.w * q.y, q.w * q.z);
+    DMat3::from_cols(
+        DVec3::new(1.0 - 2.0 * (yy + zz), 2.0 * (xy + wz), 2.0 * (xz - wy)),
+        DVec3::new(2.0 * (xy - wz), 1.0 - 2.0 * (xx + zz), 2.0 * (yz + wx)),
+        DVec3::new(2.0 * (xz + wy), 2.0 * (yz - wx), 1.0 - 2.0 * (xx + yy)),
+    )
 }
 
 /// A matrix as OpenUSD writes it, for row vectors, without its projective part.

@@ -3,8 +3,8 @@ use std::rc::Rc;
 
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_scene::polygon::PolygonMesh;
-use oaktwin_scene::{Attribute, Instance, Mesh, Scene};
+use oaktwin_scene::polygon::{PolygonMesh, Scheme};
+use oaktwin_scene::{Attribute, Instance, Label, MaterialSpan, Mesh, Scene};
 use openusd::sdf::Path;
 
 use super::super::reader::{Outcome, Record};
@@ -14,12 +14,17 @@ use super::findings::Findings;
 use super::instancer::PointInstancer;
 use super::material::{Materials, Surface};
 use super::own::Own;
+use super::shape::{self, Shape};
 use super::{SceneOptions, light, mesh};
 
 /// More than this many things in a scene come from point instancers inside point instancers, not from people.
 const MOST_INSTANCES: usize = 20_000_000;
 /// Triangles of squashed instances that get a mesh of their own.
 const MOST_BAKED_TRIANGLES: usize = 10_000_000;
+
+/// Starts the name of a prim inside a point instancer's original until it is known at which point it stands. No path
+/// starts like this.
+const INSIDE: &str = "[]";
 
 /// What is known of a kind of prim that is not drawn.
 const UNSUPPORTED: [(&str, &str); 13] = [
@@ -104,6 +109,9 @@ impl Builder {
         match kind {
             "" | "Xform" | "Scope" => {}
             "Mesh" => self.add_mesh(walk, prim, path, context)?,
+            "Cube" | "Sphere" | "Cylinder" | "Cylinder_1" | "Cone" | "Capsule" | "Capsule_1" | "Plane" => {
+                self.add_shape(walk, prim, path, context);
+            }
             "PointInstancer" => {
                 self.add_points(walk, prim, path, own, context)?;
                 return Ok(Children::VisitWithoutDrawing);
@@ -193,7 +201,12 @@ impl Builder {
         }
     }
 
-    fn add_polygons(&mut self, polygons: PolygonMesh, path: &str) -> Option<u32> {
+    fn add_polygons(&mut self, mut polygons: PolygonMesh, path: &str) -> Option<u32> {
+        if self.options.subdivide > 0 && polygons.subdivision.scheme != Scheme::None {
+            let (refined, findings) = polygons.subdivided(self.options.subdivide, path);
+            polygons = refined;
+            self.take(findings);
+        }
         let (mesh, findings) = polygons.into_mesh(path);
         self.take(findings);
         if mesh.triangles.is_empty() {
@@ -212,6 +225,55 @@ impl Builder {
         let index = u32::try_from(self.scene.meshes.len()).ok()?;
         self.scene.meshes.push(mesh);
         Some(index)
+    }
+
+    fn add_shape(&mut self, walk: &Walk<'_>, prim: &Record, path: &str, context: &Context) {
+        let Some((shape, odd)) = Shape::read(walk.reader, prim) else {
+            return;
+        };
+        if let Some(odd) = odd {
+            self.findings.warn("unsupported-prim", path, odd, "");
+        }
+        if !shape.is_finite() {
+            let message = "its measures are not finite; it is left out";
+            self.findings
+                .warn("shape-measures", path, message, "correct them");
+            return;
+        }
+        let surface = self.surface(walk, context, path);
+        let shows_color = surface.as_ref().is_none_or(|surface| surface.shows_mesh_colors);
+        let color = shows_color
+            .then(|| shape::color(walk.reader, prim, context))
+            .flatten();
+        // Shapes of one size and colour are one mesh.
+        let key = MeshKey {
+            what: format!("{shape:?} {color:?}"),
+            material: surface.as_ref().map(|surface| surface.index),
+            inherited: Vec::new(),
+        };
+        let mesh = match self.meshes.get(&key) {
+            Some(known) => *known,
+            None => {
+                let mut mesh = shape.mesh();
+                mesh.colors = color;
+                if let (Some(surface), Ok(end)) = (&surface, u32::try_from(mesh.triangles.len())) {
+                    mesh.materials = vec![MaterialSpan {
+                        end,
+                        material: Some(surface.index),
+                    }];
+                }
+                let mesh = if mesh.triangles.is_empty() {
+                    None
+                } else {
+                    self.push_mesh(mesh)
+                };
+                self.meshes.insert(key, mesh);
+                mesh
+            }
+        };
+        if let Some(mesh) = mesh {
+            self.place(mesh, path, context);
+        }
     }
 
     /// The surface of the material that a prim is bound to.
@@ -251,7 +313,7 @@ impl Builder {
                 continue;
             }
             let path = format!("{path}/{name}");
-            if let Some(surface) = self.surface(walk, &context.with(own), &path) {
+            if let Some(surface) = self.surface(walk, &context.with(own, &path), &path) {
                 found.push((faces, surface));
             }
         }
@@ -315,11 +377,19 @@ impl Builder {
                 if self.too_many {
                     return Ok(());
                 }
+                let point_path = format!("{path}[{}]", point.index);
+                let labels = part.labels.iter().map(|label| Label {
+                    prim: match label.prim.strip_prefix(INSIDE) {
+                        Some(inside) => format!("{point_path}{inside}"),
+                        None => label.prim.clone(),
+                    },
+                    ..label.clone()
+                });
                 self.push_instance(Instance {
                     mesh: part.mesh,
-                    path: format!("{path}[{}]{}", point.index, part.path),
+                    labels: labels.collect(),
+                    path: point_path + &part.path,
                     world_from_mesh: world_from_prototype * part.world_from_mesh,
-                    labels: part.labels.clone(),
                 });
             }
         }
@@ -341,7 +411,9 @@ impl Builder {
         let mut fragments = Vec::with_capacity(instancer.prototypes.len());
         let mut result = Ok(());
         for prototype in &instancer.prototypes {
-            let inner = prototype_context(walk, prim, own, context, prototype);
+            let inner = prototype_context(walk, prim, own, context, prototype, |path| {
+                self.materials.scene_path(path)
+            });
             let path_of_prototype = self.materials.scene_path(prototype);
             result = inner.and_then(|inner| {
                 let mut drawing = Drawing { builder: self };
@@ -352,8 +424,15 @@ impl Builder {
             }
             let mut parts = std::mem::take(&mut self.scene.instances);
             let above = path_of_prototype.rfind('/').unwrap_or_default();
+            let below = format!("{path_of_prototype}/");
             for part in &mut parts {
                 part.path.drain(..above);
+                for label in &mut part.labels {
+                    // Its own labels are told from those that it inherits by where their names start.
+                    if label.prim == path_of_prototype || label.prim.starts_with(&below) {
+                        label.prim.replace_range(..above, INSIDE);
+                    }
+                }
             }
             if parts.is_empty()
                 && instancer
@@ -443,7 +522,7 @@ impl Visitor for Drawing<'_> {
         context: &Context,
     ) -> Outcome<Option<Context>> {
         let own = prim.own(walk.reader);
-        let inner = context.with(own);
+        let inner = context.with(own, path);
         match self.builder.add(walk, prim, path, own, &inner)? {
             Children::Visit => Ok(Some(inner.hand_down(prim, own))),
             Children::VisitWithoutDrawing => Ok(None),
@@ -459,6 +538,7 @@ fn prototype_context(
     own: &Own,
     context: &Context,
     prototype: &Path,
+    names: impl Fn(&Path) -> String,
 ) -> Outcome<Context> {
     let below = prototype.has_prefix(&instancer.path);
     let mut inner = if below {
@@ -478,7 +558,7 @@ fn prototype_context(
     for path in ancestors {
         let ancestor = walk.record(&path, true)?;
         let own = ancestor.own(walk.reader);
-        inner = inner.with(own).hand_down(&ancestor, own);
+        inner = inner.with(own, &names(&path)).hand_down(&ancestor, own);
     }
     inner.stage_from_prim = DAffine3::IDENTITY;
     // Originals are often kept where they are not seen.

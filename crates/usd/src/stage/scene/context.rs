@@ -1,6 +1,7 @@
 use std::rc::Rc;
 
 use oaktwin_camera::math::DAffine3;
+use oaktwin_scene::Label;
 use openusd::sdf::Path;
 
 use super::super::reader::Record;
@@ -15,7 +16,7 @@ pub(in crate::stage) struct Context {
     pub(in crate::stage) drawn: bool,
     pub(super) purpose: Purpose,
     /// Its own semantic labels first, then its parent's, and so on.
-    pub(super) labels: Rc<[(String, String)]>,
+    pub(super) labels: Rc<[Label]>,
     pub(super) bindings: Bindings,
     pub(super) primvars: Option<Rc<Primvars>>,
 }
@@ -41,8 +42,8 @@ impl Default for Context {
 }
 
 impl Context {
-    /// What holds for a child that says `own` of itself.
-    pub(in crate::stage) fn with(&self, own: &Own) -> Self {
+    /// What holds for the child that the scene knows as `path` and that says `own` of itself.
+    pub(in crate::stage) fn with(&self, own: &Own, path: &str) -> Self {
         let mut inner = self.clone();
         if let Some(local) = &own.transform {
             inner.stage_from_prim = if local.resets {
@@ -56,7 +57,12 @@ impl Context {
             inner.purpose = purpose;
         }
         if !own.labels.is_empty() {
-            inner.labels = own.labels.iter().chain(self.labels.iter()).cloned().collect();
+            let labels = own.labels.iter().map(|(taxonomy, name)| Label {
+                prim: path.to_owned(),
+                taxonomy: taxonomy.clone(),
+                name: name.clone(),
+            });
+            inner.labels = labels.chain(self.labels.iter().cloned()).collect();
         }
         if !own.bindings.is_empty() {
             inner.bindings = self.bindings.with(&own.bindings);

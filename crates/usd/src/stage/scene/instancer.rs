@@ -4,7 +4,7 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 use openusd::sdf::Path;
 
 use super::super::reader::{Reader, Record};
-use super::super::transform::rotation;
+use super::super::transform::unchecked_rotation;
 use super::super::value::{ids, ints, quaternions, vec3s};
 use super::findings::Findings;
 
@@ -83,7 +83,7 @@ impl PointInstancer {
             };
             let mut transform = DAffine3::from_translation(vector(positions[index]));
             if let Some(orientations) = &orientations {
-                transform.matrix3 = rotation(orientations[index]);
+                transform.matrix3 = unchecked_rotation(orientations[index]);
             }
             if let Some(scales) = &scales {
                 transform *= DAffine3::from_scale(vector(scales[index]));

@@ -10,6 +10,7 @@ mod material;
 mod mesh;
 mod own;
 mod primvar;
+mod shape;
 
 use oaktwin_diagnostic::Finding;
 use oaktwin_scene::Scene;

@@ -253,7 +253,8 @@ impl Reading<'_> {
 
     fn materialx_image(&mut self, node: &Node, material: &mut Material) {
         let default = self.color_input(node, "inputs:default").unwrap_or([0.0; 3]);
-        let Some(texture) = self.image(node, None) else {
+        let space = self.token(node, "inputs:sourceColorSpace");
+        let Some(texture) = self.image(node, space.as_deref()) else {
             material.base_color = Some(default);
             return;
         };

@@ -1,0 +1,362 @@
+//! `render`: which cameras, which files, and what is in them.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::Duration;
+
+use oaktwin::image::npy;
+use serde_json::Value;
+
+use crate::program::Program;
+
+/// Two cameras, one of them a depth sensor's. The left one sees the middle of the box's front 2 m ahead.
+const ROOM: &str = include_str!("fixtures/room.usda");
+/// A cube of a metre about (0, 0, 0.5).
+const CRATE: &str = include_str!("fixtures/crate.obj");
+
+fn program() -> Program {
+    let program = Program::new();
+    program.put("room.usda", ROOM);
+    program.put("crate.obj", CRATE);
+    program
+}
+
+/// The depth image of a file: its size and its pixels.
+fn depth(program: &Program, name: &str) -> ((usize, usize), Vec<f32>) {
+    let bytes = fs::read(program.path(name)).unwrap();
+    let image = npy::decode(&bytes).unwrap().into_f32_image().unwrap();
+    (
+        (image.width() as usize, image.height() as usize),
+        image.into_pixels(),
+    )
+}
+
+fn centre(program: &Program, name: &str) -> f32 {
+    let ((width, height), pixels) = depth(program, name);
+    pixels[height / 2 * width + width / 2]
+}
+
+#[test]
+fn the_depth_sensor_by_default_flat() {
+    let program = program();
+    let printed = program.good(&["render", "room.usda", "-o", "out"]);
+    assert_eq!(printed, "out  /Render/Depth, 64x40, 1 frame\n");
+    let (size, _) = depth(&program, "out/distance_to_image_plane_0000.npy");
+    assert_eq!(size, (64, 40));
+    let z = centre(&program, "out/distance_to_image_plane_0000.npy");
+    assert!((z - 2.0).abs() < 1e-6, "{z}");
+}
+
+#[test]
+fn several_cameras_in_a_folder_each() {
+    let program = program();
+    let printed = program.good(&[
+        "render",
+        "room.usda",
+        "--camera",
+        "left",
+        "--camera",
+        "/World/Right",
+        "--resolution",
+        "32x24",
+        "--json",
+    ]);
+    let report: Value = serde_json::from_str(&printed).unwrap();
+    assert_eq!(report["cameras"][0]["folder"], "oaktwin-render/Left");
+    assert_eq!(report["cameras"][1]["path"], "/World/Right");
+    assert_eq!(report["cameras"][1]["fx"], 32.0);
+    for file in report["files"].as_array().unwrap() {
+        let length = fs::metadata(program.path(file["path"].as_str().unwrap()))
+            .unwrap()
+            .len();
+        assert_eq!(file["bytes"], length);
+    }
+    let written = report["files"].as_array().unwrap().len();
+    let names = program.names();
+    assert_eq!(
+        names.iter().filter(|name| name.contains("_0000.")).count(),
+        written
+    );
+    for folder in ["Left", "Right"] {
+        let (size, _) = depth(
+            &program,
+            &format!("oaktwin-render/{folder}/distance_to_image_plane_0000.npy"),
+        );
+        assert_eq!(size, (32, 24));
+    }
+}
+
+#[test]
+fn an_oak_looks_at_a_mesh() {
+    let program = program();
+    let at = |arguments: &[&str]| {
+        program.good(
+            &[
+                &["render", "crate.obj", "-o", "out", "--resolution", "64x40"],
+                arguments,
+            ]
+            .concat(),
+        );
+        centre(&program, "out/distance_to_image_plane_0000.npy")
+    };
+    // The left camera is 3.75 cm beside the body's origin, and sees the front face 1.5 m ahead.
+    let looked = at(&[
+        "--model",
+        "oak-d-pro-poe",
+        "--look-at",
+        "-2",
+        "0",
+        "0.5",
+        "0",
+        "0",
+        "0.5",
+    ]);
+    assert!((looked - 1.5).abs() < 1e-6, "{looked}");
+    let posed = at(&[
+        "--model", "OAK4-D", "--pose", "-2", "0", "0.5", "0", "0", "0", "1",
+    ]);
+    assert!((posed - 1.5).abs() < 1e-6, "{posed}");
+    // From above, up has to be said.
+    let down = [
+        "--model",
+        "OAK4-D",
+        "--look-at",
+        "0",
+        "0",
+        "3",
+        "0",
+        "0",
+        "0",
+        "1",
+        "0",
+        "0",
+    ];
+    assert!((at(&down) - 2.0).abs() < 1e-6);
+    assert!((at(&[&down[..], &["--scale", "0.5"]].concat()) - 2.5).abs() < 1e-6);
+}
+
+#[test]
+fn the_fisheye_of_a_wide_model_sees_beyond_its_pinhole() {
+    let program = program();
+    // A wall that fills all of the pinhole's view, but not of the fisheye's.
+    program.put("wall.obj", "v 1 -2 -2\nv 1 2 -2\nv 1 2 2\nv 1 -2 2\nf 1 2 3 4\n");
+    let seen = |lens: &str| {
+        program.good(&[
+            "render",
+            "wall.obj",
+            "-o",
+            lens,
+            "--up",
+            "z",
+            "--model",
+            "oak-d-pro-w-poe",
+            "--camera",
+            "left",
+            "--lens",
+            lens,
+            "--pose",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "1",
+            "--resolution",
+            "128x80",
+        ]);
+        let (_, pixels) = depth(&program, &format!("{lens}/distance_to_image_plane_0000.npy"));
+        let hit = pixels.iter().filter(|z| z.is_finite());
+        assert!(hit.clone().all(|z| (z - 1.0).abs() < 1e-6), "{lens}");
+        hit.count()
+    };
+    assert_eq!(seen("pinhole"), 128 * 80);
+    assert!(seen("fisheye") < 128 * 80);
+}
+
+#[test]
+fn a_frame_for_each_pose() {
+    let program = program();
+    program.put("tum.txt", "# t x y z q\n0 -2 0 0.5 0 0 0 1\n1 -3 0 0.5 0 0 0 1\n");
+    program.put(
+        "path.json",
+        r#"[{"position": [-2, 0, 0.5], "orientation": [0, 0, 0, 1]},
+            {"time": 1, "position": [-3, 0, 0.5], "orientation": [0, 0, 0, 1]}]"#,
+    );
+    for path in ["tum.txt", "path.json"] {
+        let printed = program.good(&[
+            "render",
+            "crate.obj",
+            "--model",
+            "oak4-d",
+            "--trajectory",
+            path,
+            "-o",
+            "out",
+            "--resolution",
+            "64x40",
+        ]);
+        assert_eq!(printed, "out  OAK4-D/Camera_pseudo_depth, 64x40, 2 frames\n");
+        let z = [0, 1].map(|n| centre(&program, &format!("out/distance_to_image_plane_000{n}.npy")));
+        assert!((z[0] - 1.5).abs() < 1e-6 && (z[1] - 2.5).abs() < 1e-6, "{z:?}");
+    }
+    // A stage's own camera: its optical frame, z forward. Here down from above the box.
+    program.put("down.txt", "0 0 0 1.5 1 0 0 0\n");
+    program.good(&["render", "room.usda", "--trajectory", "down.txt", "-o", "down"]);
+    assert!((centre(&program, "down/distance_to_image_plane_0000.npy") - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn the_same_bytes_on_any_number_of_threads() {
+    let program = program();
+    for (folder, threads) in [("one", "1"), ("two", "2"), ("three", "3")] {
+        program.good(&[
+            "render",
+            "room.usda",
+            "-o",
+            folder,
+            "--annotators",
+            "all",
+            "--threads",
+            threads,
+        ]);
+    }
+    let names: Vec<String> = program
+        .names()
+        .into_iter()
+        .filter_map(|name| name.strip_prefix("one/").map(str::to_owned))
+        .collect();
+    assert!(!names.is_empty());
+    for name in names {
+        let read = |folder: &str| fs::read(program.path(folder).join(&name)).unwrap();
+        assert_eq!(read("one"), read("two"), "{name}");
+        assert_eq!(read("one"), read("three"), "{name}");
+    }
+}
+
+#[test]
+fn what_is_missing_is_told_and_refused_when_strict() {
+    let program = program();
+    program.put(
+        "part.usda",
+        ROOM.replace(
+            "def Xform \"World\"",
+            "def Xform \"World\" (references = @gone.usda@)",
+        ),
+    );
+    let ended = program.run(&["render", "part.usda", "-o", "out"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("part.usda: warning[composition]: /World: ")
+            && ended.stderr.contains("gone.usda"),
+        "{}",
+        ended.stderr
+    );
+    let error = program.refused(&["render", "part.usda", "-o", "strict", "--strict"]);
+    assert!(error.contains("gone.usda"), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_whole_files_only() {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::Command;
+    use std::thread::sleep;
+
+    let program = program();
+    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(200_000));
+    let mut child = program
+        .command(&[
+            "render",
+            "crate.obj",
+            "--model",
+            "oak4-d",
+            "--trajectory",
+            "long.txt",
+            "-o",
+            "out",
+            "--resolution",
+            "64x40",
+        ])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !program.path("out/distance_to_image_plane_0003.npy").exists() {
+        assert_eq!(child.try_wait().unwrap(), None, "ended before its fourth frame");
+        sleep(Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.signal(), None);
+    assert_eq!(output.status.code(), Some(130));
+    let message = String::from_utf8(output.stderr).unwrap();
+    let frames: usize = message
+        .strip_prefix("interrupted: ")
+        .and_then(|rest| rest.split_once(" of 200000 frames are whole in out"))
+        .map(|(frames, _)| frames.parse().unwrap())
+        .unwrap();
+    assert!(frames >= 4, "{message}");
+    let depths: Vec<String> = program
+        .names()
+        .into_iter()
+        .filter(|name| name.contains("distance_to_image_plane"))
+        .collect();
+    assert_eq!(depths.len(), frames);
+    for name in depths {
+        assert_eq!(depth(&program, &name).0, (64, 40));
+    }
+    assert!(!program.names().iter().any(|name| name.ends_with(".part")));
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let program = program();
+    let mut child = program
+        .command(&["render", "room.usda", "-o", "out"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(
+        (
+            output.status.code(),
+            String::from_utf8(output.stderr).unwrap().as_str()
+        ),
+        (Some(0), "")
+    );
+}
+
+/// A limit on the size of files stands for a disk that fills up.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fills_up_leaves_nothing_half() {
+    use std::process::Command;
+
+    let program = program();
+    let script = format!(
+        "trap '' XFSZ; ulimit -f 1; exec '{}' render room.usda -o out",
+        env!("CARGO_BIN_EXE_oaktwin")
+    );
+    let output = Command::new("bash")
+        .args(["-c", &script])
+        .current_dir(program.folder())
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("out/") && message.contains("cannot be written"),
+        "{message}"
+    );
+    assert!(!program.names().iter().any(|name| name.ends_with(".part")));
+}
