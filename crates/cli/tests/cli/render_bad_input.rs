@@ -42,7 +42,7 @@ fn options_that_make_no_sense() {
         vec!["room.usda", "--camera", "xyz"],
         vec!["room.usda", "--resolution", "0x40"],
         vec!["room.usda", "--resolution", "64"],
-        vec!["room.usda", "--resolution", "-4x4"],
+        vec!["room.usda", "--resolution", "4x-4"],
         vec!["room.usda", "--resolution", "65536x65536"],
         vec!["room.usda", "--up", "z"],
         vec!["room.usda", "--scale", "2"],
