@@ -47,7 +47,7 @@ fn options_that_make_no_sense() {
         vec!["room.usda", "--up", "z"],
         vec!["room.usda", "--scale", "2"],
         vec!["room.usda", "--time", "nan"],
-        vec!["crate.obj", "--scale", "-1"],
+        vec!["crate.obj", "--scale", "0"],
         vec!["room.usda", "--lens", "fisheye"],
         vec!["room.usda", "--calibration", EXAMPLE],
         vec!["crate.obj", "--model", "oak4-d"],
@@ -112,6 +112,8 @@ fn options_that_make_no_sense() {
         &program,
         &[&[
             "crate.obj",
+            "--up",
+            "z",
             "--model",
             "oak4-d",
             "--look-at",
