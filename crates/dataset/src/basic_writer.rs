@@ -1,85 +1,29 @@
-use oaktwin_image::annotation::{Annotator, Boxes2d, Frame, PointCloud};
-use oaktwin_image::{Image, exr, millimetres, npy, ply, png, preview};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_image::png;
 use serde_json::json;
 
 use crate::file::DatasetFile;
+use crate::listing::Files;
 use crate::segmentation::{self, Kind};
-use crate::{CameraParams, boxes, cloud, json, normals};
+use crate::{Options, Shot, json, normals};
 
 /// The layout of Replicator's `BasicWriter` 0.0.2: names, types, shapes and keys.
 ///
 /// # Extensions
-/// What [`Extras`] asks for has names that `BasicWriter` never writes (with `colorize_depth` it puts a grey
+/// What [`Extras`](crate::Extras) asks for has names that `BasicWriter` never writes (with `colorize_depth` it puts a grey
 /// `distance_to_image_plane_0000.png` beside the array):
 ///
 /// | file | what |
 /// |---|---|
-/// | `distance_to_image_plane_millimetres_0000.png` | 16-bit grey, see [`millimetres::from_metres`] |
-/// | `distance_to_image_plane_0000.exr` | `float32`, see [`exr`] |
-/// | `distance_to_image_plane_preview_0000.png` | a picture for people, see [`preview`] |
+/// | `distance_to_image_plane_millimetres_0000.png` | 16-bit grey, see [`from_metres`](oaktwin_image::millimetres::from_metres) |
+/// | `distance_to_image_plane_0000.exr` | `float32`, see [`exr`](oaktwin_image::exr) |
+/// | `distance_to_image_plane_preview_0000.png` | a picture for people, see [`preview`](oaktwin_image::preview) |
 /// | `pointcloud_0000.ply` | the point cloud with its normals and colours, scene units |
 ///
 /// and the first three for `distance_to_camera` too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BasicWriter {
     options: Options,
-}
-
-/// The arguments of `BasicWriter` that matter here, and what is written beside its own files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Digits of the frame's number.
-    pub frame_padding: usize,
-    /// Semantic segmentation as colours, or as ids in 16 bits.
-    pub colorize_semantic_segmentation: bool,
-    /// Instance id segmentation as colours, or as ids in 16 bits.
-    pub colorize_instance_id_segmentation: bool,
-    /// The seed that `metadata.txt` names; nothing here is random.
-    pub seed: u64,
-    /// What is written beside `BasicWriter`'s own files.
-    pub extras: Extras,
-}
-
-impl Default for Options {
-    /// `BasicWriter`'s defaults, and no extras.
-    fn default() -> Self {
-        Self {
-            frame_padding: 4,
-            colorize_semantic_segmentation: true,
-            colorize_instance_id_segmentation: true,
-            seed: 0,
-            extras: Extras::default(),
-        }
-    }
-}
-
-/// Files beside `BasicWriter`'s own: see [`BasicWriter`] for their names.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a file")]
-pub struct Extras {
-    /// Depth as 16-bit PNG in millimetres.
-    pub millimetres: bool,
-    /// Depth as `OpenEXR`.
-    pub exr: bool,
-    /// Depth as a picture for people.
-    pub preview: bool,
-    /// The point cloud as PLY.
-    pub ply: bool,
-}
-
-/// One camera's frame, to be written.
-#[derive(Clone, Copy, Debug)]
-pub struct Shot<'a> {
-    /// The annotations; those that are there are written.
-    pub frame: &'a Frame,
-    /// The camera, where `camera_params` is asked for.
-    pub camera_params: Option<&'a CameraParams>,
-    /// The frame's number, from 0.
-    pub number: u64,
-    /// The render product's name where several cameras are written, each into a folder of its own; `None` for one
-    /// camera, whose files lie flat. It is one folder's name: other characters than letters, digits, `_`, `-` and `.`
-    /// become `_`.
-    pub render_product: Option<&'a str>,
 }
 
 impl BasicWriter {
@@ -167,131 +111,16 @@ impl BasicWriter {
     }
 }
 
-/// The files of one shot, being listed.
-struct Files<'a> {
-    options: Options,
-    shot: Shot<'a>,
-    list: Vec<DatasetFile<'a>>,
-}
-
-impl<'a> Files<'a> {
-    fn push(
-        &mut self,
-        annotator: Annotator,
-        stem: &str,
-        extension: &str,
-        encode: impl Fn() -> Result<Vec<u8>, crate::file::Fault> + Send + Sync + 'a,
-    ) {
-        let (number, padding) = (self.shot.number, self.options.frame_padding);
-        let file = format!("{stem}_{number:0padding$}.{extension}");
-        let path = match self.shot.render_product {
-            None => file,
-            Some(product) => format!("{}/{}/{file}", folder(product), annotator.name()),
-        };
-        self.list.push(DatasetFile::new(path, encode));
-    }
-
-    /// The array of a depth image, and what is asked for beside it.
-    fn push_depth(&mut self, annotator: Annotator, metres: &'a Image<f32>) {
-        let stem = annotator.name();
-        let extras = self.options.extras;
-        self.push(annotator, stem, "npy", move || {
-            let shape = [metres.height() as usize, metres.width() as usize];
-            Ok(npy::encode(&shape, metres.pixels())?)
-        });
-        if extras.millimetres {
-            self.push(annotator, &format!("{stem}_millimetres"), "png", move || {
-                Ok(png::encode(&millimetres::from_metres(metres))?)
-            });
-        }
-        if extras.exr {
-            self.push(annotator, stem, "exr", move || Ok(exr::encode(metres)?));
-        }
-        if extras.preview {
-            self.push(annotator, &format!("{stem}_preview"), "png", move || {
-                let picture = preview::depth(metres, &preview::Options::default());
-                Ok(png::encode(&picture)?)
-            });
-        }
-    }
-
-    fn push_ids(&mut self, annotator: Annotator, kind: Kind, ids: &'a Image<u32>, colorized: bool) {
-        self.push(annotator, annotator.name(), "png", move || {
-            Ok(if colorized {
-                png::encode(&segmentation::colorize(kind, ids))?
-            } else {
-                png::encode(&segmentation::grey(ids)?)?
-            })
-        });
-    }
-
-    fn push_boxes(&mut self, annotator: Annotator, boxes: &'a Boxes2d) {
-        let stem = annotator.name();
-        self.push(annotator, stem, "npy", move || boxes::encode(boxes));
-        self.push(annotator, &format!("{stem}_labels"), "json", move || {
-            Ok(json::encode(&boxes.labels))
-        });
-        self.push(annotator, &format!("{stem}_prim_paths"), "json", move || {
-            Ok(json::encode(&boxes.prim_paths))
-        });
-    }
-
-    /// The arrays of a cloud that are there: every one, where it has no points.
-    fn push_cloud(&mut self, cloud: &'a PointCloud) {
-        let annotator = Annotator::Pointcloud;
-        let all = cloud.points.is_empty();
-        let given = move |length: usize| all || length > 0;
-        self.push(annotator, "pointcloud", "npy", move || {
-            cloud::points(&cloud.points)
-        });
-        if given(cloud.rgb.len()) {
-            self.push(annotator, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
-        }
-        if given(cloud.normals.len()) {
-            self.push(annotator, "pointcloud_normals", "npy", move || {
-                cloud::normals(&cloud.normals)
-            });
-        }
-        if given(cloud.semantic.len()) {
-            self.push(annotator, "pointcloud_semantic", "npy", move || {
-                cloud::ids(&cloud.semantic)
-            });
-        }
-        if given(cloud.instance.len()) {
-            self.push(annotator, "pointcloud_instance", "npy", move || {
-                cloud::ids(&cloud.instance)
-            });
-        }
-        if self.options.extras.ply {
-            self.push(annotator, "pointcloud", "ply", move || {
-                Ok(ply::encode(&ply::Cloud {
-                    points: &cloud.points,
-                    normals: given(cloud.normals.len()).then_some(&cloud.normals),
-                    rgb: given(cloud.rgb.len()).then_some(&cloud.rgb),
-                })?)
-            });
-        }
-    }
-}
-
-/// A name as one folder's.
-fn folder(name: &str) -> String {
-    let kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
-    let name: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
-    // Neither this folder nor the one above, nor none at all.
-    if name.trim_matches('.').is_empty() {
-        return "_".repeat(name.len().max(1));
-    }
-    name
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use oaktwin_image::annotation::{Box2d, Labels, Segmentation, SemanticSegmentation};
-    use oaktwin_image::{RangeDepth, ZDepth};
+    use crate::Extras;
+    use oaktwin_image::annotation::{
+        Box2d, Boxes2d, Frame, Labels, PointCloud, Segmentation, SemanticSegmentation,
+    };
+    use oaktwin_image::{Image, RangeDepth, ZDepth, npy};
 
     fn frame() -> Frame {
         let depth = Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap();
@@ -390,10 +219,6 @@ mod tests {
                 "Camera_left/bounding_box_2d_tight/bounding_box_2d_tight_labels_12.json",
                 "Camera_left/bounding_box_2d_tight/bounding_box_2d_tight_prim_paths_12.json",
             ]
-        );
-        assert_eq!(
-            ["..", "", "a/../b", "C:\\x"].map(folder),
-            ["__", "_", "a_.._b", "C__x"]
         );
     }
 

@@ -24,9 +24,13 @@ mod camera_params;
 mod cloud;
 mod file;
 mod json;
+mod listing;
+mod matrices;
 mod normals;
+mod options;
 mod segmentation;
 
-pub use basic_writer::{BasicWriter, Extras, Options, Shot};
+pub use basic_writer::BasicWriter;
 pub use camera_params::{CameraParams, View};
 pub use file::{DatasetError, DatasetFile};
+pub use options::{Extras, Options, Shot};
