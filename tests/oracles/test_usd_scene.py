@@ -99,21 +99,23 @@ def corners_of(mesh, time):
     indices = value(mesh.GetFaceVertexIndicesAttr(), time) or []
     holes = set(value(mesh.GetHoleIndicesAttr(), time) or [])
     flip = value(mesh.GetOrientationAttr(), time) == "leftHanded"
-    rows, start = [], 0
-    for face, count in enumerate(counts):
-        if face not in holes:
-            for i in range(1, count - 1):
-                fan = [start, start + i + 1, start + i] if flip else [start, start + i, start + i + 1]
-                rows.append([(face, corner, indices[corner]) for corner in fan])
-        start += count
-    return np.array(rows, dtype=np.int64).reshape(-1, 3, 3)
+    counts, indices = (np.asarray(of).astype(np.int64).reshape(-1) for of in (counts, indices))
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else counts
+    fans = np.maximum(counts - 2, 0) * ~np.isin(np.arange(len(counts)), list(holes))
+    face = np.repeat(np.arange(len(counts)), fans)
+    within = np.arange(fans.sum()) - np.repeat(np.cumsum(fans) - fans, fans)
+    first = starts[face]
+    second, third = first + within + 1, first + within + 2
+    corners = np.stack([first, third, second] if flip else [first, second, third], axis=1)
+    faces = np.broadcast_to(face[:, None], corners.shape)
+    return np.stack([faces, corners, indices[corners]], axis=2)
 
 
 def primvar_at(prim, name, corners, time):
     primvar = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance(name)
     if not primvar or not primvar.HasValue():
         return None
-    flat = np.array(primvar.ComputeFlattened(Usd.TimeCode.Default() if time is None else time), np.float64)
+    flat = np.asarray(primvar.ComputeFlattened(Usd.TimeCode.Default() if time is None else time)).astype(np.float64)
     flat = flat.reshape(len(flat), -1)
     column = {"constant": None, "uniform": 0, "faceVarying": 1, "vertex": 2, "varying": 2}
     column = column[primvar.GetInterpolation()]
@@ -156,7 +158,7 @@ def expected(stage, time=None, uv="st"):
 def thing(prim, matrix, unit, time, uv="st"):
     mesh = UsdGeom.Mesh(prim)
     corners = corners_of(mesh, time)
-    points = np.array(value(mesh.GetPointsAttr(), time), np.float64).reshape(-1, 3)
+    points = np.asarray(value(mesh.GetPointsAttr(), time)).astype(np.float64).reshape(-1, 3)
     points = (points @ matrix[:3, :3] + matrix[3, :3]) * unit
     return {
         "triangles": points[corners[:, :, 2]],
@@ -224,7 +226,8 @@ def test_transform_ops_of_every_kind(tmp_path, scene_dump, extension):
     path = tmp_path / f"ops.{extension}"
     stage = new_stage(path, unit=0.01)
     rng = np.random.default_rng(1)
-    single, double, half = UsdGeom.XformOp.PrecisionFloat, UsdGeom.XformOp.PrecisionDouble, UsdGeom.XformOp.PrecisionHalf
+    operation = UsdGeom.XformOp
+    single, double, half = operation.PrecisionFloat, operation.PrecisionDouble, operation.PrecisionHalf
     number = 0
 
     def prim(parent="/World"):
@@ -320,7 +323,8 @@ def test_time_samples_through_layer_offsets(tmp_path, scene_dump, extension):
             # At OpenUSD's default time there are no samples; ours then takes the first ones.
             got = scene_dump(path, time)
             first = min(root.GetPrimAtPath("/Holder").GetAttribute("xformOp:translate").GetTimeSamples())
-            wanted = thing(root.GetPrimAtPath("/Holder/Mesh"), world(root.GetPrimAtPath("/Holder/Mesh"), first), 1, None)
+            mesh = root.GetPrimAtPath("/Holder/Mesh")
+            wanted = thing(mesh, world(mesh, first), 1, None)
             # `spin` and the points have defaults.
             defaults = UsdGeom.Xformable(root.GetPrimAtPath("/Holder"))
             assert defaults.GetPrim().GetAttribute("xformOp:rotateXYZ").Get() == Gf.Vec3f(0)
@@ -694,6 +698,16 @@ def test_bound_materials(tmp_path, scene_dump, extension):
     bind(both).Bind(red)
     bind(both).Bind(blue, materialPurpose=full)
     add_mesh(stage, "/World/Bare")
+    many = UsdGeom.Xform.Define(stage, "/World/Many")
+    for name in ["A", "B", "B/Deep", "B/Not", "C"]:
+        add_mesh(stage, f"/World/Many/{name}")
+    collection = Usd.CollectionAPI.Apply(many.GetPrim(), "some")
+    collection.IncludePath("/World/Many/A")
+    collection.IncludePath("/World/Many/B")
+    collection.ExcludePath("/World/Many/B/Not")
+    bind(many).Bind(red)
+    bind(many).Bind(collection, green, "some")
+    bind(UsdGeom.Imageable(stage.GetPrimAtPath("/World/Many/B/Deep"))).Bind(blue)
     parts = add_mesh(stage, "/World/Parts", counts=(3, 4, 5, 3))
     bind(parts).Bind(red)
     for name, material, faces in [("some", green, [1, 3]), ("other", blue, [2])]:
@@ -714,7 +728,8 @@ def test_bound_materials(tmp_path, scene_dump, extension):
         assert used == {wanted and wanted.replace("Chair1", "Chair0")}, name
     compare(got, expected(stage))
     table = got.scene["materials"]
-    counts = {table[i]["name"]: int(n) for i, n in zip(*np.unique(things["/World/Parts"]["materials"], return_counts=True))}
+    used = np.unique(things["/World/Parts"]["materials"], return_counts=True)
+    counts = {table[i]["name"]: int(n) for i, n in zip(*used)}
     assert counts == {"/Looks/Red": 1, "/Looks/Green": 3, "/Looks/Blue": 3}
     assert table[names.index("/Looks/Green")]["base_color"] == [0, 1, 0]
 

@@ -45,7 +45,10 @@ pub(super) fn boxes(scene: &Scene, semantics: &Semantics, view: &View, hits: &Im
     };
     for (entity, tight, loose) in found {
         // At an edge, rounding may see a pixel that was not expected to.
-        let loose = if loose.count == 0 { tight } else { loose };
+        let loose = Extent {
+            count: loose.count.max(tight.count),
+            ..loose.union(tight)
+        };
         let hidden = hidden_part(tight.count, loose.count);
         add(&mut boxes.tight, entity, tight, hidden);
         add(&mut boxes.loose, entity, loose, hidden);
@@ -76,10 +79,7 @@ fn seen_extents(scene: &Scene, hits: &Image<Hit>) -> Vec<Extent> {
     reason = "a ratio is float32"
 )]
 fn hidden_part(seen: u64, all: u64) -> f32 {
-    if all == 0 {
-        return f32::NAN;
-    }
-    (1.0 - seen as f64 / all as f64).max(0.0) as f32
+    (1.0 - seen as f64 / (all as f64).max(1.0)) as f32
 }
 
 fn add(boxes: &mut Boxes2d, entity: &Entity, extent: Extent, occlusion_ratio: f32) {

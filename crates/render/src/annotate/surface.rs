@@ -13,11 +13,8 @@ pub(crate) struct Surface {
     pub(crate) point: DVec3,
     /// From the camera to the point, metres along the unit ray.
     pub(crate) range: f64,
-    /// The shares of the triangle's corners, each from 0 to 1, together 1.
-    pub(crate) weights: [f64; 3],
-    /// The triangle's own unit normal in the world, on the side that is seen.
-    pub(crate) flat_normal: DVec3,
-    /// The interpolated unit normal in the world, turned with `flat_normal`; the same where the mesh has none.
+    /// The unit normal in the world on the side that is seen: interpolated, or the triangle's own where the mesh has
+    /// none.
     pub(crate) normal: DVec3,
 }
 
@@ -52,11 +49,6 @@ impl<'a> SurfaceFinder<'a> {
             world_from_camera: view.world_from_camera.rotation,
             last: None,
         }
-    }
-
-    /// The mesh of an instance.
-    pub(crate) fn mesh(&mut self, instance: u32) -> Option<&'a Mesh> {
-        self.placed(instance).map(|placed| placed.mesh)
     }
 
     /// What the unit ray `ray_in_camera` sees on the triangle that it hits, `z` away along the optical axis.
@@ -98,8 +90,6 @@ impl<'a> SurfaceFinder<'a> {
         Some(Surface {
             point: origin + ray * range,
             range,
-            weights,
-            flat_normal,
             normal: smooth.map_or(flat_normal, |smooth| smooth * side),
         })
     }
@@ -125,9 +115,9 @@ impl<'a> SurfaceFinder<'a> {
 
 /// Shares from 0 to 1 that make up a whole, whatever rounding did to them.
 fn clamped(shares: [f64; 3]) -> [f64; 3] {
-    // The minimum with 1 also turns a NaN into a number.
-    let positive = shares.map(|share| share.max(0.0).min(1.0));
+    let positive = shares.map(|share| share.clamp(0.0, 1.0));
     let sum: f64 = positive.iter().sum();
+    // Nor is a NaN a share.
     if sum > 0.0 {
         positive.map(|share| share / sum)
     } else {

@@ -3,13 +3,15 @@
 use super::cluster::ClusteredMesh;
 use super::cull::Visible;
 use super::frame::{Frame, Projection};
+use super::lanes::Lanes;
 use super::large;
 use super::small::{self, Drawn, Scratch};
 use super::tile::{Id, Rectangle, Tile};
 
 /// Draws what is listed, by its place in `visible` in the lower half of each entry, in the order of the list.
 #[inline(always)]
-pub(super) fn entries<const IDS: bool>(
+pub(super) fn entries<L: Lanes, const IDS: bool>(
+    lanes: L,
     frame: &Frame,
     meshes: &[ClusteredMesh],
     visible: &[Visible],
@@ -52,7 +54,7 @@ pub(super) fn entries<const IDS: bool>(
                 (mesh.positions(cluster, triangle), mesh.triangles.get(triangle))
             {
                 let id = Id::from(item.instance) << 32 | Id::from(*number);
-                large::draw::<IDS>(frame, tile, &onto_tile, positions, id);
+                large::draw::<L, IDS>(lanes, frame, tile, &onto_tile, positions, id);
             }
         } else {
             let drawn = Drawn {
@@ -61,7 +63,7 @@ pub(super) fn entries<const IDS: bool>(
                 onto_tile: &onto_tile,
                 instance: item.instance,
             };
-            small::draw::<IDS>(frame, tile, scratch, &drawn);
+            small::draw::<L, IDS>(lanes, frame, tile, scratch, &drawn);
         }
         tile.touch(rectangle);
     }

@@ -3,6 +3,7 @@
 use oaktwin_camera::math::DVec3;
 
 use super::frame::{Frame, Grid, Projection, round};
+use super::lanes::Lanes;
 use super::tile::{Id, Rectangle, STRIDE, Tile};
 
 /// A corner in the frame of a tile's grid: `(u, v, z)` as from [`Projection::on_tile`].
@@ -59,7 +60,8 @@ impl Linear {
 
 /// Draws a triangle of a mesh onto the part of the image in `tile`.
 #[inline(always)]
-pub(super) fn draw<const IDS: bool>(
+pub(super) fn draw<L: Lanes, const IDS: bool>(
+    lanes: L,
     frame: &Frame,
     tile: &mut Tile,
     onto_tile: &Projection,
@@ -109,7 +111,7 @@ pub(super) fn draw<const IDS: bool>(
                 }
             }
             #[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
-            tile.put_row::<IDS>(y as usize * STRIDE + x as usize, row, id);
+            tile.put_row::<L, IDS>(lanes, y as usize * STRIDE + x as usize, lanes.load_f(&row), id);
         }
     }
 }

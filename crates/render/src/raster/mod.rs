@@ -8,6 +8,7 @@ mod cluster;
 mod cull;
 mod draw;
 mod frame;
+mod lanes;
 mod large;
 mod order;
 mod simd;

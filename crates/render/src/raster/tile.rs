@@ -1,13 +1,17 @@
 //! The pixels that are drawn together, small enough for the fastest cache.
 
 use super::frame::Frame;
+use super::lanes::Lanes;
 
 /// Columns of a tile.
 pub(super) const WIDTH: usize = 128;
 /// Rows of a tile.
 pub(super) const HEIGHT: usize = 80;
 /// From row to row: triangles are drawn eight columns at a time, past a tile's right edge.
-pub(super) const STRIDE: usize = WIDTH + 8;
+pub(super) const ROW: i32 = 136;
+/// The same.
+pub(super) const STRIDE: usize = ROW as usize;
+const _: () = assert!(STRIDE == WIDTH + 8 && STRIDE * (HEIGHT + 1) <= SIZE);
 /// A power of two, at least a row more than a tile has.
 const SIZE: usize = 16384;
 /// Columns and rows of a block.
@@ -138,21 +142,15 @@ impl Tile {
 
     /// The same for eight pixels in a row, where `inverse_z` is positive.
     #[inline(always)]
-    pub(super) fn put_row<const IDS: bool>(&mut self, at: usize, inverse_z: [f32; 8], id: Id) {
+    pub(super) fn put_row<L: Lanes, const IDS: bool>(&mut self, l: L, at: usize, inverse_z: L::F, id: Id) {
         if IDS {
-            for (at, inverse_z) in (at..).zip(inverse_z) {
+            for (at, inverse_z) in (at..).zip(l.store_f(inverse_z)) {
                 if inverse_z > 0.0 {
                     self.put::<IDS>(at, inverse_z, id);
                 }
             }
         } else if let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() {
-            for l in 0..8 {
-                pixels[l] = if inverse_z[l] > pixels[l] {
-                    inverse_z[l]
-                } else {
-                    pixels[l]
-                };
-            }
+            *pixels = l.store_f(l.max_f(inverse_z, l.load_f(pixels)));
         }
     }
 }

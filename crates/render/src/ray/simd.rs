@@ -3,8 +3,22 @@
 //! Every operation is rounded by itself (nothing is fused), so both give the same bits.
 #![allow(unsafe_code, reason = "AVX2 is asked for at run time")]
 
+/// Eight `f64`.
+pub(crate) trait Wide: Copy {
+    fn load(values: &[f64; 8]) -> Self;
+    fn store(self, to: &mut [f64; 8]);
+    fn splat(value: f64) -> Self;
+    fn add(self, other: Self) -> Self;
+    fn sub(self, other: Self) -> Self;
+    fn mul(self, other: Self) -> Self;
+    fn div(self, other: Self) -> Self;
+}
+
 /// Eight `f32`. A comparison gives all ones or all zeros in each lane.
 pub(crate) trait Lanes: Copy {
+    type Wide: Wide;
+    /// The same numbers.
+    fn widen(self) -> Self::Wide;
     fn load(values: &[f32; 8]) -> Self;
     fn store(self, to: &mut [f32; 8]);
     fn load_bits(values: &[u32; 8]) -> Self;
@@ -97,7 +111,46 @@ impl Scalar {
     }
 }
 
+#[derive(Clone, Copy)]
+struct WideScalar([f64; 8]);
+
+impl Wide for WideScalar {
+    #[inline(always)]
+    fn load(values: &[f64; 8]) -> Self {
+        Self(*values)
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64; 8]) {
+        *to = self.0;
+    }
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self([value; 8])
+    }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] - other.0[i]))
+    }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] * other.0[i]))
+    }
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] / other.0[i]))
+    }
+}
+
 impl Lanes for Scalar {
+    type Wide = WideScalar;
+    #[inline(always)]
+    fn widen(self) -> WideScalar {
+        WideScalar(self.0.map(f64::from))
+    }
     #[inline(always)]
     fn load(values: &[f32; 8]) -> Self {
         Self(*values)
@@ -185,11 +238,15 @@ mod avx2 {
     #[allow(clippy::wildcard_imports, reason = "intrinsics")]
     use std::arch::x86_64::*;
 
-    use super::{Kernel, Lanes};
+    use super::{Kernel, Lanes, Wide};
 
     /// Is made only within [`run`], so the processor has AVX2.
     #[derive(Clone, Copy)]
-    struct Avx2(__m256);
+    pub(super) struct Avx2(__m256);
+
+    /// As [`Avx2`].
+    #[derive(Clone, Copy)]
+    pub(super) struct WideAvx2(__m256d, __m256d);
 
     /// # Safety
     /// The processor has AVX2.
@@ -199,7 +256,56 @@ mod avx2 {
     }
 
     // SAFETY of all below: the processor has AVX2 (see `Avx2`); loads and stores are of whole arrays, unaligned.
+    impl Wide for WideAvx2 {
+        #[inline(always)]
+        fn load(values: &[f64; 8]) -> Self {
+            let (low, high) = values.split_at(4);
+            Self(unsafe { _mm256_loadu_pd(low.as_ptr()) }, unsafe {
+                _mm256_loadu_pd(high.as_ptr())
+            })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f64; 8]) {
+            let (low, high) = to.split_at_mut(4);
+            unsafe {
+                _mm256_storeu_pd(low.as_mut_ptr(), self.0);
+                _mm256_storeu_pd(high.as_mut_ptr(), self.1);
+            }
+        }
+        #[inline(always)]
+        fn splat(value: f64) -> Self {
+            let all = unsafe { _mm256_set1_pd(value) };
+            Self(all, all)
+        }
+        #[inline(always)]
+        fn add(self, other: Self) -> Self {
+            unsafe { Self(_mm256_add_pd(self.0, other.0), _mm256_add_pd(self.1, other.1)) }
+        }
+        #[inline(always)]
+        fn sub(self, other: Self) -> Self {
+            unsafe { Self(_mm256_sub_pd(self.0, other.0), _mm256_sub_pd(self.1, other.1)) }
+        }
+        #[inline(always)]
+        fn mul(self, other: Self) -> Self {
+            unsafe { Self(_mm256_mul_pd(self.0, other.0), _mm256_mul_pd(self.1, other.1)) }
+        }
+        #[inline(always)]
+        fn div(self, other: Self) -> Self {
+            unsafe { Self(_mm256_div_pd(self.0, other.0), _mm256_div_pd(self.1, other.1)) }
+        }
+    }
+
     impl Lanes for Avx2 {
+        type Wide = WideAvx2;
+        #[inline(always)]
+        fn widen(self) -> WideAvx2 {
+            unsafe {
+                WideAvx2(
+                    _mm256_cvtps_pd(_mm256_castps256_ps128(self.0)),
+                    _mm256_cvtps_pd(_mm256_extractf128_ps::<1>(self.0)),
+                )
+            }
+        }
         #[inline(always)]
         fn load(values: &[f32; 8]) -> Self {
             Self(unsafe { _mm256_loadu_ps(values.as_ptr()) })
@@ -292,6 +398,7 @@ mod tests {
         type Output = Vec<u32>;
 
         #[inline(always)]
+        #[allow(clippy::cast_possible_truncation, reason = "halves")]
         fn run<L: Lanes>(self) -> Vec<u32> {
             let (a, b) = (L::load(&self.0), L::load(&self.1));
             let all = [
@@ -315,6 +422,15 @@ mod tests {
                 .map(|x| if x.is_nan() { f32::NAN } else { x }.to_bits())
                 .collect();
             bits.push(a.signs());
+            let (c, d) = (a.widen(), b.widen());
+            for wide in [c.add(d), c.sub(d), c.mul(d), c.div(d), L::Wide::splat(0.1).mul(c)] {
+                let mut values = [0.0; 8];
+                wide.store(&mut values);
+                L::Wide::load(&values).mul(d).store(&mut values);
+                for value in values.map(|x| if x.is_nan() { f64::NAN } else { x }.to_bits()) {
+                    bits.extend([(value >> 32) as u32, value as u32]);
+                }
+            }
             let mut raw = [0; 8];
             L::load_bits(&self.0.map(f32::to_bits)).store_bits(&mut raw);
             bits.extend(raw);

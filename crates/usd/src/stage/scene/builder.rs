@@ -146,7 +146,7 @@ impl Builder {
 
     fn add_mesh(&mut self, walk: &Walk<'_>, prim: &Record, path: &str, context: &Context) -> Outcome<()> {
         let shared = is_in_prototype(&prim.path) || !self.instancers.is_empty();
-        let surface = self.surface(walk, context, path);
+        let surface = self.surface(walk, prim, context, path);
         let key =
             shared.then(|| self.mesh_key(prim, prim.path.as_str().to_owned(), surface.as_ref(), context));
         if let Some(known) = key.as_ref().and_then(|key| self.meshes.get(key)) {
@@ -240,7 +240,7 @@ impl Builder {
                 .warn("shape-measures", path, message, "correct them");
             return;
         }
-        let surface = self.surface(walk, context, path);
+        let surface = self.surface(walk, prim, context, path);
         let shows_color = surface.as_ref().is_none_or(|surface| surface.shows_mesh_colors);
         let color = shows_color
             .then(|| shape::color(walk.reader, prim, context))
@@ -277,9 +277,15 @@ impl Builder {
     }
 
     /// The surface of the material that a prim is bound to.
-    fn surface(&mut self, walk: &Walk<'_>, context: &Context, path: &str) -> Option<Rc<Surface>> {
+    fn surface(
+        &mut self,
+        walk: &Walk<'_>,
+        prim: &Record,
+        context: &Context,
+        path: &str,
+    ) -> Option<Rc<Surface>> {
         let mut first = None;
-        for material in context.bindings.candidates() {
+        for material in context.bindings.candidates(&prim.path, path) {
             let surface =
                 self.materials
                     .surface(walk.reader, material, path, &mut self.scene, &mut self.findings);
@@ -309,11 +315,8 @@ impl Builder {
                 continue;
             };
             let own = subset.own(walk.reader);
-            if own.bindings.is_empty() {
-                continue;
-            }
             let path = format!("{path}/{name}");
-            if let Some(surface) = self.surface(walk, &context.with(own, &path), &path) {
+            if let Some(surface) = self.surface(walk, &subset, &context.with(own, &path), &path) {
                 found.push((faces, surface));
             }
         }

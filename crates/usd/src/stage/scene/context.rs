@@ -5,7 +5,8 @@ use oaktwin_scene::Label;
 use openusd::sdf::Path;
 
 use super::super::reader::Record;
-use super::own::{Bindings, Own, Purpose};
+use super::binding::Bindings;
+use super::own::{Own, Purpose};
 
 /// What a prim inherits from its ancestors.
 #[derive(Clone)]
@@ -64,9 +65,7 @@ impl Context {
             });
             inner.labels = labels.chain(self.labels.iter().cloned()).collect();
         }
-        if !own.bindings.is_empty() {
-            inner.bindings = self.bindings.with(&own.bindings);
-        }
+        inner.bindings = self.bindings.with(&own.bindings);
         inner
     }
 

@@ -1,5 +1,6 @@
 //! From composed prims to a [`Scene`].
 
+mod binding;
 mod builder;
 mod camera;
 mod context;

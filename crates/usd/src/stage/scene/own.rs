@@ -1,10 +1,7 @@
-use std::rc::Rc;
-
-use openusd::sdf::Path;
-
 use super::super::reader::{Reader, Record};
 use super::super::transform::{LocalTransform, local_transform};
 use super::super::value::{text, texts};
+use super::binding::{Binding, bindings};
 
 /// What a prim itself says of what its children inherit.
 pub(in crate::stage) struct Own {
@@ -12,7 +9,7 @@ pub(in crate::stage) struct Own {
     pub(super) invisible: bool,
     pub(super) purpose: Option<Purpose>,
     pub(super) labels: Vec<(String, String)>,
-    pub(super) bindings: Vec<(BindingPurpose, Binding)>,
+    pub(super) bindings: Vec<Binding>,
     /// Whether it has primvars that its children may inherit.
     pub(super) has_primvars: bool,
 }
@@ -26,33 +23,6 @@ pub(super) enum Purpose {
     Render,
     /// For a quick look, or for people who work on the scene.
     Other,
-}
-
-/// For which purpose a material is bound; the first that leads to a material wins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum BindingPurpose {
-    /// For the final picture.
-    Full,
-    /// For all.
-    All,
-    /// For a quick look.
-    Preview,
-}
-
-impl BindingPurpose {
-    pub(super) const ALL: [(Self, &str); 3] = [
-        (Self::Full, "material:binding:full"),
-        (Self::All, "material:binding"),
-        (Self::Preview, "material:binding:preview"),
-    ];
-}
-
-/// A material that is bound to a prim and what is below it.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Binding {
-    pub(super) material: Path,
-    /// Whether it wins over what its descendants bind.
-    pub(super) stronger_than_descendants: bool,
 }
 
 impl Own {
@@ -96,51 +66,4 @@ fn labels(reader: &Reader, prim: &Record) -> Vec<(String, String)> {
         }
     }
     labels
-}
-
-/// Materials that are bound directly.
-fn bindings(reader: &Reader, prim: &Record) -> Vec<(BindingPurpose, Binding)> {
-    let mut found = Vec::new();
-    for (purpose, name) in BindingPurpose::ALL {
-        let Some(material) = reader.targets(prim, name).into_iter().next() else {
-            continue;
-        };
-        let strength = prim
-            .path
-            .append_property(name)
-            .ok()
-            .and_then(|path| reader.field(&path, "bindMaterialAs"))
-            .and_then(text);
-        found.push((
-            purpose,
-            Binding {
-                material,
-                stronger_than_descendants: strength.is_some_and(|s| s == "strongerThanDescendants"),
-            },
-        ));
-    }
-    found
-}
-
-/// Which materials are bound, for each purpose.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Bindings([Option<Rc<Binding>>; 3]);
-
-impl Bindings {
-    /// What holds for a prim that itself binds `own`.
-    pub(super) fn with(&self, own: &[(BindingPurpose, Binding)]) -> Self {
-        let mut all = self.clone();
-        for (purpose, binding) in own {
-            let slot = &mut all.0[*purpose as usize];
-            if !slot.as_ref().is_some_and(|bound| bound.stronger_than_descendants) {
-                *slot = Some(Rc::new(binding.clone()));
-            }
-        }
-        all
-    }
-
-    /// The materials in the order in which they are to be tried.
-    pub(super) fn candidates(&self) -> impl Iterator<Item = &Path> {
-        self.0.iter().flatten().map(|binding| &binding.material)
-    }
 }
