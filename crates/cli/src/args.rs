@@ -325,7 +325,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// The point cloud also as PLY
+    /// The point cloud (added to the annotators) also as PLY
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

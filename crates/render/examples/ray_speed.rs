@@ -8,11 +8,14 @@
 )]
 
 use std::collections::HashMap;
+use std::fmt;
 use std::time::Instant;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, RigidTransform};
-use oaktwin_render::{Backend, Clip, Renderer, View};
+use oaktwin_camera::{
+    Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
+};
+use oaktwin_render::{Backend, Clip, Ray, Renderer, View};
 use oaktwin_scene::{Instance, Mesh, Scene};
 
 fn main() {
@@ -49,11 +52,12 @@ fn measure(name: &str, mesh: Mesh, eye: DVec3) {
     let tiny = view(LensModel::Pinhole, 1, 1, eye);
     let build = least(3, || {
         renderer = Renderer::new(renderer.scene().clone());
-        let start = Instant::now();
-        let _ = renderer.depth(&tiny, Backend::Ray);
-        start.elapsed().as_secs_f64()
+        Timer::time(|| {
+            let _ = renderer.depth(&tiny, Backend::Ray);
+        })
     });
-    println!("  build {:.1} ms", build * 1e3);
+    println!("  build {build}");
+    shadows(&renderer, eye);
     let fisheye = LensModel::OpenCvFisheye(OpenCvFisheye {
         k: [-0.02, 0.001, 0.0, 0.0],
     });
@@ -61,18 +65,101 @@ fn measure(name: &str, mesh: Mesh, eye: DVec3) {
         let view = view(lens, 1280, 800, eye);
         let mut hits = 0;
         let frame = least(9, || {
-            let start = Instant::now();
-            let z = renderer.depth(&view, Backend::Ray);
-            let seconds = start.elapsed().as_secs_f64();
-            hits = z.0.pixels().iter().filter(|z| z.is_finite()).count();
-            seconds
+            Timer::time(|| {
+                let z = renderer.depth(&view, Backend::Ray);
+                hits = z.0.pixels().iter().filter(|z| z.is_finite()).count();
+            })
         });
-        println!("  {kind} {:.1} ms, {hits} hits", frame * 1e3);
+        println!("  {kind} {frame}, {hits} hits");
     }
 }
 
-fn least(times: u32, mut run: impl FnMut() -> f64) -> f64 {
-    (0..times).map(|_| run()).fold(f64::INFINITY, f64::min)
+/// Rays by themselves: from what is seen towards a lamp, and into the view.
+fn shadows(renderer: &Renderer, eye: DVec3) {
+    let view = view(LensModel::Pinhole, 1280, 800, eye);
+    let z = renderer.depth(&view, Backend::Ray);
+    let lamp = eye + DVec3::new(1.0, -2.0, 0.3);
+    let mut seen = Vec::new();
+    let mut shadows = Vec::new();
+    for (i, z) in z.0.pixels().iter().enumerate() {
+        let pixel = PixelPoint::<Usd>::new((i % 1280) as f64 + 0.5, (i / 1280) as f64 + 0.5);
+        let direction = view.camera.intrinsics.normalized_from_pixel(pixel).extend(1.0);
+        seen.push(Ray {
+            origin: eye,
+            direction,
+            near: 0.01,
+            far: f64::INFINITY,
+        });
+        if z.is_finite() {
+            let origin = eye + direction * f64::from(*z);
+            shadows.push(Ray {
+                origin,
+                direction: lamp - origin,
+                near: 1e-3,
+                far: 1.0,
+            });
+        }
+    }
+    let mut count = 0;
+    let time = least(3, || {
+        Timer::time(|| count = renderer.occluded(&shadows).iter().filter(|x| **x).count())
+    });
+    println!("  {} shadow rays {time}, {count} in the shadow", shadows.len());
+    let time = least(3, || {
+        Timer::time(|| count = renderer.cast_rays(&seen).iter().flatten().count())
+    });
+    println!("  {} single rays {time}, {count} hits", seen.len());
+}
+
+/// Seconds on the clock and of all threads together.
+#[derive(Clone, Copy)]
+struct Timer {
+    wall: f64,
+    threads: f64,
+}
+
+impl Timer {
+    fn time(run: impl FnOnce()) -> Self {
+        let (start, threads) = (Instant::now(), thread_seconds());
+        run();
+        Self {
+            wall: start.elapsed().as_secs_f64(),
+            threads: thread_seconds() - threads,
+        }
+    }
+}
+
+impl fmt::Display for Timer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{:.1} ms, {:.1} ms of threads",
+            self.wall * 1e3,
+            self.threads * 1e3
+        )
+    }
+}
+
+/// Where Linux says how long threads ran; else 0.
+fn thread_seconds() -> f64 {
+    let Ok(tasks) = std::fs::read_dir("/proc/self/task") else {
+        return 0.0;
+    };
+    let nanoseconds = |task: std::io::Result<std::fs::DirEntry>| {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        text.split(' ').next()?.parse::<f64>().ok()
+    };
+    tasks.filter_map(nanoseconds).sum::<f64>() / 1e9
+}
+
+fn least(times: u32, mut run: impl FnMut() -> Timer) -> Timer {
+    let mut least = run();
+    for _ in 1..times {
+        let next = run();
+        least.wall = least.wall.min(next.wall);
+        least.threads = least.threads.min(next.threads);
+    }
+    least
 }
 
 fn view(lens: LensModel, width: u32, height: u32, eye: DVec3) -> View {

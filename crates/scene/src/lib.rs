@@ -6,6 +6,9 @@
 //! [`Instance::world_from_mesh`], in double precision, brings them into the world.
 
 mod attribute;
+mod bounds;
+mod footprint;
+pub mod import;
 mod light;
 mod material;
 mod mesh;
@@ -16,6 +19,7 @@ mod turn;
 use oaktwin_camera::math::{DAffine3, DVec3};
 
 pub use attribute::Attribute;
+pub use bounds::Bounds;
 pub use light::{Light, LightKind};
 pub use material::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
 pub use mesh::{MaterialSpan, Mesh};

@@ -19,7 +19,7 @@ use crate::progress::Progress;
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
-    let annotators = asked::annotators(&args.annotators)?;
+    let annotators = asked::annotators(args)?;
     let size = args.resolution.as_deref().map(asked::resolution).transpose()?;
     let path = match &args.trajectory {
         Some(file) => trajectory::read(file)?,
@@ -43,14 +43,15 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         return Err(format!("{}: {finding}", args.scene.display()).into());
     }
     check_memory(&cameras, &annotators)?;
-    let mut folder = OutputFolder::prepare(&args.output)?;
-
     interrupt::watch()?;
+    let mut folder = OutputFolder::prepare(&args.output)?;
     let renderer = Renderer::new(scene.scene);
     let options = FrameOptions {
         annotators: &annotators,
         backend: args.backend.into(),
+        extras: asked::extras(args),
         strict: args.strict,
+        list_files: args.json,
     };
     let mut progress = Progress::new();
     let mut watch = |done: render::Done| {
@@ -67,11 +68,13 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     findings.append(&mut written.findings);
 
     let calibration_findings = oak.map(|oak| oak.calibration_findings).unwrap_or_default();
+    let frames = path.len().max(1);
     let report = Report::new(
         args,
+        &annotators,
         &cameras,
         written,
-        path.len().max(1),
+        frames,
         findings,
         calibration_findings,
     );
@@ -145,10 +148,11 @@ fn own_cameras(
     let (cameras, findings) = render::scene_cameras(scene, &options)?;
     if let ([first, second, ..], [_, ..]) = (&cameras[..], path) {
         return Err(format!(
-            "--trajectory moves one camera, and there are {} ({}, {}, …): choose one with --camera",
+            "--trajectory moves one camera, and there are {} ({}, {}{}): choose one with --camera",
             cameras.len(),
             first.path,
-            second.path
+            second.path,
+            if cameras.len() > 2 { ", …" } else { "" }
         )
         .into());
     }

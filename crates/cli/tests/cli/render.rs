@@ -74,13 +74,16 @@ fn several_cameras_in_a_folder_each() {
     let written = report["files"].as_array().unwrap().len();
     let names = program.names();
     assert_eq!(
-        names.iter().filter(|name| name.contains("_0000.")).count(),
+        names
+            .iter()
+            .filter(|name| name.starts_with("oaktwin-render/") && program.path(name).is_file())
+            .count(),
         written
     );
     for folder in ["Left", "Right"] {
         let (size, _) = depth(
             &program,
-            &format!("oaktwin-render/{folder}/distance_to_image_plane_0000.npy"),
+            &format!("oaktwin-render/{folder}/distance_to_image_plane/distance_to_image_plane_0000.npy"),
         );
         assert_eq!(size, (32, 24));
     }

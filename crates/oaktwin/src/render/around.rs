@@ -15,7 +15,7 @@ pub(super) fn look_at(scene: &Scene) -> String {
     let eye = centre + (across + up * 0.7).normalize() * (reach * 2.0);
     [eye, centre]
         .iter()
-        .flat_map(|point| point.to_array())
+        .flat_map(DVec3::to_array)
         .map(|x| brief(x, reach))
         .collect::<Vec<_>>()
         .join(" ")

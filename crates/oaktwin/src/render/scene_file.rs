@@ -2,10 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use oaktwin_render::Clip;
+
 use crate::diagnostic::Finding;
 use crate::files::FileError;
+use crate::scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use crate::scene::{Scene, Up};
-use crate::usd::stage::{self, RenderProduct, SceneCamera, SceneOptions, StageError};
+use crate::usd::stage::{self, Attribute, Prim, RenderProduct, SceneCamera, SceneOptions, StageError, Value};
 
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
 
@@ -46,6 +49,9 @@ pub enum SceneFileError {
     /// It is no USD stage.
     #[error(transparent)]
     Stage(#[from] StageError),
+    /// It is no mesh file.
+    #[error(transparent)]
+    Import(#[from] ImportError),
 }
 
 impl SceneFile {
@@ -60,9 +66,12 @@ impl SceneFile {
             .map(|extension| extension.to_string_lossy().to_lowercase())
             .unwrap_or_default();
         if USD.contains(&extension.as_str()) {
-            return Self::open_stage(path, options);
+            Self::open_stage(path, options)
+        } else if import::is_importable(path) {
+            Self::import(path, options)
+        } else {
+            Err(unknown_kind(path, &extension).into())
         }
-        Err(unknown_kind(path, &extension).into())
     }
 
     fn open_stage(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
@@ -86,6 +95,71 @@ impl SceneFile {
             products: stage.products,
             findings: stage.findings,
         })
+    }
+
+    fn import(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
+        for (given, name) in [
+            (options.time.is_some(), "time"),
+            (options.subdivide > 0, "subdivide"),
+        ] {
+            if given {
+                let message = format!("is no USD stage, and --{name} is for those");
+                return Err(FileError::new(path, message, format!("leave --{name} out")).into());
+            }
+        }
+        let imported = import::open(
+            path,
+            &ImportOptions {
+                up: options.up,
+                scale: options.scale.unwrap_or(1.0),
+            },
+        )?;
+        let meters_per_unit = imported.scene.meters_per_unit.0;
+        let cameras = imported.cameras.iter();
+        Ok(Self {
+            path: path.to_owned(),
+            cameras: cameras.map(|camera| as_prim(camera, meters_per_unit)).collect(),
+            scene: imported.scene,
+            products: Vec::new(),
+            findings: imported.findings,
+        })
+    }
+}
+
+/// A mesh file's camera as a prim would say it: the vertical field of view by a focal length for an aperture 10 high.
+fn as_prim(camera: &ImportedCamera, meters_per_unit: f64) -> SceneCamera {
+    const HEIGHT: f64 = 10.0;
+    // Where the file leaves it to the viewer: that of an OAK's stereo cameras.
+    let aspect = camera.aspect.unwrap_or(1.6);
+    let clip = Clip::default();
+    let attributes = [
+        (
+            "focalLength",
+            Value::Float(HEIGHT / (2.0 * (camera.vfov / 2.0).tan())),
+        ),
+        ("horizontalAperture", Value::Float(HEIGHT * aspect)),
+        ("verticalAperture", Value::Float(HEIGHT)),
+        (
+            "clippingRange",
+            Value::Floats(vec![clip.near_m / meters_per_unit, clip.far_m / meters_per_unit]),
+        ),
+    ];
+    let attributes = attributes.map(|(name, value)| {
+        let attribute = Attribute {
+            type_name: String::new(),
+            value: Some(value),
+            animated: false,
+        };
+        (name.to_owned(), attribute)
+    });
+    SceneCamera {
+        prim: Prim {
+            path: camera.path.clone(),
+            type_name: "Camera".to_owned(),
+            api_schemas: Vec::new(),
+            attributes: attributes.into(),
+        },
+        world_from_camera: camera.world_from_camera,
     }
 }
 

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::coverage::Coverage;
 use super::semantics::{Entity, Semantics};
 use super::stencil::{Extent, Stencil};
+use crate::rays::Rays;
 use crate::{Hit, View};
 
 /// The boxes of a view.
@@ -20,9 +21,15 @@ pub(super) struct Boxes {
 
 /// A box for each prim that carries labels, around it and all that is below it. What of it lies outside the image
 /// does not count, neither for the box nor for the part that is hidden.
-pub(super) fn boxes(scene: &Scene, semantics: &Semantics, view: &View, hits: &Image<Hit>) -> Boxes {
+pub(super) fn boxes(
+    scene: &Scene,
+    semantics: &Semantics,
+    view: &View,
+    rays: &Rays,
+    hits: &Image<Hit>,
+) -> Boxes {
     let seen = seen_extents(scene, hits);
-    let coverage = Coverage::new(view);
+    let coverage = Coverage::new(view, rays);
     let found: Vec<(&Entity, Extent, Extent)> = semantics
         .entities
         .par_iter()
@@ -45,7 +52,10 @@ pub(super) fn boxes(scene: &Scene, semantics: &Semantics, view: &View, hits: &Im
     };
     for (entity, tight, loose) in found {
         // At an edge, rounding may see a pixel that was not expected to.
-        let loose = if loose.count == 0 { tight } else { loose };
+        let loose = Extent {
+            count: loose.count.max(tight.count),
+            ..loose.union(tight)
+        };
         let hidden = hidden_part(tight.count, loose.count);
         add(&mut boxes.tight, entity, tight, hidden);
         add(&mut boxes.loose, entity, loose, hidden);
@@ -76,10 +86,7 @@ fn seen_extents(scene: &Scene, hits: &Image<Hit>) -> Vec<Extent> {
     reason = "a ratio is float32"
 )]
 fn hidden_part(seen: u64, all: u64) -> f32 {
-    if all == 0 {
-        return f32::NAN;
-    }
-    (1.0 - seen as f64 / all as f64).max(0.0) as f32
+    (1.0 - seen as f64 / (all as f64).max(1.0)) as f32
 }
 
 fn add(boxes: &mut Boxes2d, entity: &Entity, extent: Extent, occlusion_ratio: f32) {

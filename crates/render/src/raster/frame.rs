@@ -121,7 +121,7 @@ impl Projection {
 }
 
 /// 1.5 · 2^52: adding it to a number rounds it to an integer, which is then the lowest bits of the sum.
-pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
+const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// The nearest integer, of ties the even one; for numbers within 32 bits.
 #[expect(clippy::cast_possible_truncation, reason = "the lowest bits are meant")]

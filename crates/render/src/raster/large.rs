@@ -2,7 +2,9 @@
 
 use oaktwin_camera::math::DVec3;
 
+use super::draw::Job;
 use super::frame::{Frame, Grid, Projection, round};
+use super::lanes::Lanes;
 use super::tile::{Id, Rectangle, STRIDE, Tile};
 
 /// A corner in the frame of a tile's grid: `(u, v, z)` as from [`Projection::on_tile`].
@@ -59,13 +61,15 @@ impl Linear {
 
 /// Draws a triangle of a mesh onto the part of the image in `tile`.
 #[inline(always)]
-pub(super) fn draw<const IDS: bool>(
-    frame: &Frame,
+pub(super) fn draw<L: Lanes, const IDS: bool>(
+    lanes: L,
+    job: &Job,
     tile: &mut Tile,
     onto_tile: &Projection,
     positions: [[f32; 3]; 3],
     id: Id,
 ) {
+    let frame = job.frame;
     let corners = positions.map(|p| Corner::new(frame.grid, onto_tile.apply(p)));
     let Some(rectangle) = rectangle(frame, tile, &corners) else {
         return;
@@ -109,7 +113,13 @@ pub(super) fn draw<const IDS: bool>(
                 }
             }
             #[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
-            tile.put_row::<IDS>(y as usize * STRIDE + x as usize, row, id);
+            tile.put_row::<L, IDS>(
+                lanes,
+                job,
+                y as usize * STRIDE + x as usize,
+                lanes.load_f(&row),
+                id,
+            );
         }
     }
 }

@@ -1,23 +1,42 @@
 //! Clusters of triangles, most of which are a few pixels: eight triangles at a time, in single precision.
 
 use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES};
-use super::frame::{Frame, Grid, Projection, ROUND, round};
+use super::draw::Job;
+use super::frame::{Grid, Projection};
+use super::lanes::{Lanes, Row};
 use super::large;
-use super::tile::{Id, STRIDE, Tile};
+use super::tile::{Id, ROW, STRIDE, Tile};
 
 /// Triangles that extend less than so many pixels either way are small.
-const SMALL: u32 = 8;
+const SMALL: i32 = 8;
 
 /// A cluster's vertices on a tile's grid, and what is found of its triangles.
 #[derive(Debug)]
 pub(super) struct Scratch {
-    x: [i32; MAX_VERTICES],
-    y: [i32; MAX_VERTICES],
-    inverse_z: [f32; MAX_VERTICES],
+    /// x and y in steps, 1/z.
+    vertices: [Row; MAX_VERTICES],
     tiny: Kept,
     small: Kept,
     large: Kept,
 }
+
+/// For each byte the numbers of its bits that are set, from the lowest, as bytes.
+const SET_BITS: [u64; 256] = {
+    let mut table = [0; 256];
+    let mut mask = 0;
+    while mask < 256 {
+        let (mut bit, mut count) = (0, 0);
+        while bit < 8 {
+            if mask >> bit & 1 == 1 {
+                table[mask] |= bit << (8 * count);
+                count += 1;
+            }
+            bit += 1;
+        }
+        mask += 1;
+    }
+    table
+};
 
 /// Triangles of a cluster.
 #[derive(Debug)]
@@ -32,21 +51,31 @@ impl Kept {
         count: 0,
     };
 
+    /// Those of eight triangles whose bit is set.
     #[inline(always)]
-    fn push(&mut self, triangle: u8) {
-        if let Some(slot) = self.triangles.get_mut(self.count) {
-            *slot = triangle;
-            self.count += 1;
+    fn push(&mut self, first: usize, mask: u32) {
+        // All eight bytes are written: what should not be there is written over next.
+        if let Some(slots) = self.triangles[self.count % MAX_TRIANGLES..].first_chunk_mut::<LANES>() {
+            let packed = SET_BITS[mask as usize % 256] + first as u64 * 0x0101_0101_0101_0101;
+            *slots = packed.to_le_bytes();
         }
+        self.count += mask.count_ones() as usize;
+    }
+
+    /// Eight at a time, and how many of them count.
+    #[inline(always)]
+    fn batches(&self) -> impl Iterator<Item = (&[u8; LANES], usize)> {
+        (0..self.count)
+            .step_by(LANES)
+            .zip(self.triangles.as_chunks::<LANES>().0)
+            .map(|(first, batch)| (batch, (self.count - first).min(LANES)))
     }
 }
 
 impl Default for Scratch {
     fn default() -> Self {
         Self {
-            x: [0; MAX_VERTICES],
-            y: [0; MAX_VERTICES],
-            inverse_z: [0.0; MAX_VERTICES],
+            vertices: [Row([0; 4]); MAX_VERTICES],
             tiny: Kept::NONE,
             small: Kept::NONE,
             large: Kept::NONE,
@@ -60,14 +89,14 @@ pub(super) struct Drawn<'a> {
     pub(super) mesh: &'a ClusteredMesh,
     pub(super) cluster: &'a Cluster,
     pub(super) onto_tile: &'a Projection,
-    pub(super) instance: u32,
+    /// Its place in the tile's list.
+    pub(super) entry: usize,
 }
 
 impl Drawn<'_> {
     #[inline(always)]
     fn id(&self, triangle: u8) -> Id {
-        let at = self.cluster.first_triangle as usize + usize::from(triangle);
-        Id::from(self.instance) << 32 | self.mesh.triangles.get(at).copied().map_or(0, Id::from)
+        Id::new(self.entry, u32::from(triangle))
     }
 
     #[inline(always)]
@@ -78,33 +107,54 @@ impl Drawn<'_> {
     }
 }
 
-/// Draws a cluster that lies between the near and the far plane, and on the tile's grid.
+/// Asks for a cluster's geometry before it is needed.
 #[inline(always)]
-pub(super) fn draw<const IDS: bool>(frame: &Frame, tile: &mut Tile, scratch: &mut Scratch, drawn: &Drawn) {
-    transform(scratch, drawn);
-    sort_out(frame.grid, tile, scratch, drawn);
-    let corners = drawn.corners();
-    for kept in scratch.tiny.triangles[..scratch.tiny.count].chunks(LANES) {
-        let setup = Setup::new(frame.grid, scratch, corners, kept);
-        setup.draw_tiny::<IDS>(tile, drawn, kept);
-    }
-    for kept in scratch.small.triangles[..scratch.small.count].chunks(LANES) {
-        let setup = Setup::new(frame.grid, scratch, corners, kept);
-        for (lane, triangle) in kept.iter().enumerate() {
-            setup.draw_rows::<IDS>(tile, lane, if IDS { drawn.id(*triangle) } else { 0 });
+pub(super) fn prefetch<L: Lanes>(l: L, mesh: &ClusteredMesh, cluster: &Cluster) {
+    let first = cluster.first_vertex as usize;
+    let vertices = first..first + usize::from(cluster.vertices);
+    for axis in [&mesh.x, &mesh.y, &mesh.z] {
+        for line in axis.get(vertices.clone()).unwrap_or_default().chunks(16) {
+            l.prefetch(line);
         }
     }
-    for triangle in &scratch.large.triangles[..scratch.large.count] {
+    let first = cluster.first_triangle as usize;
+    let triangles = first..first + usize::from(cluster.triangles);
+    for line in mesh.corners.get(triangles).unwrap_or_default().chunks(16) {
+        l.prefetch(line);
+    }
+}
+
+/// Draws a cluster that lies between the near and the far plane, and on the tile's grid.
+#[inline(always)]
+pub(super) fn draw<L: Lanes, const IDS: bool>(
+    l: L,
+    job: &Job,
+    tile: &mut Tile,
+    scratch: &mut Scratch,
+    drawn: &Drawn,
+) {
+    transform(l, scratch, drawn);
+    sort_out(l, job.frame.grid, tile, scratch, drawn);
+    let corners = drawn.corners();
+    for (kept, count) in scratch.tiny.batches() {
+        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
+        setup.draw_tiny::<IDS>(l, job, tile, drawn, kept, count);
+    }
+    for (kept, count) in scratch.small.batches() {
+        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
+        setup.draw_rows::<IDS>(l, job, tile, drawn, kept, count);
+    }
+    for triangle in &scratch.large.triangles[..scratch.large.count.min(MAX_TRIANGLES)] {
         let at = drawn.cluster.first_triangle as usize + usize::from(*triangle);
         if let Some(positions) = drawn.mesh.positions(drawn.cluster, at) {
-            large::draw::<IDS>(frame, tile, drawn.onto_tile, positions, drawn.id(*triangle));
+            large::draw::<L, IDS>(l, job, tile, drawn.onto_tile, positions, drawn.id(*triangle));
         }
     }
 }
 
 /// Brings the vertices onto the grid.
 #[inline(always)]
-fn transform(scratch: &mut Scratch, drawn: &Drawn) {
+fn transform<L: Lanes>(l: L, scratch: &mut Scratch, drawn: &Drawn) {
     let first = drawn.cluster.first_vertex as usize;
     let count = usize::from(drawn.cluster.vertices).next_multiple_of(LANES);
     let range = first..first + count;
@@ -116,88 +166,114 @@ fn transform(scratch: &mut Scratch, drawn: &Drawn) {
     ) else {
         return;
     };
-    let (x, y, z) = (
-        x.as_chunks::<LANES>().0,
-        y.as_chunks::<LANES>().0,
-        z.as_chunks::<LANES>().0,
+    let (u, v, w) = (
+        splat_row(l, drawn.onto_tile.u),
+        splat_row(l, drawn.onto_tile.v),
+        splat_row(l, drawn.onto_tile.z),
     );
-    let out_x = scratch.x.as_chunks_mut::<LANES>().0;
-    let out_y = scratch.y.as_chunks_mut::<LANES>().0;
-    let out_w = scratch.inverse_z.as_chunks_mut::<LANES>().0;
-    for (((((x, y), z), out_x), out_y), out_w) in x.iter().zip(y).zip(z).zip(out_x).zip(out_y).zip(out_w) {
-        for l in 0..LANES {
-            let [u, v, z] = drawn.onto_tile.apply([x[l], y[l], z[l]]);
-            let inverse_z = 1.0 / z;
-            out_x[l] = round(u * inverse_z);
-            out_y[l] = round(v * inverse_z);
-            #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
-            {
-                out_w[l] = inverse_z as f32;
-            }
-        }
+    let positions = (x.as_chunks::<LANES>().0.iter())
+        .zip(y.as_chunks::<LANES>().0)
+        .zip(z.as_chunks::<LANES>().0);
+    let one = l.splat_d(1.0);
+    for (((x, y), z), out) in positions.zip(scratch.vertices.as_chunks_mut::<LANES>().0) {
+        let at = [l.widen(x), l.widen(y), l.widen(z)];
+        let inverse_z = l.div_d(one, apply(l, w, at));
+        let x = l.mul_d(apply(l, u, at), inverse_z);
+        let y = l.mul_d(apply(l, v, at), inverse_z);
+        l.store_rows(l.round_d(x), l.round_d(y), l.narrow(inverse_z), out);
     }
 }
 
-/// The three corners' numbers among the vertices, of each lane.
 #[inline(always)]
-fn unpack(corners: u32) -> [usize; 3] {
-    let [a, b, c, _] = corners.to_le_bytes();
-    [a, b, c].map(usize::from)
+fn splat_row<L: Lanes>(l: L, [a, b, c, d]: [f64; 4]) -> [L::D; 4] {
+    [l.splat_d(a), l.splat_d(b), l.splat_d(c), l.splat_d(d)]
+}
+
+/// In the order of [`Projection::apply`].
+#[inline(always)]
+fn apply<L: Lanes>(l: L, m: [L::D; 4], [x, y, z]: [L::D; 3]) -> L::D {
+    let sum = l.add_d(l.mul_d(m[0], x), l.mul_d(m[1], y));
+    l.add_d(l.add_d(sum, l.mul_d(m[2], z)), m[3])
+}
+
+/// The vertices of eight triangles: x, y and 1/z of each corner.
+#[inline(always)]
+fn gather<L: Lanes>(l: L, vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(L::I, L::I, L::F); 3] {
+    let c = corners.map(u32::to_le_bytes);
+    [
+        corner(l, vertices, c, 0),
+        corner(l, vertices, c, 1),
+        corner(l, vertices, c, 2),
+    ]
+}
+
+#[inline(always)]
+fn corner<L: Lanes>(
+    l: L,
+    vertices: &[Row; MAX_VERTICES],
+    corners: [[u8; 4]; LANES],
+    k: usize,
+) -> (L::I, L::I, L::F) {
+    l.columns(corners.map(|corners| &vertices[usize::from(corners[k])]))
+}
+
+/// The first and the last pixel whose centre is not before the first or behind the last of three.
+#[inline(always)]
+fn pixels<L: Lanes>(l: L, bits: u32, a: L::I, b: L::I, c: L::I) -> Extent<L> {
+    let below = l.splat_i((1 << bits) - 1);
+    let low = l.min_i(l.min_i(a, b), c);
+    let high = l.max_i(l.max_i(a, b), c);
+    let first = l.max_i(l.shr_i(l.add_i(low, below), bits), l.splat_i(0));
+    Extent {
+        first,
+        last: l.shr_i(high, bits),
+        size: l.sub_i(high, low),
+    }
+}
+
+/// Along one axis.
+struct Extent<L: Lanes> {
+    /// Not before the tile.
+    first: L::I,
+    last: L::I,
+    /// In steps.
+    size: L::I,
 }
 
 /// Drops triangles that no pixel's centre of the tile can be in, and tells the others apart by size.
 #[inline(always)]
-fn sort_out(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
+fn sort_out<L: Lanes>(l: L, grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
     let bits = grid.bits;
-    let below = (1i32 << bits) - 1;
-    let limit = if grid.is_fine { SMALL << bits } else { 0 };
-    let (right, bottom) = (tile.width - 1, tile.height - 1);
+    // A difference of coordinates may be as large as 32 bits without a sign.
+    let limit = l.splat_i(if grid.is_fine { (SMALL << bits) - 1 } else { -1 });
+    let (right, bottom) = (l.splat_i(tile.width - 1), l.splat_i(tile.height - 1));
+    let one = l.splat_i(1);
     (scratch.tiny.count, scratch.small.count, scratch.large.count) = (0, 0, 0);
     let total = usize::from(drawn.cluster.triangles);
-    for (batch, corners) in drawn.corners().as_chunks::<LANES>().0.iter().enumerate() {
-        let mut kind = [0u8; LANES];
-        let (mut low_x, mut high_x, mut low_y, mut high_y) =
-            ([0i32; LANES], [0i32; LANES], [0i32; LANES], [0i32; LANES]);
-        for l in 0..LANES {
-            let [a, b, c] = unpack(corners[l]);
-            let (x0, x1, x2) = (scratch.x[a], scratch.x[b], scratch.x[c]);
-            let (y0, y1, y2) = (scratch.y[a], scratch.y[b], scratch.y[c]);
-            low_x[l] = x0.min(x1).min(x2);
-            high_x[l] = x0.max(x1).max(x2);
-            low_y[l] = y0.min(y1).min(y2);
-            high_y[l] = y0.max(y1).max(y2);
+    for (first, corners) in (0..total)
+        .step_by(LANES)
+        .zip(drawn.corners().as_chunks::<LANES>().0)
+    {
+        let [(x0, y0, _), (x1, y1, _), (x2, y2, _)] = gather(l, &scratch.vertices, *corners);
+        let (x, y) = (pixels(l, bits, x0, x1, x2), pixels(l, bits, y0, y1, y2));
+        let wide = l.sub_i(l.min_i(x.last, right), x.first);
+        let high = l.sub_i(l.min_i(y.last, bottom), y.first);
+        // Negative, each: without a pixel; not small; not tiny.
+        let is_empty = l.or_i(wide, high);
+        let is_large = l.or_i(
+            l.or_i(x.size, y.size),
+            l.or_i(l.sub_i(limit, x.size), l.sub_i(limit, y.size)),
+        );
+        let is_wide = l.or_i(l.sub_i(one, wide), l.sub_i(one, high));
+        let there = 0xFF >> (LANES - (total - first).min(LANES));
+        let kept = !l.signs(is_empty) & there;
+        let large = l.signs(is_large) & kept;
+        let small = l.signs(is_wide) & kept & !large;
+        if large != 0 {
+            scratch.large.push(first, large);
         }
-        for l in 0..LANES {
-            let (first_x, last_x) = (
-                ((low_x[l] + below) >> bits).max(0),
-                (high_x[l] >> bits).min(right),
-            );
-            let (first_y, last_y) = (
-                ((low_y[l] + below) >> bits).max(0),
-                (high_y[l] >> bits).min(bottom),
-            );
-            let (wide, high) = (last_x - first_x, last_y - first_y);
-            let extent = high_x[l]
-                .wrapping_sub(low_x[l])
-                .max(high_y[l].wrapping_sub(low_y[l]));
-            let is_small = extent.cast_unsigned() < limit;
-            let is_tiny = is_small & (wide <= 1) & (high <= 1);
-            let is_kept = (wide >= 0) & (high >= 0);
-            kind[l] = u8::from(is_kept) * (3 - u8::from(is_small) - u8::from(is_tiny));
-        }
-        for (l, kind) in kind.iter().enumerate() {
-            let triangle = batch * LANES + l;
-            if triangle >= total {
-                break;
-            }
-            #[expect(clippy::cast_possible_truncation, reason = "less than MAX_TRIANGLES")]
-            match kind {
-                0 => {}
-                1 => scratch.tiny.push(triangle as u8),
-                2 => scratch.small.push(triangle as u8),
-                _ => scratch.large.push(triangle as u8),
-            }
-        }
+        scratch.small.push(first, small);
+        scratch.tiny.push(first, kept & !large & !small);
     }
 }
 
@@ -206,177 +282,195 @@ fn sort_out(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
 /// A pixel `(i, j)`, counted from the triangle's first, lies inside if `a i + b j + c` is positive or zero for all
 /// edges; these are integers as in `large`, a pixel times a grid step each. Scaled, two of them are barycentric
 /// coordinates, which 1/z is interpolated with.
-#[derive(Debug)]
-struct Setup {
-    a: [[i32; LANES]; 3],
-    b: [[i32; LANES]; 3],
-    c: [[i32; LANES]; 3],
-    inverse_z: [f32; LANES],
+struct Setup<L: Lanes> {
+    a: [L::I; 3],
+    b: [L::I; 3],
+    c: [L::I; 3],
+    inverse_z: L::F,
     /// What the constants' rounding down took away.
-    rest: [f32; LANES],
-    slope: [[f32; LANES]; 2],
-    x: [i32; LANES],
-    y: [i32; LANES],
-    last_y: [i32; LANES],
+    rest: L::F,
+    slope: [L::F; 2],
+    x: L::I,
+    y: L::I,
+    last_y: L::I,
 }
 
-impl Setup {
+impl<L: Lanes> Setup<L> {
     #[inline(always)]
-    fn new(grid: Grid, scratch: &Scratch, corners: &[u32], kept: &[u8]) -> Self {
-        let mut x = [[0i32; LANES]; 3];
-        let mut y = [[0i32; LANES]; 3];
-        let mut w = [[0f32; LANES]; 3];
-        for (l, triangle) in kept.iter().enumerate().take(LANES) {
-            let corners = unpack(corners.get(usize::from(*triangle)).copied().unwrap_or_default());
-            for (k, vertex) in corners.into_iter().enumerate() {
-                x[k][l] = scratch.x[vertex];
-                y[k][l] = scratch.y[vertex];
-                w[k][l] = scratch.inverse_z[vertex];
-            }
-        }
-        let zero = [0i32; LANES];
-        let mut setup = Self {
-            a: [zero; 3],
-            b: [zero; 3],
-            c: [zero; 3],
-            inverse_z: w[0],
-            rest: [0.0; LANES],
-            slope: [[0.0; LANES]; 2],
-            x: zero,
-            y: zero,
-            last_y: zero,
-        };
+    fn new(l: L, grid: Grid, scratch: &Scratch, corners: &[u32], kept: &[u8; LANES]) -> Self {
+        let corners = kept.map(|at| corners.get(usize::from(at)).copied().unwrap_or_default());
+        let [(x0, y0, w0), (x1, y1, w1), (x2, y2, w2)] = gather(l, &scratch.vertices, corners);
         let bits = grid.bits;
-        let below = (1i32 << bits) - 1;
-        let pixels = 1.0 / grid.steps();
+        let (x, y) = (pixels(l, bits, x0, x1, x2), pixels(l, bits, y0, y1, y2));
+        let (dx1, dy1) = (l.sub_i(x1, x0), l.sub_i(y1, y0));
+        let (dx2, dy2) = (l.sub_i(x2, x0), l.sub_i(y2, y0));
+        let (fx1, fy1) = (l.widen_i(dx1), l.widen_i(dy1));
+        let (fx2, fy2) = (l.widen_i(dx2), l.widen_i(dy2));
+        let fx = l.widen_i(l.sub_i(x0, l.shl_i(x.first, bits)));
+        let fy = l.widen_i(l.sub_i(y0, l.shl_i(y.first, bits)));
+        let pixel = l.splat_d(1.0 / grid.steps());
+        let area = l.mul_d(cross(l, fx1, fy2, fx2, fy1), pixel);
+        let signed_area = l.narrow(area);
+        // All ones where the corners go round the other way.
+        let reversed = l.shr_i(l.bits_f(signed_area), 31);
+        let sign = l.mul_d(l.widen_i(l.or_i(reversed, l.splat_i(1))), pixel);
+        let c1 = l.mul_d(cross(l, fx2, fy, fy2, fx), sign);
+        let c2 = l.mul_d(cross(l, fy1, fx, fx1, fy), sign);
+        let area = l.mul_d(area, l.mul_d(sign, l.splat_d(grid.steps())));
+        let c0 = l.sub_d(l.sub_d(area, c1), c2);
         // Just less than half: a multiple of a step less this, rounded to the nearest, is rounded down.
-        let half = 0.5 - 0.5 * pixels;
-        for l in 0..LANES {
-            let (x0, x1, x2) = (x[0][l], x[1][l], x[2][l]);
-            let (y0, y1, y2) = (y[0][l], y[1][l], y[2][l]);
-            let first_x = ((x0.min(x1).min(x2) + below) >> bits).max(0);
-            let first_y = ((y0.min(y1).min(y2) + below) >> bits).max(0);
-            setup.x[l] = first_x;
-            setup.y[l] = first_y;
-            setup.last_y[l] = y0.max(y1).max(y2) >> bits;
-            let (dx1, dy1) = (x1 - x0, y1 - y0);
-            let (dx2, dy2) = (x2 - x0, y2 - y0);
-            let (fx, fy) = (
-                f64::from(x0 - (first_x << bits)),
-                f64::from(y0 - (first_y << bits)),
-            );
-            let (fx1, fy1) = (f64::from(dx1), f64::from(dy1));
-            let (fx2, fy2) = (f64::from(dx2), f64::from(dy2));
-            // All exact: products of numbers of at most bits + 3 bits.
-            let area = fx1 * fy2 - fx2 * fy1;
-            let sign = if area < 0.0 { -1.0 } else { 1.0 };
-            let mask = if area < 0.0 { -1 } else { 0 };
-            let area = area * sign;
-            let c1 = (fx2 * fy - fy2 * fx) * sign;
-            let c2 = (fy1 * fx - fx1 * fy) * sign;
-            let c0 = area - c1 - c2;
-            let rounded = [c0, c1, c2].map(|c| (c * pixels - half) + ROUND);
-            let a1 = (dy2 ^ mask) - mask;
-            let b1 = (dx2 ^ !mask) - !mask;
-            let a2 = (dy1 ^ !mask) - !mask;
-            let b2 = (dx1 ^ mask) - mask;
-            setup.a[0][l] = -(a1 + a2);
-            setup.b[0][l] = -(b1 + b2);
-            setup.a[1][l] = a1;
-            setup.b[1][l] = b1;
-            setup.a[2][l] = a2;
-            setup.b[2][l] = b2;
-            #[expect(clippy::cast_possible_truncation, reason = "the lowest bits are the integer")]
-            let rounded_down = rounded.map(|r| r.to_bits() as i32);
-            // Without an area it is between its neighbours' pixels.
-            setup.c[0][l] = if area > 0.0 { rounded_down[0] } else { -1 << 30 };
-            setup.c[1][l] = rounded_down[1];
-            setup.c[2][l] = rounded_down[2];
-            #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
-            let (inverse_area, r1, r2) = (
-                1.0 / ((area * pixels) as f32),
-                (c1 * pixels - (rounded[1] - ROUND)) as f32,
-                (c2 * pixels - (rounded[2] - ROUND)) as f32,
-            );
-            let slope1 = (w[1][l] - w[0][l]) * inverse_area;
-            let slope2 = (w[2][l] - w[0][l]) * inverse_area;
-            setup.slope[0][l] = slope1;
-            setup.slope[1][l] = slope2;
-            setup.rest[l] = r1 * slope1 + r2 * slope2;
+        let half = l.splat_d(0.5 - 0.5 / grid.steps());
+        let c0 = l.round_d(l.sub_d(c0, half));
+        let (k1, k2) = (l.round_d(l.sub_d(c1, half)), l.round_d(l.sub_d(c2, half)));
+        let rest1 = l.narrow(l.sub_d(c1, l.widen_i(k1)));
+        let rest2 = l.narrow(l.sub_d(c2, l.widen_i(k2)));
+        let straight = l.xor_i(reversed, l.splat_i(-1));
+        let (a1, b1) = (flip(l, dy2, reversed), flip(l, dx2, straight));
+        let (a2, b2) = (flip(l, dy1, straight), flip(l, dx1, reversed));
+        let zero = l.splat_i(0);
+        let (a0, b0) = (l.sub_i(zero, l.add_i(a1, a2)), l.sub_i(zero, l.add_i(b1, b2)));
+        // Without an area a triangle has no inside: its neighbours have its edges' pixels.
+        let magnitude = l.and_i(l.bits_f(signed_area), l.splat_i(i32::MAX));
+        let is_flat = l.shr_i(l.sub_i(magnitude, l.splat_i(1)), 31);
+        let never = l.and_i(is_flat, l.splat_i(-1 << 30));
+        let c0 = l.or_i(l.and_i(c0, l.xor_i(is_flat, l.splat_i(-1))), never);
+        let per_area = l.div_f(l.splat_f(1.0), l.narrow(area));
+        let slope1 = l.mul_f(l.sub_f(w1, w0), per_area);
+        let slope2 = l.mul_f(l.sub_f(w2, w0), per_area);
+        Self {
+            a: [a0, a1, a2],
+            b: [b0, b1, b2],
+            c: [c0, k1, k2],
+            inverse_z: w0,
+            rest: l.add_f(l.mul_f(rest1, slope1), l.mul_f(rest2, slope2)),
+            slope: [slope1, slope2],
+            x: x.first,
+            y: y.first,
+            last_y: y.last,
         }
-        setup
     }
 
     /// All eight at each of two by two pixels.
     #[inline(always)]
-    fn draw_tiny<const IDS: bool>(&self, tile: &mut Tile, drawn: &Drawn, kept: &[u8]) {
+    fn draw_tiny<const IDS: bool>(
+        &self,
+        l: L,
+        job: &Job,
+        tile: &mut Tile,
+        drawn: &Drawn,
+        kept: &[u8; LANES],
+        count: usize,
+    ) {
         let mut mask = 0u32;
         let mut found = [[0f32; LANES]; 4];
-        for (corner, found) in found.iter_mut().enumerate() {
-            let is_right = if corner & 1 == 1 { -1 } else { 0 };
-            let is_down = if corner & 2 == 2 { -1 } else { 0 };
-            let mut outside = [0i32; LANES];
-            for l in 0..LANES {
-                let e = |k: usize| self.c[k][l] + (self.a[k][l] & is_right) + (self.b[k][l] & is_down);
-                let (e0, e1, e2) = (e(0), e(1), e(2));
-                outside[l] = e0 | e1 | e2;
-                found[l] = self.interpolate(l, e1, e2);
+        let mut edges = self.c;
+        for (corner, found) in [0, 1, 3, 2].into_iter().zip(&mut found) {
+            // Right, down, left.
+            match corner {
+                0 => {}
+                1 => edges = add(l, edges, self.a),
+                3 => edges = add(l, edges, self.b),
+                _ => edges = sub(l, edges, self.a),
             }
-            for (l, outside) in outside.iter().enumerate() {
-                mask |= u32::from(*outside >= 0) << (corner * LANES + l);
-            }
+            let outside = l.signs(l.or_i(l.or_i(edges[0], edges[1]), edges[2]));
+            mask |= (outside ^ 0xFF) << (corner * LANES);
+            let inverse_z = interpolate(l, edges, self.inverse_z, self.slope, self.rest);
+            *found = l.store_f(inverse_z);
         }
-        #[expect(clippy::cast_sign_loss, reason = "in the tile")]
-        let at: [usize; LANES] = std::array::from_fn(|l| self.y[l] as usize * STRIDE + self.x[l] as usize);
-        let valid = 0xFFu32 >> (LANES - kept.len().min(LANES));
-        mask &= valid * 0x0101_0101;
+        found.swap(2, 3);
+        let at = l.store_i(l.add_i(l.mul_i(self.y, l.splat_i(ROW)), self.x));
+        mask &= (0xFF >> (LANES - count)) * 0x0101_0101;
         while mask != 0 {
             let bit = mask.trailing_zeros() as usize;
             mask &= mask - 1;
             let (corner, lane) = (bit / LANES, bit % LANES);
-            let at = at[lane] + (corner & 1) + (corner >> 1) * STRIDE;
-            let id = if IDS {
-                drawn.id(kept.get(lane).copied().unwrap_or_default())
-            } else {
-                0
-            };
-            tile.put::<IDS>(at, found[corner][lane], id);
+            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            let at = at[lane] as usize + (corner & 1) + (corner >> 1) * STRIDE;
+            let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
+            tile.put::<IDS>(job, at, found[corner][lane], id);
         }
     }
 
+    /// One by one, row by row.
     #[inline(always)]
-    fn interpolate(&self, lane: usize, e1: i32, e2: i32) -> f32 {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "where it counts, they have less than 24 bits"
-        )]
-        let (e1, e2) = (e1 as f32, e2 as f32);
-        self.inverse_z[lane] + (e1 * self.slope[0][lane] + (e2 * self.slope[1][lane] + self.rest[lane]))
-    }
-
-    /// One of them, row by row.
-    #[inline(always)]
-    fn draw_rows<const IDS: bool>(&self, tile: &mut Tile, lane: usize, id: Id) {
-        const COLUMNS: [i32; LANES] = [0, 1, 2, 3, 4, 5, 6, 7];
-        let lane = lane % LANES;
-        let start = |k: usize| COLUMNS.map(|i| self.c[k][lane] + self.a[k][lane] * i);
-        let (mut e0, mut e1, mut e2) = (start(0), start(1), start(2));
-        let last = self.last_y[lane].min(tile.height - 1);
-        #[expect(clippy::cast_sign_loss, reason = "in the tile")]
-        let mut at = self.y[lane] as usize * STRIDE + self.x[lane] as usize;
-        for _ in self.y[lane]..=last {
-            let mut row = [0f32; LANES];
-            for l in 0..LANES {
-                let w = self.interpolate(lane, e1[l], e2[l]);
-                row[l] = if e0[l] | e1[l] | e2[l] >= 0 { w } else { 0.0 };
+    fn draw_rows<const IDS: bool>(
+        &self,
+        l: L,
+        job: &Job,
+        tile: &mut Tile,
+        drawn: &Drawn,
+        kept: &[u8; LANES],
+        count: usize,
+    ) {
+        let columns = l.load_i(&[0, 1, 2, 3, 4, 5, 6, 7]);
+        let (a, b, c) = (store(l, self.a), store(l, self.b), store(l, self.c));
+        let slope = [l.store_f(self.slope[0]), l.store_f(self.slope[1])];
+        let (inverse_z, rest) = (l.store_f(self.inverse_z), l.store_f(self.rest));
+        let last = l.store_i(l.sub_i(l.min_i(self.last_y, l.splat_i(tile.height - 1)), self.y));
+        let at = l.store_i(l.add_i(l.mul_i(self.y, l.splat_i(ROW)), self.x));
+        for lane in 0..count.min(LANES) {
+            let across = splat(l, a, lane);
+            let across = [
+                l.mul_i(across[0], columns),
+                l.mul_i(across[1], columns),
+                l.mul_i(across[2], columns),
+            ];
+            let mut edges = add(l, splat(l, c, lane), across);
+            let down = splat(l, b, lane);
+            let slope = [l.splat_f(slope[0][lane]), l.splat_f(slope[1][lane])];
+            let (inverse_z, rest) = (l.splat_f(inverse_z[lane]), l.splat_f(rest[lane]));
+            let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
+            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            let mut at = at[lane] as usize;
+            for _ in 0..=last[lane] {
+                let outside = l.or_i(l.or_i(edges[0], edges[1]), edges[2]);
+                let w = interpolate(l, edges, inverse_z, slope, rest);
+                tile.put_row::<L, IDS>(l, job, at, l.zero_where_negative(outside, w), id);
+                edges = add(l, edges, down);
+                at += STRIDE;
             }
-            tile.put_row::<IDS>(at, row, id);
-            for l in 0..LANES {
-                e0[l] += self.b[0][lane];
-                e1[l] += self.b[1][lane];
-                e2[l] += self.b[2][lane];
-            }
-            at += STRIDE;
         }
     }
+}
+
+#[inline(always)]
+fn interpolate<L: Lanes>(l: L, edges: [L::I; 3], inverse_z: L::F, slope: [L::F; 2], rest: L::F) -> L::F {
+    let second = l.add_f(l.mul_f(l.float_i(edges[2]), slope[1]), rest);
+    l.add_f(inverse_z, l.add_f(l.mul_f(l.float_i(edges[1]), slope[0]), second))
+}
+
+/// `a b - c d`.
+#[inline(always)]
+fn cross<L: Lanes>(l: L, a: L::D, b: L::D, c: L::D, d: L::D) -> L::D {
+    l.sub_d(l.mul_d(a, b), l.mul_d(c, d))
+}
+
+/// The negative where the mask is all ones.
+#[inline(always)]
+fn flip<L: Lanes>(l: L, a: L::I, mask: L::I) -> L::I {
+    l.sub_i(l.xor_i(a, mask), mask)
+}
+
+#[inline(always)]
+fn add<L: Lanes>(l: L, a: [L::I; 3], b: [L::I; 3]) -> [L::I; 3] {
+    [l.add_i(a[0], b[0]), l.add_i(a[1], b[1]), l.add_i(a[2], b[2])]
+}
+
+#[inline(always)]
+fn sub<L: Lanes>(l: L, a: [L::I; 3], b: [L::I; 3]) -> [L::I; 3] {
+    [l.sub_i(a[0], b[0]), l.sub_i(a[1], b[1]), l.sub_i(a[2], b[2])]
+}
+
+#[inline(always)]
+fn store<L: Lanes>(l: L, a: [L::I; 3]) -> [[i32; LANES]; 3] {
+    [l.store_i(a[0]), l.store_i(a[1]), l.store_i(a[2])]
+}
+
+#[inline(always)]
+fn splat<L: Lanes>(l: L, of: [[i32; LANES]; 3], lane: usize) -> [L::I; 3] {
+    [
+        l.splat_i(of[0][lane]),
+        l.splat_i(of[1][lane]),
+        l.splat_i(of[2][lane]),
+    ]
 }

@@ -70,6 +70,20 @@ impl<'a> Prepared<'a> {
     }
 }
 
+impl Prepared<'_> {
+    /// What stands at a place in the tree of an instance's mesh.
+    #[inline]
+    fn hit(&self, instance: u32, slot: u32) -> Hit {
+        let found = self
+            .instance(instance)
+            .and_then(|(_, tree, _)| tree.triangles.get(slot as usize));
+        found.map_or(Hit::MISS, |triangle| Hit {
+            instance,
+            triangle: triangle[3],
+        })
+    }
+}
+
 impl RayCaster {
     pub(crate) fn new(scene: &Scene) -> Self {
         let trees: Vec<MeshTree> = scene.meshes.par_iter().map(MeshTree::new).collect();

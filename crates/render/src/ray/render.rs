@@ -1,13 +1,12 @@
 //! A whole view, tile by tile.
 
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DVec3;
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
-use super::exact::Plane;
 use super::single::power_of_two_near;
-use super::tile::{Origin, RayTable, SIDE, Seen, TileRays, Trace, place};
+use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, State, TileRays, Trace, place};
 use super::{Prepared, Ray, RayCaster, Stack};
 use crate::{Hit, View};
 
@@ -37,20 +36,20 @@ impl RayCaster {
             .zip(0..size.height.div_ceil(SIDE));
         match hits {
             Some(hits) => bands.zip(hits.pixels_mut().par_chunks_mut(length)).for_each_init(
-                Stack::new,
-                |stack, ((z, row), hits)| {
+                Desk::new,
+                |desk, ((z, row), hits)| {
                     frame.render_band(
                         Band {
                             row,
                             z,
                             hits: Some(hits),
                         },
-                        stack,
+                        desk,
                     );
                 },
             ),
-            None => bands.for_each_init(Stack::new, |stack, (z, row)| {
-                frame.render_band(Band { row, z, hits: None }, stack);
+            None => bands.for_each_init(Desk::new, |desk, (z, row)| {
+                frame.render_band(Band { row, z, hits: None }, desk);
             }),
         }
         ZDepth(z)
@@ -82,59 +81,98 @@ struct FrameOfView<'a> {
     origin: Origin,
 }
 
+/// What a thread needs for tiles, used again and again.
+struct Desk {
+    stack: Stack,
+    state: State,
+    distances: PerRay<f64>,
+}
+
+impl Desk {
+    fn new() -> Self {
+        Self {
+            stack: Stack::new(),
+            state: State::NONE,
+            distances: [[0.0; 8]; PACKETS],
+        }
+    }
+}
+
 impl FrameOfView<'_> {
-    fn render_band(&self, mut band: Band, stack: &mut Stack) {
+    fn render_band(&self, mut band: Band, desk: &mut Desk) {
         let width = self.view.camera.intrinsics.size.width;
         for column in 0..width.div_ceil(SIDE) {
-            let rays = self.rays.tile(column, band.row);
-            let seen = self.caster.instructions.run(Trace {
+            let (rays, directions) = self.rays.tile(column, band.row);
+            self.caster.instructions.run(Trace {
                 scene: &self.scene,
                 origin: &self.origin,
                 rays: &rays,
                 clip: self.view.clip,
-                stack,
+                state: &mut desk.state,
+                stack: &mut desk.stack,
             });
-            self.finish(&rays, &seen, column, &mut band, stack);
+            self.caster.instructions.run(Solve {
+                scene: &self.scene,
+                origin: self.origin.point,
+                world_from_camera: self.view.world_from_camera.rotation,
+                seen: &desk.state.seen,
+                directions: &directions,
+                distances: &mut desk.distances,
+            });
+            self.finish(&rays, &directions, column, &mut band, desk);
         }
     }
 
-    /// Finds out exactly how far it is to what the rays see.
+    /// Writes down what a tile's rays see.
     #[allow(clippy::cast_possible_truncation, reason = "depth is float32")]
-    fn finish(&self, rays: &TileRays, seen: &Seen, column: u32, band: &mut Band, stack: &mut Stack) {
+    fn finish(
+        &self,
+        rays: &TileRays,
+        directions: &PerRay<DVec3>,
+        column: u32,
+        band: &mut Band,
+        desk: &mut Desk,
+    ) {
         let width = self.view.camera.intrinsics.size.width;
-        let axis = rays.tile_from_camera.row(2);
-        let mut solver = Solver::new(self);
+        let clip = self.view.clip;
         for (y, line) in band.z.chunks_exact_mut(width as usize).enumerate() {
-            for x in 0..SIDE.min(width - column * SIDE) {
-                let pixel = column * SIDE + x;
-                let (x, at) = (x as usize, pixel as usize);
-                let Some(direction) = self.rays.direction(pixel, band.row * SIDE + y as u32) else {
+            let from = (column * SIDE) as usize;
+            for (x, z) in line[from..].iter_mut().take(SIDE as usize).enumerate() {
+                let (packet, lane) = place(x, y);
+                let direction = directions[packet][lane];
+                let z_per_length = f64::from(rays.z_per_length[packet][lane]);
+                let instance = desk.state.seen.instance[packet][lane];
+                // Here single precision has seen that there is nothing, or there is no ray.
+                if instance == u32::MAX && (z_per_length > 0.0 || direction.is_nan()) {
+                    continue;
+                }
+                let mut t = desk.distances[packet][lane];
+                let inverse =
+                    f64::from(desk.state.seen.inverse_z[packet][lane]) * self.origin.scale * z_per_length;
+                // Seen all but from the side, single precision decides: it keeps to the triangle.
+                let error = (t * inverse - 1.0).abs();
+                if error.is_nan() || error > 1e-3 {
+                    t = 1.0 / inverse;
+                }
+                let is_within = instance != u32::MAX && t >= clip.near_m && t <= clip.far_m;
+                let (t, hit) = if is_within {
+                    let slot = desk.state.seen.triangle[packet][lane];
+                    (t, self.scene.hit(instance, slot))
+                } else if let Some(found) = self.cast(direction, &mut desk.stack) {
+                    found
+                } else {
                     continue;
                 };
-                let (packet, lane) = place(x, y);
-                let found = if rays.has(x, y) {
-                    let instance = seen.instance[packet][lane];
-                    if instance == u32::MAX {
-                        continue;
-                    }
-                    let z_in_tile = 1.0 / (f64::from(seen.inverse_z[packet][lane]) * self.origin.scale);
-                    let about = z_in_tile / axis.dot(direction);
-                    solver.solve(instance, seen.triangle[packet][lane], direction, about)
-                } else {
-                    None
-                };
-                let found = found.or_else(|| self.cast(direction, stack));
-                if let Some((t, hit)) = found {
-                    line[at] = (t * direction.z) as f32;
-                    if let Some(hits) = &mut band.hits {
-                        hits[y * width as usize + at] = hit;
-                    }
+                *z = (t * direction.z) as f32;
+                if let Some(hits) = &mut band.hits {
+                    hits[y * width as usize + from + x] = hit;
                 }
             }
         }
     }
 
     /// One ray by itself.
+    #[cold]
     fn cast(&self, direction: DVec3, stack: &mut Stack) -> Option<(f64, Hit)> {
         let ray = Ray {
             origin: self.origin.point,
@@ -143,72 +181,5 @@ impl FrameOfView<'_> {
             far: self.view.clip.far_m,
         };
         self.caster.cast(self.scene.scene, ray, stack)
-    }
-}
-
-/// Double precision for triangles that were found; neighbouring pixels often have the same.
-struct Solver<'a> {
-    frame: &'a FrameOfView<'a>,
-    instance: u32,
-    slot: u32,
-    /// The plane, its normal in the camera's frame.
-    plane: Plane,
-    triangle: u32,
-    origin: DVec3,
-    camera_from_normal: DMat3,
-}
-
-impl<'a> Solver<'a> {
-    fn new(frame: &'a FrameOfView<'a>) -> Self {
-        Self {
-            frame,
-            instance: u32::MAX,
-            slot: u32::MAX,
-            plane: Plane {
-                normal: DVec3::ZERO,
-                distance: 0.0,
-            },
-            triangle: u32::MAX,
-            origin: DVec3::ZERO,
-            camera_from_normal: DMat3::IDENTITY,
-        }
-    }
-
-    /// Where a ray meets a triangle, which is about there; `None` where it does not within the clip.
-    fn solve(&mut self, instance: u32, slot: u32, direction: DVec3, about: f64) -> Option<(f64, Hit)> {
-        if (instance, slot) != (self.instance, self.slot) {
-            self.turn_to(instance, slot)?;
-        }
-        let t = self.plane.meet(direction);
-        // Seen all but from the side, single precision decides; it keeps to the triangle.
-        let t = if (t - about).abs() <= 1e-3 * about {
-            t
-        } else {
-            about
-        };
-        let clip = self.frame.view.clip;
-        let hit = Hit {
-            instance,
-            triangle: self.triangle,
-        };
-        (t >= clip.near_m && t <= clip.far_m).then_some((t, hit))
-    }
-
-    fn turn_to(&mut self, instance: u32, slot: u32) -> Option<()> {
-        let (mesh, tree, mesh_from_world) = self.frame.scene.instance(instance)?;
-        if instance != self.instance {
-            self.origin = mesh_from_world.transform_point3(self.frame.origin.point);
-            let mesh_from_camera = mesh_from_world.matrix3 * self.frame.view.world_from_camera.rotation;
-            self.camera_from_normal = mesh_from_camera.transpose();
-        }
-        let [a, b, c, triangle] = *tree.triangles.get(slot as usize)?;
-        let corners = [a, b, c].map(|index| mesh.positions[index as usize]);
-        let plane = Plane::new(corners, self.origin);
-        self.plane = Plane {
-            normal: self.camera_from_normal * plane.normal,
-            distance: plane.distance,
-        };
-        (self.instance, self.slot, self.triangle) = (instance, slot, triangle);
-        Some(())
     }
 }

@@ -9,7 +9,7 @@ use super::exact::Plane;
 use super::mesh_tree::MeshTree;
 use super::simd::{Kernel, Lanes};
 use super::stack::{Entry, Stack, push_children};
-use super::vector::{add, cross, dot, sub};
+use super::vector::Vector;
 use super::{Prepared, Ray};
 use crate::Hit;
 
@@ -83,62 +83,79 @@ impl Kernel for Cast<'_> {
         let path = Path::new(DAffine3::IDENTITY, origin, direction, &top.bounds)?;
         let stack = self.stack;
         stack.clear();
-        walk::<L>(
-            &top.nodes,
-            &path,
-            &mut search,
-            stack,
-            &mut |first, count, search, stack| {
-                for &instance in &top.order[first as usize..][..count as usize] {
-                    let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
-                        continue;
-                    };
-                    if through_mesh::<L>((mesh, tree), instance, mesh_from_world, &self.ray, search, stack) {
-                        return true;
-                    }
-                }
-                false
-            },
-        );
+        let mut visit = VisitInstances {
+            scene: self.scene,
+            ray: &self.ray,
+        };
+        walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
         (!search.hit.is_miss()).then_some((search.far, search.hit))
     }
 }
 
-#[inline(always)]
-fn through_mesh<L: Lanes>(
-    (mesh, tree): (&Mesh, &MeshTree),
-    instance: u32,
-    mesh_from_world: DAffine3,
-    ray: &Ray,
-    search: &mut Search,
-    stack: &mut Stack,
-) -> bool {
-    let Some(path) = Path::new(mesh_from_world, ray.origin, ray.direction, &tree.bounds) else {
-        return false;
-    };
-    walk::<L>(
-        &tree.nodes,
-        &path,
-        search,
-        stack,
-        &mut |first, count, search, _| {
-            let triangles = &tree.triangles[first as usize..][..count as usize];
-            let mut candidates = crossings::<L>(mesh, triangles, &path, search);
-            while candidates != 0 {
-                let lane = candidates.trailing_zeros() as usize;
-                candidates &= candidates - 1;
-                let triangle = triangles[lane][3];
-                let Some(corners) = mesh.corners(triangle as usize) else {
-                    continue;
-                };
-                let t = Plane::new(corners, path.origin).meet(path.direction);
-                if search.offer(t, Hit { instance, triangle }) {
-                    return true;
-                }
+/// What happens in a leaf.
+trait Visit {
+    /// Looks at a leaf's items; whether the search is over.
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool;
+}
+
+struct VisitInstances<'a> {
+    scene: &'a Prepared<'a>,
+    ray: &'a Ray,
+}
+
+impl Visit for VisitInstances<'_> {
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool {
+        for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
+            let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
+                continue;
+            };
+            let path = Path::new(mesh_from_world, self.ray.origin, self.ray.direction, &tree.bounds);
+            let Some(path) = path else { continue };
+            let mut visit = VisitTriangles {
+                mesh,
+                tree,
+                instance,
+                path: &path,
+            };
+            if walk::<L>(&tree.nodes, &path, search, stack, &mut visit) {
+                return true;
             }
-            false
-        },
-    )
+        }
+        false
+    }
+}
+
+struct VisitTriangles<'a> {
+    mesh: &'a Mesh,
+    tree: &'a MeshTree,
+    instance: u32,
+    path: &'a Path,
+}
+
+impl Visit for VisitTriangles<'_> {
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, _: &mut Stack) -> bool {
+        let triangles = &self.tree.triangles[first as usize..][..count as usize];
+        let mut candidates = crossings::<L>(self.mesh, triangles, self.path, search);
+        while candidates != 0 {
+            let lane = candidates.trailing_zeros() as usize;
+            candidates &= candidates - 1;
+            if self.is_over_at(triangles[lane], search) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+impl VisitTriangles<'_> {
+    fn is_over_at(&self, [a, b, c, triangle]: [u32; 4], search: &mut Search) -> bool {
+        let corners = [a, b, c].map(|index| self.mesh.positions[index as usize]);
+        let t = Plane::new(corners, self.path.origin).meet(self.path.direction);
+        let instance = self.instance;
+        search.offer(t, Hit { instance, triangle })
+    }
 }
 
 /// A ray as boxes and triangles of one frame see it.
@@ -154,8 +171,9 @@ struct Path {
     /// A power of two that brings coordinates relative to the origin near 1.
     scale: f32,
     inverse: [f32; 3],
-    /// The planes of a node that the ray meets first, and by how much the origin is moved away from each.
+    /// The planes of a node that the ray meets first and last, and the origin moved away from them.
     first_planes: [usize; 3],
+    last_planes: [usize; 3],
     origin_to_first: [f32; 3],
     origin_to_last: [f32; 3],
 }
@@ -201,6 +219,7 @@ impl Path {
             scale: power_of_two_near(1.0 / extent.clamp(1e-37, 1e37)) as f32,
             inverse,
             first_planes: std::array::from_fn(|axis| if is_forward[axis] { axis } else { axis + 3 }),
+            last_planes: std::array::from_fn(|axis| if is_forward[axis] { axis + 3 } else { axis }),
             origin_to_first: std::array::from_fn(|axis| moved(axis, is_forward[axis])),
             origin_to_last: std::array::from_fn(|axis| moved(axis, !is_forward[axis])),
         })
@@ -221,82 +240,78 @@ pub(super) fn power_of_two_near(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
 }
 
-/// Calls `leaf` with the items of each leaf that the ray meets, near ones first, until it says that it is over.
+/// Visits each leaf that the ray meets, near ones first, until the search is over; whether it is.
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
     path: &Path,
     search: &mut Search,
     stack: &mut Stack,
-    leaf: &mut impl FnMut(u32, u32, &mut Search, &mut Stack) -> bool,
+    visit: &mut impl Visit,
 ) -> bool {
     let base = stack.len();
-    stack.push(Entry {
-        start: f32::NEG_INFINITY,
-        first: 0,
-        count: 0,
-    });
-    let near = L::splat(loosened(path.lengths(search.near), -1.0));
-    let inverse = path.inverse.map(L::splat);
-    let to_first = path.origin_to_first.map(L::splat);
-    let to_last = path.origin_to_last.map(L::splat);
+    stack.push(Entry::ROOT);
+    let near = L::splat(loosened(path.lengths(search.near), -1e-5));
+    let inverse = Vector::<L>::splat(path.inverse);
+    let to_first = Vector::<L>::splat(path.origin_to_first);
+    let to_last = Vector::<L>::splat(path.origin_to_last);
+    let [x, y, z] = path.first_planes;
+    let [x1, y1, z1] = path.last_planes;
     while stack.len() > base {
         let Some(entry) = stack.pop() else { break };
-        let far = loosened(path.lengths(search.far), 1.0);
+        let far = loosened(path.lengths(search.far), 1e-5);
         if entry.start > far {
             continue;
         }
         if entry.count != 0 {
-            if leaf(entry.first, entry.count, search, stack) {
+            if visit.leaf::<L>(entry.first, entry.count, search, stack) {
                 stack.truncate(base);
                 return true;
             }
             continue;
         }
         let node = &nodes[entry.first as usize];
-        let mut start = near;
-        let mut end = L::splat(far);
-        for axis in 0..3 {
-            let first = L::load(&node.bounds[path.first_planes[axis]]);
-            let last = L::load(&node.bounds[(path.first_planes[axis] + 3) % 6]);
-            start = first.sub(to_first[axis]).mul(inverse[axis]).max(start);
-            end = last.sub(to_last[axis]).mul(inverse[axis]).min(end);
-        }
+        let planes = &node.bounds;
+        // In this order a NaN stays one, and hides the child.
+        let start = near
+            .max(L::load(&planes[x]).sub(to_first.x).mul(inverse.x))
+            .max(L::load(&planes[y]).sub(to_first.y).mul(inverse.y))
+            .max(L::load(&planes[z]).sub(to_first.z).mul(inverse.z));
+        let end = L::splat(far)
+            .min(L::load(&planes[x1]).sub(to_last.x).mul(inverse.x))
+            .min(L::load(&planes[y1]).sub(to_last.y).mul(inverse.y))
+            .min(L::load(&planes[z1]).sub(to_last.z).mul(inverse.z));
         let end = end.mul(L::splat(1.0 + 1e-6)).max(end.mul(L::splat(1.0 - 1e-6)));
-        let mask = start.le(end).signs();
-        push_children(stack, node, mask, &start.values());
+        push_children(stack, node, start.le(end), start);
     }
     false
 }
 
-/// `t` moved a little, so that rounding loses nothing: up or down.
-fn loosened(t: f32, sign: f32) -> f32 {
-    t + sign * t.abs() * 1e-5
+/// `t` moved by a part of itself, so that rounding loses nothing.
+fn loosened(t: f32, part: f32) -> f32 {
+    t + t.abs() * part
 }
 
 /// Which triangles the ray passes through, as far as single precision can tell.
 #[inline(always)]
 fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search: &Search) -> u32 {
     let scale = L::splat(path.scale);
-    let coarse = path.coarse.map(L::splat);
-    let fine = path.fine.map(L::splat);
-    let d = path.single.map(L::splat);
-    let [a, b, c] = corners::<L>(&mesh.positions, triangles).map(|corner| {
-        let axis = |i: usize| corner[i].sub(coarse[i]).sub(fine[i]).mul(scale);
-        [axis(0), axis(1), axis(2)]
-    });
-    let side = |p: [L; 3], q: [L; 3]| dot(d, cross(add(p, q), sub(q, p)));
-    let sides = [side(a, b), side(b, c), side(c, a)];
-    let normal = cross(sub(b, a), sub(c, a));
-    let t = dot(a, normal).div(dot(d, normal));
+    let coarse = Vector::splat(path.coarse);
+    let fine = Vector::splat(path.fine);
+    let direction = Vector::<L>::splat(path.single);
+    let [a, b, c] = corners::<L>(&mesh.positions, triangles);
+    let a = a.sub(coarse).sub(fine).scale(scale);
+    let b = b.sub(coarse).sub(fine).scale(scale);
+    let c = c.sub(coarse).sub(fine).scale(scale);
+    let ab = a.side(b).dot(direction);
+    let bc = b.side(c).dot(direction);
+    let ca = c.side(a).dot(direction);
+    let normal = b.sub(a).cross(c.sub(a));
+    let t = a.dot(normal).div(direction.dot(normal));
     let zero = L::splat(0.0);
-    let least = sides[0].min(sides[1]).min(sides[2]);
-    let greatest = sides[0].max(sides[1]).max(sides[2]);
-    let limit = |t: f64, sign: f32| {
-        let t = path.lengths(t) * path.scale;
-        L::splat(t + sign * t.abs() * 1e-4)
-    };
-    let in_range = limit(search.near, -1.0).le(t).and(t.le(limit(search.far, 1.0)));
-    let is_inside = zero.le(least).signs() | greatest.le(zero).signs();
+    let is_inside = zero.le(ab.min(bc).min(ca)).signs() | ab.max(bc).max(ca).le(zero).signs();
+    let near = loosened(path.lengths(search.near) * path.scale, -1e-4);
+    let far = loosened(path.lengths(search.far) * path.scale, 1e-4);
+    let in_range = L::splat(near).le(t).and(t.le(L::splat(far)));
     is_inside & in_range.signs() & ((1u32 << triangles.len()) - 1)
 }

@@ -2,6 +2,7 @@
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::dataset::Extras;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, OpenOptions};
 use oaktwin::scene::Up;
@@ -9,19 +10,29 @@ use oaktwin::scene::Up;
 use crate::args::RenderArgs;
 use crate::context::Result;
 
-pub(super) fn annotators(names: &[String]) -> Result<Vec<Annotator>> {
+/// Those that are named, and those that a file beside them is made from.
+pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
-    for name in names {
-        let more = match name.trim() {
-            "all" => Annotator::ALL.to_vec(),
-            name => vec![render::annotator(name)?],
-        };
-        for annotator in more {
-            if !chosen.contains(&annotator) {
-                chosen.push(annotator);
-            }
+    for name in &args.annotators {
+        match name.trim() {
+            "all" => chosen.extend(Annotator::ALL),
+            name => chosen.push(render::annotator(name)?),
         }
     }
+    let is_depth = |annotator: &Annotator| {
+        matches!(
+            annotator,
+            Annotator::DistanceToImagePlane | Annotator::DistanceToCamera
+        )
+    };
+    if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
+        chosen.push(Annotator::DistanceToImagePlane);
+    }
+    if args.ply {
+        chosen.push(Annotator::Pointcloud);
+    }
+    chosen.sort_unstable();
+    chosen.dedup();
     Ok(chosen)
 }
 
@@ -71,4 +82,14 @@ pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
     };
     render::look_at(DVec3::from(*eye), DVec3::from(*target), up)
         .map_err(|error| format!("--look-at: {error}").into())
+}
+
+/// The files beside `BasicWriter`'s own.
+pub(super) fn extras(args: &RenderArgs) -> Extras {
+    Extras {
+        millimetres: args.png16,
+        exr: args.exr,
+        preview: args.preview,
+        ply: args.ply,
+    }
 }

@@ -2,6 +2,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin::camera::{LensModel, Usd};
 use oaktwin::diagnostic::Finding;
+use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{PlacedCamera, Written};
 use serde::Serialize;
 
@@ -19,7 +20,7 @@ pub(super) struct Report<'a> {
     #[serde(skip)]
     wanted_frames: usize,
     pub(super) is_interrupted: bool,
-    annotators: &'a [String],
+    annotators: Vec<&'static str>,
     cameras: Vec<CameraReport<'a>>,
     files: Vec<FileReport>,
     /// About the scene, its cameras and the rendering.
@@ -50,6 +51,7 @@ struct FileReport {
 impl<'a> Report<'a> {
     pub(super) fn new(
         args: &'a RenderArgs,
+        annotators: &[Annotator],
         cameras: &'a [PlacedCamera],
         written: Written,
         wanted_frames: usize,
@@ -63,7 +65,7 @@ impl<'a> Report<'a> {
             frames: written.frames,
             wanted_frames,
             is_interrupted: written.is_interrupted,
-            annotators: &args.annotators,
+            annotators: annotators.iter().map(|annotator| annotator.name()).collect(),
             cameras: cameras
                 .iter()
                 .map(|camera| CameraReport::new(camera, &args.output, is_flat))

@@ -101,7 +101,7 @@ fn a_floor_through_the_near_plane() {
     for n in [1, 2, 7, 16] {
         for extent in [3.0, 50.0, 1e6] {
             let scene = scene(floor(n, extent, 1.3));
-            let mut view = view(320, 200, 90.0);
+            let mut view = view(160, 100, 90.0);
             view.world_from_camera.rotation = DMat3::from_rotation_z(0.2);
             let found = difference(&scene, &view);
             assert!(found.hits > 1000 && found.depth <= 2, "{n}, {extent}: {found:?}");
@@ -174,8 +174,8 @@ fn needles() {
         ]);
         triangles.push([3 * at, 3 * at + 1, 3 * at + 2]);
     }
-    let found = difference(&scene(mesh(&positions, &triangles)), &view(640, 400, 77.0));
-    assert!(found.hits > 2000 && found.depth * 500 <= found.hits, "{found:?}");
+    let found = difference(&scene(mesh(&positions, &triangles)), &view(320, 200, 77.0));
+    assert!(found.hits > 1000 && found.depth * 500 <= found.hits, "{found:?}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 
+use super::rays::Range;
 use crate::ray::bvh::{Bounds, Node};
 use crate::ray::simd::Lanes;
 use crate::ray::vector::Vector;
@@ -26,13 +27,6 @@ struct Plane {
     farthest: [usize; 3],
 }
 
-/// What part of the plane z = 1 a tile sees.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Extent {
-    pub(super) u: [f32; 2],
-    pub(super) v: [f32; 2],
-}
-
 impl Frame {
     /// From the frame's place in the world and the tile's in the world; `None` where there is nothing to see.
     #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
@@ -41,7 +35,7 @@ impl Frame {
         origin_in_frame: DVec3,
         world_from_frame: &DAffine3,
         bounds: &Bounds,
-        extent: &Extent,
+        extent: &Range<f32>,
     ) -> Option<Self> {
         let tile_from_frame = *tile_from_world * world_from_frame.matrix3;
         if !(bounds.is_finite() && origin_in_frame.is_finite()) {
@@ -69,14 +63,28 @@ impl Frame {
 
     /// Which children of a node the tile may see in front of `limit`, and where in z each begins.
     #[inline(always)]
-    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (u32, [f32; 8]) {
+    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (L, L) {
         let zero = L::splat(0.0);
         let nearest = zero.sub(self.depth.farthest::<L>(node));
         let mut seen = nearest.le(L::splat(limit));
         for side in &self.sides {
             seen = seen.and(zero.le(side.farthest::<L>(node)));
         }
-        (seen.signs(), nearest.values())
+        (seen, nearest)
+    }
+
+    /// Eight points of the frame in the tile's.
+    #[inline(always)]
+    pub(super) fn see<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
+        let from_origin = point
+            .sub(Vector::splat(self.coarse))
+            .sub(Vector::splat(self.fine));
+        let [x, y, z] = self.tile_from_frame;
+        Vector {
+            x: from_origin.dot(Vector::splat(x)),
+            y: from_origin.dot(Vector::splat(y)),
+            z: from_origin.dot(Vector::splat(z)),
+        }
     }
 }
 
@@ -97,22 +105,12 @@ impl Plane {
     /// The greatest that it is in each child.
     #[inline(always)]
     fn farthest<L: Lanes>(&self, node: &Node) -> L {
-        let term = |axis: usize| L::load(&node.bounds[self.farthest[axis]]).mul(L::splat(self.normal[axis]));
-        term(0).add(term(1)).add(term(2)).sub(L::splat(self.offset))
+        let [x, y, z] = self.farthest;
+        let corner = Vector {
+            x: L::load(&node.bounds[x]),
+            y: L::load(&node.bounds[y]),
+            z: L::load(&node.bounds[z]),
+        };
+        corner.dot(Vector::splat(self.normal)).sub(L::splat(self.offset))
     }
-}
-
-/// For the triangle kernel: `tile_from_frame · (point − origin)` of eight points.
-#[inline(always)]
-pub(super) fn into_tile<L: Lanes>(frame: &Frame, point: Vector<L>) -> Vector<L> {
-    let p: Vector<L> = std::array::from_fn(|i| {
-        point[i]
-            .sub(L::splat(frame.coarse[i]))
-            .sub(L::splat(frame.fine[i]))
-    });
-    frame.tile_from_frame.map(|row| {
-        p[0].mul(L::splat(row[0]))
-            .add(p[1].mul(L::splat(row[1])))
-            .add(p[2].mul(L::splat(row[2])))
-    })
 }

@@ -6,10 +6,14 @@
 
 mod frame;
 mod rays;
+mod solve;
+mod state;
 mod table;
 mod trace;
 mod triangles;
 
-pub(crate) use rays::{SIDE, TileRays, place};
+pub(crate) use rays::{PACKETS, PerRay, SIDE, TileRays, place};
+pub(crate) use solve::Solve;
+pub(crate) use state::State;
 pub(crate) use table::{RayTable, RayTables};
-pub(crate) use trace::{Origin, Seen, Trace};
+pub(crate) use trace::{Origin, Trace};

@@ -1,80 +1,109 @@
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, LensModel, PixelPoint, Usd};
 use rayon::prelude::*;
 
-use super::rays::{Directions, SIDE, TileRays};
+use super::rays::{PerRay, SIDE, TileRays, place};
 
 /// So many cameras' rays are kept.
 const KEPT: usize = 4;
 
-/// All rays of a camera, in its own frame. Those of an ideal pinhole are made when they are asked for.
+/// All rays of a camera, in its own frame.
 #[derive(Debug)]
 pub(crate) struct RayTable {
     camera: Camera,
     /// Whether all directions have z = 1; else they are of unit length.
     is_flat: bool,
-    tiles: Vec<TileRays>,
-    directions: Vec<DVec3>,
+    rays: Rays,
+}
+
+#[derive(Debug)]
+enum Rays {
+    /// Of an ideal pinhole: x and y of the directions, for each column and each row.
+    Grid { x: Vec<f64>, y: Vec<f64> },
+    /// Tile by tile.
+    Tiles(Vec<(TileRays, PerRay<DVec3>)>),
 }
 
 impl RayTable {
     fn new(camera: Camera, is_flat: bool) -> Self {
-        let mut table = Self {
+        let size = camera.intrinsics.size;
+        let normalized = |x: u32, y: u32| {
+            let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            camera.intrinsics.normalized_from_pixel(pixel)
+        };
+        let rays = if camera.lens == LensModel::Pinhole {
+            Rays::Grid {
+                x: (0..size.width).map(|x| normalized(x, 0).x).collect(),
+                y: (0..size.height).map(|y| normalized(0, y).y).collect(),
+            }
+        } else {
+            let unproject = |x: u32, y: u32| {
+                let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                let ray = camera.unproject(pixel)?;
+                Some(if is_flat { ray / ray.z } else { ray })
+            };
+            let (columns, rows) = (size.width.div_ceil(SIDE), size.height.div_ceil(SIDE));
+            let tiles = over(columns, rows, |column, row| {
+                let directions = in_tile(column, row, (size.width, size.height), |x, y| {
+                    unproject(x, y).unwrap_or(DVec3::NAN)
+                });
+                (TileRays::new(&directions, is_flat), directions)
+            });
+            Rays::Tiles(tiles)
+        };
+        Self {
             camera,
             is_flat,
-            tiles: Vec::new(),
-            directions: Vec::new(),
-        };
-        if camera.lens != LensModel::Pinhole {
-            let size = camera.intrinsics.size;
-            table.directions = over(size.width, size.height, |x, y| {
-                table.unproject(x, y).unwrap_or(DVec3::NAN)
-            });
-            let (columns, rows) = (size.width.div_ceil(SIDE), size.height.div_ceil(SIDE));
-            table.tiles = over(columns, rows, |column, row| table.make_tile(column, row));
-        }
-        table
-    }
-
-    fn unproject(&self, x: u32, y: u32) -> Option<DVec3> {
-        let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let ray = self.camera.unproject(pixel)?;
-        Some(if self.is_flat { ray / ray.z } else { ray })
-    }
-
-    /// The direction of a pixel's ray; `None` where it has none.
-    pub(crate) fn direction(&self, x: u32, y: u32) -> Option<DVec3> {
-        let intrinsics = &self.camera.intrinsics;
-        if self.camera.lens == LensModel::Pinhole {
-            let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-            let direction = intrinsics.normalized_from_pixel(pixel).extend(1.0);
-            return direction.is_finite().then_some(direction);
-        }
-        let index = y as usize * intrinsics.size.width as usize + x as usize;
-        self.directions.get(index).copied().filter(|d| !d.is_nan())
-    }
-
-    /// The rays of the tile in a column and a row of tiles.
-    pub(crate) fn tile(&self, column: u32, row: u32) -> TileRays {
-        let columns = self.camera.intrinsics.size.width.div_ceil(SIDE);
-        match self.tiles.get(row as usize * columns as usize + column as usize) {
-            Some(tile) => tile.clone(),
-            None => self.make_tile(column, row),
+            rays,
         }
     }
 
-    fn make_tile(&self, column: u32, row: u32) -> TileRays {
+    /// The rays of the tile in a column and a row of tiles, and their directions in the camera's frame, NaN where
+    /// there is none.
+    pub(crate) fn tile(&self, column: u32, row: u32) -> (Cow<'_, TileRays>, Cow<'_, PerRay<DVec3>>) {
         let size = self.camera.intrinsics.size;
-        let mut directions = Directions::default();
-        for (y, line) in (row * SIDE..size.height).zip(&mut directions) {
-            for (x, direction) in (column * SIDE..size.width).zip(line) {
-                *direction = self.direction(x, y);
+        match &self.rays {
+            Rays::Grid { x: xs, y: ys } => {
+                let directions = in_tile(column, row, (size.width, size.height), |x, y| {
+                    DVec3::new(xs[x as usize], ys[y as usize], 1.0)
+                });
+                (
+                    Cow::Owned(TileRays::new(&directions, self.is_flat)),
+                    Cow::Owned(directions),
+                )
+            }
+            Rays::Tiles(tiles) => {
+                let columns = size.width.div_ceil(SIDE) as usize;
+                let (rays, directions) = &tiles[row as usize * columns + column as usize];
+                (Cow::Borrowed(rays), Cow::Borrowed(directions))
             }
         }
-        TileRays::new(&directions, self.is_flat)
     }
+}
+
+/// The directions of a tile's pixels; NaN outside of the image.
+fn in_tile(
+    column: u32,
+    row: u32,
+    (width, height): (u32, u32),
+    direction: impl Fn(u32, u32) -> DVec3,
+) -> PerRay<DVec3> {
+    let mut directions = PerRay::default();
+    for y in 0..SIDE {
+        for x in 0..SIDE {
+            let (packet, lane) = place(x as usize, y as usize);
+            let (x, y) = (column * SIDE + x, row * SIDE + y);
+            directions[packet][lane] = if x < width && y < height {
+                direction(x, y)
+            } else {
+                DVec3::NAN
+            };
+        }
+    }
+    directions
 }
 
 /// A value for each place, by rows.
@@ -101,13 +130,13 @@ impl RayTables {
         if camera.lens == LensModel::Pinhole {
             return Arc::new(RayTable::new(*camera, is_flat));
         }
-        // Made outside of the lock: at worst twice.
         let known = |tables: &[Arc<RayTable>]| tables.iter().position(|table| table.camera == *camera);
         let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(index) = known(&tables) {
             tables[index..].rotate_left(1);
             return Arc::clone(&tables[tables.len() - 1]);
         }
+        // Made outside of the lock: at worst twice.
         drop(tables);
         let made = Arc::new(RayTable::new(*camera, is_flat));
         let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,7 +1,7 @@
-use super::frame::{Extent, Frame, into_tile};
+use super::frame::Frame;
+use super::rays::Range;
 use crate::ray::corners::Corners;
 use crate::ray::simd::Lanes;
-use crate::ray::vector::{add, cross, dot, sub};
 
 /// Up to eight triangles made ready for rays of one origin.
 #[derive(Clone, Debug)]
@@ -22,56 +22,79 @@ pub(super) struct Triangles {
 }
 
 impl Triangles {
-    /// Those that the tile may see at 1/z of at least `least`.
-    #[inline(always)]
-    pub(super) fn new<L: Lanes>(corners: Corners<L>, frame: &Frame, extent: &Extent, least: f32) -> Self {
-        let zero = L::splat(0.0);
-        let [a, b, c] = corners.map(|corner| into_tile(frame, corner));
-        // Neighbours have the same two corners here in the other order, and get the same numbers with the other sign.
-        let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| cross(add(p, q), sub(q, p)));
-        let normal = cross(sub(b, a), sub(c, a));
-        let volume = dot(a, normal);
-        // From the back all signs are the other ones.
-        let sign = volume.and(L::splat(-0.0));
-        let turned = |v: [L; 3]| v.map(|x| x.xor(sign));
-        let per_volume = L::splat(1.0).div(volume);
+    pub(super) const NONE: Self = Self {
+        sides: [[[0.0; 8]; 3]; 3],
+        plane: [[0.0; 8]; 3],
+        least: [0.0; 8],
+        greatest: [0.0; 8],
+        u: [[0.0; 8]; 2],
+        v: [[0.0; 8]; 2],
+        seen: 0,
+    };
 
-        let nearest = a[2].min(b[2]).min(c[2]);
-        let farthest = a[2].max(b[2]).max(c[2]);
+    /// Makes triangles ready that the tile may see at 1/z of at least `least`.
+    #[inline(always)]
+    pub(super) fn set<L: Lanes>(
+        &mut self,
+        corners: Corners<L>,
+        frame: &Frame,
+        extent: &Range<f32>,
+        least: f32,
+    ) {
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
+        let a = frame.see(corners[0]);
+        let b = frame.see(corners[1]);
+        let c = frame.see(corners[2]);
+        let nearest = a.z.min(b.z).min(c.z);
+        let farthest = a.z.max(b.z).max(c.z);
         // Where a corner is behind, the triangle may be anywhere.
         let in_front = zero.lt(nearest);
-        let [wa, wb, wc] = [a, b, c].map(|p| L::splat(1.0).div(p[2]));
-        let infinite = L::splat(f32::INFINITY);
-        let minus_infinite = L::splat(f32::NEG_INFINITY);
-        let range = |axis: usize| {
-            let [p, q, r] = [a[axis].mul(wa), b[axis].mul(wb), c[axis].mul(wc)];
-            let (low, high) = (p.min(q).min(r), p.max(q).max(r));
-            // Rounding, in this and in the sides.
-            let slack = high.max(zero.sub(low)).mul(L::splat(1e-6));
-            [
-                in_front.select(low.sub(slack), minus_infinite),
-                in_front.select(high.add(slack), infinite),
-            ]
-        };
-        let (u, v) = (range(0), range(1));
-        let least_w = L::splat(1.0 - 1e-6).div(farthest);
-        let greatest_w = in_front.select(L::splat(1.0 + 1e-6).div(nearest), infinite);
-        let mut seen = zero.lt(farthest).and(L::splat(least).le(greatest_w));
-        for (range, [low, high]) in [(u, extent.u), (v, extent.v)] {
-            seen = seen
-                .and(range[0].le(L::splat(high)))
-                .and(L::splat(low).le(range[1]));
-        }
+        let (wa, wb, wc) = (one.div(a.z), one.div(b.z), one.div(c.z));
+        let u = range(in_front, a.x.mul(wa), b.x.mul(wb), c.x.mul(wc));
+        let v = range(in_front, a.y.mul(wa), b.y.mul(wb), c.y.mul(wc));
+        let greatest = in_front.select(
+            wa.max(wb).max(wc).mul(L::splat(1.0 + 1e-6)),
+            L::splat(f32::INFINITY),
+        );
+
+        // From the back all signs are the other ones.
+        let normal = b.sub(a).cross(c.sub(a));
+        let volume = a.dot(normal);
+        let sign = volume.and(L::splat(-0.0));
         // Seen exactly from the side, it is nothing.
-        let seen = seen.signs() & (volume.lt(zero).signs() | zero.lt(volume).signs());
-        Self {
-            sides: [ab, bc, ca].map(|side| turned(side).map(L::values)),
-            plane: normal.map(|x| x.mul(per_volume).values()),
-            least: least_w.values(),
-            greatest: greatest_w.values(),
-            u: u.map(L::values),
-            v: v.map(L::values),
-            seen,
+        let seen = zero
+            .lt(volume.xor(sign))
+            .and(zero.lt(farthest))
+            .and(L::splat(least).le(greatest))
+            .and(u[0].le(L::splat(extent.u[1])))
+            .and(L::splat(extent.u[0]).le(u[1]))
+            .and(v[0].le(L::splat(extent.v[1])))
+            .and(L::splat(extent.v[0]).le(v[1]));
+        self.seen = seen.signs();
+        if self.seen == 0 {
+            return;
         }
+        a.side(b).turned(sign).store(&mut self.sides[0]);
+        b.side(c).turned(sign).store(&mut self.sides[1]);
+        c.side(a).turned(sign).store(&mut self.sides[2]);
+        normal.scale(one.div(volume)).store(&mut self.plane);
+        L::splat(1.0 - 1e-6).div(farthest).store(&mut self.least);
+        greatest.store(&mut self.greatest);
+        u[0].store(&mut self.u[0]);
+        u[1].store(&mut self.u[1]);
+        v[0].store(&mut self.v[0]);
+        v[1].store(&mut self.v[1]);
     }
+}
+
+/// From the least to the greatest of three, and a little more for rounding; everything if not `known`.
+#[inline(always)]
+fn range<L: Lanes>(known: L, p: L, q: L, r: L) -> [L; 2] {
+    let (low, high) = (p.min(q).min(r), p.max(q).max(r));
+    let slack = high.max(L::splat(0.0).sub(low)).mul(L::splat(1e-6));
+    [
+        known.select(low.sub(slack), L::splat(f32::NEG_INFINITY)),
+        known.select(high.add(slack), L::splat(f32::INFINITY)),
+    ]
 }
