@@ -118,9 +118,9 @@ pub(super) fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
 pub(super) fn resolve_ids(job: &Job, tile: &Tile, rows: &mut [&mut [Hit]]) {
     // Neighbours are mostly of one cluster.
     let mut last: Option<(usize, Entry)> = None;
-    for (row, ids) in rows.iter_mut().zip(tile.ids.chunks(STRIDE)) {
+    for (row, ids) in rows.iter_mut().zip(tile.id_rows()) {
         for (hit, id) in row.iter_mut().zip(ids) {
-            if *id == Id::NONE {
+            if id == Id::NONE {
                 *hit = Hit::MISS;
                 continue;
             }

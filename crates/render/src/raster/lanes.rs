@@ -45,6 +45,8 @@ pub(super) trait Lanes: Copy {
     fn and_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn or_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn xor_i(self, a: Self::I, b: Self::I) -> Self::I;
+    /// `a` where the mask has a sign bit, else `b`.
+    fn select_i(self, mask: Self::I, a: Self::I, b: Self::I) -> Self::I;
     fn min_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn max_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn shl_i(self, a: Self::I, bits: u32) -> Self::I;
@@ -206,6 +208,10 @@ impl Lanes for Baseline {
     #[inline(always)]
     fn xor_i(self, a: [i32; 8], b: [i32; 8]) -> [i32; 8] {
         zip(a, b, |a, b| a ^ b)
+    }
+    #[inline(always)]
+    fn select_i(self, mask: [i32; 8], a: [i32; 8], b: [i32; 8]) -> [i32; 8] {
+        std::array::from_fn(|l| if mask[l] < 0 { a[l] } else { b[l] })
     }
     #[inline(always)]
     fn min_i(self, a: [i32; 8], b: [i32; 8]) -> [i32; 8] {

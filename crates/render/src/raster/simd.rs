@@ -234,6 +234,18 @@ mod x86 {
                 unsafe { _mm256_xor_si256(a, b) }
             }
             #[inline(always)]
+            fn select_i(self, mask: I, a: I, b: I) -> I {
+                // SAFETY: whoever made `self` has the features.
+                unsafe {
+                    let (mask, a, b) = (
+                        _mm256_castsi256_ps(mask),
+                        _mm256_castsi256_ps(a),
+                        _mm256_castsi256_ps(b),
+                    );
+                    _mm256_castps_si256(_mm256_blendv_ps(b, a, mask))
+                }
+            }
+            #[inline(always)]
             fn min_i(self, a: I, b: I) -> I {
                 // SAFETY: whoever made `self` has the features; pointers come from references.
                 unsafe { _mm256_min_epi32(a, b) }

@@ -32,7 +32,7 @@ pub(super) struct Tile {
     /// 1/z of the nearest surface so far; 0 where there is none.
     pub(super) inverse_z: Box<[f32; SIZE]>,
     /// Which triangle that is; not used where only depth is wanted.
-    pub(super) ids: Box<[Id; SIZE]>,
+    ids: Box<[i32; SIZE]>,
     /// Not more than the smallest inverse z in each block.
     farthest: [f32; BLOCKS],
     /// Blocks drawn on since `farthest` was found.
@@ -41,19 +41,20 @@ pub(super) struct Tile {
 
 /// A triangle among all that a tile draws: its entry, and its place in the cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Id(u32);
+pub(super) struct Id(i32);
 
 impl Id {
-    pub(super) const NONE: Self = Self(u32::MAX);
+    pub(super) const NONE: Self = Self(-1);
 
     /// Entries are fewer than 2^25: more would not fit into memory.
     #[expect(clippy::cast_possible_truncation, reason = "see above")]
     pub(super) const fn new(entry: usize, triangle: u32) -> Self {
-        Self((entry as u32) << 7 | triangle)
+        Self(((entry as u32) << 7 | triangle).cast_signed())
     }
 
     pub(super) const fn parts(self) -> (usize, usize) {
-        (self.0 as usize >> 7, self.0 as usize & 127)
+        let bits = self.0.cast_unsigned() as usize;
+        (bits >> 7, bits & 127)
     }
 }
 
@@ -72,7 +73,7 @@ impl Default for Tile {
             width: 1,
             height: 1,
             inverse_z: Box::new([0.0; SIZE]),
-            ids: Box::new([Id::NONE; SIZE]),
+            ids: Box::new([Id::NONE.0; SIZE]),
             farthest: [0.0; BLOCKS],
             is_stale: [false; BLOCKS],
         }
@@ -88,6 +89,11 @@ impl Tile {
         ]
     }
 
+    /// Rows of what is seen.
+    pub(super) fn id_rows(&self) -> impl Iterator<Item = impl Iterator<Item = Id>> {
+        self.ids.chunks(STRIDE).map(|row| row.iter().map(|id| Id(*id)))
+    }
+
     /// Empties it and puts it elsewhere.
     #[expect(
         clippy::cast_possible_truncation,
@@ -101,7 +107,7 @@ impl Tile {
         self.height = (frame.height - self.y).min(HEIGHT as u32) as i32;
         self.inverse_z[..STRIDE * (HEIGHT + 1)].fill(0.0);
         if IDS {
-            self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE);
+            self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE.0);
         }
         self.farthest = [0.0; BLOCKS];
         self.is_stale = [false; BLOCKS];
@@ -148,8 +154,8 @@ impl Tile {
         #[expect(clippy::float_cmp, reason = "a tie is when they are the same")]
         if IDS {
             let first = &mut self.ids[at % SIZE];
-            if inverse_z > *nearest || inverse_z == *nearest && job.hit(id) < job.hit(*first) {
-                (*nearest, *first) = (inverse_z, id);
+            if inverse_z > *nearest || inverse_z == *nearest && job.hit(id) < job.hit(Id(*first)) {
+                (*nearest, *first) = (inverse_z, id.0);
             }
         } else {
             *nearest = if inverse_z > *nearest { inverse_z } else { *nearest };
@@ -172,17 +178,15 @@ impl Tile {
         let before = l.load_f(pixels);
         *pixels = l.store_f(l.max_f(inverse_z, before));
         if IDS && let Some(ids) = self.ids[at % SIZE..].first_chunk_mut::<8>() {
-            let nearer = l.signs(l.greater_f(inverse_z, before));
+            let nearer = l.greater_f(inverse_z, before);
             let not_farther =
                 l.signs(l.greater_f(inverse_z, l.splat_f(0.0))) & !l.signs(l.greater_f(before, inverse_z));
-            for (lane, first) in ids.iter_mut().enumerate() {
-                *first = if nearer >> lane & 1 == 1 { id } else { *first };
-            }
-            let mut ties = not_farther & !nearer;
+            *ids = l.store_i(l.select_i(nearer, l.splat_i(id.0), l.load_i(ids)));
+            let mut ties = not_farther & !l.signs(nearer);
             while ties != 0 {
                 let first = &mut ids[ties.trailing_zeros() as usize % 8];
-                if job.hit(id) < job.hit(*first) {
-                    *first = id;
+                if job.hit(id) < job.hit(Id(*first)) {
+                    *first = id.0;
                 }
                 ties &= ties - 1;
             }
