@@ -44,6 +44,9 @@ pub(crate) trait Lanes: Copy {
     fn least(self) -> f32;
     /// For each lane, how many lanes are not greater, itself included; 0 where it is NaN.
     fn ranks(self) -> [u32; 8];
+    /// Says that a place will be read soon.
+    #[inline(always)]
+    fn prefetch<T>(_place: &T) {}
     /// The coordinates of eight points.
     fn gather(points: &[[f32; 3]], at: [u32; 8]) -> [Self; 3];
 
@@ -408,6 +411,11 @@ mod avx2 {
                 let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
                 _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
             }
+        }
+        #[inline(always)]
+        fn prefetch<T>(place: &T) {
+            // A hint: nothing is read.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast()) }
         }
         #[inline(always)]
         fn ranks(self) -> [u32; 8] {
