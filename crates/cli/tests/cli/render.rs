@@ -226,6 +226,51 @@ fn an_oak_looks_at_a_mesh() {
     assert!((at(&[&down[..], &["--scale", "0.5"]].concat()) - 2.5).abs() < 1e-6);
 }
 
+/// The asset of a model in a stage, and the model put at the same place: one camera.
+#[test]
+fn an_asset_and_its_model_see_the_same() {
+    let program = program();
+    for model in ["oak4-d", "oak-d-pro-w-poe"] {
+        program.good(&["asset", model, "-o", "oak.usd"]);
+        let things = r#"
+            def Cube "Box" {
+                double size = 0.5
+                double3 xformOp:translate = (1.5, 0.2, 0.4)
+                double xformOp:rotateZ = 30
+                uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateZ"]
+            }
+            def Plane "Wall" {
+                double width = 9
+                double length = 9
+                uniform token axis = "X"
+                double3 xformOp:translate = (4, 0, 0)
+                uniform token[] xformOpOrder = ["xformOp:translate"]
+            }"#;
+        let oak = r#"
+            def Xform "Oak" (references = @oak.usd@) {
+                double3 xformOp:translate = (0.1, 0.1, 0.5)
+                double xformOp:rotateZ = 10
+                uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateZ"]
+            }"#;
+        let header = "#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n";
+        program.put("with.usda", format!("{header}{things}{oak}\n"));
+        program.put("without.usda", format!("{header}{things}\n"));
+        let half = 5f64.to_radians();
+        let (z, w) = (half.sin().to_string(), half.cos().to_string());
+        let depth_only = ["--annotators", "distance_to_image_plane", "-o"];
+        program.good(&[&["render", "with.usda"], &depth_only[..], &["asset"]].concat());
+        let pose = ["--model", model, "--pose", "0.1", "0.1", "0.5", "0", "0", &z, &w];
+        program.good(&[&["render", "without.usda"], &depth_only[..], &["model"], &pose].concat());
+        let (_, asset) = depth(&program, "asset/distance_to_image_plane_0000.npy");
+        let (_, model) = depth(&program, "model/distance_to_image_plane_0000.npy");
+        // Attributes are floats: at a few places of an edge, another side of it is seen.
+        let same = |a: f32, b: f32| a == b || (a / b - 1.0).abs() < 1e-5;
+        let differ = asset.iter().zip(&model).filter(|(a, b)| !same(**a, **b)).count();
+        assert!(differ < 20, "{differ} pixels");
+        assert!(asset.iter().filter(|z| z.is_finite()).count() > 1280 * 800 / 2);
+    }
+}
+
 #[test]
 fn the_fisheye_of_a_wide_model_sees_beyond_its_pinhole() {
     let program = program();
