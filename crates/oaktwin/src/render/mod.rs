@@ -53,7 +53,7 @@ pub use frames::{Done, FrameOptions, FramesError, Written, WrittenFile, write_fr
 pub use limits::{MAX_PIXELS, SizeError, available_bytes, check_size, frame_bytes, gib};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
-pub use oaktwin_render::{Backend, Clip, Renderer, View};
+pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
 pub use output_folder::OutputFolder;
 pub use pose::{PoseError, look_at, pose};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
