@@ -12,6 +12,7 @@ from assets import Builder
 NEEDS = {
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),
+    "test_importers.py": ("trimesh",),
     "test_render.py": ("open3d", "libusb_package"),
 }
 collect_ignore = [name for name, packages in NEEDS.items() if not all(map(find_spec, packages))]

@@ -9,7 +9,9 @@ mod backend;
 mod fixture;
 mod raster;
 mod ray;
+mod rays;
 mod renderer;
+mod shade;
 mod view;
 mod visibility;
 

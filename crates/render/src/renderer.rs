@@ -6,6 +6,7 @@ use oaktwin_scene::Scene;
 use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
+use crate::shade::Shader;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
 /// A scene made ready to be rendered any number of times, from any number of threads.
@@ -17,6 +18,7 @@ pub struct Renderer {
     rasterizer: OnceLock<Rasterizer>,
     ray_caster: OnceLock<RayCaster>,
     semantics: OnceLock<Semantics>,
+    shader: OnceLock<Shader>,
 }
 
 impl Renderer {
@@ -28,6 +30,7 @@ impl Renderer {
             rasterizer: OnceLock::new(),
             ray_caster: OnceLock::new(),
             semantics: OnceLock::new(),
+            shader: OnceLock::new(),
         }
     }
 
@@ -74,6 +77,10 @@ impl Renderer {
 
     pub(crate) fn ray_caster(&self) -> &RayCaster {
         self.ray_caster.get_or_init(|| RayCaster::new(&self.scene))
+    }
+
+    pub(crate) fn shader(&self) -> &Shader {
+        self.shader.get_or_init(|| Shader::new(&self.scene))
     }
 
     pub(crate) fn semantics(&self) -> &Semantics {

@@ -32,7 +32,9 @@ impl Scene {
                 instance.path.capacity() as u64
                     + room(&instance.labels)
                     + labels
-                        .map(|(a, b)| (a.capacity() + b.capacity()) as u64)
+                        .map(|label| {
+                            (label.prim.capacity() + label.taxonomy.capacity() + label.name.capacity()) as u64
+                        })
                         .sum::<u64>()
             })
             .sum();

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::coverage::Coverage;
 use super::semantics::{Entity, Semantics};
 use super::stencil::{Extent, Stencil};
+use crate::rays::Rays;
 use crate::{Hit, View};
 
 /// The boxes of a view.
@@ -20,9 +21,15 @@ pub(super) struct Boxes {
 
 /// A box for each prim that carries labels, around it and all that is below it. What of it lies outside the image
 /// does not count, neither for the box nor for the part that is hidden.
-pub(super) fn boxes(scene: &Scene, semantics: &Semantics, view: &View, hits: &Image<Hit>) -> Boxes {
+pub(super) fn boxes(
+    scene: &Scene,
+    semantics: &Semantics,
+    view: &View,
+    rays: &Rays,
+    hits: &Image<Hit>,
+) -> Boxes {
     let seen = seen_extents(scene, hits);
-    let coverage = Coverage::new(view);
+    let coverage = Coverage::new(view, rays);
     let found: Vec<(&Entity, Extent, Extent)> = semantics
         .entities
         .par_iter()

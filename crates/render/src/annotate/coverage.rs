@@ -1,27 +1,23 @@
 //! Which pixels see a thing when nothing else is there.
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_camera::{PixelPoint, Usd};
-use oaktwin_image::Image;
+use oaktwin_camera::{LensModel, Usd};
 use oaktwin_scene::Scene;
-use rayon::prelude::*;
 
 use super::stencil::Stencil;
-use super::surface::ray_in_camera;
 use crate::View;
+use crate::rays::Rays;
 
 /// A piece of a triangle is as good as flat in the image of a lens when it is this small, radians.
 const FLAT: f64 = 0.05;
 /// How often a triangle is quartered at most to become that small.
 const MOST_QUARTERINGS: u32 = 10;
 
-/// The rays of a view, ready for many triangles.
+/// A view, ready for many triangles.
 pub(super) struct Coverage<'a> {
     view: &'a View,
-    along_axis: bool,
+    rays: &'a Rays<'a>,
     camera_from_world: DAffine3,
-    /// Where there is a lens, the ray of each pixel: the same that the view is rendered with.
-    rays: Option<Image<DVec3>>,
 }
 
 /// A triangle in the camera's frame.
@@ -33,26 +29,11 @@ struct Triangle {
 }
 
 impl<'a> Coverage<'a> {
-    pub(super) fn new(view: &'a View) -> Self {
-        let size = view.camera.intrinsics.size;
-        let along_axis = view.clips_along_axis();
-        let rays = (!is_pinhole(view)).then(|| {
-            let mut rays = Image::filled(size.width, size.height, DVec3::NAN);
-            let row_length = (size.width as usize).max(1);
-            let rows = rays.pixels_mut().par_chunks_mut(row_length);
-            rows.zip(0..size.height).for_each(|(row, y)| {
-                for (ray, x) in row.iter_mut().zip(0..) {
-                    let unit = ray_in_camera(view, x, y).unwrap_or(DVec3::NAN);
-                    *ray = if along_axis { unit / unit.z } else { unit };
-                }
-            });
-            rays
-        });
+    pub(super) fn new(view: &'a View, rays: &'a Rays<'a>) -> Self {
         Self {
             view,
-            along_axis,
-            camera_from_world: view.camera_from_world(),
             rays,
+            camera_from_world: view.camera_from_world(),
         }
     }
 
@@ -76,11 +57,12 @@ impl<'a> Coverage<'a> {
 
     fn add_triangle(&self, corners: [DVec3; 3], stencil: &mut Stencil) {
         let [a, b, c] = corners;
-        let distance = |p: DVec3| if self.along_axis { p.z } else { p.length() };
+        let along_axis = self.rays.are_along_axis();
+        let distance = |p: DVec3| if along_axis { p.z } else { p.length() };
         let (near, far) = (self.view.clip.near_m, self.view.clip.far_m);
         let distances = corners.map(distance);
         // A ball around the camera may be touched by a triangle whose corners are outside, but not the other way round.
-        let hidden = if self.along_axis {
+        let hidden = if along_axis {
             distances.iter().all(|d| *d < near) || distances.iter().all(|d| *d > far)
         } else {
             distances.iter().all(|d| *d < near)
@@ -93,7 +75,7 @@ impl<'a> Coverage<'a> {
             sides: [(a, b), (b, c), (c, a)].map(|(p, q)| (p + q).cross(q - p)),
             normal: (b - a).cross(c - a),
         };
-        if self.rays.is_some() {
+        if self.view.camera.lens != LensModel::Pinhole {
             self.add_piece(&triangle, corners, MOST_QUARTERINGS, stencil);
         } else {
             let clipped = in_front(corners, near);
@@ -149,12 +131,8 @@ impl<'a> Coverage<'a> {
     }
 
     fn is_seen(&self, triangle: &Triangle, x: u32, y: u32) -> bool {
-        let ray = match &self.rays {
-            Some(rays) => rays.get(x, y).copied().unwrap_or(DVec3::NAN),
-            None => {
-                let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                (self.view.camera.intrinsics.normalized_from_pixel(centre)).extend(1.0)
-            }
+        let Some(ray) = self.rays.centre(x, y) else {
+            return false;
         };
         let sides = triangle.sides.map(|side| ray.dot(side));
         if !(sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)) {
@@ -168,10 +146,6 @@ impl<'a> Coverage<'a> {
         let pixel = self.view.camera.project(point)?.to::<Usd>();
         Some([pixel.x, pixel.y])
     }
-}
-
-fn is_pinhole(view: &View) -> bool {
-    matches!(view.camera.lens, oaktwin_camera::LensModel::Pinhole)
 }
 
 /// The pixels whose centres lie between two coordinates.

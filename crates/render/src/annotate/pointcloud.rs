@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use super::segmentation::instance_id;
 use super::semantics::{Semantics, UNLABELLED};
-use super::surface::{SurfaceFinder, ray_in_camera};
+use super::surface::SurfaceFinder;
+use crate::rays::Rays;
 use crate::{View, Visibility};
 
 /// Where each pixel's ray ends, row by row: from the triangle in double precision, rounded once.
@@ -14,6 +15,7 @@ pub(super) fn pointcloud(
     scene: &Scene,
     semantics: &Semantics,
     view: &View,
+    rays: &Rays,
     seen: &Visibility,
     rgb: Option<&Image<[u8; 4]>>,
     unlabelled: bool,
@@ -32,7 +34,7 @@ pub(super) fn pointcloud(
                 if hit.is_miss() || (semantic == UNLABELLED && !unlabelled) {
                     continue;
                 }
-                let surface = ray_in_camera(view, x, y).and_then(|ray| finder.find(*hit, ray, *z));
+                let surface = rays.centre(x, y).and_then(|ray| finder.find(*hit, ray, *z));
                 let Some(surface) = surface else {
                     continue;
                 };

@@ -1,24 +1,19 @@
-use oaktwin_camera::LensModel;
-use oaktwin_image::{Image, RangeDepth, ZDepth};
+use oaktwin_image::{RangeDepth, ZDepth};
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
-use super::surface::{SurfaceFinder, ray_in_camera};
+use super::surface::SurfaceFinder;
+use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// Whether every pixel looks forward, so that its range follows from its depth.
-pub(super) fn follows_from_depth(view: &View) -> bool {
-    matches!(view.camera.lens, LensModel::Pinhole | LensModel::OpenCvPinhole(_))
-}
-
-/// The range along each pixel's ray, `z / cos`, where every pixel looks forward.
+/// The range along each pixel's ray, where every pixel looks forward: the depth is a number of rays' lengths then.
 #[expect(clippy::cast_possible_truncation, reason = "a range is float32")]
-pub(super) fn from_depth(view: &View, depth: &ZDepth) -> RangeDepth {
-    along_rows(view, depth, |row, y| {
+pub(super) fn from_depth(rays: &Rays, depth: &ZDepth) -> RangeDepth {
+    along_rows(depth, |row, y| {
         for (range, x) in row.iter_mut().zip(0..) {
             if range.is_finite() {
-                *range =
-                    ray_in_camera(view, x, y).map_or(f32::INFINITY, |ray| (f64::from(*range) / ray.z) as f32);
+                let length = rays.centre(x, y).map_or(f64::INFINITY, |ray| ray.length());
+                *range = (f64::from(*range) * length) as f32;
             }
         }
     })
@@ -26,30 +21,25 @@ pub(super) fn from_depth(view: &View, depth: &ZDepth) -> RangeDepth {
 
 /// The same for every lens: what is seen sideways, where the depth says nothing, is asked of the triangle itself.
 #[expect(clippy::cast_possible_truncation, reason = "a range is float32")]
-pub(super) fn from_visibility(scene: &Scene, view: &View, seen: &Visibility) -> RangeDepth {
-    if follows_from_depth(view) {
-        return from_depth(view, &seen.z);
+pub(super) fn from_visibility(scene: &Scene, view: &View, rays: &Rays, seen: &Visibility) -> RangeDepth {
+    if rays.are_along_axis() {
+        return from_depth(rays, &seen.z);
     }
-    along_rows(view, &seen.z, |row, y| {
+    along_rows(&seen.z, |row, y| {
         let mut finder = SurfaceFinder::new(scene, view);
         for (range, x) in row.iter_mut().zip(0..) {
-            let (Some(hit), Some(ray)) = (seen.hits.get(x, y), ray_in_camera(view, x, y)) else {
-                *range = f32::INFINITY;
-                continue;
-            };
-            let found = (!hit.is_miss()).then(|| finder.find(*hit, ray, *range)).flatten();
-            *range = found.map_or(f32::INFINITY, |surface| surface.range as f32);
+            let surface = (seen.hits.get(x, y).filter(|hit| !hit.is_miss()))
+                .zip(rays.centre(x, y))
+                .and_then(|(hit, ray)| finder.find(*hit, ray, *range));
+            *range = surface.map_or(f32::INFINITY, |surface| surface.range as f32);
         }
     })
 }
 
-fn along_rows(view: &View, depth: &ZDepth, change: impl Fn(&mut [f32], u32) + Sync) -> RangeDepth {
-    let size = view.camera.intrinsics.size;
-    let mut range: Image<f32> = depth.0.clone();
-    range
-        .pixels_mut()
-        .par_chunks_mut((size.width as usize).max(1))
-        .zip(0..size.height)
-        .for_each(|(row, y)| change(row, y));
+fn along_rows(depth: &ZDepth, change: impl Fn(&mut [f32], u32) + Sync) -> RangeDepth {
+    let mut range = depth.0.clone();
+    let (width, height) = (range.width() as usize, range.height());
+    let rows = range.pixels_mut().par_chunks_mut(width.max(1));
+    rows.zip(0..height).for_each(|(row, y)| change(row, y));
     RangeDepth(range)
 }

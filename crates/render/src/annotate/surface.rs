@@ -1,21 +1,39 @@
 //! The place on a triangle that a ray hits.
 
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_scene::{Mesh, Scene};
 
 use crate::{Hit, View};
 
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface {
+pub(crate) struct Surface<'a> {
+    /// What it belongs to.
+    pub(crate) mesh: &'a Mesh,
     /// In the world, metres.
     pub(crate) point: DVec3,
-    /// From the camera to the point, metres along the unit ray.
+    /// From the camera to the point, metres.
     pub(crate) range: f64,
-    /// The unit normal in the world on the side that is seen: interpolated, or the triangle's own where the mesh has
-    /// none.
+    /// The shares of the triangle's corners, each from 0 to 1, together 1.
+    pub(crate) weights: [f64; 3],
+    /// The triangle's own unit normal in the world, on the side that is seen.
+    pub(crate) flat_normal: DVec3,
+    /// The interpolated unit normal in the world, turned with `flat_normal`; the same where the mesh has none.
     pub(crate) normal: DVec3,
+    /// The normals, in the camera's frame, of the sides of the camera's pyramid over the triangle, each opposite a
+    /// corner.
+    sides: [DVec3; 3],
+}
+
+impl Surface<'_> {
+    /// The shares of the triangle's corners where another ray of the camera meets its plane; NaN or infinite where none
+    /// does.
+    #[inline]
+    pub(crate) fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
+        let sides = self.sides.map(|side| ray_in_camera.dot(side));
+        let whole = sides[0] + sides[1] + sides[2];
+        sides.map(|side| side / whole)
+    }
 }
 
 /// Looks up surfaces, remembering the instance that it saw last.
@@ -29,16 +47,11 @@ pub(crate) struct SurfaceFinder<'a> {
 #[derive(Clone, Copy)]
 struct Placed<'a> {
     mesh: &'a Mesh,
-    mesh_from_world: DAffine3,
-    origin_in_mesh: DVec3,
+    camera_from_mesh: DAffine3,
     /// Normals are turned by the inverse transpose, mirrored instances' too.
     world_from_normal: DMat3,
-}
-
-/// The unit ray of a pixel in the camera's frame.
-pub(crate) fn ray_in_camera(view: &View, x: u32, y: u32) -> Option<DVec3> {
-    let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-    view.camera.unproject(centre)
+    /// −1 where the instance is mirrored: its triangles run the other way round.
+    turn: f64,
 }
 
 impl<'a> SurfaceFinder<'a> {
@@ -51,47 +64,49 @@ impl<'a> SurfaceFinder<'a> {
         }
     }
 
-    /// What the unit ray `ray_in_camera` sees on the triangle that it hits, `z` away along the optical axis.
-    pub(crate) fn find(&mut self, hit: Hit, ray_in_camera: DVec3, z: f32) -> Option<Surface> {
-        let (origin, ray) = (self.origin, self.world_from_camera * ray_in_camera);
+    /// What a ray in the camera's frame sees on the triangle that it hits, at the depth `z` along the optical axis.
+    pub(crate) fn find(&mut self, hit: Hit, ray: DVec3, z: f32) -> Option<Surface<'a>> {
+        let (origin, world_from_camera) = (self.origin, self.world_from_camera);
         let placed = self.placed(hit.instance)?;
         let triangle = hit.triangle as usize;
         let vertices = *placed.mesh.triangles.get(triangle)?;
-        let [a, b, c] = placed
-            .mesh
-            .corners(triangle)?
-            .map(|p| DVec3::from(p.map(f64::from)) - placed.origin_in_mesh);
-        let direction = placed.mesh_from_world.transform_vector3(ray);
-        // The shares are those of the origin's pyramid over the triangle.
-        let sides = [b.cross(c), c.cross(a), a.cross(b)].map(|n| direction.dot(n));
-        let whole = sides[0] + sides[1] + sides[2];
-        let weights = clamped(sides.map(|side| side / whole));
-        let normal = (b - a).cross(c - a);
-        let from_plane = a.dot(normal) / direction.dot(normal);
-        let from_depth = f64::from(z) / ray_in_camera.z;
-        // A triangle that is seen edge-on has no plane to speak of.
-        let range = match (from_plane - from_depth).abs() <= 1e-5 * from_depth.abs() {
-            true => from_plane,
-            false if from_depth.is_finite() && from_depth > 0.0 => from_depth,
-            false => from_plane,
-        };
-        let flat = (placed.world_from_normal * normal).normalize_or(-ray);
-        let side = if flat.dot(ray) > 0.0 { -1.0 } else { 1.0 };
-        let flat_normal = flat * side;
-        let smooth = placed.mesh.normals.as_ref().and_then(|normals| {
-            let corners = normals.corners(triangle, vertices)?;
-            let sum = corners
-                .iter()
-                .zip(weights)
-                .map(|(normal, weight)| DVec3::from(normal.map(f64::from)) * weight)
-                .fold(DVec3::ZERO, |sum, part| sum + part);
-            (placed.world_from_normal * sum).try_normalize()
+        let [a, b, c] = (placed.mesh.corners(triangle)?).map(|p| {
+            placed
+                .camera_from_mesh
+                .transform_point3(DVec3::from(p.map(f64::from)))
         });
-        Some(Surface {
-            point: origin + ray * range,
-            range,
-            normal: smooth.map_or(flat_normal, |smooth| smooth * side),
-        })
+        let normal = (b - a).cross(c - a);
+        let from_plane = a.dot(normal) / ray.dot(normal);
+        let from_depth = f64::from(z) / ray.z;
+        // A triangle that is seen edge-on has no plane to speak of.
+        let is_trusted = (from_plane - from_depth).abs() <= 1e-5 * from_depth.abs();
+        let t = if is_trusted || !(from_depth.is_finite() && from_depth > 0.0) {
+            from_plane
+        } else {
+            from_depth
+        };
+        let towards_camera = -ray.normalize_or_zero();
+        let flat = (normal * placed.turn).normalize_or(towards_camera);
+        let side = if flat.dot(ray) > 0.0 { -1.0 } else { 1.0 };
+        let flat_normal = world_from_camera * flat * side;
+        let mut surface = Surface {
+            mesh: placed.mesh,
+            point: origin + world_from_camera * ray * t,
+            range: t * ray.length(),
+            weights: [0.0; 3],
+            flat_normal,
+            normal: flat_normal,
+            sides: [b.cross(c), c.cross(a), a.cross(b)],
+        };
+        surface.weights = clamped(surface.weights_of(ray));
+        let smooth = placed.mesh.normals.as_ref().and_then(|normals| {
+            let sum = surface.interpolated(normals.corners(triangle, vertices)?);
+            (placed.world_from_normal * DVec3::from(sum)).try_normalize()
+        });
+        if let Some(smooth) = smooth {
+            surface.normal = smooth * side;
+        }
+        Some(surface)
     }
 
     fn placed(&mut self, instance: u32) -> Option<Placed<'a>> {
@@ -101,15 +116,30 @@ impl<'a> SurfaceFinder<'a> {
             return Some(placed);
         }
         let found = self.scene.instances.get(instance as usize)?;
-        let mesh_from_world = found.world_from_mesh.inverse();
+        let world_from_mesh = found.world_from_mesh;
+        let camera_from_world = self.world_from_camera.transpose();
         let placed = Placed {
             mesh: self.scene.meshes.get(found.mesh as usize)?,
-            mesh_from_world,
-            origin_in_mesh: mesh_from_world.transform_point3(self.origin),
-            world_from_normal: mesh_from_world.matrix3.transpose(),
+            camera_from_mesh: DAffine3 {
+                matrix3: camera_from_world * world_from_mesh.matrix3,
+                translation: camera_from_world * (world_from_mesh.translation - self.origin),
+            },
+            world_from_normal: world_from_mesh.matrix3.inverse().transpose(),
+            turn: world_from_mesh.matrix3.determinant().signum(),
         };
         self.last = Some((instance, placed));
         Some(placed)
+    }
+}
+
+impl Surface<'_> {
+    /// Between the corners' values.
+    #[inline]
+    pub(crate) fn interpolated<const N: usize>(&self, corners: [[f32; N]; 3]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let [a, b, c] = corners.map(|corner| f64::from(corner[i]));
+            a * self.weights[0] + b * self.weights[1] + c * self.weights[2]
+        })
     }
 }
 

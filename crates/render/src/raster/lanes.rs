@@ -31,6 +31,8 @@ pub(super) trait Lanes: Copy {
     fn div_f(self, a: Self::F, b: Self::F) -> Self::F;
     /// `b` where they are equal or one is not a number.
     fn max_f(self, a: Self::F, b: Self::F) -> Self::F;
+    /// Sign bits where `a` is the greater.
+    fn greater_f(self, a: Self::F, b: Self::F) -> Self::I;
     /// Zero where the mask has a sign bit.
     fn zero_where_negative(self, mask: Self::I, a: Self::F) -> Self::F;
 
@@ -50,6 +52,9 @@ pub(super) trait Lanes: Copy {
     fn shr_i(self, a: Self::I, bits: u32) -> Self::I;
     /// The sign bits, the first lane's lowest.
     fn signs(self, a: Self::I) -> u32;
+
+    /// Brings what is there into the fastest cache.
+    fn prefetch<T>(self, values: &[T]);
 
     /// The first three columns of eight rows.
     fn columns(self, rows: [&Row; 8]) -> (Self::I, Self::I, Self::F);
@@ -158,6 +163,10 @@ impl Lanes for Baseline {
         zip(a, b, |a, b| if a > b { a } else { b })
     }
     #[inline(always)]
+    fn greater_f(self, a: [f32; 8], b: [f32; 8]) -> [i32; 8] {
+        zip(a, b, |a, b| -i32::from(a > b))
+    }
+    #[inline(always)]
     fn zero_where_negative(self, mask: [i32; 8], a: [f32; 8]) -> [f32; 8] {
         zip(mask, a, |mask, a| if mask < 0 { 0.0 } else { a })
     }
@@ -218,6 +227,9 @@ impl Lanes for Baseline {
     fn signs(self, a: [i32; 8]) -> u32 {
         (0..8).fold(0, |signs, l| signs | u32::from(a[l] < 0) << l)
     }
+
+    #[inline(always)]
+    fn prefetch<T>(self, _values: &[T]) {}
 
     #[inline(always)]
     fn columns(self, rows: [&Row; 8]) -> ([i32; 8], [i32; 8], [f32; 8]) {

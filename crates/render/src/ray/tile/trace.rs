@@ -146,11 +146,7 @@ fn walk<L: Lanes>(
     visit: &mut impl Visit,
 ) {
     let base = stack.len();
-    stack.push(Entry {
-        start: f32::NEG_INFINITY,
-        first: 0,
-        count: 0,
-    });
+    stack.push(Entry::ROOT);
     while stack.len() > base {
         let Some(entry) = stack.pop() else { break };
         if entry.start > state.farthest {
@@ -161,7 +157,7 @@ fn walk<L: Lanes>(
             continue;
         }
         let node = &nodes[entry.first as usize];
-        let (mask, starts) = frame.children::<L>(node, state.farthest);
-        push_children(stack, node, mask, &starts);
+        let (seen, starts) = frame.children::<L>(node, state.farthest);
+        push_children(stack, node, seen, starts);
     }
 }
