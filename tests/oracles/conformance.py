@@ -224,6 +224,9 @@ def main() -> int:
     program, data = map(Path, sys.argv[1:])
     try:
         points, parameters = list(point_clouds(program, data)), list(camera_parameters(program, data))
+    except OSError as error:
+        print(f"{error}: the program did not write what it was asked for")
+        return 1
     except subprocess.CalledProcessError as error:
         print(f"{' '.join(map(str, error.cmd))}: exit code {error.returncode}\n{error.stdout}{error.stderr}")
         return 1
