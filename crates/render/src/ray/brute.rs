@@ -34,10 +34,30 @@ pub(crate) fn visibility(scene: &Scene, view: &View) -> Visibility {
     Visibility { z: ZDepth(z), hits }
 }
 
+#[cfg(test)]
 pub(crate) fn is_occluded(scene: &Scene, origin: DVec3, direction: DVec3, near: f64, far: f64) -> bool {
     each_crossing(scene, DAffine3::IDENTITY, origin, direction, |t, _| {
         t > near && t < far
     })
+}
+
+/// The nearest of the lowest number, both ends included.
+#[cfg(test)]
+pub(crate) fn nearest(
+    scene: &Scene,
+    origin: DVec3,
+    direction: DVec3,
+    near: f64,
+    far: f64,
+) -> Option<(f64, Hit)> {
+    let mut nearest: Option<(f64, Hit)> = None;
+    each_crossing(scene, DAffine3::IDENTITY, origin, direction, |t, hit| {
+        if t >= near && t <= far && nearest.is_none_or(|(least, _)| t < least) {
+            nearest = Some((t, hit));
+        }
+        false
+    });
+    nearest
 }
 
 /// Calls `visit` with each crossing's distance, until it says that it has seen enough.

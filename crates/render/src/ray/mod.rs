@@ -1,40 +1,159 @@
 //! Rays into the scene, for every lens, for shadows and for whatever else asks.
 
+#[cfg(test)]
 pub(crate) mod brute;
+mod bvh;
+mod corners;
+mod exact;
+mod instances;
+mod mesh_tree;
+mod render;
+mod simd;
+mod single;
+mod stack;
+mod tile;
+mod vector;
 
-use oaktwin_camera::math::DVec3;
-use oaktwin_image::ZDepth;
-use oaktwin_scene::Scene;
+use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_image::{Image, ZDepth};
+use oaktwin_scene::{Mesh, Scene};
+use rayon::prelude::*;
 
-use crate::{View, Visibility};
+use self::instances::Instances;
+use self::mesh_tree::MeshTree;
+use self::simd::Instructions;
+use self::single::{Cast, Until};
+pub(crate) use self::stack::Stack;
+use self::tile::RayTables;
+use crate::{Hit, View, Visibility};
+
+/// A piece of a half-line in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts, metres.
+    pub origin: DVec3,
+    /// Where it goes; distances along it are in lengths of this, which need not be 1.
+    pub direction: DVec3,
+    /// Where it begins to see.
+    pub near: f64,
+    /// Where it ends; may be infinite.
+    pub far: f64,
+}
 
 /// What the ray caster prepares of a scene.
 #[derive(Debug)]
-pub(crate) struct RayCaster;
+pub(crate) struct RayCaster {
+    trees: Vec<MeshTree>,
+    instances: Instances,
+    instructions: Instructions,
+    tables: RayTables,
+}
+
+/// A scene and what was prepared of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Prepared<'a> {
+    scene: &'a Scene,
+    trees: &'a [MeshTree],
+    instances: &'a Instances,
+}
+
+impl<'a> Prepared<'a> {
+    /// The mesh of an instance, its tree, and where it stands.
+    #[inline]
+    fn instance(&self, instance: u32) -> Option<(&'a Mesh, &'a MeshTree, DAffine3)> {
+        let index = instance as usize;
+        let mesh = self.scene.instances.get(index)?.mesh as usize;
+        Some((
+            self.scene.meshes.get(mesh)?,
+            self.trees.get(mesh)?,
+            *self.instances.mesh_from_world.get(index)?,
+        ))
+    }
+}
+
+impl Prepared<'_> {
+    /// What stands at a place in the tree of an instance's mesh.
+    #[inline]
+    fn hit(&self, instance: u32, slot: u32) -> Hit {
+        let found = self
+            .instance(instance)
+            .and_then(|(_, tree, _)| tree.triangles.get(slot as usize));
+        found.map_or(Hit::MISS, |triangle| Hit {
+            instance,
+            triangle: triangle[3],
+        })
+    }
+}
 
 impl RayCaster {
-    pub(crate) fn new(_scene: &Scene) -> Self {
-        Self
+    pub(crate) fn new(scene: &Scene) -> Self {
+        let trees: Vec<MeshTree> = scene.meshes.par_iter().map(MeshTree::new).collect();
+        let instances = Instances::new(scene, &trees);
+        Self {
+            trees,
+            instances,
+            instructions: Instructions::detect(),
+            tables: RayTables::default(),
+        }
+    }
+
+    fn prepared<'a>(&'a self, scene: &'a Scene) -> Prepared<'a> {
+        Prepared {
+            scene,
+            trees: &self.trees,
+            instances: &self.instances,
+        }
     }
 
     pub(crate) fn depth(&self, scene: &Scene, view: &View) -> ZDepth {
-        self.visibility(scene, view).z
+        self.render(scene, view, None)
     }
 
     pub(crate) fn visibility(&self, scene: &Scene, view: &View) -> Visibility {
-        brute::visibility(scene, view)
+        let size = view.camera.intrinsics.size;
+        let mut hits = Image::filled(size.width, size.height, Hit::MISS);
+        let z = self.render(scene, view, Some(&mut hits));
+        Visibility { z, hits }
     }
 
-    /// Whether anything lies on the ray between `near` and `far`, in lengths of `direction`; in the world, metres.
-    #[expect(dead_code, reason = "shadows come next")]
-    pub(crate) fn is_occluded(
-        &self,
-        scene: &Scene,
-        origin: DVec3,
-        direction: DVec3,
-        near: f64,
-        far: f64,
-    ) -> bool {
-        brute::is_occluded(scene, origin, direction, near, far)
+    /// The nearest triangle on the ray, both ends included, and how far it is, in lengths of `direction`. Of equally
+    /// near ones the first instance's first.
+    pub(crate) fn cast(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> Option<(f64, Hit)> {
+        self.instructions.run(Cast {
+            scene: &self.prepared(scene),
+            ray,
+            until: Until::Nearest,
+            stack,
+        })
+    }
+
+    /// Whether anything lies on the ray between its ends.
+    pub(crate) fn is_occluded(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
+        let found = self.instructions.run(Cast {
+            scene: &self.prepared(scene),
+            ray,
+            until: Until::Any,
+            stack,
+        });
+        found.is_some()
+    }
+
+    /// [`cast`](Self::cast) for each ray, in parallel.
+    pub(crate) fn cast_all(&self, scene: &Scene, rays: &[Ray]) -> Vec<Option<(f64, Hit)>> {
+        rays.par_iter()
+            .with_min_len(256)
+            .map_init(Stack::new, |stack, ray| self.cast(scene, *ray, stack))
+            .collect()
+    }
+
+    /// [`is_occluded`](Self::is_occluded) for each ray, in parallel.
+    pub(crate) fn are_occluded(&self, scene: &Scene, rays: &[Ray]) -> Vec<bool> {
+        rays.par_iter()
+            .with_min_len(256)
+            .map_init(Stack::new, |stack, ray| self.is_occluded(scene, *ray, stack))
+            .collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

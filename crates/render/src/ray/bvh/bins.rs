@@ -1,0 +1,130 @@
+use super::bounds::{Bounds, Item};
+
+/// How finely the surface area heuristic looks for a place to split.
+pub(super) const BINS: usize = 16;
+
+/// Adding it to a small number rounds that to a whole one, which then lies in the lowest bits.
+const ROUNDING: f32 = 12_582_912.0;
+
+/// The slices of a range along each axis, by where items' centres are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    start: [f32; 4],
+    per_length: [f32; 4],
+}
+
+impl Grid {
+    /// Over centres (doubled, as [`Bounds::center`] has them) within `centers`; an axis without extent has one slice.
+    pub(super) fn new(centers: &Bounds) -> Self {
+        let (min, max) = (centers.min(), centers.max());
+        let mut grid = Self {
+            start: [0.0; 4],
+            per_length: [0.0; 4],
+        };
+        for axis in 0..3 {
+            // A little less than all, so that the last centre stays below the end.
+            let per_length = 15.999 / (max[axis] - min[axis]);
+            if per_length.is_normal() {
+                grid.start[axis] = min[axis];
+                grid.per_length[axis] = per_length;
+            }
+        }
+        grid
+    }
+
+    /// The slice that an item is in, for each axis.
+    #[inline]
+    pub(super) fn slices(&self, bounds: &Bounds) -> [usize; 4] {
+        let center = bounds.center();
+        let rounded: [f32; 4] =
+            std::array::from_fn(|i| ((center[i] - self.start[i]) * self.per_length[i] - 0.5) + ROUNDING);
+        rounded.map(|x| (x.to_bits() & 15) as usize)
+    }
+
+    /// The slice along one axis; the same as [`slices`](Self::slices) says.
+    #[inline]
+    pub(super) fn slice(&self, axis: usize, bounds: &Bounds) -> usize {
+        let center = bounds.0[axis] - bounds.0[axis + 4];
+        let rounded = ((center - self.start[axis]) * self.per_length[axis] - 0.5) + ROUNDING;
+        (rounded.to_bits() & 15) as usize
+    }
+}
+
+/// What lies in each slice.
+#[derive(Clone, Debug)]
+pub(super) struct Bins {
+    bounds: [[Bounds; BINS]; 3],
+    counts: [[u32; BINS]; 3],
+}
+
+/// Items in slices below `slice` go to one side, with these boxes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    pub(super) axis: usize,
+    pub(super) slice: usize,
+    pub(super) below: Bounds,
+    pub(super) above: Bounds,
+}
+
+impl Bins {
+    pub(super) fn new(grid: &Grid, items: &[Item]) -> Self {
+        let mut bins = Self {
+            bounds: [[Bounds::EMPTY; BINS]; 3],
+            counts: [[0; BINS]; 3],
+        };
+        for item in items {
+            let bounds = item.bounds();
+            let slices = grid.slices(&bounds);
+            for (axis, slice) in slices.into_iter().take(3).enumerate() {
+                let bin = &mut bins.bounds[axis][slice];
+                *bin = bin.join(bounds);
+                bins.counts[axis][slice] += 1;
+            }
+        }
+        bins
+    }
+
+    pub(super) fn join(mut self, other: &Self) -> Self {
+        for axis in 0..3 {
+            for slice in 0..BINS {
+                self.bounds[axis][slice] = self.bounds[axis][slice].join(other.bounds[axis][slice]);
+                self.counts[axis][slice] += other.counts[axis][slice];
+            }
+        }
+        self
+    }
+
+    /// The cut with the least surface area times items; `None` where all is in one slice.
+    #[allow(clippy::cast_precision_loss, reason = "a heuristic")]
+    pub(super) fn best_cut(&self) -> Option<Cut> {
+        let mut best: Option<(f32, Cut)> = None;
+        for axis in 0..3 {
+            let (bounds, counts) = (&self.bounds[axis], &self.counts[axis]);
+            let mut above = [(Bounds::EMPTY, 0u32); BINS];
+            let mut sum = (Bounds::EMPTY, 0);
+            for slice in (1..BINS).rev() {
+                sum = (sum.0.join(bounds[slice]), sum.1 + counts[slice]);
+                above[slice] = sum;
+            }
+            let mut below = (Bounds::EMPTY, 0);
+            for slice in 1..BINS {
+                below = (below.0.join(bounds[slice - 1]), below.1 + counts[slice - 1]);
+                let above = above[slice];
+                if below.1 == 0 || above.1 == 0 {
+                    continue;
+                }
+                let cost = below.0.half_area() * below.1 as f32 + above.0.half_area() * above.1 as f32;
+                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                    let cut = Cut {
+                        axis,
+                        slice,
+                        below: below.0,
+                        above: above.0,
+                    };
+                    best = Some((cost, cut));
+                }
+            }
+        }
+        best.map(|(_, cut)| cut)
+    }
+}

@@ -1,0 +1,233 @@
+//! From the top down, by the surface area heuristic over slices. The tree does not depend on the number of threads.
+
+use rayon::prelude::*;
+
+use super::bins::{Bins, Grid};
+use super::bounds::{Bounds, Item};
+use super::{LEAF, Node};
+
+/// From here on down a range is halved whatever its shape, so that no tree is deeper than this and 32 halvings.
+const DEEPEST: u32 = 48;
+/// Ranges of more items than this are built in parallel.
+const PARALLEL: usize = 1 << 14;
+/// So many items are put into slices at a time where that is done in parallel.
+const CHUNK: usize = 1 << 16;
+
+/// The nodes over all items, the root first; leaves refer to the items' new order.
+pub(crate) fn build(items: &mut [Item]) -> Vec<Node> {
+    let measured = items.par_chunks(CHUNK).map(measure).reduce(
+        || (Bounds::EMPTY, Bounds::EMPTY),
+        |a, b| (a.0.join(b.0), a.1.join(b.1)),
+    );
+    let range = Range {
+        first: 0,
+        items,
+        bounds: measured.0,
+        centers: measured.1,
+        depth: 0,
+    };
+    let mut nodes = Vec::new();
+    if range.items.is_empty() {
+        nodes.push(Node::EMPTY);
+    } else {
+        grow(range, &mut nodes);
+    }
+    nodes
+}
+
+/// Items next to each other, their box, and the box of their (doubled) centres.
+#[derive(Debug)]
+struct Range<'a> {
+    first: usize,
+    items: &'a mut [Item],
+    bounds: Bounds,
+    centers: Bounds,
+    depth: u32,
+}
+
+fn measure(items: &[Item]) -> (Bounds, Bounds) {
+    items
+        .iter()
+        .fold((Bounds::EMPTY, Bounds::EMPTY), |(bounds, centers), item| {
+            (bounds.join(item.bounds()), centers.join(center(item)))
+        })
+}
+
+#[inline]
+fn center(item: &Item) -> Bounds {
+    let c = item.bounds().center();
+    Bounds([c[0], c[1], c[2], 0.0, -c[0], -c[1], -c[2], 0.0])
+}
+
+impl<'a> Range<'a> {
+    fn is_leaf(&self) -> bool {
+        self.items.len() <= LEAF
+    }
+
+    /// Two halves, neither of them empty.
+    fn split(self) -> [Self; 2] {
+        let cut = if self.depth < DEEPEST { self.cut() } else { None };
+        let Some((grid, cut)) = cut else {
+            return self.halve();
+        };
+        let is_below = |item: &Item| grid.slice(cut.axis, &item.bounds()) < cut.slice;
+        let mut centers = [Bounds::EMPTY; 2];
+        let (mut low, mut high) = (0, self.items.len());
+        while low < high {
+            let item = self.items[low];
+            if is_below(&item) {
+                centers[0] = centers[0].join(center(&item));
+                low += 1;
+            } else {
+                centers[1] = centers[1].join(center(&item));
+                high -= 1;
+                self.items.swap(low, high);
+            }
+        }
+        let (below, above) = self.items.split_at_mut(low);
+        let part = |first, items, bounds, centers| Range {
+            first,
+            items,
+            bounds,
+            centers,
+            depth: self.depth + 1,
+        };
+        [
+            part(self.first, below, cut.below, centers[0]),
+            part(self.first + low, above, cut.above, centers[1]),
+        ]
+    }
+
+    fn cut(&self) -> Option<(Grid, super::bins::Cut)> {
+        let grid = Grid::new(&self.centers);
+        let bins = if self.items.len() > 2 * CHUNK {
+            self.items
+                .par_chunks(CHUNK)
+                .map(|items| Bins::new(&grid, items))
+                .reduce_with(|a, b| a.join(&b))?
+        } else {
+            Bins::new(&grid, self.items)
+        };
+        Some((grid, bins.best_cut()?))
+    }
+
+    /// In the middle of the list: for items that no plane tells apart.
+    fn halve(self) -> [Self; 2] {
+        let middle = self.items.len() / 2;
+        let (below, above) = self.items.split_at_mut(middle);
+        [(self.first, below), (self.first + middle, above)].map(|(first, items)| {
+            let (bounds, centers) = measure(items);
+            Range {
+                first,
+                items,
+                bounds,
+                centers,
+                depth: self.depth + 1,
+            }
+        })
+    }
+}
+
+/// The children of a node: the range split until there are eight, the largest first.
+fn children(range: Range<'_>) -> Vec<Range<'_>> {
+    if range.items.len() > PARALLEL {
+        let [a, b] = range.split();
+        let (mut low, high) = rayon::join(|| quarters(a), || quarters(b));
+        low.extend(high);
+        return low;
+    }
+    let mut children = Vec::with_capacity(8);
+    children.push(range);
+    while children.len() < 8 {
+        let mut widest = None;
+        for (index, child) in children.iter().enumerate() {
+            let area = child.bounds.half_area();
+            if !child.is_leaf() && widest.is_none_or(|(_, least)| area > least) {
+                widest = Some((index, area));
+            }
+        }
+        let Some((index, _)) = widest else { break };
+        let [a, b] = children.swap_remove(index).split();
+        children.extend([a, b]);
+    }
+    children
+}
+
+/// Up to four parts.
+fn quarters(range: Range<'_>) -> Vec<Range<'_>> {
+    if range.is_leaf() {
+        return vec![range];
+    }
+    let [a, b] = range.split();
+    let (mut low, high) = rayon::join(|| halves(a), || halves(b));
+    low.extend(high);
+    low
+}
+
+fn halves(range: Range<'_>) -> Vec<Range<'_>> {
+    if range.is_leaf() {
+        vec![range]
+    } else {
+        range.split().into()
+    }
+}
+
+/// Appends the node over a range and all that is below it.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "items are counted in u32, a leaf has few"
+)]
+fn grow(range: Range, nodes: &mut Vec<Node>) {
+    let parallel = range.items.len() > PARALLEL;
+    let index = nodes.len();
+    nodes.push(Node::EMPTY);
+    let children = if range.is_leaf() {
+        vec![range]
+    } else {
+        children(range)
+    };
+    let mut node = Node::EMPTY;
+    for (slot, child) in children.iter().enumerate() {
+        let (min, max) = (child.bounds.min(), child.bounds.max());
+        for axis in 0..3 {
+            node.bounds[axis][slot] = min[axis];
+            node.bounds[axis + 3][slot] = max[axis];
+        }
+        if child.is_leaf() {
+            node.first[slot] = child.first as u32;
+            node.count[slot] = child.items.len() as u8;
+        }
+    }
+    let inner = children
+        .into_iter()
+        .enumerate()
+        .filter(|(_, child)| !child.is_leaf());
+    if parallel {
+        let grown: Vec<(usize, Vec<Node>)> = inner
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|(slot, child)| {
+                let mut nodes = Vec::new();
+                grow(child, &mut nodes);
+                (slot, nodes)
+            })
+            .collect();
+        for (slot, mut below) in grown {
+            let offset = nodes.len() as u32;
+            node.first[slot] = offset;
+            for node in &mut below {
+                for (first, count) in node.first.iter_mut().zip(node.count) {
+                    // Absent children are shifted too; nobody reads them.
+                    *first += if count == 0 { offset } else { 0 };
+                }
+            }
+            nodes.append(&mut below);
+        }
+    } else {
+        for (slot, child) in inner {
+            node.first[slot] = nodes.len() as u32;
+            grow(child, nodes);
+        }
+    }
+    nodes[index] = node;
+}

@@ -1,0 +1,185 @@
+//! A whole view, tile by tile.
+
+use oaktwin_camera::math::DVec3;
+use oaktwin_image::{Image, ZDepth};
+use oaktwin_scene::Scene;
+use rayon::prelude::*;
+
+use super::single::power_of_two_near;
+use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, State, TileRays, Trace, place};
+use super::{Prepared, Ray, RayCaster, Stack};
+use crate::{Hit, View};
+
+/// A row of tiles of an image, by columns and lines.
+struct Band<'a> {
+    row: u32,
+    z: &'a mut [f32],
+    hits: Option<&'a mut [Hit]>,
+}
+
+impl RayCaster {
+    pub(super) fn render(&self, scene: &Scene, view: &View, hits: Option<&mut Image<Hit>>) -> ZDepth {
+        let size = view.camera.intrinsics.size;
+        let mut z = Image::filled(size.width, size.height, f32::INFINITY);
+        let length = (size.width as usize * SIDE as usize).max(1);
+        let rays = self.tables.get(&view.camera, view.clips_along_axis());
+        let frame = FrameOfView {
+            caster: self,
+            scene: self.prepared(scene),
+            view,
+            rays: &rays,
+            origin: self.origin(view),
+        };
+        let bands = z
+            .pixels_mut()
+            .par_chunks_mut(length)
+            .zip(0..size.height.div_ceil(SIDE));
+        match hits {
+            Some(hits) => bands.zip(hits.pixels_mut().par_chunks_mut(length)).for_each_init(
+                Desk::new,
+                |desk, ((z, row), hits)| {
+                    frame.render_band(
+                        Band {
+                            row,
+                            z,
+                            hits: Some(hits),
+                        },
+                        desk,
+                    );
+                },
+            ),
+            None => bands.for_each_init(Desk::new, |desk, (z, row)| {
+                frame.render_band(Band { row, z, hits: None }, desk);
+            }),
+        }
+        ZDepth(z)
+    }
+
+    fn origin(&self, view: &View) -> Origin {
+        let point = view.world_from_camera.translation;
+        let (min, max) = (self.instances.bounds.min(), self.instances.bounds.max());
+        let reach = (0..3).map(|axis| {
+            (f64::from(min[axis]) - point[axis])
+                .abs()
+                .max((f64::from(max[axis]) - point[axis]).abs())
+        });
+        let extent = reach.fold(0.0, f64::max);
+        Origin {
+            point,
+            camera_from_world: view.world_from_camera.rotation.transpose(),
+            scale: power_of_two_near(1.0 / extent.clamp(1e-100, 1e100)),
+        }
+    }
+}
+
+/// All that the tiles of a view have in common.
+struct FrameOfView<'a> {
+    caster: &'a RayCaster,
+    scene: Prepared<'a>,
+    view: &'a View,
+    rays: &'a RayTable,
+    origin: Origin,
+}
+
+/// What a thread needs for tiles, used again and again.
+struct Desk {
+    stack: Stack,
+    state: State,
+    distances: PerRay<f64>,
+}
+
+impl Desk {
+    fn new() -> Self {
+        Self {
+            stack: Stack::new(),
+            state: State::NONE,
+            distances: [[0.0; 8]; PACKETS],
+        }
+    }
+}
+
+impl FrameOfView<'_> {
+    fn render_band(&self, mut band: Band, desk: &mut Desk) {
+        let width = self.view.camera.intrinsics.size.width;
+        for column in 0..width.div_ceil(SIDE) {
+            let (rays, directions) = self.rays.tile(column, band.row);
+            self.caster.instructions.run(Trace {
+                scene: &self.scene,
+                origin: &self.origin,
+                rays: &rays,
+                clip: self.view.clip,
+                state: &mut desk.state,
+                stack: &mut desk.stack,
+            });
+            self.caster.instructions.run(Solve {
+                scene: &self.scene,
+                origin: self.origin.point,
+                world_from_camera: self.view.world_from_camera.rotation,
+                seen: &desk.state.seen,
+                directions: &directions,
+                distances: &mut desk.distances,
+            });
+            self.finish(&rays, &directions, column, &mut band, desk);
+        }
+    }
+
+    /// Writes down what a tile's rays see.
+    #[allow(clippy::cast_possible_truncation, reason = "depth is float32")]
+    fn finish(
+        &self,
+        rays: &TileRays,
+        directions: &PerRay<DVec3>,
+        column: u32,
+        band: &mut Band,
+        desk: &mut Desk,
+    ) {
+        let width = self.view.camera.intrinsics.size.width;
+        let clip = self.view.clip;
+        for (y, line) in band.z.chunks_exact_mut(width as usize).enumerate() {
+            let from = (column * SIDE) as usize;
+            for (x, z) in line[from..].iter_mut().take(SIDE as usize).enumerate() {
+                let (packet, lane) = place(x, y);
+                let direction = directions[packet][lane];
+                let z_per_length = f64::from(rays.z_per_length[packet][lane]);
+                let instance = desk.state.seen.instance[packet][lane];
+                // Here single precision has seen that there is nothing, or there is no ray.
+                if instance == u32::MAX && (z_per_length > 0.0 || direction.is_nan()) {
+                    continue;
+                }
+                let mut t = desk.distances[packet][lane];
+                let inverse =
+                    f64::from(desk.state.seen.inverse_z[packet][lane]) * self.origin.scale * z_per_length;
+                // Seen all but from the side, single precision decides: it keeps to the triangle.
+                let error = (t * inverse - 1.0).abs();
+                if error.is_nan() || error > 1e-3 {
+                    t = 1.0 / inverse;
+                }
+                let is_within = instance != u32::MAX && t >= clip.near_m && t <= clip.far_m;
+                let (t, hit) = if is_within {
+                    let slot = desk.state.seen.triangle[packet][lane];
+                    (t, self.scene.hit(instance, slot))
+                } else if let Some(found) = self.cast(direction, &mut desk.stack) {
+                    found
+                } else {
+                    continue;
+                };
+                *z = (t * direction.z) as f32;
+                if let Some(hits) = &mut band.hits {
+                    hits[y * width as usize + from + x] = hit;
+                }
+            }
+        }
+    }
+
+    /// One ray by itself.
+    #[cold]
+    fn cast(&self, direction: DVec3, stack: &mut Stack) -> Option<(f64, Hit)> {
+        let ray = Ray {
+            origin: self.origin.point,
+            direction: self.view.world_from_camera.rotation * direction,
+            near: self.view.clip.near_m,
+            far: self.view.clip.far_m,
+        };
+        self.caster.cast(self.scene.scene, ray, stack)
+    }
+}

@@ -1,0 +1,317 @@
+//! One ray at a time, eight boxes or eight triangles at once.
+
+use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_scene::Mesh;
+
+use super::bvh::{Bounds, Node};
+use super::corners::corners;
+use super::exact::Plane;
+use super::mesh_tree::MeshTree;
+use super::simd::{Kernel, Lanes};
+use super::stack::{Entry, Stack, push_children};
+use super::vector::Vector;
+use super::{Prepared, Ray};
+use crate::Hit;
+
+/// What a search along a ray knows so far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Search {
+    near: f64,
+    /// The nearest crossing so far, or the ray's end.
+    far: f64,
+    hit: Hit,
+    until: Until,
+}
+
+/// When a search has seen enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// When nothing nearer is left. Both ends of the ray belong to it.
+    Nearest,
+    /// At any crossing between the ends.
+    Any,
+}
+
+impl Search {
+    /// Whether it is over.
+    fn offer(&mut self, t: f64, hit: Hit) -> bool {
+        match self.until {
+            Until::Any => {
+                let found = t > self.near && t < self.far;
+                if found {
+                    self.hit = hit;
+                }
+                found
+            }
+            Until::Nearest => {
+                let is_first = (hit.instance, hit.triangle) < (self.hit.instance, self.hit.triangle);
+                if t >= self.near && (t < self.far || (t == self.far && is_first)) {
+                    (self.far, self.hit) = (t, hit);
+                }
+                false
+            }
+        }
+    }
+}
+
+/// A ray through the whole scene.
+pub(crate) struct Cast<'a> {
+    pub(crate) scene: &'a Prepared<'a>,
+    pub(crate) ray: Ray,
+    pub(crate) until: Until,
+    pub(crate) stack: &'a mut Stack,
+}
+
+impl Kernel for Cast<'_> {
+    type Output = Option<(f64, Hit)>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Self::Output {
+        let Ray {
+            origin,
+            direction,
+            near,
+            far,
+        } = self.ray;
+        let mut search = Search {
+            near,
+            far,
+            hit: Hit::MISS,
+            until: self.until,
+        };
+        let top = self.scene.instances;
+        let path = Path::new(DAffine3::IDENTITY, origin, direction, &top.bounds)?;
+        let stack = self.stack;
+        stack.clear();
+        let mut visit = VisitInstances {
+            scene: self.scene,
+            ray: &self.ray,
+        };
+        walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
+        (!search.hit.is_miss()).then_some((search.far, search.hit))
+    }
+}
+
+/// What happens in a leaf.
+trait Visit {
+    /// Looks at a leaf's items; whether the search is over.
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool;
+}
+
+struct VisitInstances<'a> {
+    scene: &'a Prepared<'a>,
+    ray: &'a Ray,
+}
+
+impl Visit for VisitInstances<'_> {
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool {
+        for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
+            let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
+                continue;
+            };
+            let path = Path::new(mesh_from_world, self.ray.origin, self.ray.direction, &tree.bounds);
+            let Some(path) = path else { continue };
+            let mut visit = VisitTriangles {
+                mesh,
+                tree,
+                instance,
+                path: &path,
+            };
+            if walk::<L>(&tree.nodes, &path, search, stack, &mut visit) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+struct VisitTriangles<'a> {
+    mesh: &'a Mesh,
+    tree: &'a MeshTree,
+    instance: u32,
+    path: &'a Path,
+}
+
+impl Visit for VisitTriangles<'_> {
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, _: &mut Stack) -> bool {
+        let triangles = &self.tree.triangles[first as usize..][..count as usize];
+        let mut candidates = crossings::<L>(self.mesh, triangles, self.path, search);
+        while candidates != 0 {
+            let lane = candidates.trailing_zeros() as usize;
+            candidates &= candidates - 1;
+            if self.is_over_at(triangles[lane], search) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+impl VisitTriangles<'_> {
+    fn is_over_at(&self, [a, b, c, triangle]: [u32; 4], search: &mut Search) -> bool {
+        let corners = [a, b, c].map(|index| self.mesh.positions[index as usize]);
+        let t = Plane::new(corners, self.path.origin).meet(self.path.direction);
+        let instance = self.instance;
+        search.offer(t, Hit { instance, triangle })
+    }
+}
+
+/// A ray as boxes and triangles of one frame see it.
+struct Path {
+    origin: DVec3,
+    direction: DVec3,
+    /// `direction` times this is what single precision has; its own lengths are this much shorter.
+    stretch: f64,
+    single: [f32; 3],
+    /// The origin in two parts.
+    coarse: [f32; 3],
+    fine: [f32; 3],
+    /// A power of two that brings coordinates relative to the origin near 1.
+    scale: f32,
+    inverse: [f32; 3],
+    /// The planes of a node that the ray meets first and last, and the origin moved away from them.
+    first_planes: [usize; 3],
+    last_planes: [usize; 3],
+    origin_to_first: [f32; 3],
+    origin_to_last: [f32; 3],
+}
+
+impl Path {
+    /// `None` where the ray has no direction, or there is nothing to meet.
+    #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
+    fn new(frame_from_world: DAffine3, origin: DVec3, direction: DVec3, bounds: &Bounds) -> Option<Self> {
+        let origin = frame_from_world.transform_point3(origin);
+        let direction = frame_from_world.transform_vector3(direction);
+        let longest = direction.abs().max_element();
+        if !(origin.is_finite() && longest.is_normal() && bounds.is_finite()) {
+            return None;
+        }
+        let stretch = power_of_two_near(1.0 / longest);
+        let single = (direction * stretch).to_array().map(|x| x as f32);
+        let coarse = origin.to_array().map(|x| x as f32);
+        let fine: [f32; 3] = std::array::from_fn(|i| (origin[i] - f64::from(coarse[i])) as f32);
+        let reach = |axis: usize| {
+            let (min, max) = (bounds.min()[axis], bounds.max()[axis]);
+            f64::from(min.abs().max(max.abs())) + origin[axis].abs()
+        };
+        let extent = (0..3).map(reach).fold(0.0, f64::max);
+        // A direction along a plane of boxes still crosses them, very far away.
+        let inverse = single.map(|d| 1.0 / if d.abs() < 1e-18 { 1e-18f32.copysign(d) } else { d });
+        let is_forward = inverse.map(|x| x > 0.0);
+        // What rounding may do to a difference of coordinates, and to their distance from the ray.
+        let slack = (4e-7 * extent) as f32;
+        let moved = |axis: usize, forward: bool| {
+            if forward {
+                coarse[axis] + slack
+            } else {
+                coarse[axis] - slack
+            }
+        };
+        Some(Self {
+            origin,
+            direction,
+            stretch,
+            single,
+            coarse,
+            fine,
+            scale: power_of_two_near(1.0 / extent.clamp(1e-37, 1e37)) as f32,
+            inverse,
+            first_planes: std::array::from_fn(|axis| if is_forward[axis] { axis } else { axis + 3 }),
+            last_planes: std::array::from_fn(|axis| if is_forward[axis] { axis + 3 } else { axis }),
+            origin_to_first: std::array::from_fn(|axis| moved(axis, is_forward[axis])),
+            origin_to_last: std::array::from_fn(|axis| moved(axis, !is_forward[axis])),
+        })
+    }
+
+    /// A number of the ray's own lengths in this path's.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "all that uses it allows for rounding"
+    )]
+    fn lengths(&self, t: f64) -> f32 {
+        (t / self.stretch) as f32
+    }
+}
+
+/// The power of two at or below a positive number.
+pub(super) fn power_of_two_near(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
+}
+
+/// Visits each leaf that the ray meets, near ones first, until the search is over; whether it is.
+#[inline(always)]
+fn walk<L: Lanes>(
+    nodes: &[Node],
+    path: &Path,
+    search: &mut Search,
+    stack: &mut Stack,
+    visit: &mut impl Visit,
+) -> bool {
+    let base = stack.len();
+    stack.push(Entry::ROOT);
+    let near = L::splat(loosened(path.lengths(search.near), -1e-5));
+    let inverse = Vector::<L>::splat(path.inverse);
+    let to_first = Vector::<L>::splat(path.origin_to_first);
+    let to_last = Vector::<L>::splat(path.origin_to_last);
+    let [x, y, z] = path.first_planes;
+    let [x1, y1, z1] = path.last_planes;
+    while stack.len() > base {
+        let Some(entry) = stack.pop() else { break };
+        let far = loosened(path.lengths(search.far), 1e-5);
+        if entry.start > far {
+            continue;
+        }
+        if entry.count != 0 {
+            if visit.leaf::<L>(entry.first, entry.count, search, stack) {
+                stack.truncate(base);
+                return true;
+            }
+            continue;
+        }
+        let node = &nodes[entry.first as usize];
+        let planes = &node.bounds;
+        // In this order a NaN stays one, and hides the child.
+        let start = near
+            .max(L::load(&planes[x]).sub(to_first.x).mul(inverse.x))
+            .max(L::load(&planes[y]).sub(to_first.y).mul(inverse.y))
+            .max(L::load(&planes[z]).sub(to_first.z).mul(inverse.z));
+        let end = L::splat(far)
+            .min(L::load(&planes[x1]).sub(to_last.x).mul(inverse.x))
+            .min(L::load(&planes[y1]).sub(to_last.y).mul(inverse.y))
+            .min(L::load(&planes[z1]).sub(to_last.z).mul(inverse.z));
+        let end = end.mul(L::splat(1.0 + 1e-6)).max(end.mul(L::splat(1.0 - 1e-6)));
+        push_children(stack, node, start.le(end), start);
+    }
+    false
+}
+
+/// `t` moved by a part of itself, so that rounding loses nothing.
+fn loosened(t: f32, part: f32) -> f32 {
+    t + t.abs() * part
+}
+
+/// Which triangles the ray passes through, as far as single precision can tell.
+#[inline(always)]
+fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search: &Search) -> u32 {
+    let scale = L::splat(path.scale);
+    let coarse = Vector::splat(path.coarse);
+    let fine = Vector::splat(path.fine);
+    let direction = Vector::<L>::splat(path.single);
+    let [a, b, c] = corners::<L>(&mesh.positions, triangles);
+    let a = a.sub(coarse).sub(fine).scale(scale);
+    let b = b.sub(coarse).sub(fine).scale(scale);
+    let c = c.sub(coarse).sub(fine).scale(scale);
+    let ab = a.side(b).dot(direction);
+    let bc = b.side(c).dot(direction);
+    let ca = c.side(a).dot(direction);
+    let normal = b.sub(a).cross(c.sub(a));
+    let t = a.dot(normal).div(direction.dot(normal));
+    let zero = L::splat(0.0);
+    let is_inside = zero.le(ab.min(bc).min(ca)).signs() | ab.max(bc).max(ca).le(zero).signs();
+    let near = loosened(path.lengths(search.near) * path.scale, -1e-4);
+    let far = loosened(path.lengths(search.far) * path.scale, 1e-4);
+    let in_range = L::splat(near).le(t).and(t.le(L::splat(far)));
+    is_inside & in_range.signs() & ((1u32 << triangles.len()) - 1)
+}

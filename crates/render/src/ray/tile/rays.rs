@@ -1,0 +1,112 @@
+use oaktwin_camera::math::{DMat3, DVec3};
+
+/// A tile's width and height, px.
+pub(crate) const SIDE: u32 = 8;
+/// Packets in a tile: each of eight rays, four wide and two high.
+pub(crate) const PACKETS: usize = 8;
+
+/// A value for each ray of a tile, packet by packet.
+pub(crate) type PerRay<T> = [[T; 8]; PACKETS];
+
+/// The rays of a tile.
+#[derive(Clone, Debug)]
+pub(crate) struct TileRays {
+    /// The tile's frame: its z axis runs through the middle of the tile.
+    pub(crate) tile_from_camera: DMat3,
+    /// Where each ray meets the plane z = 1 of the tile's frame.
+    pub(crate) u: PerRay<f32>,
+    pub(crate) v: PerRay<f32>,
+    /// How far in z each ray comes with one length of its direction; 0 where there is no ray.
+    pub(crate) z_per_length: PerRay<f32>,
+    /// Between what u and v each packet's rays are, and a little more: so that rounding at a triangle's side does not
+    /// hide it from a ray. Inside out where there are none.
+    pub(crate) packets: Range<[f32; 8]>,
+    /// The same for all.
+    pub(crate) all: Range<f32>,
+}
+
+/// The least and the greatest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Range<T> {
+    pub(crate) u: [T; 2],
+    pub(crate) v: [T; 2],
+}
+
+/// The packet and the lane of a pixel of a tile.
+#[inline]
+pub(crate) const fn place(x: usize, y: usize) -> (usize, usize) {
+    (y / 2 * 2 + x / 4, y % 2 * 4 + x % 4)
+}
+
+impl TileRays {
+    /// Without rays.
+    pub(crate) const NONE: Self = Self {
+        tile_from_camera: DMat3::IDENTITY,
+        u: [[0.0; 8]; PACKETS],
+        v: [[0.0; 8]; PACKETS],
+        z_per_length: [[0.0; 8]; PACKETS],
+        packets: Range {
+            u: [[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]],
+            v: [[f32::INFINITY; 8], [f32::NEG_INFINITY; 8]],
+        },
+        all: Range {
+            u: [f32::INFINITY, f32::NEG_INFINITY],
+            v: [f32::INFINITY, f32::NEG_INFINITY],
+        },
+    };
+
+    /// Of directions in the camera's frame, packet by packet, NaN where there is no ray. In the camera's own frame if
+    /// `is_flat`, which is right where all directions have z = 1.
+    #[allow(clippy::cast_possible_truncation, reason = "of 1e-4 of a pixel")]
+    pub(crate) fn new(directions: &PerRay<DVec3>, is_flat: bool) -> Self {
+        let mut rays = Self::NONE;
+        if !is_flat {
+            let sum = directions.iter().flatten().filter(|d| !d.is_nan()).copied().sum();
+            rays.tile_from_camera = frame_along(sum);
+        }
+        for (packet, directions) in directions.iter().enumerate() {
+            for (lane, direction) in directions.iter().enumerate() {
+                let in_tile = rays.tile_from_camera * *direction;
+                // What looks sideways is no part of the tile.
+                let is_seen = is_flat || in_tile.z > 0.1 * direction.length();
+                let [u, v] = [in_tile.x / in_tile.z, in_tile.y / in_tile.z].map(|x| x as f32);
+                if !(is_seen && u.is_finite() && v.is_finite()) {
+                    continue;
+                }
+                rays.u[packet][lane] = u;
+                rays.v[packet][lane] = v;
+                rays.z_per_length[packet][lane] = in_tile.z as f32;
+                for (range, at) in [(&mut rays.packets.u, u), (&mut rays.packets.v, v)] {
+                    range[0][packet] = range[0][packet].min(at);
+                    range[1][packet] = range[1][packet].max(at);
+                }
+            }
+        }
+        for (packets, all) in [
+            (&mut rays.packets.u, &mut rays.all.u),
+            (&mut rays.packets.v, &mut rays.all.v),
+        ] {
+            let low = packets[0].into_iter().fold(f32::INFINITY, f32::min);
+            let high = packets[1].into_iter().fold(f32::NEG_INFINITY, f32::max);
+            if low <= high {
+                let slack = (high - low) / 256.0 + 2e-6 * (1.0 + low.abs().max(high.abs()));
+                *all = [low - slack, high + slack];
+                *packets = [packets[0].map(|x| x - slack), packets[1].map(|x| x + slack)];
+            }
+        }
+        rays
+    }
+
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.all.u[0] > self.all.u[1]
+    }
+}
+
+/// A frame whose z axis is along a direction and whose x axis is near the camera's.
+fn frame_along(direction: DVec3) -> DMat3 {
+    let z = direction.normalize_or(DVec3::Z);
+    let x = if z.x.abs() < 0.99 { DVec3::X } else { DVec3::NEG_Z };
+    let y = z.cross(x).normalize();
+    DMat3::from_cols(y.cross(z), y, z).transpose()
+}

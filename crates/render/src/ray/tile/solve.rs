@@ -1,0 +1,134 @@
+//! Double precision for what single precision found.
+
+use oaktwin_camera::math::{DMat3, DVec3};
+
+use super::rays::{PACKETS, PerRay};
+use super::state::Seen;
+use crate::ray::Prepared;
+use crate::ray::corners::corners;
+use crate::ray::mesh_tree::MeshTree;
+use crate::ray::simd::{Kernel, Lanes, Wide};
+
+/// Where rays meet the planes of the triangles that they see.
+pub(crate) struct Solve<'a> {
+    pub(crate) scene: &'a Prepared<'a>,
+    /// Where the rays start, in the world.
+    pub(crate) origin: DVec3,
+    pub(crate) world_from_camera: DMat3,
+    pub(crate) seen: &'a Seen,
+    /// In the camera's frame.
+    pub(crate) directions: &'a PerRay<DVec3>,
+    /// Gets the distance of each ray that sees something, in lengths of its direction.
+    pub(crate) distances: &'a mut PerRay<f64>,
+}
+
+/// The rays' origin and axes in the frame of an instance's mesh.
+struct Place<'a> {
+    positions: &'a [[f32; 3]],
+    tree: &'a MeshTree,
+    origin: DVec3,
+    mesh_from_camera: DMat3,
+}
+
+impl Kernel for Solve<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let mut known: Option<(u32, Place)> = None;
+        for packet in 0..PACKETS {
+            let instances = &self.seen.instance[packet];
+            let mut left = 0u32;
+            for (lane, instance) in instances.iter().enumerate() {
+                left |= u32::from(*instance != u32::MAX) << lane;
+            }
+            while left != 0 {
+                let instance = instances[left.trailing_zeros() as usize & 7];
+                if known.as_ref().is_none_or(|(of, _)| *of != instance) {
+                    known = self.place(instance).map(|place| (instance, place));
+                }
+                let mut lanes = 0;
+                for (lane, of) in instances.iter().enumerate() {
+                    lanes |= u32::from(*of == instance) << lane;
+                }
+                left &= !lanes;
+                let Some((_, place)) = &known else { continue };
+                let mut distances = [0.0; 8];
+                self.packet::<L>(place, packet, lanes).store(&mut distances);
+                for (lane, distance) in distances.into_iter().enumerate() {
+                    if lanes >> lane & 1 == 1 {
+                        self.distances[packet][lane] = distance;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl<'a> Solve<'a> {
+    fn place(&self, instance: u32) -> Option<Place<'a>> {
+        let (mesh, tree, mesh_from_world) = self.scene.instance(instance)?;
+        Some(Place {
+            positions: &mesh.positions,
+            tree,
+            origin: mesh_from_world.transform_point3(self.origin),
+            mesh_from_camera: mesh_from_world.matrix3 * self.world_from_camera,
+        })
+    }
+
+    /// Of a packet's rays that see an instance; `lanes` is not empty.
+    #[inline(always)]
+    fn packet<L: Lanes>(&self, place: &Place, packet: usize, lanes: u32) -> L::Wide {
+        let slots = &self.seen.triangle[packet];
+        // The other lanes repeat a triangle.
+        let first = slots[lanes.trailing_zeros() as usize & 7];
+        let mut triangles = [[0; 4]; 8];
+        for (lane, triangle) in triangles.iter_mut().enumerate() {
+            let slot = if lanes >> lane & 1 == 1 {
+                slots[lane]
+            } else {
+                first
+            };
+            *triangle = place.tree.triangles[slot as usize];
+        }
+        let [a, b, c] = corners::<L>(place.positions, &triangles);
+        // Differences and products of single-precision numbers are all but exact here.
+        let (ax, ay, az) = (a.x.widen(), a.y.widen(), a.z.widen());
+        let (bx, by, bz) = (b.x.widen().sub(ax), b.y.widen().sub(ay), b.z.widen().sub(az));
+        let (cx, cy, cz) = (c.x.widen().sub(ax), c.y.widen().sub(ay), c.z.widen().sub(az));
+        let nx = by.mul(cz).sub(bz.mul(cy));
+        let ny = bz.mul(cx).sub(bx.mul(cz));
+        let nz = bx.mul(cy).sub(by.mul(cx));
+        let o = place.origin;
+        let height = ax
+            .sub(L::Wide::splat(o.x))
+            .mul(nx)
+            .add(ay.sub(L::Wide::splat(o.y)).mul(ny))
+            .add(az.sub(L::Wide::splat(o.z)).mul(nz));
+        let mut direction = [[0.0; 8]; 3];
+        for (lane, d) in self.directions[packet].iter().enumerate() {
+            direction[0][lane] = d.x;
+            direction[1][lane] = d.y;
+            direction[2][lane] = d.z;
+        }
+        let m = place.mesh_from_camera;
+        let (dx, dy, dz) = (
+            L::Wide::load(&direction[0]),
+            L::Wide::load(&direction[1]),
+            L::Wide::load(&direction[2]),
+        );
+        let fall = nx
+            .mul(row::<L>(m.row(0), dx, dy, dz))
+            .add(ny.mul(row::<L>(m.row(1), dx, dy, dz)))
+            .add(nz.mul(row::<L>(m.row(2), dx, dy, dz)));
+        height.div(fall)
+    }
+}
+
+#[inline(always)]
+fn row<L: Lanes>(row: DVec3, x: L::Wide, y: L::Wide, z: L::Wide) -> L::Wide {
+    L::Wide::splat(row.x)
+        .mul(x)
+        .add(L::Wide::splat(row.y).mul(y))
+        .add(L::Wide::splat(row.z).mul(z))
+}

@@ -1,0 +1,167 @@
+use super::rays::{PACKETS, PerRay, TileRays};
+use super::triangles::Triangles;
+use crate::Clip;
+use crate::ray::mesh_tree::MeshTree;
+use crate::ray::simd::Lanes;
+use crate::ray::vector::Vector;
+
+/// What the rays of a tile see.
+#[derive(Clone, Debug)]
+pub(crate) struct Seen {
+    /// 1/z in the tile's frame, scaled; where nothing is seen, of the far end.
+    pub(crate) inverse_z: PerRay<f32>,
+    /// `u32::MAX` where nothing is seen.
+    pub(crate) instance: PerRay<u32>,
+    /// Into the triangles of the mesh's tree.
+    pub(crate) triangle: PerRay<u32>,
+}
+
+/// The triangles of a leaf.
+pub(super) struct Leaf<'a> {
+    pub(super) instance: u32,
+    /// Where they stand in the tree.
+    pub(super) first: u32,
+    pub(super) triangles: &'a [[u32; 4]],
+    pub(super) tree: &'a MeshTree,
+}
+
+/// What is known of a tile's rays so far.
+pub(crate) struct State {
+    pub(crate) seen: Seen,
+    /// The greatest 1/z that is not before the near end.
+    nearest: PerRay<f32>,
+    /// The least 1/z in each packet, and of all.
+    packet_least: [f32; 8],
+    pub(super) least: f32,
+    /// The greatest z that matters.
+    pub(super) farthest: f32,
+}
+
+impl State {
+    pub(crate) const NONE: Self = Self {
+        seen: Seen {
+            inverse_z: [[0.0; 8]; PACKETS],
+            instance: [[u32::MAX; 8]; PACKETS],
+            triangle: [[u32::MAX; 8]; PACKETS],
+        },
+        nearest: [[0.0; 8]; PACKETS],
+        packet_least: [0.0; 8],
+        least: 0.0,
+        farthest: 0.0,
+    };
+
+    /// Nothing is seen yet.
+    #[inline(always)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "ends are looked at again in double precision"
+    )]
+    pub(super) fn reset<L: Lanes>(&mut self, rays: &TileRays, clip: Clip, scale: f64) {
+        let near = L::splat((1.0 / (clip.near_m * scale) * (1.0 + 1e-5)) as f32);
+        let far = L::splat((1.0 / (clip.far_m * scale) * (1.0 - 1e-5)) as f32);
+        self.seen.instance = [[u32::MAX; 8]; PACKETS];
+        self.seen.triangle = [[u32::MAX; 8]; PACKETS];
+        for packet in 0..PACKETS {
+            let z_per_length = L::load(&rays.z_per_length[packet]);
+            let is_there = L::splat(0.0).lt(z_per_length);
+            // Where there is no ray, nothing is near enough.
+            let least = is_there.select(far.div(z_per_length), L::splat(f32::INFINITY));
+            let nearest = is_there.select(near.div(z_per_length), L::splat(-1.0));
+            least.store(&mut self.seen.inverse_z[packet]);
+            nearest.store(&mut self.nearest[packet]);
+            self.packet_least[packet] = least.least();
+        }
+        self.update_least();
+    }
+
+    fn update_least(&mut self) {
+        self.least = self.packet_least.into_iter().fold(f32::INFINITY, f32::min);
+        self.farthest = 1.0 / self.least * (1.0 + 1e-6);
+    }
+
+    /// Tests the triangles of a leaf against the packets that they may touch.
+    #[inline(always)]
+    pub(super) fn test<L: Lanes>(&mut self, rays: &TileRays, ready: &Triangles, leaf: &Leaf) {
+        let mut triangles = ready.seen & ((1 << leaf.triangles.len()) - 1);
+        let mut is_nearer = false;
+        while triangles != 0 {
+            let slot = leaf.first + triangles.trailing_zeros();
+            let index = triangles.trailing_zeros() as usize & 7;
+            triangles &= triangles - 1;
+            let greatest = L::splat(ready.greatest[index]);
+            let touched = L::load(&rays.packets.u[0])
+                .le(L::splat(ready.u[1][index]))
+                .and(L::splat(ready.u[0][index]).le(L::load(&rays.packets.u[1])))
+                .and(L::load(&rays.packets.v[0]).le(L::splat(ready.v[1][index])))
+                .and(L::splat(ready.v[0][index]).le(L::load(&rays.packets.v[1])))
+                .and(L::load(&self.packet_least).le(greatest));
+            let mut packets = touched.signs();
+            if packets == 0 {
+                continue;
+            }
+            let ab = Vector::<L>::splat_lane(&ready.sides[0], index);
+            let bc = Vector::<L>::splat_lane(&ready.sides[1], index);
+            let ca = Vector::<L>::splat_lane(&ready.sides[2], index);
+            let plane = Vector::<L>::splat_lane(&ready.plane, index);
+            let least = L::splat(ready.least[index]);
+            while packets != 0 {
+                let packet = packets.trailing_zeros() as usize & 7;
+                packets &= packets - 1;
+                let (u, v) = (L::load(&rays.u[packet]), L::load(&rays.v[packet]));
+                let inside = at(ab, u, v).min(at(bc, u, v)).min(at(ca, u, v));
+                let w = at(plane, u, v).max(least).min(greatest);
+                let best = L::load(&self.seen.inverse_z[packet]);
+                let mut met = L::splat(0.0)
+                    .le(inside)
+                    .and(best.le(w))
+                    .and(w.le(L::load(&self.nearest[packet])));
+                let met_bits = met.signs();
+                if met_bits == 0 {
+                    continue;
+                }
+                is_nearer = true;
+                let equal = met_bits & w.le(best).signs();
+                if equal != 0 {
+                    met = L::load_bits(&self.first_of_equals(met_bits, equal, packet, index, leaf));
+                }
+                let nearer = met.select(w, best);
+                nearer.store(&mut self.seen.inverse_z[packet]);
+                replace(met, leaf.instance, &mut self.seen.instance[packet]);
+                replace(met, slot, &mut self.seen.triangle[packet]);
+                self.packet_least[packet] = nearer.least();
+            }
+        }
+        if is_nearer {
+            self.update_least();
+        }
+    }
+
+    /// `met` as lanes, without those of `equal` that saw an earlier instance or triangle equally near.
+    #[cold]
+    fn first_of_equals(&self, met: u32, equal: u32, packet: usize, index: usize, leaf: &Leaf) -> [u32; 8] {
+        std::array::from_fn(|lane| {
+            let known = self.seen.instance[packet][lane];
+            let is_later = || {
+                let slot = self.seen.triangle[packet][lane] as usize;
+                known < leaf.instance
+                    || (known == leaf.instance && leaf.tree.triangles[slot][3] < leaf.triangles[index][3])
+            };
+            let is_met = met >> lane & 1 == 1 && !(equal >> lane & 1 == 1 && is_later());
+            if is_met { u32::MAX } else { 0 }
+        })
+    }
+}
+
+/// Puts a number where the lane is all ones.
+#[inline(always)]
+fn replace<L: Lanes>(place: L, number: u32, numbers: &mut [u32; 8]) {
+    place
+        .select(L::splat(f32::from_bits(number)), L::load_bits(numbers))
+        .store_bits(numbers);
+}
+
+/// `(u, v, 1) · n`.
+#[inline(always)]
+fn at<L: Lanes>(n: Vector<L>, u: L, v: L) -> L {
+    n.x.mul(u).add(n.y.mul(v)).add(n.z)
+}

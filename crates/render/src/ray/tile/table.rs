@@ -1,0 +1,151 @@
+use std::borrow::Cow;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Camera, LensModel, PixelPoint, Usd};
+use rayon::prelude::*;
+
+use super::rays::{PerRay, SIDE, TileRays, place};
+
+/// So many cameras' rays are kept.
+const KEPT: usize = 4;
+
+/// All rays of a camera, in its own frame.
+#[derive(Debug)]
+pub(crate) struct RayTable {
+    camera: Camera,
+    /// Whether all directions have z = 1; else they are of unit length.
+    is_flat: bool,
+    rays: Rays,
+}
+
+#[derive(Debug)]
+enum Rays {
+    /// Of an ideal pinhole: x and y of the directions, for each column and each row.
+    Grid { x: Vec<f64>, y: Vec<f64> },
+    /// Tile by tile.
+    Tiles(Vec<(TileRays, PerRay<DVec3>)>),
+}
+
+impl RayTable {
+    fn new(camera: Camera, is_flat: bool) -> Self {
+        let size = camera.intrinsics.size;
+        let normalized = |x: u32, y: u32| {
+            let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            camera.intrinsics.normalized_from_pixel(pixel)
+        };
+        let rays = if camera.lens == LensModel::Pinhole {
+            Rays::Grid {
+                x: (0..size.width).map(|x| normalized(x, 0).x).collect(),
+                y: (0..size.height).map(|y| normalized(0, y).y).collect(),
+            }
+        } else {
+            let unproject = |x: u32, y: u32| {
+                let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                let ray = camera.unproject(pixel)?;
+                Some(if is_flat { ray / ray.z } else { ray })
+            };
+            let (columns, rows) = (size.width.div_ceil(SIDE), size.height.div_ceil(SIDE));
+            let tiles = over(columns, rows, |column, row| {
+                let directions = in_tile(column, row, (size.width, size.height), |x, y| {
+                    unproject(x, y).unwrap_or(DVec3::NAN)
+                });
+                (TileRays::new(&directions, is_flat), directions)
+            });
+            Rays::Tiles(tiles)
+        };
+        Self {
+            camera,
+            is_flat,
+            rays,
+        }
+    }
+
+    /// The rays of the tile in a column and a row of tiles, and their directions in the camera's frame, NaN where
+    /// there is none.
+    pub(crate) fn tile(&self, column: u32, row: u32) -> (Cow<'_, TileRays>, Cow<'_, PerRay<DVec3>>) {
+        let size = self.camera.intrinsics.size;
+        match &self.rays {
+            Rays::Grid { x: xs, y: ys } => {
+                let directions = in_tile(column, row, (size.width, size.height), |x, y| {
+                    DVec3::new(xs[x as usize], ys[y as usize], 1.0)
+                });
+                (
+                    Cow::Owned(TileRays::new(&directions, self.is_flat)),
+                    Cow::Owned(directions),
+                )
+            }
+            Rays::Tiles(tiles) => {
+                let columns = size.width.div_ceil(SIDE) as usize;
+                let (rays, directions) = &tiles[row as usize * columns + column as usize];
+                (Cow::Borrowed(rays), Cow::Borrowed(directions))
+            }
+        }
+    }
+}
+
+/// The directions of a tile's pixels; NaN outside of the image.
+fn in_tile(
+    column: u32,
+    row: u32,
+    (width, height): (u32, u32),
+    direction: impl Fn(u32, u32) -> DVec3,
+) -> PerRay<DVec3> {
+    let mut directions = PerRay::default();
+    for y in 0..SIDE {
+        for x in 0..SIDE {
+            let (packet, lane) = place(x as usize, y as usize);
+            let (x, y) = (column * SIDE + x, row * SIDE + y);
+            directions[packet][lane] = if x < width && y < height {
+                direction(x, y)
+            } else {
+                DVec3::NAN
+            };
+        }
+    }
+    directions
+}
+
+/// A value for each place, by rows.
+#[allow(clippy::cast_possible_truncation, reason = "of what were u32")]
+fn over<T: Send>(width: u32, height: u32, value: impl Fn(u32, u32) -> T + Sync) -> Vec<T> {
+    let mut values = Vec::new();
+    (0..width as usize * height as usize)
+        .into_par_iter()
+        .map(|index| {
+            let (x, y) = (index % width as usize, index / width as usize);
+            value(x as u32, y as u32)
+        })
+        .collect_into_vec(&mut values);
+    values
+}
+
+/// The rays of the cameras that were used last: bending them is slow, and where the camera stands does not matter.
+#[derive(Debug, Default)]
+pub(crate) struct RayTables(Mutex<Vec<Arc<RayTable>>>);
+
+impl RayTables {
+    /// Of a camera; `is_flat` if its rays are measured along the optical axis.
+    pub(crate) fn get(&self, camera: &Camera, is_flat: bool) -> Arc<RayTable> {
+        if camera.lens == LensModel::Pinhole {
+            return Arc::new(RayTable::new(*camera, is_flat));
+        }
+        let known = |tables: &[Arc<RayTable>]| tables.iter().position(|table| table.camera == *camera);
+        let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(index) = known(&tables) {
+            tables[index..].rotate_left(1);
+            return Arc::clone(&tables[tables.len() - 1]);
+        }
+        // Made outside of the lock: at worst twice.
+        drop(tables);
+        let made = Arc::new(RayTable::new(*camera, is_flat));
+        let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if known(&tables).is_none() {
+            if tables.len() == KEPT {
+                tables.remove(0);
+            }
+            tables.push(Arc::clone(&made));
+        }
+        made
+    }
+}

@@ -1,0 +1,195 @@
+use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
+use oaktwin_scene::Mesh;
+
+use super::frame::Frame;
+use super::rays::TileRays;
+use super::state::{Leaf, State};
+use super::triangles::Triangles;
+use crate::Clip;
+use crate::ray::Prepared;
+use crate::ray::bvh::Node;
+use crate::ray::corners::corners;
+use crate::ray::mesh_tree::MeshTree;
+use crate::ray::simd::{Kernel, Lanes};
+use crate::ray::stack::{Entry, Stack, push_children};
+
+/// Where all rays start.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin {
+    /// In the world.
+    pub(crate) point: DVec3,
+    pub(crate) camera_from_world: DMat3,
+    /// A power of two that lengths in the tile's frame are multiplied with, so that they are neither tiny nor huge.
+    pub(crate) scale: f64,
+}
+
+/// The rays of one tile through the whole scene.
+pub(crate) struct Trace<'a> {
+    pub(crate) scene: &'a Prepared<'a>,
+    pub(crate) origin: &'a Origin,
+    pub(crate) rays: &'a TileRays,
+    pub(crate) clip: Clip,
+    pub(crate) state: &'a mut State,
+    pub(crate) stack: &'a mut Stack,
+}
+
+impl Kernel for Trace<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Self {
+            scene,
+            origin,
+            rays,
+            clip,
+            state,
+            stack,
+        } = self;
+        state.reset::<L>(rays, clip, origin.scale);
+        if rays.is_empty() {
+            return;
+        }
+        let top = scene.instances;
+        let tile_from_world = rays.tile_from_camera * origin.camera_from_world * origin.scale;
+        let world = Frame::new(
+            &tile_from_world,
+            origin.point,
+            &DAffine3::IDENTITY,
+            &top.bounds,
+            &rays.all,
+        );
+        let Some(world) = world else { return };
+        stack.clear();
+        let mut visit = VisitInstances {
+            scene,
+            origin,
+            rays,
+            tile_from_world,
+        };
+        walk::<L>(&top.nodes, &world, state, stack, &mut visit);
+    }
+}
+
+/// What happens in a leaf.
+trait Visit {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack);
+
+    #[inline(always)]
+    fn prefetch_early<L: Lanes>(&self, _first: u32) {}
+    #[inline(always)]
+    fn prefetch<L: Lanes>(&self, _first: u32, _count: u32) {}
+}
+
+struct VisitInstances<'a> {
+    scene: &'a Prepared<'a>,
+    origin: &'a Origin,
+    rays: &'a TileRays,
+    tile_from_world: DMat3,
+}
+
+impl Visit for VisitInstances<'_> {
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack) {
+        for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
+            let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
+                continue;
+            };
+            let frame = Frame::new(
+                &self.tile_from_world,
+                mesh_from_world.transform_point3(self.origin.point),
+                &self.scene.scene.instances[instance as usize].world_from_mesh,
+                &tree.bounds,
+                &self.rays.all,
+            );
+            let Some(frame) = frame else { continue };
+            let mut visit = VisitTriangles {
+                mesh,
+                tree,
+                instance,
+                frame: &frame,
+                rays: self.rays,
+                ready: Triangles::NONE,
+            };
+            walk::<L>(&tree.nodes, &frame, state, stack, &mut visit);
+        }
+    }
+}
+
+struct VisitTriangles<'a> {
+    mesh: &'a Mesh,
+    tree: &'a MeshTree,
+    instance: u32,
+    frame: &'a Frame,
+    rays: &'a TileRays,
+    ready: Triangles,
+}
+
+impl Visit for VisitTriangles<'_> {
+    #[inline(always)]
+    fn prefetch_early<L: Lanes>(&self, first: u32) {
+        let triangles = &self.tree.triangles[first as usize..];
+        L::prefetch(&triangles[0]);
+        L::prefetch(&triangles[4.min(triangles.len() - 1)]);
+    }
+    #[inline(always)]
+    fn prefetch<L: Lanes>(&self, first: u32, count: u32) {
+        for triangle in &self.tree.triangles[first as usize..][..count as usize] {
+            L::prefetch(&self.mesh.positions[triangle[0] as usize]);
+        }
+    }
+
+    #[inline(always)]
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Stack) {
+        let triangles = &self.tree.triangles[first as usize..][..count as usize];
+        let corners = corners::<L>(&self.mesh.positions, triangles);
+        self.ready.set(corners, self.frame, &self.rays.all, state.least);
+        let leaf = Leaf {
+            instance: self.instance,
+            first,
+            triangles,
+            tree: self.tree,
+        };
+        state.test::<L>(self.rays, &self.ready, &leaf);
+    }
+}
+
+/// Visits each leaf that the tile may see, near ones first.
+#[inline(always)]
+fn walk<L: Lanes>(
+    nodes: &[Node],
+    frame: &Frame,
+    state: &mut State,
+    stack: &mut Stack,
+    visit: &mut impl Visit,
+) {
+    let base = stack.len();
+    stack.push(Entry::ROOT);
+    while stack.len() > base {
+        let Some(entry) = stack.pop() else { break };
+        if entry.start > state.farthest {
+            continue;
+        }
+        if entry.count != 0 {
+            if let Some(next) = stack.last().filter(|next| next.count != 0) {
+                visit.prefetch::<L>(next.first, next.count);
+            }
+            visit.leaf::<L>(entry.first, entry.count, state, stack);
+            continue;
+        }
+        let node = &nodes[entry.first as usize];
+        let (seen, starts) = frame.children::<L>(node, state.farthest);
+        let from = stack.len();
+        push_children(stack, node, seen, starts);
+        for entry in &stack[from..] {
+            if entry.count == 0 {
+                let bounds = &nodes[entry.first as usize].bounds;
+                L::prefetch(&bounds[0]);
+                L::prefetch(&bounds[2]);
+                L::prefetch(&bounds[4]);
+            } else {
+                visit.prefetch_early::<L>(entry.first);
+            }
+        }
+    }
+}

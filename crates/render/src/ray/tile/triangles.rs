@@ -1,0 +1,100 @@
+use super::frame::Frame;
+use super::rays::Range;
+use crate::ray::corners::Corners;
+use crate::ray::simd::Lanes;
+
+/// Up to eight triangles made ready for rays of one origin.
+#[derive(Clone, Debug)]
+pub(super) struct Triangles {
+    /// The normals of the planes through the origin and each side: a ray that is on the positive side of all three
+    /// meets the triangle.
+    pub(super) sides: [[[f32; 8]; 3]; 3],
+    /// The plane: 1/z along a ray `(u, v, 1)` is the dot product.
+    pub(super) plane: [[f32; 8]; 3],
+    /// Between which 1/z lies.
+    pub(super) least: [f32; 8],
+    pub(super) greatest: [f32; 8],
+    /// Where it is on the plane z = 1.
+    pub(super) u: [[f32; 8]; 2],
+    pub(super) v: [[f32; 8]; 2],
+    /// Which of them the tile may see, a bit each.
+    pub(super) seen: u32,
+}
+
+impl Triangles {
+    pub(super) const NONE: Self = Self {
+        sides: [[[0.0; 8]; 3]; 3],
+        plane: [[0.0; 8]; 3],
+        least: [0.0; 8],
+        greatest: [0.0; 8],
+        u: [[0.0; 8]; 2],
+        v: [[0.0; 8]; 2],
+        seen: 0,
+    };
+
+    /// Makes triangles ready that the tile may see at 1/z of at least `least`.
+    #[inline(always)]
+    pub(super) fn set<L: Lanes>(
+        &mut self,
+        corners: Corners<L>,
+        frame: &Frame,
+        extent: &Range<f32>,
+        least: f32,
+    ) {
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
+        let a = frame.see(corners[0]);
+        let b = frame.see(corners[1]);
+        let c = frame.see(corners[2]);
+        let nearest = a.z.min(b.z).min(c.z);
+        let farthest = a.z.max(b.z).max(c.z);
+        // Where a corner is behind, the triangle may be anywhere.
+        let in_front = zero.lt(nearest);
+        let (wa, wb, wc) = (one.div(a.z), one.div(b.z), one.div(c.z));
+        let u = range(in_front, a.x.mul(wa), b.x.mul(wb), c.x.mul(wc));
+        let v = range(in_front, a.y.mul(wa), b.y.mul(wb), c.y.mul(wc));
+        let greatest = in_front.select(
+            wa.max(wb).max(wc).mul(L::splat(1.0 + 1e-6)),
+            L::splat(f32::INFINITY),
+        );
+
+        // From the back all signs are the other ones.
+        let normal = b.sub(a).cross(c.sub(a));
+        let volume = a.dot(normal);
+        let sign = volume.and(L::splat(-0.0));
+        // Seen exactly from the side, it is nothing.
+        let seen = zero
+            .lt(volume.xor(sign))
+            .and(zero.lt(farthest))
+            .and(L::splat(least).le(greatest))
+            .and(u[0].le(L::splat(extent.u[1])))
+            .and(L::splat(extent.u[0]).le(u[1]))
+            .and(v[0].le(L::splat(extent.v[1])))
+            .and(L::splat(extent.v[0]).le(v[1]));
+        self.seen = seen.signs();
+        if self.seen == 0 {
+            return;
+        }
+        a.side(b).turned(sign).store(&mut self.sides[0]);
+        b.side(c).turned(sign).store(&mut self.sides[1]);
+        c.side(a).turned(sign).store(&mut self.sides[2]);
+        normal.scale(one.div(volume)).store(&mut self.plane);
+        L::splat(1.0 - 1e-6).div(farthest).store(&mut self.least);
+        greatest.store(&mut self.greatest);
+        u[0].store(&mut self.u[0]);
+        u[1].store(&mut self.u[1]);
+        v[0].store(&mut self.v[0]);
+        v[1].store(&mut self.v[1]);
+    }
+}
+
+/// From the least to the greatest of three, and a little more for rounding; everything if not `known`.
+#[inline(always)]
+fn range<L: Lanes>(known: L, p: L, q: L, r: L) -> [L; 2] {
+    let (low, high) = (p.min(q).min(r), p.max(q).max(r));
+    let slack = high.max(L::splat(0.0).sub(low)).mul(L::splat(1e-6));
+    [
+        known.select(low.sub(slack), L::splat(f32::NEG_INFINITY)),
+        known.select(high.add(slack), L::splat(f32::INFINITY)),
+    ]
+}
