@@ -22,19 +22,33 @@ pub(crate) struct Environment {
     pub(crate) name: &'static str,
     /// The Python versions that its packages have wheels for, first and last; no last where none is known.
     versions: (Version, Option<Version>),
+    /// What is tested in it.
+    pub(crate) tests: &'static str,
 }
+
+/// The tests that ask other people's libraries.
+const ORACLES: &str = "tests/oracles";
 
 /// The newest OpenUSD and the other oracles; the OpenUSD generation of Isaac Sim 5.1.
 pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     Environment {
         name: "current",
         versions: ((3, 11), None),
+        tests: ORACLES,
     },
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),
+        tests: ORACLES,
     },
 ];
+
+/// Open3D and the other engines that depth frames are compared with: large, so only made where they are asked for.
+pub(crate) const RENDER: Environment = Environment {
+    name: "render",
+    versions: ((3, 11), None),
+    tests: "tests/oracles/test_render.py",
+};
 
 impl Interpreter {
     /// The Pythons found under their usual names, the default one first. `OAKTWIN_PYTHON` names one more, before all.
@@ -88,6 +102,11 @@ impl Environment {
         Err(format!(
             "its packages want {wanted}, and {found} is here; OAKTWIN_PYTHON can name another"
         ))
+    }
+
+    /// Its folder.
+    pub(crate) fn folder(&self) -> PathBuf {
+        workspace::target().join("oracles").join(self.name)
     }
 
     /// Makes it if it is not there as its requirements file has it; the path of its Python.

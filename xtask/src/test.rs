@@ -5,12 +5,9 @@ use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
-use crate::python::{ENVIRONMENTS, Environment, Interpreter};
+use crate::python::{ENVIRONMENTS, Environment, Interpreter, RENDER};
 use crate::report::Report;
 use crate::workspace;
-
-/// The tests that ask other people's libraries.
-const ORACLES: &str = "tests/oracles";
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -26,6 +23,7 @@ pub(crate) struct Args {
 struct Programs {
     oaktwin: PathBuf,
     camera_eval: PathBuf,
+    scene_dump: PathBuf,
 }
 
 /// What became of a Python environment.
@@ -39,7 +37,8 @@ enum Readiness {
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
     // Mostly waiting for downloads: done beside the Rust steps.
-    let environments = (!args.skip_python).then(|| thread::spawn(prepare_environments));
+    let all = args.all;
+    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(all)));
     rust_steps(&mut report, args);
     match environments {
         None => report.skip("Python oracles", "--skip-python"),
@@ -79,7 +78,8 @@ fn rust_steps(report: &mut Report, args: &Args) {
     report.command("Rust tests", &mut test, counts::of_cargo_test);
 }
 
-fn prepare_environments() -> Vec<(&'static Environment, Readiness)> {
+/// The large one only for the slow tests, which are all that it is for.
+fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
     let interpreters = Interpreter::find_all();
     let prepare = |environment: &'static Environment| {
         let readiness = match environment.choose(&interpreters) {
@@ -91,7 +91,8 @@ fn prepare_environments() -> Vec<(&'static Environment, Readiness)> {
         };
         (environment, readiness)
     };
-    ENVIRONMENTS.iter().map(prepare).collect()
+    let large = all.then_some(&RENDER);
+    ENVIRONMENTS.iter().chain(large).map(prepare).collect()
 }
 
 fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
@@ -116,7 +117,11 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             }
             (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
             (Readiness::Ready(python), Some(programs)) => {
-                report.command(&name, &mut pytest(python, programs, args), counts::of_pytest);
+                report.command(
+                    &name,
+                    &mut pytest(python, environment.tests, programs, args),
+                    counts::of_pytest,
+                );
             }
         }
     }
@@ -124,7 +129,10 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
 
 fn build_programs() -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
-    let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin", "--bin", "camera-eval"])?;
+    let names = ["oaktwin", "camera-eval", "scene-dump"];
+    let mut arguments = vec!["--workspace"];
+    arguments.extend(names.iter().flat_map(|name| ["--bin", name]));
+    let mut programs = workspace::build(&arguments)?;
     let mut take = |name| {
         programs
             .remove(name)
@@ -133,10 +141,11 @@ fn build_programs() -> Result<Programs, String> {
     Ok(Programs {
         oaktwin: take("oaktwin")?,
         camera_eval: take("camera-eval")?,
+        scene_dump: take("scene-dump")?,
     })
 }
 
-fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
+fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Command {
     let mut command = Command::new(python);
     command.current_dir(workspace::root());
     command.args([
@@ -147,13 +156,14 @@ fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
         "--color=no",
         "-p",
         "no:cacheprovider",
-        ORACLES,
+        tests,
     ]);
     if args.all {
         command.arg("--slow");
     }
     command.env("OAKTWIN_BIN", &programs.oaktwin);
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
+    command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
     // The environment is pinned: nothing of the user's own Python gets in.
     command
         .env_remove("PYTHONPATH")

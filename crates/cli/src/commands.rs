@@ -8,4 +8,5 @@ pub(crate) mod demo;
 pub(crate) mod export;
 pub(crate) mod manual;
 pub(crate) mod models;
+pub(crate) mod render;
 pub(crate) mod show;

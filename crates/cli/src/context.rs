@@ -19,15 +19,24 @@ pub(crate) enum Exit {
     Good,
     Findings,
     Error,
+    Interrupted,
+}
+
+impl Exit {
+    pub(crate) const fn code(self) -> u8 {
+        match self {
+            Self::Good => 0,
+            Self::Findings => 1,
+            Self::Error => 2,
+            // As a shell reports a program that Ctrl-C ended.
+            Self::Interrupted => 130,
+        }
+    }
 }
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
-        Self::from(match exit {
-            Exit::Good => 0,
-            Exit::Findings => 1,
-            Exit::Error => 2,
-        })
+        Self::from(exit.code())
     }
 }
 

@@ -5,7 +5,9 @@ mod args;
 mod commands;
 mod context;
 mod destination;
+mod interrupt;
 mod output;
+mod progress;
 
 use std::process::ExitCode;
 
@@ -41,6 +43,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Compare(args) => commands::compare::run(&context, args),
         Command::Calibration(args) => commands::calibration::run(&context, args),
         Command::Asset(args) => commands::asset::run(&context, args),
+        Command::Render(args) => commands::render::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Good),
     }

@@ -79,7 +79,7 @@ pub struct Frame {
     pub semantic_segmentation: Option<SemanticSegmentation>,
     /// Boxes around what is seen of each labelled thing.
     pub bounding_box_2d_tight: Option<Boxes2d>,
-    /// Boxes around the whole of each labelled thing of which something is seen.
+    /// Boxes around the whole of each labelled thing in the image, whatever hides it.
     pub bounding_box_2d_loose: Option<Boxes2d>,
     /// Where each pixel's ray ends.
     pub pointcloud: Option<PointCloud>,

@@ -1,11 +1,26 @@
 //! Typed images: depth that says what it measures and what invalid means, the annotations of a ground-truth frame,
 //! and the files that hold them.
 //!
-//! Rows run from top to bottom, pixels from left to right.
+//! Rows run from top to bottom, pixels from left to right. Codecs go from bytes to images and back; they open no files.
 
 pub mod annotation;
+mod bytes;
+pub mod colormap;
 mod depth;
+mod error;
+pub mod exr;
+mod limits;
+pub mod millimetres;
+pub mod npy;
+pub mod pfm;
 mod plane;
+pub mod ply;
+pub mod png;
+pub mod preview;
+pub mod srgb;
+pub mod text;
+pub mod texture;
 
 pub use depth::{RangeDepth, ZDepth};
+pub use error::CodecError;
 pub use plane::Image;

@@ -2,7 +2,8 @@
 //!
 //! A [`Twin`](catalog::Twin) is a device with every camera resolved: optics, lens, place. It comes from the
 //! [`Catalog`](catalog::Catalog), nominal, or from a calibration, as one unit's ([`unit::open`]), and becomes a USD
-//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]).
+//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]), or is put
+//! into a scene, to see what it would see there ([`render`]).
 //!
 //! ```
 //! use oaktwin::camera::{Usd, math::DVec3};
@@ -23,12 +24,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod contact_sheet;
 pub mod files;
+pub mod render;
 pub mod report;
 pub mod unit;
 
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
+pub use oaktwin_dataset as dataset;
 pub use oaktwin_diagnostic as diagnostic;
+pub use oaktwin_image as image;
+pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

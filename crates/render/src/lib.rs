@@ -3,13 +3,19 @@
 //! A [`View`] says what a camera sees from where. Two backends find out what each pixel sees, and must agree: a
 //! rasterizer for ideal pinholes, a ray caster for every lens.
 
+mod annotate;
 mod backend;
+#[cfg(test)]
+mod fixture;
 mod raster;
 mod ray;
+mod rays;
 mod renderer;
+mod shade;
 mod view;
 mod visibility;
 
+pub use annotate::AnnotateOptions;
 pub use backend::Backend;
 pub use ray::Ray;
 pub use renderer::Renderer;

@@ -3,8 +3,10 @@ use std::sync::OnceLock;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::Scene;
 
+use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
+use crate::shade::Shader;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
 /// A scene made ready to be rendered any number of times, from any number of threads.
@@ -15,6 +17,8 @@ pub struct Renderer {
     scene: Scene,
     rasterizer: OnceLock<Rasterizer>,
     ray_caster: OnceLock<RayCaster>,
+    semantics: OnceLock<Semantics>,
+    shader: OnceLock<Shader>,
 }
 
 impl Renderer {
@@ -25,6 +29,8 @@ impl Renderer {
             scene,
             rasterizer: OnceLock::new(),
             ray_caster: OnceLock::new(),
+            semantics: OnceLock::new(),
+            shader: OnceLock::new(),
         }
     }
 
@@ -71,5 +77,13 @@ impl Renderer {
 
     pub(crate) fn ray_caster(&self) -> &RayCaster {
         self.ray_caster.get_or_init(|| RayCaster::new(&self.scene))
+    }
+
+    pub(crate) fn shader(&self) -> &Shader {
+        self.shader.get_or_init(|| Shader::new(&self.scene))
+    }
+
+    pub(crate) fn semantics(&self) -> &Semantics {
+        self.semantics.get_or_init(|| Semantics::new(&self.scene))
     }
 }

@@ -6,13 +6,20 @@
 //! [`Instance::world_from_mesh`], in double precision, brings them into the world.
 
 mod attribute;
+mod bounds;
+mod footprint;
+pub mod import;
 mod light;
 mod material;
 mod mesh;
+pub mod polygon;
+pub mod shape;
+mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 
 pub use attribute::Attribute;
+pub use bounds::Bounds;
 pub use light::{Light, LightKind};
 pub use material::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
 pub use mesh::{MaterialSpan, Mesh};
@@ -77,6 +84,17 @@ pub struct Instance {
     /// From the mesh's frame into the world, metres. Always invertible: what is squashed flat is baked into a mesh of
     /// its own by the importer.
     pub world_from_mesh: DAffine3,
-    /// The semantic labels as pairs of taxonomy and label (`class`, `chair`), its own first, then its ancestors'.
-    pub labels: Vec<(String, String)>,
+    /// The semantic labels: its own first, then its parent's, and so on.
+    pub labels: Vec<Label>,
+}
+
+/// A semantic label.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// The prim that carries it: the instance itself or one of its ancestors, of which it may be a part only.
+    pub prim: String,
+    /// What kind of label it is: `class`.
+    pub taxonomy: String,
+    /// The label: `chair`.
+    pub name: String,
 }

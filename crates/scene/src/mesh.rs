@@ -1,3 +1,5 @@
+use oaktwin_camera::math::DVec3;
+
 use crate::Attribute;
 
 /// Triangles with shared vertices, in a frame and unit of their own.
@@ -40,6 +42,19 @@ impl Mesh {
             *self.positions.get(b as usize)?,
             *self.positions.get(c as usize)?,
         ])
+    }
+
+    /// The normal of a triangle's plane, of unit length; zero where it has no area, or is none.
+    #[must_use]
+    pub fn flat_normal(&self, triangle: usize) -> [f32; 3] {
+        let Some(corners) = self.corners(triangle) else {
+            return [0.0; 3];
+        };
+        let [a, b, c] = corners.map(|p| DVec3::from(p.map(f64::from)));
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        #[allow(clippy::cast_possible_truncation, reason = "a unit vector")]
+        let narrow = normal.to_array().map(|x| x as f32);
+        narrow
     }
 
     /// The material of a triangle, into the scene's.

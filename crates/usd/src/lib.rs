@@ -1,9 +1,12 @@
-//! OpenUSD assets of OAK cameras: author, package, check.
+//! OpenUSD assets of OAK cameras: author, package, check, read.
 
 pub mod asset;
 pub mod body;
 pub mod check;
+mod lens;
+pub mod materialx;
 mod nvidia;
+pub mod optics;
 pub mod stage;
 pub mod text;
 pub mod usdz;

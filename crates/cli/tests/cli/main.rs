@@ -6,3 +6,5 @@ mod assets;
 mod bad_input;
 mod output;
 mod program;
+mod render;
+mod render_bad_input;

@@ -18,6 +18,7 @@ fn help_of_every_command() {
         &["calibration", "show"],
         &["calibration", "export"],
         &["asset"],
+        &["render"],
         &["check"],
     ] {
         let mut arguments = command.to_vec();
@@ -100,6 +101,12 @@ fn completions_and_manual_pages() {
     }
     assert!(program.good(&["man"]).contains(".TH oaktwin"));
     assert!(program.good(&["man", "calibration", "export"]).contains("kalibr"));
+    assert!(program.good(&["man", "render"]).contains("trajectory"));
+    assert!(
+        program
+            .good(&["completions", "bash"])
+            .contains("oaktwin__subcmd__render")
+    );
 }
 
 #[test]

@@ -207,7 +207,7 @@ fn focal_length(
     let by_lens = camera
         .lens
         .as_ref()
-        .and_then(super::lens::Lens::intrinsics)
+        .and_then(crate::lens::Lens::intrinsics)
         .map(|k| k.fx * width / f64::from(k.size.width));
     if !by_aperture.is_finite() || !camera.camera.is_perspective() {
         return;

@@ -1,10 +1,9 @@
-use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::num;
 use super::rule::Rule;
 use super::scene::CheckedCamera;
-use crate::stage::Prim;
+use crate::lens::{self, MODEL};
 
 pub(super) const LENS_MODEL: Rule = Rule {
     code: "lens-model",
@@ -37,26 +36,6 @@ pub(super) const PROJECTION_TYPE: Rule = Rule {
     remedy: "set it to `pinhole`, and describe the lens with a lens-distortion schema",
 };
 
-/// The common part of the lens schemas' attribute names.
-pub(super) const NAMESPACE: &str = "omni:lensdistortion:";
-const MODEL: &str = "omni:lensdistortion:model";
-
-/// A schema and its model token.
-const SCHEMAS: [(&str, &str); 6] = [
-    ("OmniLensDistortionOpenCvPinholeAPI", "opencvPinhole"),
-    ("OmniLensDistortionOpenCvFisheyeAPI", "opencvFisheye"),
-    ("OmniLensDistortionFthetaAPI", "ftheta"),
-    ("OmniLensDistortionKannalaBrandtK3API", "kannalaBrandtK3"),
-    ("OmniLensDistortionRadTanThinPrismAPI", "radTanThinPrism"),
-    ("OmniLensDistortionLutAPI", "lut"),
-];
-const PINHOLE_COEFFICIENTS: [&str; 12] = [
-    "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
-];
-const FISHEYE_COEFFICIENTS: [&str; 4] = ["k1", "k2", "k3", "k4"];
-/// What the schema gives an unauthored k1 of the fisheye model.
-const FISHEYE_K1: f64 = 0.00245;
-
 /// `cameraProjectionType` values that Isaac Sim dropped.
 const DROPPED_PROJECTIONS: [&str; 4] = [
     "fisheyeOrthographic",
@@ -65,80 +44,12 @@ const DROPPED_PROJECTIONS: [&str; 4] = [
     "fisheyeSpherical",
 ];
 
-/// A camera's lens-distortion schema.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Lens {
-    pub schema: &'static str,
-    pub model: &'static str,
-    /// fx, fy, cx, cy of the OpenCV models, in OpenCV's convention.
-    pub parameters: Option<[f64; 4]>,
-    pub image_size: Option<ImageSize>,
-    pub coefficients: Vec<f64>,
-}
-
-impl Lens {
-    pub(super) fn of(prim: &Prim) -> Option<Self> {
-        let (schema, model) = SCHEMAS.into_iter().find(|(schema, _)| prim.has_api(schema))?;
-        let number = |name: &str, fallback: f64| {
-            prim.number(&format!("{NAMESPACE}{model}:{name}"))
-                .unwrap_or(fallback)
-        };
-        let coefficients = match model {
-            "opencvPinhole" => PINHOLE_COEFFICIENTS.map(|name| number(name, 0.0)).to_vec(),
-            "opencvFisheye" => FISHEYE_COEFFICIENTS
-                .map(|name| number(name, if name == "k1" { FISHEYE_K1 } else { 0.0 }))
-                .to_vec(),
-            _ => Vec::new(),
-        };
-        let opencv = !coefficients.is_empty();
-        Some(Self {
-            schema,
-            model,
-            parameters: opencv.then(|| {
-                [
-                    number("fx", 900.0),
-                    number("fy", 800.0),
-                    number("cx", 1024.0),
-                    number("cy", 512.0),
-                ]
-            }),
-            image_size: if opencv {
-                let name = format!("{NAMESPACE}{model}:imageSize");
-                if prim.attributes.contains_key(&name) {
-                    prim.size(&name)
-                } else {
-                    Some(ImageSize::new(2048, 1024))
-                }
-            } else {
-                None
-            },
-            coefficients,
-        })
-    }
-
-    /// The OpenCV models' intrinsics, where they are usable.
-    pub(super) fn intrinsics(&self) -> Option<Intrinsics> {
-        let [fx, fy, cx, cy] = self.parameters?;
-        let sound = [fx, fy, cx, cy].iter().all(|value| value.is_finite()) && fx > 0.0 && fy > 0.0;
-        sound.then_some(Intrinsics::new(
-            self.image_size?,
-            fx,
-            fy,
-            PixelPoint::<OpenCv>::new(cx, cy),
-        ))
-    }
-}
-
 pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     legacy(camera, findings);
     let prim = &camera.camera.prim;
     let path = camera.path();
     let Some(lens) = &camera.lens else { return };
-    let applied: Vec<&str> = SCHEMAS
-        .iter()
-        .map(|(schema, _)| *schema)
-        .filter(|schema| prim.has_api(schema))
-        .collect();
+    let applied: Vec<&str> = lens::applied(prim).map(|(schema, _)| schema).collect();
     if applied.len() > 1 {
         findings.push(LENS_MODEL.at(
             path,

@@ -29,7 +29,7 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         return;
     }
     let path = camera.path();
-    let lens_point = camera.lens.as_ref().and_then(super::lens::Lens::intrinsics);
+    let lens_point = camera.lens.as_ref().and_then(crate::lens::Lens::intrinsics);
     let offsets = format!("aperture offsets ({}, {})", num(h), num(v));
     let Some(lens) = lens_point else {
         let k = camera.camera.optics().openusd_intrinsics(camera.resolution);

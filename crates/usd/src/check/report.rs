@@ -3,9 +3,9 @@ use oaktwin_diagnostic::{Finding, Level};
 use serde::Serialize;
 
 use super::depth::Parameters;
-use super::lens::Lens;
 use super::scene::{CheckedCamera, DepthSensor, Generation, Scene};
 use super::schema::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
+use crate::lens::Lens;
 use crate::stage::StageMetadata;
 
 /// What `check` has to say about a file.

@@ -6,10 +6,10 @@ use std::path::Path;
 use oaktwin_camera::{ApertureOffsets, ImageSize, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 
-use super::lens::Lens;
 use super::report::ResolutionSource;
 use super::schema::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::asset::PrimNames;
+use crate::lens::Lens;
 use crate::stage::{Prim, RenderProduct, SceneCamera, Stage};
 
 /// OpenUSD's fallback for `metersPerUnit`.

@@ -1,8 +1,8 @@
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::lens;
 use super::rule::Rule;
 use super::scene::{Generation, Scene};
+use crate::lens;
 pub(super) use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::Prim;
 

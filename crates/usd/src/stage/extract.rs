@@ -1,86 +1,237 @@
 //! From the USD library's stage to our plain values.
 
-use std::collections::BTreeMap;
-
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::Finding;
+use oaktwin_scene::Up;
 use openusd::usd::{self, PrimPredicate};
-use openusd::{pcp, sdf};
 
 use super::error::one_line;
 use super::inspect::Inspected;
 use super::locate::failing_line;
+use super::plain::{api_schemas, plain_prim, plain_target, plain_value};
+use super::reader::{Outcome, Reader, Record};
 use super::resolver::InspectingResolver;
-use super::{Attribute, Prim, RenderProduct, SceneCamera, Stage, StageError, StageMetadata, Target, Value};
+use super::scene::{Builder, Children, Context, Findings, pose};
+use super::walk::{Visitor, Walk};
+use super::{
+    Prim, RenderProduct, SceneCamera, SceneOptions, Stage, StageError, StageMetadata, StageScene, Value,
+    composition,
+};
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
 /// What marks a prim of another type as one that a rule may want to see.
 const SENSOR_NAMESPACES: [&str; 3] = [PRODUCT_NAMESPACE, CAMERA_NAMESPACE, "omni:lensdistortion:"];
+/// OpenUSD's unit where a stage does not say: the centimetre.
+const FALLBACK_METERS_PER_UNIT: f64 = 0.01;
 
 /// Opens and composes `path` and takes out what concerns cameras.
-pub(super) fn extract(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {
-    let failed = |error: &dyn std::fmt::Display| {
-        let reason = format!("{error:#}");
-        let line = std::str::from_utf8(&layer.bytes).ok().and_then(failing_line);
-        StageError::new(
-            file,
-            line.map(|line| format!("line {line}")).unwrap_or_default(),
-            format!(
-                "cannot be read as USD: {}",
-                one_line(reason.trim_start_matches("failed to parse USDA layer: "))
-            ),
-            "repair it there, or export it again",
-        )
+pub(super) fn stage(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {
+    let stage = open(file, path, &layer)?;
+    let reader = Reader::new(stage, None);
+    let metadata = metadata(&reader.stage);
+    let mut extraction = Extraction::new(meters_per_unit(&metadata).0, None);
+    extraction
+        .run(&reader)
+        .map_err(|error| failed(file, &layer, &error))?;
+    let overridden_cameras = if extraction.cameras.is_empty() {
+        overridden_cameras(&reader.stage)
+    } else {
+        Vec::new()
     };
-    let stage = usd::Stage::builder()
-        .resolver(InspectingResolver::new())
-        .open(path)
-        .map_err(|error| failed(&error))?;
-    let mut paths = Vec::new();
-    stage
-        .traverse(PrimPredicate::DEFAULT_PROXIES, |path| paths.push(path.clone()))
-        .map_err(|error| failed(&error))?;
-    let mut out = Stage {
+    let mut findings = layer.findings;
+    findings.append(&mut composition::findings(&reader.stage));
+    Ok(Stage {
         file: file.to_owned(),
-        metadata: metadata(&stage),
-        cameras: Vec::new(),
-        products: Vec::new(),
-        others: Vec::new(),
-        overridden_cameras: Vec::new(),
-        findings: layer.findings,
+        metadata,
+        cameras: extraction.cameras,
+        products: extraction.products,
+        others: extraction.others,
+        overridden_cameras,
+        findings,
+    })
+}
+
+/// Opens and composes `path` and makes a scene of it.
+pub(super) fn scene(
+    file: &str,
+    path: &str,
+    layer: Inspected,
+    options: SceneOptions,
+) -> Result<StageScene, StageError> {
+    let stage = open(file, path, &layer)?;
+    let reader = Reader::new(stage, options.time);
+    let metadata = metadata(&reader.stage);
+    let (meters_per_unit, odd_unit) = meters_per_unit(&metadata);
+    let up = match metadata.up_axis.as_deref() {
+        Some("Z") => Up::Z,
+        _ => Up::Y,
     };
-    for path in paths {
-        let prim = stage.prim(path);
-        let type_name = type_name(&prim).unwrap_or_default();
-        match type_name.as_str() {
-            "Camera" => out.cameras.push(SceneCamera {
-                prim: plain_prim(&prim, type_name),
-            }),
+    let builder = Builder::new(options, meters_per_unit, up);
+    let mut extraction = Extraction::new(meters_per_unit, Some(builder));
+    extraction
+        .run(&reader)
+        .map_err(|error| failed(file, &layer, &error))?;
+    let mut findings = layer.findings;
+    findings.extend(odd_unit);
+    findings.append(&mut composition::findings(&reader.stage));
+    findings.append(&mut extraction.findings.into_list());
+    let scene = match extraction.builder {
+        Some(builder) => {
+            let (scene, found) = builder.finish();
+            findings.append(&mut found.into_list());
+            scene
+        }
+        None => oaktwin_scene::Scene::default(),
+    };
+    Ok(StageScene {
+        scene,
+        cameras: extraction.cameras,
+        products: extraction.products,
+        metadata,
+        findings,
+    })
+}
+
+fn open(file: &str, path: &str, layer: &Inspected) -> Result<usd::Stage, StageError> {
+    usd::Stage::builder()
+        .resolver(InspectingResolver::new(path, layer.bytes.clone()))
+        .open(path)
+        .map_err(|error| failed(file, layer, &error))
+}
+
+fn failed(file: &str, layer: &Inspected, error: &dyn std::fmt::Display) -> StageError {
+    let reason = format!("{error:#}");
+    let line = std::str::from_utf8(&layer.bytes).ok().and_then(failing_line);
+    StageError::new(
+        file,
+        line.map(|line| format!("line {line}")).unwrap_or_default(),
+        format!(
+            "cannot be read as USD: {}",
+            one_line(reason.trim_start_matches("failed to parse USDA layer: "))
+        ),
+        "repair it there, or export it again",
+    )
+}
+
+/// Metres in one of the stage's units; a finding where what it says makes no sense.
+fn meters_per_unit(metadata: &StageMetadata) -> (f64, Option<Finding>) {
+    match metadata.meters_per_unit {
+        None => (FALLBACK_METERS_PER_UNIT, None),
+        Some(unit) if unit.is_finite() && unit > 0.0 => (unit, None),
+        Some(unit) => (
+            FALLBACK_METERS_PER_UNIT,
+            Some(Finding::new(
+                "stage-unit",
+                oaktwin_diagnostic::Level::Warning,
+                "stage",
+                format!("metersPerUnit is {unit}; a centimetre is taken instead"),
+                "write how many metres one of the stage's units is",
+            )),
+        ),
+    }
+}
+
+/// Collects what was asked for on the way through the stage.
+struct Extraction {
+    meters_per_unit: f64,
+    /// Where the scene is made; without one, only cameras and sensors are wanted.
+    builder: Option<Builder>,
+    cameras: Vec<SceneCamera>,
+    products: Vec<RenderProduct>,
+    others: Vec<Prim>,
+    findings: Findings,
+}
+
+impl Extraction {
+    fn new(meters_per_unit: f64, builder: Option<Builder>) -> Self {
+        Self {
+            meters_per_unit,
+            builder,
+            cameras: Vec::new(),
+            products: Vec::new(),
+            others: Vec::new(),
+            findings: Findings::default(),
+        }
+    }
+
+    fn run(&mut self, reader: &Reader) -> Outcome<()> {
+        Walk::new(reader).stage(self, &Context::default())
+    }
+
+    fn camera(&mut self, reader: &Reader, path: &str, context: &Context) {
+        let pose = pose(&context.stage_from_prim, self.meters_per_unit);
+        let mut tell = |what: &str| {
+            let remedy = "let it and what it is mounted on be moved and turned only";
+            self.findings.warn("camera-transform", path, what, remedy);
+        };
+        let world_from_camera = match pose {
+            Some((pose, None)) => pose,
+            Some((pose, Some(removed))) => {
+                tell(&format!("its transform has {removed}, which is left out"));
+                pose
+            }
+            None => {
+                tell("its transform leaves no direction to look in; it stands at the origin");
+                SceneCamera::default().world_from_camera
+            }
+        };
+        self.cameras.push(SceneCamera {
+            prim: plain_at(reader, path, "Camera"),
+            world_from_camera,
+        });
+    }
+}
+
+/// The prim that the scene knows as `path`.
+fn plain_at(reader: &Reader, path: &str, type_name: &str) -> Prim {
+    match openusd::sdf::Path::new(path) {
+        Ok(path) => plain_prim(&reader.stage.prim(path), type_name.to_owned()),
+        Err(_) => Prim::default(),
+    }
+}
+
+impl Visitor for Extraction {
+    type Context = Context;
+
+    fn prim(
+        &mut self,
+        walk: &Walk<'_>,
+        prim: &Record,
+        path: &str,
+        context: &Context,
+    ) -> Outcome<Option<Context>> {
+        let reader = walk.reader;
+        let own = prim.own(reader);
+        let mut inner = context.with(own, path);
+        match prim.type_name.as_str() {
+            "Camera" => self.camera(reader, path, &inner),
             "RenderProduct" => {
-                let targets = prim.relationship("camera").targets().unwrap_or_default();
-                out.products.push(RenderProduct {
-                    prim: plain_prim(&prim, type_name),
+                let seen = openusd::sdf::Path::new(path).map(|path| reader.stage.prim(path));
+                let targets = seen.and_then(|prim| prim.relationship("camera").targets());
+                self.products.push(RenderProduct {
+                    prim: plain_at(reader, path, "RenderProduct"),
                     cameras: targets
+                        .unwrap_or_default()
                         .iter()
-                        .map(|target| plain_target(&stage, target))
+                        .map(|target| plain_target(&reader.stage, target))
                         .collect(),
                 });
             }
-            _ if concerns_sensors(&prim) => out.others.push(plain_prim(&prim, type_name)),
+            kind if self.builder.is_none() && concerns_sensors(reader, prim) => {
+                self.others.push(plain_at(reader, path, kind));
+            }
             _ => {}
         }
+        if let Some(builder) = &mut self.builder {
+            if let Some(prototype) = &prim.prototype {
+                builder.enter_prototype(prototype, path);
+            }
+            match builder.add(walk, prim, path, own, &inner)? {
+                Children::Visit => {}
+                Children::VisitWithoutDrawing => inner.drawn = false,
+            }
+        }
+        Ok(Some(inner.hand_down(prim, own)))
     }
-    if out.cameras.is_empty() {
-        out.overridden_cameras = overridden_cameras(&stage);
-    }
-    let mut composition: Vec<Finding> = stage
-        .composition_errors()
-        .iter()
-        .map(composition_finding)
-        .collect();
-    composition.sort_by(|a, b| (&a.place, &a.message).cmp(&(&b.place, &b.message)));
-    composition.dedup();
-    out.findings.append(&mut composition);
-    Ok(out)
 }
 
 fn metadata(stage: &usd::Stage) -> StageMetadata {
@@ -96,74 +247,17 @@ fn metadata(stage: &usd::Stage) -> StageMetadata {
     }
 }
 
-fn type_name(prim: &usd::Prim) -> Option<String> {
-    Some(prim.type_name().ok()??.as_str().to_owned())
-}
-
-fn api_schemas(prim: &usd::Prim) -> Vec<String> {
-    let tokens = prim.api_schemas().unwrap_or_default();
-    tokens.iter().map(|token| token.as_str().to_owned()).collect()
-}
-
-fn concerns_sensors(prim: &usd::Prim) -> bool {
+fn concerns_sensors(reader: &Reader, prim: &Record) -> bool {
     let schema = |name: &String| name.starts_with("OmniSensor") || name.starts_with("OmniLensDistortion");
-    let names = prim.property_names().unwrap_or_default();
-    let namespaced = names.iter().any(|name| {
+    let namespaced = prim.properties.iter().any(|name| {
         SENSOR_NAMESPACES
             .iter()
             .any(|prefix| name.as_str().starts_with(prefix))
     });
-    namespaced || api_schemas(prim).iter().any(schema)
-}
-
-fn plain_prim(prim: &usd::Prim, type_name: String) -> Prim {
-    let attributes: BTreeMap<String, Attribute> = prim
-        .attributes()
-        .unwrap_or_default()
-        .iter()
-        .filter_map(|attribute| {
-            let path = attribute.path().to_string();
-            let (_, name) = path.rsplit_once('.')?;
-            Some((name.to_owned(), plain_attribute(attribute)))
-        })
-        .collect();
-    Prim {
-        path: prim.path().to_string(),
-        type_name,
-        api_schemas: api_schemas(prim),
-        attributes,
-    }
-}
-
-fn plain_attribute(attribute: &usd::Attribute) -> Attribute {
-    let type_name = attribute
-        .type_name()
-        .ok()
-        .flatten()
-        .map(|name| name.as_str().to_owned())
-        .unwrap_or_default();
-    let default = attribute.get::<sdf::Value>().ok().flatten();
-    let times = attribute.time_sample_times().unwrap_or_default();
-    let value = default.or_else(|| {
-        let first = usd::TimeCode::new(*times.first()?);
-        attribute.get_at::<sdf::Value>(first).ok().flatten()
-    });
-    Attribute {
-        type_name,
-        value: value
-            .filter(|value| !matches!(value, sdf::Value::None | sdf::Value::ValueBlock))
-            .map(plain_value),
-        animated: !times.is_empty(),
-    }
-}
-
-fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
-    let prim = stage.prim(target.clone());
-    let exists = prim.is_valid().unwrap_or(false);
-    Target {
-        path: target.to_string(),
-        type_name: exists.then(|| type_name(&prim).unwrap_or_default()),
-    }
+    namespaced
+        || api_schemas(&reader.stage.prim(prim.path.clone()))
+            .iter()
+            .any(schema)
 }
 
 /// Overrides without a definition, which OpenUSD's traversal leaves out.
@@ -184,127 +278,4 @@ fn overridden_cameras(stage: &usd::Stage) -> Vec<String> {
         })
         .map(|path| path.to_string())
         .collect()
-}
-
-fn composition_finding(error: &pcp::Error) -> Finding {
-    use pcp::Error as E;
-    let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
-    let mut level = Level::Warning;
-    let mut remedy = "put the file where the path says, or correct the path; what it holds was not checked";
-    let (place, message) = match error {
-        E::UnresolvedLayer {
-            asset_path,
-            arc,
-            site_path,
-            ..
-        } => {
-            let message = if let Some(url) = url(asset_path) {
-                remedy = "download it beside the file and reference it there; what it holds was not checked";
-                format!("the {} @{url}@ is not on this machine", said(arc))
-            } else {
-                format!("the {} @{asset_path}@ cannot be found", said(arc))
-            };
-            (site_path.to_string(), message)
-        }
-        E::MalformedLayer {
-            asset_path,
-            arc,
-            site_path,
-            reason,
-            ..
-        } => {
-            // Materials hold no cameras.
-            let message = if asset_path.ends_with(".mtlx") {
-                level = Level::Note;
-                remedy = "";
-                format!("the {} @{asset_path}@ is MaterialX and was not read", said(arc))
-            } else if reason.contains("no file format registered") {
-                format!("the {} @{asset_path}@ is no USD layer", said(arc))
-            } else {
-                format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc))
-            };
-            (site_path.to_string(), message)
-        }
-        E::UnresolvedPrimPath {
-            arc,
-            target_layer,
-            prim_path,
-            site_path,
-            ..
-        } => (
-            site_path.to_string(),
-            format!("the {} @{target_layer}@ has no prim <{prim_path}>", said(arc)),
-        ),
-        E::MissingDefaultPrim {
-            layer_id,
-            arc,
-            site_path,
-        }
-        | E::InvalidDefaultPrim {
-            layer_id,
-            arc,
-            site_path,
-        } => {
-            remedy = "name the prim in the reference, or give that layer a defaultPrim";
-            (
-                site_path.to_string(),
-                format!(
-                    "the {} @{layer_id}@ names no prim, and the layer has no default prim",
-                    said(arc)
-                ),
-            )
-        }
-        E::ArcCycle(chain) => {
-            remedy = "remove one of them; OpenUSD ignores the last";
-            (
-                chain.composing.to_string(),
-                "references or inherits lead back to themselves".to_owned(),
-            )
-        }
-        other => ("composition".to_owned(), other.to_string()),
-    };
-    Finding::new("composition", level, place, one_line(&message), remedy)
-}
-
-/// The address in an asset path that the library took for a file's, with the slash back that it dropped.
-fn url(asset_path: &str) -> Option<String> {
-    ["https:/", "http:/", "omniverse:/"]
-        .into_iter()
-        .find_map(|scheme| {
-            let (_, rest) = asset_path.split_once(scheme)?;
-            Some(format!("{scheme}/{}", rest.trim_start_matches('/')))
-        })
-}
-
-fn plain_value(value: sdf::Value) -> Value {
-    use sdf::Value as V;
-    let floats = |components: &[f32]| Value::Floats(components.iter().map(|c| f64::from(*c)).collect());
-    match value {
-        V::Bool(v) => Value::Bool(v),
-        V::Uchar(v) => Value::Int(v.into()),
-        V::Int(v) => Value::Int(v.into()),
-        V::Uint(v) => Value::Int(v.into()),
-        V::Int64(v) => Value::Int(v),
-        V::Uint64(v) => i64::try_from(v).map_or_else(|_| Value::Other("Uint64".to_owned()), Value::Int),
-        V::Half(v) => Value::Float(v.to_f64()),
-        V::Float(v) => Value::Float(v.into()),
-        V::Double(v) => Value::Float(v),
-        V::TimeCode(v) => Value::Float(v.value()),
-        V::String(v) => Value::Text(v),
-        V::Token(v) => Value::Text(v.as_str().to_owned()),
-        V::AssetPath(v) => Value::Text(v.authored_path),
-        V::TokenVec(v) => Value::Texts(v.iter().map(|token| token.as_str().to_owned()).collect()),
-        V::StringVec(v) => Value::Texts(v),
-        V::IntVec(v) => Value::Ints(v.into_iter().map(i64::from).collect()),
-        V::Vec2i(v) => Value::Ints(vec![v.x.into(), v.y.into()]),
-        V::Vec3i(v) => Value::Ints(vec![v.x.into(), v.y.into(), v.z.into()]),
-        V::Vec2f(v) => floats(&[v.x, v.y]),
-        V::Vec3f(v) => floats(&[v.x, v.y, v.z]),
-        V::Vec4f(v) => floats(&[v.x, v.y, v.z, v.w]),
-        V::Vec2d(v) => Value::Floats(vec![v.x, v.y]),
-        V::Vec3d(v) => Value::Floats(vec![v.x, v.y, v.z]),
-        V::FloatVec(v) => floats(&v),
-        V::DoubleVec(v) => Value::Floats(v),
-        other => Value::Other(<&'static str>::from(&other).to_owned()),
-    }
 }

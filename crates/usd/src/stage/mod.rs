@@ -4,13 +4,20 @@
 //! its input more than we do; so every layer is looked over before it (see `inspect`), it runs on a thread of its
 //! own with a deep stack, and a panic inside becomes a [`StageError`] that names the file.
 
+mod composition;
 mod error;
 mod extract;
 mod guard;
 mod inspect;
 mod locate;
+mod plain;
 mod prim;
+mod reader;
 mod resolver;
+mod scene;
+mod transform;
+mod value;
+mod walk;
 
 use std::path::Path;
 
@@ -19,6 +26,7 @@ use serde::Serialize;
 
 pub use error::StageError;
 pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
+pub use scene::{SceneOptions, StageScene};
 
 /// The largest layer that is read, bytes. A text layer this large holds some 40 million quads.
 pub const MAX_LAYER_BYTES: u64 = 2 << 30;
@@ -61,7 +69,25 @@ pub struct StageMetadata {
 /// damaged, or more than the USD library can read. A reference or payload that cannot be followed is no error but a
 /// finding of [`Stage::findings`].
 pub fn open(path: impl AsRef<Path>) -> Result<Stage, StageError> {
-    let path = path.as_ref();
+    contained(path.as_ref(), extract::stage)
+}
+
+/// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and makes a scene of what it shows: everything active, defined and
+/// visible whose purpose is `default` or `render`, in metres and in the stage's own axes.
+///
+/// # Errors
+/// As [`open`]. What is missing, odd or not supported is a finding of [`StageScene::findings`], and the rest is there.
+pub fn open_scene(path: impl AsRef<Path>, options: &SceneOptions) -> Result<StageScene, StageError> {
+    contained(path.as_ref(), |name, utf8, layer| {
+        extract::scene(name, utf8, layer, *options)
+    })
+}
+
+/// Looks a file over and has it read where a panic does no harm.
+fn contained<T: Send>(
+    path: &Path,
+    read: impl FnOnce(&str, &str, inspect::Inspected) -> Result<T, StageError> + Send,
+) -> Result<T, StageError> {
     let name = path.display().to_string();
     let Some(utf8) = path.to_str() else {
         return Err(StageError::new(
@@ -73,7 +99,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<Stage, StageError> {
     };
     let read = || {
         let layer = inspect::file(path).map_err(|problem| StageError::from_problem(&name, problem))?;
-        extract::extract(&name, utf8, layer)
+        read(&name, utf8, layer)
     };
     guard::contained(read).unwrap_or_else(|panic| {
         Err(StageError::new(

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 
-use oaktwin_camera::{ImageSize, UsdOptics};
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Axes, ImageSize, RigidTransform, UsdOptics};
 use serde::Serialize;
 
 /// A composed prim: its authored attributes and relationships, schema fallbacks not among them.
@@ -50,10 +51,22 @@ pub enum Value {
 }
 
 /// A camera of the scene.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SceneCamera {
     /// Its prim.
     pub prim: Prim,
+    /// Where it stands: metres, the camera's axes being `OpenCV`'s, the world's the stage's own.
+    pub world_from_camera: RigidTransform,
+}
+
+impl Default for SceneCamera {
+    /// At the origin, as OpenUSD's cameras stand there: looking along −z, y up.
+    fn default() -> Self {
+        Self {
+            prim: Prim::default(),
+            world_from_camera: RigidTransform::new(Axes::Usd.rotation_from(Axes::OpenCv), DVec3::ZERO),
+        }
+    }
 }
 
 /// A render product of the scene.

@@ -76,6 +76,21 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
     Ok(findings)
 }
 
+/// The bytes of an entry of a package that [`inspect`] let through.
+pub(super) fn find<'a>(bytes: &'a [u8], name: &str) -> Option<&'a [u8]> {
+    let end = end_record(bytes)?;
+    let (count, start) = (u16_at(bytes, end + 10)?, u32_at(bytes, end + 16)?);
+    let mut at = start;
+    for _ in 0..count {
+        let entry = entry(bytes, at, start).ok()?;
+        if entry.name == name {
+            return bytes.get(entry.data..entry.data.checked_add(entry.size)?);
+        }
+        at = entry.next;
+    }
+    None
+}
+
 fn lying(place: &str, what: &str) -> Problem {
     Problem::new(place, what, TAKE_ANOTHER)
 }
@@ -86,6 +101,8 @@ struct Entry {
     encrypted: bool,
     /// Where its data starts.
     data: usize,
+    /// How many bytes it has.
+    size: usize,
     /// Where the directory's next entry starts.
     next: usize,
 }
@@ -129,6 +146,7 @@ fn entry(bytes: &[u8], at: usize, directory: usize) -> Result<Entry, &'static st
         method,
         encrypted: flags & 1 != 0,
         data,
+        size: stored,
         next: at + 46 + name_length + extra + comment,
     })
 }

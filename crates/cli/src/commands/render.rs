@@ -1,0 +1,180 @@
+mod asked;
+mod report;
+
+use std::ops::ControlFlow;
+
+use oaktwin::camera::ImageSize;
+use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::trajectory::{self, TimedPose};
+use oaktwin::render::{
+    self, FrameOptions, OakOptions, OutputFolder, PlacedCamera, Renderer, SceneCameraOptions, SceneFile,
+};
+use oaktwin::scene::Up;
+
+use crate::args::{Lens, RenderArgs};
+use crate::context::{Context, Exit, Result};
+use crate::interrupt;
+use crate::progress::Progress;
+use report::Report;
+
+pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
+    let annotators = asked::annotators(args)?;
+    let size = args.resolution.as_deref().map(asked::resolution).transpose()?;
+    let path = match &args.trajectory {
+        Some(file) => trajectory::read(file)?,
+        None => Vec::new(),
+    };
+    if let Some(threads) = args.threads {
+        render::use_threads(threads as usize);
+    }
+    let oak = Oak::new(context, args)?;
+    let mut scene = SceneFile::open(&args.scene, &asked::open_options(args)?)?;
+    let mut findings = std::mem::take(&mut scene.findings);
+    let (cameras, more) = match &oak {
+        Some(oak) => oak.cameras(args, size, scene.scene.up)?,
+        None => own_cameras(&scene, args, size, &path)?,
+    };
+    findings.extend(more);
+    if let Some(finding) = findings
+        .iter()
+        .find(|finding| args.strict && finding.level >= Level::Warning)
+    {
+        return Err(format!("{}: {finding}", args.scene.display()).into());
+    }
+    check_memory(&cameras, &annotators)?;
+    interrupt::watch()?;
+    let mut folder = OutputFolder::prepare(&args.output)?;
+    let renderer = Renderer::new(scene.scene);
+    let options = FrameOptions {
+        annotators: &annotators,
+        backend: args.backend.into(),
+        extras: asked::extras(args),
+        strict: args.strict,
+        list_files: args.json,
+    };
+    let mut progress = Progress::new();
+    let mut watch = |done: render::Done| {
+        progress.at(done.images, done.of);
+        if interrupt::asked() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    let written = render::write_frames(&renderer, &cameras, &path, &options, &mut folder, &mut watch);
+    drop(progress);
+    let mut written = written?;
+    findings.append(&mut written.findings);
+
+    let calibration_findings = oak.map(|oak| oak.calibration_findings).unwrap_or_default();
+    let frames = path.len().max(1);
+    let report = Report::new(
+        args,
+        &annotators,
+        &cameras,
+        written,
+        frames,
+        findings,
+        calibration_findings,
+    );
+    report.print(args)?;
+    Ok(if report.is_interrupted {
+        Exit::Interrupted
+    } else {
+        Exit::Good
+    })
+}
+
+/// The OAK that is put into the scene.
+struct Oak {
+    twin: oaktwin::catalog::Twin,
+    calibration_findings: Vec<Finding>,
+}
+
+impl Oak {
+    fn new(context: &Context, args: &RenderArgs) -> Result<Option<Self>> {
+        let Some(model) = &args.model else {
+            let needs = |option: &str| Err(format!("{option} is about an OAK: name it with --model").into());
+            return match &args.unit {
+                unit if unit.calibration.is_some() => needs("--calibration"),
+                unit if unit.lens == Lens::Fisheye => needs("--lens"),
+                _ => Ok(None),
+            };
+        };
+        if args.pose.is_none() && args.look_at.is_none() && args.trajectory.is_none() {
+            return Err(format!(
+                "--model {model} has no place: say --look-at EYE TARGET, --pose or --trajectory"
+            )
+            .into());
+        }
+        let (twin, calibration_findings) = context.twin(model, &args.unit)?;
+        Ok(Some(Self {
+            twin,
+            calibration_findings,
+        }))
+    }
+
+    fn cameras(
+        &self,
+        args: &RenderArgs,
+        size: Option<ImageSize>,
+        up: Up,
+    ) -> Result<(Vec<PlacedCamera>, Vec<Finding>)> {
+        let options = OakOptions {
+            cameras: &args.camera,
+            lens: args.unit.lens.into(),
+            size,
+        };
+        Ok(render::oak_cameras(
+            &self.twin,
+            &asked::place(args, up)?,
+            &options,
+        )?)
+    }
+}
+
+fn own_cameras(
+    scene: &SceneFile,
+    args: &RenderArgs,
+    size: Option<ImageSize>,
+    path: &[TimedPose],
+) -> Result<(Vec<PlacedCamera>, Vec<Finding>)> {
+    let options = SceneCameraOptions {
+        cameras: &args.camera,
+        size,
+        projection: args.projection.into(),
+    };
+    let (cameras, findings) = render::scene_cameras(scene, &options)?;
+    if let ([first, second, ..], [_, ..]) = (&cameras[..], path) {
+        return Err(format!(
+            "--trajectory moves one camera, and there are {} ({}, {}{}): choose one with --camera",
+            cameras.len(),
+            first.path,
+            second.path,
+            if cameras.len() > 2 { ", …" } else { "" }
+        )
+        .into());
+    }
+    Ok((cameras, findings))
+}
+
+/// Refuses images that this machine has no memory for, where it says how much it has.
+fn check_memory(cameras: &[PlacedCamera], annotators: &[Annotator]) -> Result<()> {
+    let needs = |camera: &&PlacedCamera| render::frame_bytes(camera.camera.intrinsics.size, annotators);
+    let Some(largest) = cameras.iter().max_by_key(needs) else {
+        return Ok(());
+    };
+    let needed = needs(&largest);
+    match render::available_bytes() {
+        Some(available) if needed > available => Err(format!(
+            "{}: images of {} need {} of memory, {} are free; choose a smaller --resolution or fewer --annotators",
+            largest.path,
+            largest.camera.intrinsics.size,
+            render::gib(needed),
+            render::gib(available)
+        )
+        .into()),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,95 @@
+//! From what was typed to what is meant.
+
+use oaktwin::camera::math::DVec3;
+use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::dataset::Extras;
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::{self, OpenOptions};
+use oaktwin::scene::Up;
+
+use crate::args::RenderArgs;
+use crate::context::Result;
+
+/// Those that are named, and those that a file beside them is made from.
+pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
+    let mut chosen = Vec::new();
+    for name in &args.annotators {
+        match name.trim() {
+            "all" => chosen.extend(Annotator::ALL),
+            name => chosen.push(render::annotator(name)?),
+        }
+    }
+    let is_depth = |annotator: &Annotator| {
+        matches!(
+            annotator,
+            Annotator::DistanceToImagePlane | Annotator::DistanceToCamera
+        )
+    };
+    if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
+        chosen.push(Annotator::DistanceToImagePlane);
+    }
+    if args.ply {
+        chosen.push(Annotator::Pointcloud);
+    }
+    chosen.sort_unstable();
+    chosen.dedup();
+    Ok(chosen)
+}
+
+/// `1280x800`
+pub(super) fn resolution(text: &str) -> Result<ImageSize> {
+    let parts = text.split_once(['x', 'X', '×']);
+    let number = |text: &str| text.trim().parse::<u32>().ok();
+    let size = parts.and_then(|(width, height)| Some(ImageSize::new(number(width)?, number(height)?)));
+    let size =
+        size.ok_or_else(|| format!("--resolution {text} is no size; write WIDTHxHEIGHT, as 1280x800"))?;
+    render::check_size(size).map_err(|error| format!("--resolution: {error}"))?;
+    Ok(size)
+}
+
+pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
+    if let Some(time) = args.time.filter(|time| !time.is_finite()) {
+        return Err(format!("--time {time} is no time; give a finite number").into());
+    }
+    if let Some(scale) = args.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
+        return Err(format!("--scale {scale} is no scale; give a positive number").into());
+    }
+    Ok(OpenOptions {
+        time: args.time,
+        subdivide: args.subdivide,
+        up: args.up.map(Into::into),
+        scale: args.scale,
+    })
+}
+
+/// Where the body stands; the poses of a trajectory come later.
+pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
+    if let Some(numbers) = &args.pose {
+        let numbers: [f64; 7] = numbers[..].try_into().map_err(|_| "--pose takes 7 numbers")?;
+        return Ok(render::pose(numbers).map_err(|error| format!("--pose: {error}"))?);
+    }
+    let Some(numbers) = &args.look_at else {
+        return Ok(RigidTransform::IDENTITY);
+    };
+    let (points, rest) = numbers.as_chunks::<3>();
+    let (eye, target, up) = match (points, rest) {
+        ([eye, target], []) => (eye, target, up.direction()),
+        ([eye, target, up], []) => (eye, target, DVec3::from(*up)),
+        _ => {
+            let count = numbers.len();
+            return Err(format!("--look-at has {count} numbers: EYE, TARGET and UP are three each").into());
+        }
+    };
+    render::look_at(DVec3::from(*eye), DVec3::from(*target), up)
+        .map_err(|error| format!("--look-at: {error}").into())
+}
+
+/// The files beside `BasicWriter`'s own.
+pub(super) fn extras(args: &RenderArgs) -> Extras {
+    Extras {
+        millimetres: args.png16,
+        exr: args.exr,
+        preview: args.preview,
+        ply: args.ply,
+    }
+}

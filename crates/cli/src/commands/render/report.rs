@@ -1,0 +1,145 @@
+use std::path::{Path, PathBuf};
+
+use oaktwin::camera::{LensModel, Usd};
+use oaktwin::diagnostic::Finding;
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::{PlacedCamera, Written};
+use serde::Serialize;
+
+use crate::args::RenderArgs;
+use crate::context::Result;
+use crate::output;
+
+/// What was rendered and written.
+#[derive(Debug, Serialize)]
+pub(super) struct Report<'a> {
+    scene: &'a Path,
+    output: &'a Path,
+    /// Whole ones.
+    frames: usize,
+    #[serde(skip)]
+    wanted_frames: usize,
+    pub(super) is_interrupted: bool,
+    annotators: Vec<&'static str>,
+    cameras: Vec<CameraReport<'a>>,
+    files: Vec<FileReport>,
+    /// About the scene, its cameras and the rendering.
+    findings: Vec<Finding>,
+    /// About the calibration that the twin was made from.
+    calibration_findings: Vec<Finding>,
+}
+
+#[derive(Debug, Serialize)]
+struct CameraReport<'a> {
+    path: &'a str,
+    folder: PathBuf,
+    resolution: [u32; 2],
+    fx: f64,
+    fy: f64,
+    /// In the convention of OpenUSD: the first pixel's centre is at 0.5.
+    cx: f64,
+    cy: f64,
+    lens: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct FileReport {
+    path: PathBuf,
+    bytes: u64,
+}
+
+impl<'a> Report<'a> {
+    pub(super) fn new(
+        args: &'a RenderArgs,
+        annotators: &[Annotator],
+        cameras: &'a [PlacedCamera],
+        written: Written,
+        wanted_frames: usize,
+        findings: Vec<Finding>,
+        calibration_findings: Vec<Finding>,
+    ) -> Self {
+        let is_flat = cameras.len() == 1;
+        Self {
+            scene: &args.scene,
+            output: &args.output,
+            frames: written.frames,
+            wanted_frames,
+            is_interrupted: written.is_interrupted,
+            annotators: annotators.iter().map(|annotator| annotator.name()).collect(),
+            cameras: cameras
+                .iter()
+                .map(|camera| CameraReport::new(camera, &args.output, is_flat))
+                .collect(),
+            files: written
+                .files
+                .into_iter()
+                .map(|file| FileReport {
+                    path: file.path,
+                    bytes: file.bytes,
+                })
+                .collect(),
+            findings,
+            calibration_findings,
+        }
+    }
+
+    pub(super) fn print(&self, args: &RenderArgs) -> Result<()> {
+        if self.is_interrupted {
+            output::say(&format!(
+                "interrupted: {} of {} frames are whole in {}",
+                self.frames,
+                self.wanted_frames,
+                self.output.display()
+            ));
+        }
+        if args.json {
+            return output::print_json(self);
+        }
+        if let Some(calibration) = &args.unit.calibration {
+            output::say_findings(calibration, &self.calibration_findings);
+        }
+        output::say_findings(self.scene, &self.findings);
+        let mut text = String::new();
+        for camera in &self.cameras {
+            let [width, height] = camera.resolution;
+            text += &format!(
+                "{}  {}, {width}x{height}, {} {}\n",
+                camera.folder.display(),
+                camera.path,
+                self.frames,
+                if self.frames == 1 { "frame" } else { "frames" }
+            );
+        }
+        output::print(&text)
+    }
+}
+
+impl<'a> CameraReport<'a> {
+    fn new(camera: &'a PlacedCamera, output: &Path, is_flat: bool) -> Self {
+        let intrinsics = camera.camera.intrinsics;
+        let centre = intrinsics.principal_point::<Usd>();
+        Self {
+            path: &camera.path,
+            folder: if is_flat {
+                output.to_owned()
+            } else {
+                output.join(&camera.folder)
+            },
+            resolution: [intrinsics.size.width, intrinsics.size.height],
+            fx: intrinsics.fx,
+            fy: intrinsics.fy,
+            cx: centre.x,
+            cy: centre.y,
+            lens: lens_name(&camera.camera.lens),
+        }
+    }
+}
+
+const fn lens_name(lens: &LensModel) -> &'static str {
+    match lens {
+        LensModel::Pinhole => "pinhole",
+        LensModel::OpenCvPinhole(_) => "opencvPinhole",
+        LensModel::OpenCvFisheye(_) => "opencvFisheye",
+        LensModel::FTheta(_) => "ftheta",
+    }
+}

@@ -1,0 +1,241 @@
+//! What `render` refuses: in one line, before anything is written.
+
+use std::fmt::Write;
+use std::fs;
+
+use crate::program::{EXAMPLE, Program};
+
+const ROOM: &str = include_str!("fixtures/room.usda");
+const CRATE: &str = include_str!("fixtures/crate.obj");
+
+fn program() -> Program {
+    let program = Program::new();
+    program.put("room.usda", ROOM);
+    program.put("crate.obj", CRATE);
+    program
+}
+
+fn all_refused(program: &Program, runs: &[&[&str]]) -> String {
+    let mut all = String::new();
+    for arguments in runs {
+        let arguments = [&["render"], *arguments].concat();
+        let _ = write!(
+            all,
+            "$ oaktwin {}\n{}",
+            arguments.join(" ").replace(EXAMPLE, "EXAMPLE"),
+            program.refused(&arguments)
+        );
+    }
+    all
+}
+
+const OAK: [&str; 8] = ["--model", "oak4-d", "--look-at", "-2", "0", "1", "0", "0"];
+
+#[test]
+fn options_that_make_no_sense() {
+    let program = program();
+    let look = |more: &[&'static str]| [&["crate.obj"], &OAK[..], &["0"], more].concat();
+    let runs: [Vec<&str>; 22] = [
+        vec!["room.usda", "--annotators", "rgb,distance_to_image"],
+        vec!["room.usda", "--annotators", "xyz"],
+        vec!["room.usda", "--camera", "Lefft"],
+        vec!["room.usda", "--camera", "xyz"],
+        vec!["room.usda", "--resolution", "0x40"],
+        vec!["room.usda", "--resolution", "64"],
+        vec!["room.usda", "--resolution", "4x-4"],
+        vec!["room.usda", "--resolution", "65536x65536"],
+        vec!["room.usda", "--up", "z"],
+        vec!["room.usda", "--scale", "2"],
+        vec!["room.usda", "--time", "nan"],
+        vec!["crate.obj", "--scale", "0"],
+        vec!["room.usda", "--lens", "fisheye"],
+        vec!["room.usda", "--calibration", EXAMPLE],
+        vec!["crate.obj", "--model", "oak4-d"],
+        vec![
+            "crate.obj",
+            "--model",
+            "oak5",
+            "--pose",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "1",
+        ],
+        look(&["--lens", "fisheye"]),
+        look(&["--camera", "lefft"]),
+        look(&["5"]),
+        vec![
+            "crate.obj",
+            "--model",
+            "oak4-d",
+            "--pose",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "0",
+            "2",
+        ],
+        vec![
+            "crate.obj",
+            "--model",
+            "oak4-d",
+            "--pose",
+            "0",
+            "nan",
+            "0",
+            "0",
+            "0",
+            "0",
+            "1",
+        ],
+        vec![
+            "crate.obj",
+            "--model",
+            "oak4-d",
+            "--look-at",
+            "1",
+            "2",
+            "3",
+            "1",
+            "2",
+            "3",
+        ],
+    ];
+    let runs: Vec<&[&str]> = runs.iter().map(Vec::as_slice).collect();
+    let mut all = all_refused(&program, &runs);
+    all += &all_refused(
+        &program,
+        &[&[
+            "crate.obj",
+            "--up",
+            "z",
+            "--model",
+            "oak4-d",
+            "--look-at",
+            "0",
+            "0",
+            "3",
+            "0",
+            "0",
+            "0",
+        ]],
+    );
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn scenes_that_are_none() {
+    let program = program();
+    program.put("empty.usda", "#usda 1.0\n");
+    program.put("nothing.usda", "");
+    program.put("garbage.usdc", (0..=255u8).cycle().take(5000).collect::<Vec<_>>());
+    program.put("text.txt", "x");
+    program.put("noname", "x");
+    fs::create_dir(program.path("folder.usd")).unwrap();
+    fs::create_dir(program.path("folder")).unwrap();
+    program.put(
+        "flat.usda",
+        ROOM.replace("float focalLength = 20", "float focalLength = 0"),
+    );
+    program.put(
+        "ortho.usda",
+        ROOM.replace("float focalLength = 20", "token projection = \"orthographic\""),
+    );
+    insta::assert_snapshot!(all_refused(
+        &program,
+        &[
+            &["missing.usda"],
+            &["empty.usda"],
+            &["nothing.usda"],
+            &["garbage.usdc"],
+            &["text.txt"],
+            &["noname"],
+            &["folder"],
+            &["folder.usd"],
+            &["crate.obj"],
+            &["flat.usda"],
+            &["ortho.usda", "--camera", "Left"],
+        ]
+    ));
+}
+
+#[test]
+fn trajectories_that_are_none() {
+    let program = program();
+    program.put("empty.txt", "");
+    program.put("comments.txt", "# nothing\n");
+    program.put("short.txt", "0 0 0 0 0 0 0 1\n1 2 3\n");
+    program.put("word.txt", "0 0 0 zero 0 0 0 1\n");
+    program.put("long.txt", "0 0 0 0 0 0 0 2\n");
+    program.put("binary.txt", [0xffu8, 0xfe, 0x00]);
+    program.put("cut.json", "[{\"position\": [0, 0");
+    program.put("key.json", "[{\"pos\": [0, 0, 0]}]");
+    let runs: Vec<Vec<&str>> = [
+        "missing.txt",
+        "empty.txt",
+        "comments.txt",
+        "short.txt",
+        "word.txt",
+        "long.txt",
+        "binary.txt",
+        "cut.json",
+        "key.json",
+        ".",
+    ]
+    .into_iter()
+    .map(|path| vec!["crate.obj", "--model", "oak4-d", "--trajectory", path])
+    .collect();
+    let runs: Vec<&[&str]> = runs.iter().map(Vec::as_slice).collect();
+    let mut all = all_refused(&program, &runs);
+    program.put("good.txt", "0 0 0 0 0 0 0 1\n");
+    all += &all_refused(
+        &program,
+        &[&[
+            "room.usda",
+            "--camera",
+            "Left",
+            "--camera",
+            "Right",
+            "--trajectory",
+            "good.txt",
+        ]],
+    );
+    insta::assert_snapshot!(all);
+}
+
+#[cfg(unix)]
+#[test]
+fn outputs_that_cannot_be_written() {
+    let program = program();
+    program.put("file", "kept");
+    insta::assert_snapshot!(all_refused(
+        &program,
+        &[
+            &["room.usda", "-o", "file"],
+            &["room.usda", "-o", "file/below"],
+            &["room.usda", "-o", "/dev/full"],
+            &["room.usda", "-o", "/proc/x"],
+        ]
+    ));
+    assert_eq!(fs::read_to_string(program.path("file")).unwrap(), "kept");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_image_that_fits_no_memory_says_what_it_needs() {
+    let program = program();
+    let error = program.refused(&[
+        "render",
+        "room.usda",
+        "--annotators",
+        "all",
+        "--resolution",
+        "46340x46340",
+    ]);
+    assert!(error.contains("need 568.0 GiB of memory"), "{error}");
+}

@@ -1,0 +1,142 @@
+//! Segmentations as `BasicWriter` has them: a picture, and what its values stand for.
+//!
+//! Colorized, a pixel is RGBA and the JSON's keys are `"(r, g, b, a)"`; otherwise a pixel is the id in 16 bits of grey
+//! (all that PNG has; `BasicWriter` hands 32 bits to its encoder, which cuts them) and the keys are ids.
+
+use std::collections::BTreeMap;
+
+use oaktwin_image::{Image, colormap};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use crate::file::Fault;
+
+/// What a pixel of no thing is called.
+const BACKGROUND: &str = "BACKGROUND";
+
+/// What a thing without labels is called.
+const UNLABELLED: &str = "UNLABELLED";
+
+/// What ids are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// 0 is the background, others are prims.
+    InstanceId,
+    /// 0 is the background, 1 what has no label, others are sets of labels.
+    Semantic,
+}
+
+impl Kind {
+    /// The color of an id, the same one in every image.
+    fn color(self, id: u32) -> [u8; 4] {
+        match (self, id) {
+            (_, 0) => [0; 4],
+            (Self::InstanceId, id) => colormap::distinct(id - 1),
+            (Self::Semantic, 1) => [0, 0, 0, 255],
+            (Self::Semantic, id) => colormap::distinct(id - 2),
+        }
+    }
+
+    fn named(self, name: &str) -> Value {
+        match self {
+            Self::InstanceId => json!(name),
+            Self::Semantic => json!({ "class": name }),
+        }
+    }
+}
+
+/// RGBA for each id.
+pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
+    let mut last = (0, kind.color(0));
+    ids.map(|&id| {
+        if id != last.0 {
+            last = (id, kind.color(id));
+        }
+        last.1
+    })
+}
+
+/// 16 bits for each id.
+pub(crate) fn grey(ids: &Image<u32>) -> Result<Image<u16>, Fault> {
+    if let Some(&id) = ids.pixels().iter().find(|&&id| id > u32::from(u16::MAX)) {
+        return Err(Fault::IdTooLarge(id));
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "just looked at")]
+    let grey = ids.map(|&id| id as u16);
+    Ok(grey)
+}
+
+/// What the picture's values stand for. Background and, colorized, unlabelled are always among them, as in Replicator.
+pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, colorized: bool) -> Value {
+    let key = |id: u32| {
+        if colorized {
+            let [r, g, b, a] = kind.color(id);
+            format!("({r}, {g}, {b}, {a})")
+        } else {
+            id.to_string()
+        }
+    };
+    let unlabelled = if colorized {
+        "(0, 0, 0, 255)".to_owned()
+    } else {
+        key(1)
+    };
+    let mut legend = Map::new();
+    legend.insert(key(0), kind.named(BACKGROUND));
+    legend.insert(unlabelled, kind.named(UNLABELLED));
+    for (&id, name) in names {
+        // Strings and maps of strings: never an error.
+        legend.insert(key(id), serde_json::to_value(name).unwrap_or_default());
+    }
+    Value::Object(legend)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_and_their_names() {
+        let ids = Image::new(3, 1, vec![0, 3, 2]).unwrap();
+        let picture = colorize(Kind::Semantic, &ids);
+        assert_eq!(picture.pixels()[0], [0; 4]);
+        assert_eq!(picture.pixels()[2], [255, 25, 25, 255]);
+        let labels = |class: &str| BTreeMap::from([("class".to_owned(), class.to_owned())]);
+        let names = BTreeMap::from([(2, labels("cup")), (3, labels("table"))]);
+        let [r, g, b, a] = picture.pixels()[1];
+        assert_eq!(
+            legend(Kind::Semantic, &names, true),
+            json!({
+                "(0, 0, 0, 0)": {"class": "BACKGROUND"},
+                "(0, 0, 0, 255)": {"class": "UNLABELLED"},
+                "(255, 25, 25, 255)": {"class": "cup"},
+                format!("({r}, {g}, {b}, {a})"): {"class": "table"},
+            })
+        );
+        assert_eq!(
+            legend(Kind::Semantic, &names, false).to_string(),
+            r#"{"0":{"class":"BACKGROUND"},"1":{"class":"UNLABELLED"},"2":{"class":"cup"},"3":{"class":"table"}}"#
+        );
+    }
+
+    #[test]
+    fn prims_are_their_paths() {
+        let names = BTreeMap::from([(1, "/World/Cup".to_owned())]);
+        assert_eq!(
+            legend(Kind::InstanceId, &names, true).to_string(),
+            r#"{"(0, 0, 0, 0)":"BACKGROUND","(0, 0, 0, 255)":"UNLABELLED","(255, 25, 25, 255)":"/World/Cup"}"#
+        );
+        assert_eq!(
+            legend(Kind::InstanceId, &names, false).to_string(),
+            r#"{"0":"BACKGROUND","1":"/World/Cup"}"#
+        );
+    }
+
+    #[test]
+    fn sixteen_bits() {
+        let fits = Image::new(2, 1, vec![0, 65535]).unwrap();
+        assert!(matches!(grey(&fits), Ok(grey) if grey.pixels() == [0, 65535]));
+        let too_large = Image::new(2, 1, vec![65536, 70000]).unwrap();
+        assert!(matches!(grey(&too_large), Err(Fault::IdTooLarge(65536))));
+    }
+}

@@ -1,0 +1,250 @@
+//! `OpenEXR`: depth as one channel of `float32`, every bit kept.
+//!
+//! The channel that is written is `Y`, the luminance of an image without colour: OpenCV writes and reads such files, and
+//! every viewer shows them. `OpenEXR`'s own name for depth is `Z` (its technical introduction), but OpenCV opens a file
+//! with that channel alone and returns nothing but zeros (its issue 22592), which nobody would notice.
+//! Infinity and NaN are written as they are.
+
+use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use ::exr::prelude::{
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image as ExrImage, Layer,
+    LayerAttributes, LineOrder, MetaData, ReadChannels, ReadLayers, Vec2, WritableImage, read,
+};
+
+use crate::{CodecError, Image, limits};
+
+const FORMAT: &str = "OpenEXR";
+
+/// The channel that is written.
+pub const CHANNEL: &str = "Y";
+
+/// A file of one channel named [`CHANNEL`].
+///
+/// # Errors
+/// An image without pixels, which the format does not have.
+pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
+    let size = Vec2(image.width() as usize, image.height() as usize);
+    let samples = FlatSamples::F32(image.pixels().to_vec());
+    let layer = Layer::new(
+        size,
+        LayerAttributes::default(),
+        Encoding {
+            compression: Compression::ZIP1,
+            blocks: Blocks::ScanLines,
+            line_order: LineOrder::Increasing,
+        },
+        AnyChannels::sort([AnyChannel::new(CHANNEL, samples)].into_iter().collect()),
+    );
+    let mut out = Cursor::new(Vec::with_capacity(size_of_val(image.pixels()) / 2));
+    if image.pixels().is_empty() {
+        return Err(CodecError::new(
+            FORMAT,
+            "image",
+            format!("{} × {} pixels", image.width(), image.height()),
+            "give an image with pixels in it",
+        ));
+    }
+    ExrImage::from_layer(layer)
+        .write()
+        .non_parallel()
+        .to_buffered(&mut out)
+        .map_err(|error| CodecError::new(FORMAT, "image", error.to_string(), "write another format"))?;
+    Ok(out.into_inner())
+}
+
+/// The depth in a file: its channel `Z`, else Blender's `V`, else `Y`, else `R`, else its only one.
+///
+/// # Errors
+/// Bytes that are no `OpenEXR` file of scan lines or tiles, or one of several channels of other names.
+pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
+    let mut channels = channels(bytes)?;
+    let index = ["Z", "V", "Y", "R"]
+        .iter()
+        .find_map(|name| channels.names.iter().position(|given| given == name))
+        .or((channels.names.len() == 1).then_some(0))
+        .ok_or_else(|| {
+            CodecError::new(
+                FORMAT,
+                "channels",
+                format!("none of {} is a depth", channels.names.join(", ")),
+                "name the channel Z",
+            )
+        })?;
+    let pixels = match channels.samples.swap_remove(index) {
+        FlatSamples::F32(values) => values,
+        other => other.values_as_f32().collect(),
+    };
+    Image::new(channels.width, channels.height, pixels).ok_or_else(incomplete)
+}
+
+/// The colours in a file, its channels R, G and B, or Y thrice. Linear.
+pub(crate) fn decode_rgb(bytes: &[u8]) -> Result<Image<[f32; 3]>, CodecError> {
+    let channels = channels(bytes)?;
+    let of = |name: &str| channels.names.iter().position(|given| given == name);
+    let indices = match (of("R"), of("G"), of("B"), of("Y")) {
+        (Some(r), Some(g), Some(b), _) => [r, g, b],
+        (_, _, _, Some(y)) => [y; 3],
+        _ => {
+            return Err(CodecError::new(
+                FORMAT,
+                "channels",
+                format!("no R, G and B among {}", channels.names.join(", ")),
+                "save an image of R, G and B",
+            ));
+        }
+    };
+    let [r, g, b] = indices.map(|index| channels.samples[index].values_as_f32());
+    let pixels = r.zip(g).zip(b).map(|((r, g), b)| [r, g, b]).collect();
+    Image::new(channels.width, channels.height, pixels).ok_or_else(incomplete)
+}
+
+/// The first layer of a file.
+struct Channels {
+    width: u32,
+    height: u32,
+    names: Vec<String>,
+    samples: Vec<FlatSamples>,
+}
+
+fn incomplete() -> CodecError {
+    broken("not all are there".into())
+}
+
+fn broken(problem: String) -> CodecError {
+    CodecError::new(
+        FORMAT,
+        "pixels",
+        problem,
+        "the file is cut off or damaged: save it again",
+    )
+}
+
+fn channels(bytes: &[u8]) -> Result<Channels, CodecError> {
+    // The reader has assertions that a damaged file can fail. Nothing outlives the unwind but the error.
+    catch_unwind(AssertUnwindSafe(|| read_channels(bytes)))
+        .unwrap_or_else(|_| Err(broken("the reader gave up".into())))
+}
+
+fn read_channels(bytes: &[u8]) -> Result<Channels, CodecError> {
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false)
+        .map_err(|error| CodecError::new(FORMAT, "header", error.to_string(), "give an OpenEXR file"))?;
+    for header in &meta.headers {
+        let size = (header.layer_size.0 as u64, header.layer_size.1 as u64);
+        // Every sample becomes four bytes at most.
+        let channels = header.channels.list.len() as u64;
+        limits::check(FORMAT, size, channels * 4, bytes.len())?;
+    }
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(|error| broken(error.to_string()))?;
+    let layer = image.layer_data;
+    let size = |n: usize| u32::try_from(n).map_err(|_| broken(format!("{n} pixels on a side")));
+    let (width, height) = (size(layer.size.0)?, size(layer.size.1)?);
+    let (names, samples) = layer
+        .channel_data
+        .list
+        .into_iter()
+        .map(|channel| (channel.name.to_string(), channel.sample_data))
+        .unzip();
+    Ok(Channels {
+        width,
+        height,
+        names,
+        samples,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn one_channel_that_opencv_reads() {
+        let file = encode(&Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap()).unwrap();
+        assert_eq!(file[..4], [0x76, 0x2F, 0x31, 0x01]);
+        let channels = channels(&file).unwrap();
+        assert_eq!(channels.names, ["Y"]);
+        assert!(matches!(&channels.samples[0], FlatSamples::F32(values) if values == &[1.5, f32::INFINITY]));
+        assert_eq!(decode_rgb(&file).unwrap().get(0, 0), Some(&[1.5; 3]));
+    }
+
+    #[test]
+    fn colours() {
+        let mut file = Cursor::new(Vec::new());
+        let pixels = |position: Vec2<usize>| (position.0 as f32, 0.5f32, 2.0f32);
+        let channels = ::exr::prelude::SpecificChannels::rgb(pixels);
+        ExrImage::from_channels((2, 1), channels)
+            .write()
+            .non_parallel()
+            .to_buffered(&mut file)
+            .unwrap();
+        let image = decode_rgb(file.get_ref()).unwrap();
+        assert_eq!(image.pixels(), [[0.0, 0.5, 2.0], [1.0, 0.5, 2.0]]);
+        assert_eq!(decode(file.get_ref()).unwrap().pixels(), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn channels_that_say_nothing() {
+        let mut file = Cursor::new(Vec::new());
+        let channels = ::exr::prelude::SpecificChannels::build()
+            .with_channel("U")
+            .with_channel("W")
+            .with_pixel_fn(|_| (1f32, 2f32));
+        ExrImage::from_channels((1, 1), channels)
+            .write()
+            .non_parallel()
+            .to_buffered(&mut file)
+            .unwrap();
+        assert_eq!(
+            decode(file.get_ref()).unwrap_err().to_string(),
+            "OpenEXR: channels: none of U, W is a depth; name the channel Z"
+        );
+        assert_eq!(
+            decode_rgb(file.get_ref()).unwrap_err().to_string(),
+            "OpenEXR: channels: no R, G and B among U, W; save an image of R, G and B"
+        );
+    }
+
+    #[test]
+    fn errors_say_what_and_what_to_do() {
+        assert!(
+            encode(&Image::filled(0, 2, 0.0))
+                .unwrap_err()
+                .to_string()
+                .contains("0 × 2")
+        );
+        let error = decode(b"not one").unwrap_err().to_string();
+        assert!(error.starts_with("OpenEXR: header: "), "{error}");
+        assert!(error.ends_with("; give an OpenEXR file"), "{error}");
+    }
+
+    proptest! {
+        #[test]
+        fn every_bit_comes_back(width in 1u32..40, height in 1u32..40, seed: u32) {
+            let bits: Vec<u32> = (0..width * height).map(|i| (i + 1).wrapping_mul(seed | 1)).collect();
+            let image = Image::new(width, height, bits.iter().map(|&b| f32::from_bits(b)).collect()).unwrap();
+            let back = decode(&encode(&image).unwrap()).unwrap();
+            prop_assert_eq!((back.width(), back.height()), (width, height));
+            prop_assert_eq!(back.pixels().iter().map(|v| v.to_bits()).collect::<Vec<_>>(), bits);
+        }
+
+        #[test]
+        fn damaged_bytes_are_an_error_or_an_image(at: prop::sample::Index, value: u8, cut: prop::sample::Index) {
+            let mut file = encode(&Image::filled(20, 20, 1.0)).unwrap();
+            let at = at.index(file.len());
+            file[at] = value;
+            let _ = decode(&file);
+            file.truncate(cut.index(file.len()));
+            let _ = decode(&file);
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! `NumPy` arrays in `.npy` files, format version 1.0.
+//!
+//! What is written equals `numpy.save`'s bytes (NumPy 1.23 and later, which leave room in the header for the first
+//! axis to grow): little endian, C order. Source: NumPy's documentation of `numpy.lib.format`.
+
+mod header;
+mod read;
+mod write;
+
+pub use read::{Array, Values, decode};
+pub use write::{Element, Field, encode, encode_records};
+
+const FORMAT: &str = "NPY";
+
+const MAGIC: &[u8] = b"\x93NUMPY";

@@ -1,0 +1,148 @@
+//! Depth as a picture for people: turbo colours, near in red, and a scale under it.
+
+mod legend;
+mod scale;
+
+use crate::colormap::turbo;
+use crate::{Image, RangeDepth, ZDepth};
+use legend::Legend;
+use scale::{Scale, is_value, step};
+
+/// Where there is no value: a grey that turbo does not have.
+const NONE: [u8; 3] = [96, 96, 96];
+
+/// Behind the scale.
+const PAPER: [u8; 3] = [24, 24, 24];
+
+const INK: [u8; 3] = [235, 235, 235];
+
+/// What of a depth image is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// The nearest and the farthest depth that has a colour of its own, metres. Without it the image decides: half a
+    /// percent of its values may lie outside on either side.
+    pub range: Option<(f32, f32)>,
+}
+
+impl ZDepth {
+    /// A picture of this depth, as [`depth`] draws it.
+    #[must_use]
+    pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
+        depth(&self.0, options)
+    }
+}
+
+impl RangeDepth {
+    /// A picture of this depth, as [`depth`] draws it.
+    #[must_use]
+    pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
+        depth(&self.0, options)
+    }
+}
+
+/// A picture of a depth image (metres; what is not positive and finite has no value) in its own size, and a scale in
+/// [`legend_height`] more rows under it.
+///
+/// The scale is linear, or logarithmic where the farthest is more than twelve times the nearest. `<` and `>` at its
+/// ends say that what lies beyond has the same colour.
+#[must_use]
+pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
+    let scale = Scale::of(metres, options);
+    let (width, height) = (metres.width(), metres.height());
+    let mut pixels =
+        Vec::with_capacity(width as usize * height.saturating_add(legend_height(width)) as usize);
+    let mut missing = 0usize;
+    let mut beyond = [false; 2];
+    if let Some(scale) = &scale {
+        let turbo = turbo();
+        for &z in metres.pixels() {
+            let valid = is_value(z);
+            missing += usize::from(!valid);
+            beyond[0] |= valid & (z < scale.near);
+            beyond[1] |= valid & (z > scale.far);
+            let color = turbo[step(scale.place(z))];
+            pixels.push(if valid { color } else { NONE });
+        }
+    } else {
+        missing = metres.pixels().len();
+        pixels.resize(missing, NONE);
+    }
+    pixels.resize(
+        pixels.len() + width as usize * legend_height(width) as usize,
+        PAPER,
+    );
+    let Some(mut picture) = Image::new(width, height.saturating_add(legend_height(width)), pixels) else {
+        return Image::filled(0, 0, PAPER);
+    };
+    Legend::new(&mut picture, height).draw(scale.as_ref(), missing > 0, beyond);
+    picture
+}
+
+/// Rows that [`depth`] adds to an image of so many columns.
+#[must_use]
+pub fn legend_height(width: u32) -> u32 {
+    text_height(width) * 4
+}
+
+/// Height of the scale's capitals, px.
+fn text_height(width: u32) -> u32 {
+    (width / 80).max(10)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn ramp(width: u32, near: f32, far: f32) -> Image<f32> {
+        let row = (0..width).map(|x| near + (far - near) * x as f32 / (width - 1) as f32);
+        Image::new(width, 2, row.clone().chain(row).collect()).unwrap()
+    }
+
+    #[test]
+    fn near_is_red_far_is_blue_and_what_is_missing_is_grey() {
+        let mut image = ramp(300, 1.0, 3.0);
+        image.pixels_mut()[5] = f32::INFINITY;
+        image.pixels_mut()[6] = 0.0;
+        image.pixels_mut()[7] = f32::NAN;
+        image.pixels_mut()[8] = -2.0;
+        let picture = depth(
+            &image,
+            &Options {
+                range: Some((1.0, 3.0)),
+            },
+        );
+        assert_eq!((picture.width(), picture.height()), (300, 2 + legend_height(300)));
+        assert_eq!(picture.get(0, 0), Some(&turbo()[243]));
+        assert_eq!(picture.get(299, 0), Some(&turbo()[12]));
+        assert_eq!(picture.get(150, 1), Some(&turbo()[127]));
+        for x in 5..9 {
+            assert_eq!(picture.get(x, 0), Some(&NONE));
+        }
+    }
+
+    #[test]
+    fn nothing_to_show() {
+        for image in [
+            Image::filled(0, 0, 0.0),
+            Image::filled(1, 1, f32::NAN),
+            Image::filled(3, 2, 1.0),
+            Image::filled(0, 5, 1.0),
+        ] {
+            let picture = depth(&image, &Options::default());
+            assert_eq!(picture.width(), image.width());
+            assert_eq!(picture.height(), image.height() + legend_height(image.width()));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_numbers_make_a_picture(
+            values in prop::collection::vec(prop::num::f32::ANY, 60), near: f32, far: f32,
+        ) {
+            let image = Image::new(60, 1, values).unwrap();
+            let _ = depth(&image, &Options::default());
+            let _ = depth(&image, &Options { range: Some((near, far)) });
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Pictures that others made, as textures: JPEG, PNG, BMP, TGA, WebP, Radiance HDR and `OpenEXR`.
+//!
+//! Embedded colour profiles and orientations are not applied, as in USD and glTF.
+
+use std::io::Cursor;
+
+use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+
+use crate::srgb::{linear_from_srgb, srgb_from_linear};
+use crate::{CodecError, Image, exr, limits};
+
+/// What an image says of its colours.
+enum Decoded {
+    /// sRGB and, where the file has it, coverage.
+    Srgb(Image<[u8; 4]>),
+    /// Linear.
+    Linear(Image<[f32; 3]>),
+}
+
+/// A texture in sRGB with coverage (255 where the file has none). High dynamic range is cut at 1.
+///
+/// `extension` is the file's, without the dot; it decides only where the bytes do not say what they are (TGA).
+///
+/// # Errors
+/// Bytes that are no such picture, or one that is larger than its file can hold or has 2³¹ pixels or more.
+pub fn decode_srgb(bytes: &[u8], extension: Option<&str>) -> Result<Image<[u8; 4]>, CodecError> {
+    Ok(match decode(bytes, extension)? {
+        Decoded::Srgb(image) => image,
+        Decoded::Linear(image) => image.map(|rgb| {
+            let [r, g, b] = rgb.map(srgb_from_linear);
+            [r, g, b, 255]
+        }),
+    })
+}
+
+/// A texture in linear light, such as a dome's. Pictures of 8 bits are taken to be sRGB.
+///
+/// # Errors
+/// As [`decode_srgb`].
+pub fn decode_linear(bytes: &[u8], extension: Option<&str>) -> Result<Image<[f32; 3]>, CodecError> {
+    Ok(match decode(bytes, extension)? {
+        Decoded::Srgb(image) => {
+            let linear = linear_from_srgb();
+            image.map(|&[r, g, b, _]| [r, g, b].map(|value| linear[usize::from(value)]))
+        }
+        Decoded::Linear(image) => image,
+    })
+}
+
+fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> {
+    if bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) {
+        return exr::decode_rgb(bytes).map(Decoded::Linear);
+    }
+    let format = ::image::guess_format(bytes)
+        .ok()
+        .or_else(|| ImageFormat::from_extension(extension?))
+        .filter(ImageFormat::reading_enabled)
+        .ok_or_else(|| {
+            CodecError::new(
+                "image",
+                "byte 0",
+                "not a format that is read",
+                "convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR",
+            )
+        })?;
+    let name = match format {
+        ImageFormat::Png => "PNG",
+        ImageFormat::Jpeg => "JPEG",
+        ImageFormat::Bmp => "BMP",
+        ImageFormat::Tga => "TGA",
+        ImageFormat::WebP => "WebP",
+        ImageFormat::Hdr => "HDR",
+        _ => "image",
+    };
+    let broken = |place: &'static str, error: &dyn std::fmt::Display| {
+        CodecError::new(
+            name,
+            place,
+            error.to_string(),
+            "the file is cut off or damaged: save it again",
+        )
+    };
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(limits::allowed_bytes(bytes.len()));
+    reader.limits(limits);
+    let decoder = reader.into_decoder().map_err(|error| broken("header", &error))?;
+    let (width, height) = decoder.dimensions();
+    let per_pixel = u64::from(decoder.color_type().bytes_per_pixel());
+    limits::check(
+        name,
+        (u64::from(width), u64::from(height)),
+        per_pixel,
+        bytes.len(),
+    )?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| broken("pixels", &error))?;
+    let incomplete = || broken("pixels", &"not all are there");
+    Ok(match image {
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+            let pixels = image.into_rgb32f().into_raw().as_chunks().0.to_vec();
+            Decoded::Linear(Image::new(width, height, pixels).ok_or_else(incomplete)?)
+        }
+        image => {
+            let pixels = image.into_rgba8().into_raw().as_chunks().0.to_vec();
+            Decoded::Srgb(Image::new(width, height, pixels).ok_or_else(incomplete)?)
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::image::{Rgb32FImage, RgbImage};
+    use proptest::prelude::*;
+
+    fn picture(format: ImageFormat) -> Vec<u8> {
+        let mut out = Cursor::new(Vec::new());
+        if format == ImageFormat::Hdr {
+            let image = Rgb32FImage::from_fn(16, 8, |x, y| ::image::Rgb([x as f32, y as f32, 0.5]));
+            image.write_to(&mut out, format).unwrap();
+        } else {
+            let byte = |value: u32| u8::try_from(value).unwrap();
+            let image = RgbImage::from_fn(16, 8, |x, y| {
+                ::image::Rgb([byte(x * 16), byte(y * 32), byte(255 - x)])
+            });
+            image.write_to(&mut out, format).unwrap();
+        }
+        out.into_inner()
+    }
+
+    #[test]
+    fn every_format_is_read() {
+        for format in [
+            ImageFormat::Png,
+            ImageFormat::Bmp,
+            ImageFormat::Tga,
+            ImageFormat::WebP,
+        ] {
+            let image = decode_srgb(&picture(format), Some("tga")).unwrap();
+            assert_eq!((image.width(), image.height()), (16, 8), "{format:?}");
+            assert_eq!(image.get(3, 2), Some(&[48, 64, 252, 255]), "{format:?}");
+        }
+        let jpeg = decode_srgb(&picture(ImageFormat::Jpeg), None).unwrap();
+        let close = jpeg.get(3, 2).unwrap().iter().zip([48, 64, 252u8]);
+        assert!(close.clone().all(|(a, b)| a.abs_diff(b) < 24), "{close:?}");
+        let hdr = picture(ImageFormat::Hdr);
+        assert_eq!(
+            decode_linear(&hdr, None).unwrap().get(3, 2),
+            Some(&[3.0, 2.0, 0.5])
+        );
+        assert_eq!(
+            decode_srgb(&hdr, None).unwrap().get(3, 2),
+            Some(&[255, 255, 188, 255])
+        );
+    }
+
+    #[test]
+    fn eight_bits_are_srgb() {
+        let png = crate::png::encode(&Image::filled(1, 1, [255u8, 0, 188])).unwrap();
+        let [r, g, b] = decode_linear(&png, None).unwrap().pixels()[0];
+        assert_eq!((r, g), (1.0, 0.0));
+        assert!((b - 0.5).abs() < 5e-3);
+    }
+
+    #[test]
+    fn errors_say_what_and_what_to_do() {
+        let says = |bytes: &[u8], extension| decode_srgb(bytes, extension).unwrap_err().to_string();
+        assert_eq!(
+            says(b"GIF89a", None),
+            "image: byte 0: not a format that is read; convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR"
+        );
+        assert!(says(b"", Some("tga")).starts_with("TGA: header: "));
+        assert!(says(&picture(ImageFormat::Jpeg)[..60], None).starts_with("JPEG: "));
+        // 60 000 × 60 000 pixels in a header of 18 bytes, and no more.
+        let mut tga = vec![0u8; 18];
+        tga[2] = 2;
+        tga[12..16].copy_from_slice(&[0x60, 0xEA, 0x60, 0xEA]);
+        tga[16] = 24;
+        assert!(says(&tga, Some("tga")).contains("60000 × 60000 pixels, 2^31 or more"));
+        tga[12..16].copy_from_slice(&[0x60, 0x6A, 0x60, 0x6A]);
+        assert!(says(&tga, Some("tga")).contains("cannot be in 18 bytes"));
+    }
+
+    proptest! {
+        #[test]
+        fn damaged_bytes_are_an_error_or_an_image(
+            which in 0usize..6, at: prop::sample::Index, value: u8, cut: prop::sample::Index,
+        ) {
+            use ImageFormat::{Bmp, Hdr, Jpeg, Png, Tga, WebP};
+            let mut file = picture([Png, Jpeg, Bmp, Tga, WebP, Hdr][which]);
+            let at = at.index(file.len());
+            file[at] = value;
+            let _ = decode_srgb(&file, Some("tga"));
+            file.truncate(cut.index(file.len()));
+            let _ = decode_linear(&file, Some("tga"));
+        }
+    }
+}

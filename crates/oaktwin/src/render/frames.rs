@@ -1,0 +1,264 @@
+//! Frame after frame: rendered, encoded and written, the next one rendered while the last is written.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::thread;
+
+use oaktwin_render::{AnnotateOptions, Backend, Renderer, View};
+use rayon::prelude::*;
+
+use super::camera::PlacedCamera;
+use super::output_folder::OutputFolder;
+use super::trajectory::TimedPose;
+use crate::camera::RigidTransform;
+use crate::dataset::{self, BasicWriter, CameraParams, DatasetError, Extras, Shot};
+use crate::diagnostic::{Finding, Level};
+use crate::files::FileError;
+use crate::image::annotation::{Annotator, Frame};
+
+/// What to render, and into which files.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameOptions<'a> {
+    /// What to render.
+    pub annotators: &'a [Annotator],
+    /// How to find what a pixel sees.
+    pub backend: Backend,
+    /// What is written beside the files of Replicator's `BasicWriter`.
+    pub extras: Extras,
+    /// Whether a warning of the renderer is an error.
+    pub strict: bool,
+    /// Whether [`Written::files`] is wanted: it grows with every frame.
+    pub list_files: bool,
+}
+
+/// What was written.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Written {
+    /// Frames of which every camera's files are there.
+    pub frames: usize,
+    /// The files, in the order of frames, then cameras, where they were [asked for](FrameOptions::list_files).
+    pub files: Vec<WrittenFile>,
+    /// What the renderer had to say, each once.
+    pub findings: Vec<Finding>,
+    /// Whether the caller asked to stop before the end.
+    pub is_interrupted: bool,
+}
+
+/// A file that was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its length.
+    pub bytes: u64,
+}
+
+/// How far it is: images that are rendered, of all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Done {
+    /// So many are rendered.
+    pub images: u64,
+    /// Of so many.
+    pub of: u64,
+}
+
+/// Why frames could not be written. The files before it are whole, and stay.
+#[derive(Debug, thiserror::Error)]
+pub enum FramesError {
+    /// A file could not be written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A file could not be encoded.
+    #[error("{0}")]
+    Dataset(#[from] DatasetError),
+    /// A warning of the renderer, with [`FrameOptions::strict`].
+    #[error("{0}")]
+    Strict(Finding),
+}
+
+/// An image on its way to its files.
+struct Rendered<'a> {
+    camera: &'a PlacedCamera,
+    number: usize,
+    view: View,
+    frame: Frame,
+}
+
+/// Renders a frame for each pose of `path`, or the one where the cameras stand where `path` is empty, with every camera,
+/// and writes it. `watch` is asked before each image and after it; where it breaks, what is rendered then is dropped.
+///
+/// The files are those of Replicator's `BasicWriter`: one camera's in the folder itself, those of several in folders by
+/// camera and annotator.
+///
+/// # Errors
+/// A file cannot be written, or there is a warning where none may be.
+pub fn write_frames(
+    renderer: &Renderer,
+    cameras: &[PlacedCamera],
+    path: &[TimedPose],
+    options: &FrameOptions<'_>,
+    folder: &mut OutputFolder,
+    watch: &mut dyn FnMut(Done) -> ControlFlow<()>,
+) -> Result<Written, FramesError> {
+    let poses: Vec<Option<&RigidTransform>> = if path.is_empty() {
+        vec![None]
+    } else {
+        path.iter().map(|pose| Some(&pose.world_from_mount)).collect()
+    };
+    let jobs = poses
+        .iter()
+        .enumerate()
+        .flat_map(|(number, pose)| cameras.iter().map(move |camera| (number, *pose, camera)));
+    let mut done = Done {
+        images: 0,
+        of: poses.len() as u64 * cameras.len() as u64,
+    };
+    let meters_per_unit = renderer.scene().meters_per_unit.0;
+    let mut findings = cast_instead(cameras, options.backend);
+    let mut stop = None;
+    // The writer takes an image when it has written the one before: never more than two are there.
+    let (sender, receiver) = mpsc::sync_channel::<Rendered<'_>>(0);
+    let (files, images) = thread::scope(|scope| {
+        let writer = scope.spawn(|| write_all(receiver, folder, cameras.len() > 1, meters_per_unit, options));
+        for (number, pose, camera) in jobs {
+            if watch(done).is_break() {
+                stop = Some(Ok(()));
+                break;
+            }
+            let view = camera.view(pose.unwrap_or(&camera.world_from_mount));
+            let (frame, more) = renderer.annotate(
+                &view,
+                options.annotators,
+                options.backend,
+                &AnnotateOptions::default(),
+            );
+            done.images += 1;
+            if let Some(warning) = more
+                .iter()
+                .find(|one| options.strict && one.level >= Level::Warning)
+            {
+                stop = Some(Err(FramesError::Strict(warning.clone())));
+                break;
+            }
+            for finding in more {
+                if !findings.contains(&finding) {
+                    findings.push(finding);
+                }
+            }
+            let is_interrupted = watch(done).is_break() && done.images < done.of;
+            let rendered = Rendered {
+                camera,
+                number,
+                view,
+                frame,
+            };
+            if is_interrupted {
+                stop = Some(Ok(()));
+                break;
+            }
+            // The writer is gone only when it failed, which it says below.
+            if sender.send(rendered).is_err() {
+                break;
+            }
+        }
+        drop(sender);
+        writer
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })?;
+    let is_interrupted = match stop {
+        Some(Err(error)) => return Err(error),
+        Some(Ok(())) => true,
+        None => false,
+    };
+    Ok(Written {
+        frames: images.checked_div(cameras.len()).unwrap_or(0),
+        files,
+        findings,
+        is_interrupted,
+    })
+}
+
+/// Cameras that are not rasterized although somebody asked for it.
+fn cast_instead(cameras: &[PlacedCamera], backend: Backend) -> Vec<Finding> {
+    let cameras = cameras.iter().filter(|camera| {
+        let view = camera.view(&camera.world_from_mount);
+        backend == Backend::Raster && backend.for_view(&view) != Backend::Raster
+    });
+    cameras
+        .map(|camera| {
+            Finding::new(
+                "cast-instead",
+                Level::Note,
+                &camera.path,
+                "its lens bends rays, which the rasterizer cannot: rays are cast instead",
+                "",
+            )
+        })
+        .collect()
+}
+
+/// Writes images until there are no more; the files, and the number of images.
+fn write_all(
+    images: mpsc::Receiver<Rendered<'_>>,
+    folder: &mut OutputFolder,
+    in_folders: bool,
+    meters_per_unit: f64,
+    options: &FrameOptions<'_>,
+) -> Result<(Vec<WrittenFile>, usize), FramesError> {
+    let writer = BasicWriter::new(dataset::Options {
+        extras: options.extras,
+        ..dataset::Options::default()
+    });
+    let mut files = Vec::new();
+    let mut put = |path: &str, bytes: &[u8]| -> Result<(), FramesError> {
+        let path = folder.write(Path::new(path), bytes)?;
+        if options.list_files {
+            let bytes = bytes.len() as u64;
+            files.push(WrittenFile { path, bytes });
+        }
+        Ok(())
+    };
+    let mut count = 0;
+    for image in images {
+        if count == 0 {
+            let metadata = writer.metadata();
+            put(metadata.path(), &metadata.bytes()?)?;
+        }
+        let params = options
+            .annotators
+            .contains(&Annotator::CameraParams)
+            .then(|| image.params(meters_per_unit));
+        let shot = Shot {
+            frame: &image.frame,
+            camera_params: params.as_ref(),
+            number: image.number as u64,
+            render_product: in_folders.then_some(&image.camera.folder),
+        };
+        let listed = writer.files(&shot);
+        let encoded: Vec<Result<Vec<u8>, DatasetError>> =
+            listed.par_iter().map(dataset::DatasetFile::bytes).collect();
+        for (file, bytes) in listed.iter().zip(encoded) {
+            put(file.path(), &bytes?)?;
+        }
+        count += 1;
+    }
+    Ok((files, count))
+}
+
+impl Rendered<'_> {
+    fn params(&self, meters_per_unit: f64) -> CameraParams {
+        let attributes = &self.camera.attributes;
+        let clip = &self.camera.clip;
+        CameraParams::new(&dataset::View {
+            optics: attributes.optics,
+            camera: self.view.camera,
+            world_from_camera: self.view.world_from_camera,
+            clipping_range: [clip.near_m, clip.far_m].map(|metres| metres / meters_per_unit),
+            meters_per_unit,
+            focus_distance: attributes.focus_distance,
+            f_stop: attributes.f_stop,
+        })
+    }
+}

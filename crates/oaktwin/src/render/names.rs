@@ -1,0 +1,81 @@
+//! Folder names for cameras.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A folder name for each camera, in order: the last part of its path, or the whole path where that would leave two
+/// with one name, and a number where even that would. Letters, digits, `-`, `_` and `.` stay, all else becomes `_`;
+/// names that differ in case only count as one.
+#[must_use]
+pub fn folder_names<'a>(paths: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let paths: Vec<&str> = paths.into_iter().collect();
+    let short = |path: &str| clean(path.rsplit('/').next().unwrap_or(path));
+    let mut uses: BTreeMap<String, usize> = BTreeMap::new();
+    for path in &paths {
+        *uses.entry(short(path).to_lowercase()).or_default() += 1;
+    }
+    let mut taken: BTreeSet<String> = BTreeSet::new();
+    let mut names = Vec::with_capacity(paths.len());
+    for path in paths {
+        let mut name = short(path);
+        if uses.get(&name.to_lowercase()).is_some_and(|uses| *uses > 1) {
+            name = clean(path.trim_start_matches('/'));
+        }
+        let unique = (1..)
+            .map(|n: u32| match n {
+                1 => name.clone(),
+                n => format!("{name}_{n}"),
+            })
+            .find(|candidate| !taken.contains(&candidate.to_lowercase()))
+            .unwrap_or(name);
+        taken.insert(unique.to_lowercase());
+        names.push(unique);
+    }
+    names
+}
+
+fn clean(name: &str) -> String {
+    const LONGEST: usize = 100;
+    let kept = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    let cleaned: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
+    // The end of a path says more than its beginning; no name is hidden or a way up.
+    let tail = cleaned
+        .get(cleaned.len().saturating_sub(LONGEST)..)
+        .unwrap_or(&cleaned);
+    let visible = tail.trim_start_matches('.').trim_end_matches('.');
+    if visible.is_empty() {
+        "camera".to_owned()
+    } else {
+        visible.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn short_names_where_they_do() {
+        assert_eq!(folder_names(["/World/Left", "/World/Right"]), ["Left", "Right"]);
+        assert_eq!(
+            folder_names(["/A/Camera", "/B/camera", "/B/Other"]),
+            ["A_Camera", "B_camera", "Other"]
+        );
+        assert_eq!(folder_names(["/A/x y", "/A/x:y"]), ["A_x_y", "A_x_y_2"]);
+        assert_eq!(folder_names([".."]), ["camera"]);
+    }
+
+    proptest! {
+        #[test]
+        fn always_unique_and_harmless(paths in prop::collection::vec("(/[A-Za-z_ .é]{0,4}){1,3}", 0..12)) {
+            let names = folder_names(paths.iter().map(String::as_str));
+            let mut folded: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+            folded.sort();
+            folded.dedup();
+            prop_assert_eq!(folded.len(), paths.len());
+            for name in names {
+                prop_assert!(!name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\']));
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! The annotators of Replicator: what each pixel sees, told as distances, normals, ids, boxes, points and colours.
+
+mod boxes;
+mod coverage;
+mod normals;
+mod pointcloud;
+mod range;
+mod segmentation;
+mod semantics;
+mod stencil;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use oaktwin_diagnostic::Finding;
+use oaktwin_image::annotation::{Annotator, Frame};
+
+use crate::rays::Rays;
+use crate::{Backend, Renderer, View, Visibility};
+
+pub(crate) use semantics::Semantics;
+pub(crate) use surface::{Surface, SurfaceFinder};
+
+/// What the annotators leave open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnnotateOptions {
+    /// Whether the point cloud has the points of things without a semantic label too. It has by default; Replicator
+    /// leaves them out unless it is told otherwise (`includeUnlabelled`).
+    pub unlabelled_points: bool,
+    /// Whether outlines are smooth in the colours; else each pixel has the colour of what its centre sees.
+    pub smooth_edges: bool,
+}
+
+impl Default for AnnotateOptions {
+    fn default() -> Self {
+        Self {
+            unlabelled_points: true,
+            smooth_edges: true,
+        }
+    }
+}
+
+impl Renderer {
+    /// What these annotators say of a view; the findings are what colours had to do without.
+    ///
+    /// [`Annotator::CameraParams`] says nothing about the scene and is left to whoever writes the frame.
+    #[must_use]
+    pub fn annotate(
+        &self,
+        view: &View,
+        annotators: &[Annotator],
+        backend: Backend,
+        options: &AnnotateOptions,
+    ) -> (Frame, Vec<Finding>) {
+        let wants = |annotator| annotators.contains(&annotator);
+        let mut frame = Frame::default();
+        let depth_is_enough = annotators.iter().all(|annotator| match annotator {
+            Annotator::DistanceToImagePlane | Annotator::CameraParams => true,
+            Annotator::DistanceToCamera => view.clips_along_axis(),
+            _ => false,
+        });
+        if depth_is_enough {
+            if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {
+                let z = self.depth(view, backend);
+                if wants(Annotator::DistanceToCamera) {
+                    frame.distance_to_camera = Some(range::from_depth(&Rays::new(view), &z));
+                }
+                frame.distance_to_image_plane = wants(Annotator::DistanceToImagePlane).then_some(z);
+            }
+            return (frame, Vec::new());
+        }
+        let seen = self.visibility(view, backend);
+        let findings = self.annotate_seen(view, &seen, &wants, *options, &mut frame);
+        if wants(Annotator::DistanceToImagePlane) {
+            frame.distance_to_image_plane = Some(seen.z);
+        }
+        (frame, findings)
+    }
+
+    fn annotate_seen(
+        &self,
+        view: &View,
+        seen: &Visibility,
+        wants: &impl Fn(Annotator) -> bool,
+        options: AnnotateOptions,
+        frame: &mut Frame,
+    ) -> Vec<Finding> {
+        let scene = self.scene();
+        let rays = &Rays::new(view);
+        let mut findings = Vec::new();
+        if wants(Annotator::Rgb) {
+            let (rgb, missing) =
+                (self.shader()).shade(scene, self.ray_caster(), view, rays, seen, options.smooth_edges);
+            frame.rgb = Some(rgb);
+            findings = missing;
+        }
+        if wants(Annotator::DistanceToCamera) {
+            frame.distance_to_camera = Some(range::from_visibility(scene, view, rays, seen));
+        }
+        if wants(Annotator::Normals) {
+            frame.normals = Some(normals::normals(scene, view, rays, seen));
+        }
+        if wants(Annotator::InstanceIdSegmentation) {
+            frame.instance_id_segmentation = Some(segmentation::instances(scene, &seen.hits));
+        }
+        if wants(Annotator::SemanticSegmentation) {
+            frame.semantic_segmentation = Some(segmentation::semantics(self.semantics(), &seen.hits));
+        }
+        let (tight, loose) = (
+            wants(Annotator::BoundingBox2dTight),
+            wants(Annotator::BoundingBox2dLoose),
+        );
+        if tight || loose {
+            let boxes = boxes::boxes(scene, self.semantics(), view, rays, &seen.hits);
+            frame.bounding_box_2d_tight = tight.then_some(boxes.tight);
+            frame.bounding_box_2d_loose = loose.then_some(boxes.loose);
+        }
+        if wants(Annotator::Pointcloud) {
+            let rgb = frame.rgb.as_ref();
+            frame.pointcloud = Some(pointcloud::pointcloud(
+                scene,
+                self.semantics(),
+                view,
+                rays,
+                seen,
+                rgb,
+                options.unlabelled_points,
+            ));
+        }
+        findings
+    }
+}

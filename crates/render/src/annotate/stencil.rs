@@ -1,0 +1,129 @@
+/// A set of pixels of an image, one bit each.
+#[derive(Debug)]
+pub(super) struct Stencil {
+    width: u32,
+    words_per_row: usize,
+    words: Vec<u64>,
+    /// The rows that may have pixels: the first, and one after the last.
+    rows: [u32; 2],
+}
+
+/// A rectangle of pixels and how many of them count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Extent {
+    pub(super) count: u64,
+    /// The first and the last column.
+    pub(super) x: [u32; 2],
+    /// The first and the last row.
+    pub(super) y: [u32; 2],
+}
+
+impl Extent {
+    /// Nothing.
+    pub(super) const EMPTY: Self = Self {
+        count: 0,
+        x: [u32::MAX, 0],
+        y: [u32::MAX, 0],
+    };
+
+    /// With one more pixel.
+    pub(super) fn add(&mut self, x: u32, y: u32) {
+        *self = self.union(Self {
+            count: 1,
+            x: [x; 2],
+            y: [y; 2],
+        });
+    }
+
+    /// Both together, which have no pixel in common.
+    pub(super) fn union(self, other: Self) -> Self {
+        let hull = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        Self {
+            count: self.count + other.count,
+            x: hull(self.x, other.x),
+            y: hull(self.y, other.y),
+        }
+    }
+}
+
+impl Stencil {
+    pub(super) fn new(width: u32, height: u32) -> Self {
+        let words_per_row = (width as usize).div_ceil(64);
+        Self {
+            width,
+            words_per_row,
+            words: vec![0; words_per_row * height as usize],
+            rows: [u32::MAX, 0],
+        }
+    }
+
+    /// Whether a pixel of the image belongs to it.
+    pub(super) fn has(&self, x: u32, y: u32) -> bool {
+        let at = y as usize * self.words_per_row + x as usize / 64;
+        self.words.get(at).is_some_and(|word| word >> (x % 64) & 1 == 1)
+    }
+
+    /// Takes a pixel in; one outside the image is left out.
+    pub(super) fn insert(&mut self, x: u32, y: u32) {
+        let at = y as usize * self.words_per_row + x as usize / 64;
+        if x < self.width
+            && let Some(word) = self.words.get_mut(at)
+        {
+            *word |= 1 << (x % 64);
+            self.rows = [self.rows[0].min(y), self.rows[1].max(y + 1)];
+        }
+    }
+
+    /// What is in it.
+    pub(super) fn extent(&self) -> Extent {
+        let mut extent = Extent::EMPTY;
+        for y in self.rows[0]..self.rows[1] {
+            let row = y as usize * self.words_per_row;
+            for (word, first) in self.words[row..row + self.words_per_row]
+                .iter()
+                .zip((0..).step_by(64))
+            {
+                if *word != 0 {
+                    extent = extent.union(Extent {
+                        count: u64::from(word.count_ones()),
+                        x: [first + word.trailing_zeros(), first + 63 - word.leading_zeros()],
+                        y: [y; 2],
+                    });
+                }
+            }
+        }
+        extent
+    }
+
+    /// Takes all pixels out.
+    pub(super) fn clear(&mut self) {
+        for y in self.rows[0]..self.rows[1] {
+            let row = y as usize * self.words_per_row;
+            self.words[row..row + self.words_per_row].fill(0);
+        }
+        self.rows = [u32::MAX, 0];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_goes_in_is_counted_and_framed() {
+        let mut stencil = Stencil::new(130, 4);
+        for (x, y) in [(3, 1), (64, 1), (129, 2), (3, 1), (130, 2), (0, 4)] {
+            stencil.insert(x, y);
+        }
+        assert!(stencil.has(129, 2) && !stencil.has(128, 2));
+        let expected = Extent {
+            count: 3,
+            x: [3, 129],
+            y: [1, 2],
+        };
+        assert_eq!(stencil.extent(), expected);
+        stencil.clear();
+        assert_eq!(stencil.extent(), Extent::EMPTY);
+        assert!(!stencil.has(3, 1));
+    }
+}

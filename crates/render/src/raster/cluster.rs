@@ -1,0 +1,223 @@
+//! A mesh in clusters: what is culled, transformed and drawn together.
+
+use oaktwin_scene::Mesh;
+use rayon::prelude::*;
+
+use super::order;
+
+/// At most so many triangles in a cluster.
+pub(super) const MAX_TRIANGLES: usize = 128;
+/// At most so many vertices in a cluster: a triangle's corners are bytes.
+pub(super) const MAX_VERTICES: usize = 256;
+/// Triangles and vertices are read so many at a time, past the end of a cluster.
+pub(super) const LANES: usize = 8;
+
+/// A mesh's own copy of its geometry, in an order in which neighbours in space are neighbours in memory: 16 bytes a
+/// triangle.
+#[derive(Debug, Default)]
+pub(super) struct ClusteredMesh {
+    pub(super) clusters: Vec<Cluster>,
+    /// Vertices, in the mesh's frame; [`LANES`] more than there are.
+    pub(super) x: Vec<f32>,
+    pub(super) y: Vec<f32>,
+    pub(super) z: Vec<f32>,
+    /// Corners within the cluster, a byte each from the lowest; [`LANES`] more than there are.
+    pub(super) corners: Vec<u32>,
+    /// What each triangle is in the mesh.
+    pub(super) triangles: Vec<u32>,
+}
+
+/// Up to [`MAX_TRIANGLES`] triangles that lie close together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cluster {
+    pub(super) bounds: Bounds,
+    pub(super) first_vertex: u32,
+    pub(super) first_triangle: u32,
+    pub(super) vertices: u16,
+    pub(super) triangles: u16,
+}
+
+/// A box along the axes of the mesh's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) lower: [f32; 3],
+    pub(super) upper: [f32; 3],
+}
+
+impl Bounds {
+    pub(super) const EMPTY: Self = Self {
+        lower: [f32::INFINITY; 3],
+        upper: [f32::NEG_INFINITY; 3],
+    };
+
+    pub(super) fn include(mut self, point: [f32; 3]) -> Self {
+        for ((lower, upper), p) in self.lower.iter_mut().zip(&mut self.upper).zip(point) {
+            *lower = lower.min(p);
+            *upper = upper.max(p);
+        }
+        self
+    }
+
+    pub(super) fn union(self, other: Self) -> Self {
+        self.include(other.lower).include(other.upper)
+    }
+}
+
+/// The corners of a triangle that can be drawn: indices in range, all numbers finite.
+pub(super) fn sound_corners(mesh: &Mesh, triangle: usize) -> Option<[[f32; 3]; 3]> {
+    let corners = mesh.corners(triangle)?;
+    corners.iter().flatten().all(|c| c.is_finite()).then_some(corners)
+}
+
+impl ClusteredMesh {
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        let mut order = order::along_curve(mesh);
+        let leaves = order::leaves(mesh, &mut order, MAX_TRIANGLES);
+        let parts: Vec<Self> = leaves
+            .par_chunks(256)
+            .map(|leaves| {
+                let mut part = Self::default();
+                let mut slots = Slots::default();
+                for leaf in leaves {
+                    part.push(mesh, order.get(leaf.clone()).unwrap_or_default(), &mut slots);
+                }
+                part
+            })
+            .collect();
+        let mut all = Self::default();
+        let vertices: usize = parts.iter().map(|p| p.x.len()).sum();
+        let triangles: usize = parts.iter().map(|p| p.corners.len()).sum();
+        all.clusters
+            .reserve_exact(parts.iter().map(|p| p.clusters.len()).sum());
+        for axis in [&mut all.x, &mut all.y, &mut all.z] {
+            axis.reserve_exact(vertices + LANES);
+        }
+        all.corners.reserve_exact(triangles + LANES);
+        all.triangles.reserve_exact(triangles);
+        for part in parts {
+            all.append(&part);
+        }
+        for axis in [&mut all.x, &mut all.y, &mut all.z] {
+            axis.extend([0.0; LANES]);
+        }
+        all.corners.extend([0; LANES]);
+        all
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "a mesh's indices are u32")]
+    fn append(&mut self, part: &Self) {
+        let (first_vertex, first_triangle) = (self.x.len() as u32, self.corners.len() as u32);
+        self.clusters.extend(part.clusters.iter().map(|cluster| Cluster {
+            first_vertex: cluster.first_vertex + first_vertex,
+            first_triangle: cluster.first_triangle + first_triangle,
+            ..*cluster
+        }));
+        self.x.extend_from_slice(&part.x);
+        self.y.extend_from_slice(&part.y);
+        self.z.extend_from_slice(&part.z);
+        self.corners.extend_from_slice(&part.corners);
+        self.triangles.extend_from_slice(&part.triangles);
+    }
+
+    /// A cluster of these triangles, or several if they have too many vertices.
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "what is counted here is at most 256"
+    )]
+    fn push(&mut self, mesh: &Mesh, ordered: &[u64], slots: &mut Slots) {
+        slots.clear();
+        let (first_vertex, first_triangle) = (self.x.len(), self.corners.len());
+        let mut bounds = Bounds::EMPTY;
+        for triangle in ordered.iter().map(|key| order::triangle(*key)) {
+            let (Some(corners), Some(indices)) = (
+                sound_corners(mesh, triangle as usize),
+                mesh.triangles.get(triangle as usize),
+            ) else {
+                continue;
+            };
+            let mut packed = 0;
+            for (shift, (index, [x, y, z])) in (0..).step_by(8).zip(indices.iter().zip(corners)) {
+                let next = self.x.len() - first_vertex;
+                let local = slots.local(*index, next as u16);
+                if usize::from(local) == MAX_VERTICES {
+                    self.x.truncate(first_vertex);
+                    self.y.truncate(first_vertex);
+                    self.z.truncate(first_vertex);
+                    self.corners.truncate(first_triangle);
+                    self.triangles.truncate(first_triangle);
+                    let (left, right) = ordered.split_at(ordered.len() / 2);
+                    self.push(mesh, left, slots);
+                    self.push(mesh, right, slots);
+                    return;
+                }
+                if usize::from(local) == next {
+                    self.x.push(x);
+                    self.y.push(y);
+                    self.z.push(z);
+                }
+                bounds = bounds.include([x, y, z]);
+                packed |= u32::from(local) << shift;
+            }
+            self.corners.push(packed);
+            self.triangles.push(triangle);
+        }
+        if self.corners.len() > first_triangle {
+            self.clusters.push(Cluster {
+                bounds,
+                first_vertex: first_vertex as u32,
+                first_triangle: first_triangle as u32,
+                vertices: (self.x.len() - first_vertex) as u16,
+                triangles: (self.corners.len() - first_triangle) as u16,
+            });
+        }
+    }
+
+    /// The positions of a triangle's corners, by its place in this order.
+    pub(super) fn positions(&self, cluster: &Cluster, triangle: usize) -> Option<[[f32; 3]; 3]> {
+        let [a, b, c, _] = self.corners.get(triangle)?.to_le_bytes();
+        let vertex = |local: u8| {
+            let at = cluster.first_vertex as usize + usize::from(local);
+            Some([*self.x.get(at)?, *self.y.get(at)?, *self.z.get(at)?])
+        };
+        Some([vertex(a)?, vertex(b)?, vertex(c)?])
+    }
+}
+
+/// Which vertices of the mesh a cluster has already: a hash table with open addressing.
+#[derive(Debug)]
+struct Slots {
+    table: Box<[(u32, u16); Self::SIZE]>,
+}
+
+impl Default for Slots {
+    fn default() -> Self {
+        Self {
+            table: Box::new([Self::FREE; Self::SIZE]),
+        }
+    }
+}
+
+impl Slots {
+    const SIZE: usize = 1024;
+    const FREE: (u32, u16) = (0, u16::MAX);
+
+    fn clear(&mut self) {
+        self.table.fill(Self::FREE);
+    }
+
+    /// Which vertex of the cluster it is; `next` if it is new.
+    fn local(&mut self, vertex: u32, next: u16) -> u16 {
+        let mut at = vertex.wrapping_mul(0x9E37_79B1) as usize >> 22;
+        loop {
+            let slot = &mut self.table[at % Self::SIZE];
+            if slot.1 == u16::MAX {
+                *slot = (vertex, next);
+                return next;
+            }
+            if slot.0 == vertex {
+                return slot.1;
+            }
+            at += 1;
+        }
+    }
+}

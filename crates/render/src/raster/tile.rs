@@ -1,0 +1,206 @@
+//! The pixels that are drawn together, small enough for the fastest cache.
+
+use super::draw::Job;
+use super::frame::Frame;
+use super::lanes::Lanes;
+
+/// Columns of a tile.
+pub(super) const WIDTH: usize = 128;
+/// Rows of a tile.
+pub(super) const HEIGHT: usize = 80;
+/// From row to row: triangles are drawn eight columns at a time, past a tile's right edge.
+pub(super) const ROW: i32 = 136;
+/// The same.
+pub(super) const STRIDE: usize = ROW as usize;
+const _: () = assert!(STRIDE == WIDTH + 8 && STRIDE * (HEIGHT + 1) <= SIZE);
+/// A power of two, at least a row more than a tile has.
+const SIZE: usize = 16384;
+/// Columns and rows of a block.
+const BLOCK: usize = 8;
+const BLOCKS_ACROSS: usize = WIDTH / BLOCK;
+const BLOCKS: usize = BLOCKS_ACROSS * (HEIGHT / BLOCK);
+
+/// A part of the image while it is drawn.
+#[derive(Debug)]
+pub(super) struct Tile {
+    /// Its first pixel in the image.
+    pub(super) x: u32,
+    pub(super) y: u32,
+    /// How much of it the image has, at least 1 by 1.
+    pub(super) width: i32,
+    pub(super) height: i32,
+    /// 1/z of the nearest surface so far; 0 where there is none.
+    pub(super) inverse_z: Box<[f32; SIZE]>,
+    /// Which triangle that is; not used where only depth is wanted.
+    ids: Box<[i32; SIZE]>,
+    /// Not more than the smallest inverse z in each block.
+    farthest: [f32; BLOCKS],
+    /// Blocks drawn on since `farthest` was found.
+    is_stale: [bool; BLOCKS],
+}
+
+/// A triangle among all that a tile draws: its entry, and its place in the cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Id(i32);
+
+impl Id {
+    pub(super) const NONE: Self = Self(-1);
+
+    /// Entries are fewer than 2^25: more would not fit into memory.
+    #[expect(clippy::cast_possible_truncation, reason = "see above")]
+    pub(super) const fn new(entry: usize, triangle: u32) -> Self {
+        Self(((entry as u32) << 7 | triangle).cast_signed())
+    }
+
+    pub(super) const fn parts(self) -> (usize, usize) {
+        let bits = self.0.cast_unsigned() as usize;
+        (bits >> 7, bits & 127)
+    }
+}
+
+/// Columns and rows of a tile, both inclusive, in it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rectangle {
+    pub(super) x: [i32; 2],
+    pub(super) y: [i32; 2],
+}
+
+impl Default for Tile {
+    fn default() -> Self {
+        Self {
+            x: 0,
+            y: 0,
+            width: 1,
+            height: 1,
+            inverse_z: Box::new([0.0; SIZE]),
+            ids: Box::new([Id::NONE.0; SIZE]),
+            farthest: [0.0; BLOCKS],
+            is_stale: [false; BLOCKS],
+        }
+    }
+}
+
+impl Tile {
+    /// How many a frame has, across and down.
+    pub(super) fn count(width: u32, height: u32) -> [usize; 2] {
+        [
+            (width as usize).div_ceil(WIDTH),
+            (height as usize).div_ceil(HEIGHT),
+        ]
+    }
+
+    /// Rows of what is seen.
+    pub(super) fn id_rows(&self) -> impl Iterator<Item = impl Iterator<Item = Id>> {
+        self.ids.chunks(STRIDE).map(|row| row.iter().map(|id| Id(*id)))
+    }
+
+    /// Empties it and puts it elsewhere.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        reason = "a tile lies inside an image, whose sides are u32"
+    )]
+    pub(super) fn start<const IDS: bool>(&mut self, frame: &Frame, column: usize, row: usize) {
+        self.x = (column * WIDTH) as u32;
+        self.y = (row * HEIGHT) as u32;
+        self.width = (frame.width - self.x).min(WIDTH as u32) as i32;
+        self.height = (frame.height - self.y).min(HEIGHT as u32) as i32;
+        self.inverse_z[..STRIDE * (HEIGHT + 1)].fill(0.0);
+        if IDS {
+            self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE.0);
+        }
+        self.farthest = [0.0; BLOCKS];
+        self.is_stale = [false; BLOCKS];
+    }
+
+    /// Whether a surface at least this far would be hidden all over the rectangle.
+    #[inline(always)]
+    pub(super) fn hides(&mut self, rectangle: Rectangle, inverse_z: f32) -> bool {
+        for (at, first) in blocks(rectangle) {
+            let farthest = &mut self.farthest[at];
+            if inverse_z < *farthest {
+                continue;
+            }
+            if !std::mem::take(&mut self.is_stale[at]) {
+                return false;
+            }
+            let mut lowest = [f32::INFINITY; BLOCK];
+            for row in 0..BLOCK {
+                let pixels = &self.inverse_z[(first + row * STRIDE) % SIZE..][..BLOCK];
+                for (lowest, pixel) in lowest.iter_mut().zip(pixels) {
+                    *lowest = if *pixel < *lowest { *pixel } else { *lowest };
+                }
+            }
+            *farthest = lowest.into_iter().fold(f32::INFINITY, f32::min);
+            if inverse_z >= *farthest {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// That something was drawn here.
+    #[inline(always)]
+    pub(super) fn touch(&mut self, rectangle: Rectangle) {
+        for (at, _) in blocks(rectangle) {
+            self.is_stale[at] = true;
+        }
+    }
+
+    /// Makes a triangle what is seen at a pixel, given by its place in the arrays, if it is nearer.
+    #[inline(always)]
+    pub(super) fn put<const IDS: bool>(&mut self, job: &Job, at: usize, inverse_z: f32, id: Id) {
+        let nearest = &mut self.inverse_z[at % SIZE];
+        #[expect(clippy::float_cmp, reason = "a tie is when they are the same")]
+        if IDS {
+            let first = &mut self.ids[at % SIZE];
+            if inverse_z > *nearest || inverse_z == *nearest && job.hit(id) < job.hit(Id(*first)) {
+                (*nearest, *first) = (inverse_z, id.0);
+            }
+        } else {
+            *nearest = if inverse_z > *nearest { inverse_z } else { *nearest };
+        }
+    }
+
+    /// The same for eight pixels in a row, where `inverse_z` is positive.
+    #[inline(always)]
+    pub(super) fn put_row<L: Lanes, const IDS: bool>(
+        &mut self,
+        l: L,
+        job: &Job,
+        at: usize,
+        inverse_z: L::F,
+        id: Id,
+    ) {
+        let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() else {
+            return;
+        };
+        let before = l.load_f(pixels);
+        *pixels = l.store_f(l.max_f(inverse_z, before));
+        if IDS && let Some(ids) = self.ids[at % SIZE..].first_chunk_mut::<8>() {
+            let nearer = l.greater_f(inverse_z, before);
+            let not_farther =
+                l.signs(l.greater_f(inverse_z, l.splat_f(0.0))) & !l.signs(l.greater_f(before, inverse_z));
+            *ids = l.store_i(l.select_i(nearer, l.splat_i(id.0), l.load_i(ids)));
+            let mut ties = not_farther & !l.signs(nearer);
+            while ties != 0 {
+                let first = &mut ids[ties.trailing_zeros() as usize % 8];
+                if job.hit(id) < job.hit(Id(*first)) {
+                    *first = id.0;
+                }
+                ties &= ties - 1;
+            }
+        }
+    }
+}
+
+/// The blocks that a rectangle touches, and their first pixel.
+#[inline(always)]
+#[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
+fn blocks(rectangle: Rectangle) -> impl Iterator<Item = (usize, usize)> {
+    let [x0, x1] = rectangle.x.map(|x| x as usize / BLOCK);
+    let [y0, y1] = rectangle.y.map(|y| y as usize / BLOCK);
+    (y0..=y1).flat_map(move |y| {
+        (x0..=x1).map(move |x| ((y * BLOCKS_ACROSS + x) % BLOCKS, y * BLOCK * STRIDE + x * BLOCK))
+    })
+}

@@ -1,0 +1,63 @@
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{LensModel, PixelPoint, Usd};
+use oaktwin_image::Image;
+use rayon::prelude::*;
+
+use crate::View;
+
+/// The rays of a view's pixels in the camera's frame: of length 1 along the optical axis where the view is clipped along
+/// it, else of length 1. So what is `t` such lengths away is clipped by `t`, and for a pinhole `t` is the depth.
+#[derive(Debug)]
+pub(crate) struct Rays<'a> {
+    view: &'a View,
+    along_axis: bool,
+    /// Where there is a lens: one column and one row more than the image has; NaN where the lens sees nothing.
+    table: Option<Image<DVec3>>,
+}
+
+impl<'a> Rays<'a> {
+    pub(crate) fn new(view: &'a View) -> Self {
+        let mut rays = Self {
+            view,
+            along_axis: view.clips_along_axis(),
+            table: None,
+        };
+        if view.camera.lens != LensModel::Pinhole {
+            let size = view.camera.intrinsics.size;
+            let (width, height) = (size.width.saturating_add(1), size.height.saturating_add(1));
+            let mut table = Image::filled(width, height, DVec3::NAN);
+            let rows = table.pixels_mut().par_chunks_mut(width as usize);
+            rows.zip(0..height).for_each(|(row, y)| {
+                for (ray, x) in row.iter_mut().zip(0..) {
+                    let at = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+                    *ray = rays.through(at).unwrap_or(DVec3::NAN);
+                }
+            });
+            rays.table = Some(table);
+        }
+        rays
+    }
+
+    /// Whether all of them look forward, so that their lengths are measured along the optical axis.
+    pub(crate) fn are_along_axis(&self) -> bool {
+        self.along_axis
+    }
+
+    /// Through the centre of a pixel, which may be one to the right of or below the image.
+    #[inline]
+    pub(crate) fn centre(&self, x: u32, y: u32) -> Option<DVec3> {
+        match &self.table {
+            Some(table) => table.get(x, y).copied().filter(|ray| !ray.is_nan()),
+            None => {
+                let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                Some((self.view.camera.intrinsics.normalized_from_pixel(centre)).extend(1.0))
+            }
+        }
+    }
+
+    /// Through any place of the image, px, the first pixel's centre being at 0.5.
+    pub(crate) fn through(&self, [x, y]: [f64; 2]) -> Option<DVec3> {
+        let ray = self.view.camera.unproject(PixelPoint::<Usd>::new(x, y))?;
+        Some(if self.along_axis { ray / ray.z } else { ray })
+    }
+}

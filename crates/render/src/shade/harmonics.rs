@@ -1,0 +1,108 @@
+//! Light from all around, as smooth functions of direction.
+
+use glam::Vec3;
+
+/// Spherical harmonics up to the second order, three channels: light from all around, of which a diffuse surface takes
+/// nothing finer (Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Harmonics([Vec3; 9]);
+
+impl Harmonics {
+    /// The same radiance from everywhere.
+    pub(super) fn uniform(radiance: Vec3) -> Self {
+        let mut all = Self::default();
+        all.0[0] = radiance / BASIS_0;
+        all
+    }
+
+    /// `slope · direction` more from where `towards` points.
+    pub(super) fn with_slope(mut self, slope: Vec3, towards: Vec3) -> Self {
+        for (coefficient, part) in self.0[1..4].iter_mut().zip([towards.y, towards.z, towards.x]) {
+            *coefficient += slope * (part / BASIS_1);
+        }
+        self
+    }
+
+    /// Adds radiance that comes out of a small solid angle.
+    pub(super) fn add(&mut self, direction: Vec3, radiance: Vec3, solid_angle: f32) {
+        for (coefficient, basis) in self.0.iter_mut().zip(basis(direction)) {
+            *coefficient += radiance * (basis * solid_angle);
+        }
+    }
+
+    /// Both.
+    pub(super) fn plus(mut self, other: &Self) -> Self {
+        for (mine, others) in self.0.iter_mut().zip(other.0) {
+            *mine += others;
+        }
+        self
+    }
+
+    /// What a diffuse surface receives from its side of the world, over π: the mean radiance by cosine.
+    #[inline]
+    pub(super) fn mean_by_cosine(&self, normal: Vec3) -> Vec3 {
+        // The cosine's own coefficients over π.
+        const BANDS: [f32; 9] = [1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25, 0.25, 0.25];
+        let mut sum = Vec3::ZERO;
+        for ((coefficient, basis), band) in self.0.iter().zip(basis(normal)).zip(BANDS) {
+            sum += *coefficient * (basis * band);
+        }
+        sum.max(Vec3::ZERO)
+    }
+}
+
+const BASIS_0: f32 = 0.282_094_8;
+const BASIS_1: f32 = 0.488_602_5;
+
+/// The real spherical harmonics of a unit vector.
+#[inline]
+fn basis(d: Vec3) -> [f32; 9] {
+    [
+        BASIS_0,
+        BASIS_1 * d.y,
+        BASIS_1 * d.z,
+        BASIS_1 * d.x,
+        1.092_548_4 * d.x * d.y,
+        1.092_548_4 * d.y * d.z,
+        0.315_391_57 * (3.0 * d.z * d.z - 1.0),
+        1.092_548_4 * d.x * d.z,
+        0.546_274_2 * (d.x * d.x - d.y * d.y),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn uniform_light_is_the_same_everywhere() {
+        let uniform = Harmonics::uniform(Vec3::new(1.0, 2.0, 3.0));
+        let got = uniform.mean_by_cosine(Vec3::new(0.6, 0.0, -0.8));
+        assert!((got - Vec3::new(1.0, 2.0, 3.0)).length() < 1e-5);
+    }
+
+    #[test]
+    fn sums_over_the_sphere_agree_with_the_formula() {
+        // Radiance 1 + z from direction z.
+        let mut summed = Harmonics::default();
+        let (rings, sectors) = (64u16, 128u16);
+        for i in 0..rings {
+            let z = 2.0 * (f32::from(i) + 0.5) / f32::from(rings) - 1.0;
+            for j in 0..sectors {
+                let azimuth = std::f32::consts::TAU * f32::from(j) / f32::from(sectors);
+                let across = (1.0 - z * z).sqrt();
+                let direction = Vec3::new(across * azimuth.cos(), across * azimuth.sin(), z);
+                let solid_angle = 4.0 * std::f32::consts::PI / (f32::from(rings) * f32::from(sectors));
+                summed.add(direction, Vec3::splat(1.0 + z), solid_angle);
+            }
+        }
+        let formula = Harmonics::uniform(Vec3::ONE).with_slope(Vec3::ONE, Vec3::Z);
+        for normal in [Vec3::Z, Vec3::X, Vec3::NEG_Z] {
+            // The mean of z by cosine is 2/3 straight up.
+            let expected = 1.0 + normal.z * 2.0 / 3.0;
+            for light in [&summed, &formula] {
+                assert!((light.mean_by_cosine(normal).x - expected).abs() < 1e-3);
+            }
+        }
+    }
+}

@@ -1,0 +1,211 @@
+use glam::Vec3;
+use oaktwin_camera::math::DVec3;
+
+/// A light that stands or points somewhere.
+#[derive(Clone, Debug)]
+pub(super) struct Lamp {
+    pub(super) shape: Shape,
+    /// Linear; of a distant light the irradiance of a surface that faces it.
+    pub(super) radiance: Vec3,
+}
+
+/// A lamp's shape in the world, metres.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shape {
+    /// A disk infinitely far away.
+    Distant {
+        /// Unit vector.
+        towards: DVec3,
+        /// Half axes of the disk, one metre away.
+        u: DVec3,
+        v: DVec3,
+    },
+    Sphere {
+        centre: DVec3,
+        radius: f64,
+    },
+    /// A rectangle or an ellipse, shining to one side.
+    Area {
+        centre: DVec3,
+        /// Half axes.
+        u: DVec3,
+        v: DVec3,
+        /// Unit vector to the side that shines.
+        normal: DVec3,
+        round: bool,
+    },
+}
+
+impl Shape {
+    /// Light from the unit vector `towards`, from a disk `angle` radians wide.
+    pub(super) fn distant(towards: DVec3, angle: f64) -> Self {
+        let (u, v) = towards.any_orthonormal_pair();
+        let half = (angle.clamp(0.0, 3.0) / 2.0).tan();
+        Self::Distant {
+            towards,
+            u: u * half,
+            v: v * half,
+        }
+    }
+
+    /// The area that shines, m²; `None` for what is infinitely far away.
+    pub(super) fn surface(&self) -> Option<f64> {
+        use std::f64::consts::PI;
+        Some(match self {
+            Self::Distant { .. } => return None,
+            Self::Sphere { radius, .. } => 4.0 * PI * radius * radius,
+            Self::Area { u, v, round, .. } => u.cross(*v).length() * if *round { PI } else { 4.0 },
+        })
+    }
+
+    /// From a point to a place on the lamp, `(a, b)` from −1 to 1 across it, and whether it ends there rather than
+    /// going on for ever.
+    pub(super) fn towards(&self, point: DVec3, [a, b]: [f64; 2]) -> (DVec3, bool) {
+        match self {
+            Self::Distant { towards, u, v } => {
+                let [a, b] = on_disk([a, b]);
+                (*towards + *u * a + *v * b, false)
+            }
+            Self::Sphere { centre, radius } => {
+                let way = *centre - point;
+                let (u, v) = way.normalize_or(DVec3::Z).any_orthonormal_pair();
+                let [a, b] = on_disk([a, b]);
+                // Not into the ball, whose own mesh may stand there.
+                let near = (way.length() - radius).max(0.0) / way.length().max(f64::MIN_POSITIVE);
+                ((way + (u * a + v * b) * *radius) * near, true)
+            }
+            Self::Area {
+                centre, u, v, round, ..
+            } => {
+                let [a, b] = if *round { on_disk([a, b]) } else { [a, b] };
+                (*centre + *u * a + *v * b - point, true)
+            }
+        }
+    }
+}
+
+/// From the square onto the disk: each square around the middle becomes a circle.
+fn on_disk([a, b]: [f64; 2]) -> [f64; 2] {
+    let (radius, length) = (a.abs().max(b.abs()), a.hypot(b));
+    if length > 0.0 {
+        [a * radius / length, b * radius / length]
+    } else {
+        [0.0; 2]
+    }
+}
+
+impl Lamp {
+    /// What falls on a surface that faces it, without shadows.
+    #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
+    pub(super) fn irradiance_at(&self, point: DVec3) -> Vec3 {
+        let share = match self.shape {
+            Shape::Distant { .. } => 1.0,
+            Shape::Sphere { centre, radius } => {
+                let r2 = radius * radius;
+                std::f64::consts::PI * r2 / (centre - point).length_squared().max(r2)
+            }
+            Shape::Area { centre, normal, .. } => {
+                let way = point - centre;
+                let (d2, area) = (way.length_squared(), self.shape.surface().unwrap_or(0.0));
+                let cosine = (way.dot(normal) / d2.sqrt().max(f64::MIN_POSITIVE)).max(0.0);
+                // Close to it a large lamp is half of the world.
+                area * cosine / d2.max(area / std::f64::consts::PI)
+            }
+        };
+        self.radiance * share as f32
+    }
+
+    /// The lamp as seen from a view: points of light around its eye.
+    #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
+    pub(super) fn seen_from(&self, eye: DVec3) -> Emitter {
+        let area = self.shape.surface().unwrap_or(0.0) as f32;
+        match self.shape {
+            Shape::Distant { towards, u, .. } => Emitter::Distant {
+                towards: towards.as_vec3(),
+                spread: u.length() as f32,
+                irradiance: self.radiance,
+            },
+            Shape::Sphere { centre, radius } => Emitter::Sphere {
+                centre: (centre - eye).as_vec3(),
+                radius: radius as f32,
+                radiance: self.radiance,
+            },
+            Shape::Area {
+                centre, u, v, normal, ..
+            } => {
+                // The middles of a rectangle's quarters; a disk's are near there too.
+                let (u, v) = ((u * 0.5).as_vec3(), (v * 0.5).as_vec3());
+                let centre = (centre - eye).as_vec3();
+                Emitter::Area {
+                    points: [centre + u + v, centre + u - v, centre - u + v, centre - u - v],
+                    normal: normal.as_vec3(),
+                    area,
+                    radiance: self.radiance,
+                }
+            }
+        }
+    }
+}
+
+/// A lamp in single precision, relative to the eye, in the world's axes.
+#[derive(Clone, Debug)]
+pub(super) enum Emitter {
+    Distant {
+        towards: Vec3,
+        spread: f32,
+        irradiance: Vec3,
+    },
+    Sphere {
+        centre: Vec3,
+        radius: f32,
+        radiance: Vec3,
+    },
+    Area {
+        points: [Vec3; 4],
+        normal: Vec3,
+        area: f32,
+        radiance: Vec3,
+    },
+}
+
+impl Emitter {
+    /// Calls `with` for each of its points: the unit vector to it, the irradiance of a surface that faces it, and how
+    /// wide it looks (the tangent of half its angle).
+    #[inline]
+    pub(super) fn each(&self, point: Vec3, mut with: impl FnMut(Vec3, Vec3, f32)) {
+        match self {
+            Self::Distant {
+                towards,
+                spread,
+                irradiance,
+            } => with(*towards, *irradiance, *spread),
+            Self::Sphere {
+                centre,
+                radius,
+                radiance,
+            } => {
+                let way = *centre - point;
+                let (d2, r2) = (way.length_squared(), radius * radius);
+                let share = std::f32::consts::PI * r2 / d2.max(r2).max(f32::MIN_POSITIVE);
+                let distance = d2.sqrt().max(f32::MIN_POSITIVE);
+                with(way / distance, *radiance * share, radius / distance.max(*radius));
+            }
+            Self::Area {
+                points,
+                normal,
+                area,
+                radiance,
+            } => {
+                let quarter = area / 4.0;
+                for place in points {
+                    let way = *place - point;
+                    let d2 = way.length_squared().max(f32::MIN_POSITIVE);
+                    let towards = way / d2.sqrt();
+                    let cosine = (-towards.dot(*normal)).max(0.0);
+                    let share = quarter * cosine / d2.max(quarter / std::f32::consts::PI);
+                    with(towards, *radiance * share, (quarter / d2).sqrt().min(1.0));
+                }
+            }
+        }
+    }
+}

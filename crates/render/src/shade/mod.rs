@@ -1,0 +1,224 @@
+//! Colour: what a camera with a film sees, good enough for stereo matching and for people to recognise the scene.
+//!
+//! Textures are filtered over what a pixel covers; lamps have soft shadows; surroundings darken what is close to them;
+//! light that bounces is a constant. It is no path tracer. There is no randomness in it: which part of a lamp a place
+//! looks at follows from its place in the image, and smoothing over the pattern's period makes all pixels alike.
+
+mod coarse;
+mod dome;
+mod edges;
+mod harmonics;
+mod lamp;
+mod occlusion;
+mod paint;
+mod pattern;
+mod pyramid;
+mod reflect;
+mod rig;
+#[cfg(test)]
+mod tests;
+mod textures;
+mod tone;
+
+use glam::Vec3;
+use oaktwin_camera::math::DVec3;
+use oaktwin_diagnostic::Finding;
+use oaktwin_image::Image;
+use oaktwin_scene::Scene;
+use rayon::prelude::*;
+
+use self::coarse::{Coarse, place};
+use self::lamp::Emitter;
+use self::occlusion::Occlusion;
+use self::paint::{Paint, paints};
+use self::pattern::Pattern;
+use self::reflect::{Facet, radiance};
+use self::rig::Rig;
+use self::textures::Textures;
+use self::tone::{Encoder, tone};
+use crate::annotate::{Surface, SurfaceFinder};
+use crate::ray::{RayCaster, Stack};
+use crate::rays::Rays;
+use crate::{Hit, View, Visibility};
+
+/// What colour needs of a scene, beside its triangles.
+#[derive(Debug)]
+pub(crate) struct Shader {
+    textures: Textures,
+    rig: Rig,
+    pattern: Pattern,
+}
+
+/// All that a pixel is shaded with.
+struct Studio<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    rig: &'a Rig,
+    paints: Vec<Paint<'a>>,
+    occlusion: Occlusion<'a>,
+    coarse: Coarse,
+}
+
+impl Shader {
+    pub(crate) fn new(scene: &Scene) -> Self {
+        Self {
+            textures: Textures::new(scene),
+            rig: Rig::new(scene),
+            pattern: Pattern::new(),
+        }
+    }
+
+    /// sRGB and coverage (255, or 0 for a miss, which has the colour of the sky) of what is seen. The findings name the
+    /// textures that could not be shown, in the order of the scene.
+    pub(crate) fn shade(
+        &self,
+        scene: &Scene,
+        caster: &RayCaster,
+        view: &View,
+        rays: &Rays<'_>,
+        seen: &Visibility,
+        smooth_edges: bool,
+    ) -> (Image<[u8; 4]>, Vec<Finding>) {
+        let findings = self.decode(scene, &seen.hits);
+        let emitters: Vec<Emitter> = (self.rig.lamps.iter())
+            .map(|lamp| lamp.seen_from(view.world_from_camera.translation))
+            .collect();
+        let occlusion = Occlusion {
+            scene,
+            caster,
+            rig: &self.rig,
+            emitters: &emitters,
+            pattern: &self.pattern,
+        };
+        let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
+        let studio = Studio {
+            scene,
+            view,
+            rig: &self.rig,
+            paints: paints(scene, &self.textures),
+            occlusion,
+            coarse,
+        };
+        let mut rgb = studio.centres(rays, seen);
+        if smooth_edges {
+            edges::smooth(&studio, rays, seen, &mut rgb);
+        }
+        (rgb, findings)
+    }
+
+    /// Decodes the textures of what is seen; says which it could not.
+    fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
+        let mut meshes = vec![false; scene.meshes.len()];
+        let mut last = u32::MAX;
+        for hit in hits.pixels() {
+            if hit.instance != last {
+                last = hit.instance;
+                let mesh =
+                    (scene.instances.get(last as usize)).map_or(usize::MAX, |found| found.mesh as usize);
+                if let Some(mesh) = meshes.get_mut(mesh) {
+                    *mesh = true;
+                }
+            }
+        }
+        let seen = (scene.meshes.iter().zip(meshes)).filter_map(|(mesh, is_seen)| is_seen.then_some(mesh));
+        let mut wanted: Vec<u32> = seen
+            .flat_map(|mesh| &mesh.materials)
+            .filter_map(|span| scene.materials.get(span.material? as usize))
+            .filter_map(|material| Some(material.base_color_texture?.texture))
+            .collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        let missing: Vec<Option<Finding>> = wanted
+            .into_par_iter()
+            .map(|texture| {
+                let decoded = self.textures.get(scene, texture)?;
+                decoded.as_ref().err().map(textures::Missing::finding)
+            })
+            .collect();
+        self.rig
+            .findings
+            .iter()
+            .cloned()
+            .chain(missing.into_iter().flatten())
+            .collect()
+    }
+}
+
+impl Studio<'_> {
+    /// Each pixel by what its centre sees.
+    fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[u8; 4]> {
+        let (width, height) = (seen.hits.width(), seen.hits.height());
+        let mut rgb = Image::filled(width, height, [0; 4]);
+        let encoder = Encoder::new();
+        let row_length = (width as usize).max(1);
+        let rows = rgb.pixels_mut().par_chunks_mut(row_length);
+        let seen_rows =
+            (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
+        rows.zip(seen_rows).zip(0..height).for_each_init(
+            || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
+            |(finder, stack), ((row, (depths, hits)), y)| {
+                for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
+                    let Some(ray) = rays.centre(x, y) else {
+                        *pixel = [0; 4];
+                        continue;
+                    };
+                    let next = [rays.centre(x + 1, y), rays.centre(x, y + 1)];
+                    let (color, coverage) = self.color([x, y], *hit, ray, next, *z, finder, stack);
+                    let [r, g, b] = color.to_array().map(|value| encoder.srgb(value));
+                    *pixel = [r, g, b, coverage];
+                }
+            },
+        );
+        rgb
+    }
+
+    /// The tone-mapped colour of what a ray through pixel `(x, y)` hits, and its coverage; `next` are the rays a pixel to
+    /// the right and a pixel below.
+    #[expect(clippy::too_many_arguments, reason = "all that is known of a ray")]
+    fn color<'a>(
+        &'a self,
+        [x, y]: [u32; 2],
+        hit: Hit,
+        ray: DVec3,
+        next: [Option<DVec3>; 2],
+        z: f32,
+        finder: &mut SurfaceFinder<'a>,
+        stack: &mut Stack,
+    ) -> (Vec3, u8) {
+        let surface = if hit.is_miss() {
+            None
+        } else {
+            finder.find(hit, ray, z)
+        };
+        let Some(surface) = surface else {
+            let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
+            return (toned(self.rig.background(direction)), 0);
+        };
+        let place = place(&surface, self.view);
+        let light = self
+            .coarse
+            .light(x, y, &place)
+            .unwrap_or_else(|| self.occlusion.look_alone(&place, stack));
+        let facet = Facet {
+            point: place.from_eye,
+            normal: surface.normal.as_vec3(),
+            eye: -place.from_eye.normalize_or_zero(),
+        };
+        let finish = self.paint(&surface, hit.triangle).at(
+            &surface,
+            hit.triangle,
+            next.map(|ray| ray.map_or([f64::NAN; 3], |ray| surface.weights_of(ray))),
+        );
+        let emitters = self.occlusion.emitters;
+        (toned(radiance(&facet, &finish, &light, emitters, self.rig)), 255)
+    }
+
+    fn paint(&self, surface: &Surface<'_>, triangle: u32) -> &Paint<'_> {
+        let material = surface.mesh.material(triangle);
+        (material.and_then(|index| self.paints.get(index as usize))).unwrap_or(&Paint::BARE)
+    }
+}
+
+fn toned(radiance: Vec3) -> Vec3 {
+    Vec3::from(radiance.to_array().map(tone))
+}

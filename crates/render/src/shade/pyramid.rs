@@ -1,0 +1,346 @@
+//! A texture at every size, and what a pixel sees of it.
+
+use glam::Vec2;
+use oaktwin_image::Image;
+use oaktwin_image::srgb::linear_from_srgb;
+use oaktwin_scene::Wrap;
+use rayon::prelude::*;
+
+use super::tone::Encoder;
+
+/// An image and its halves, quarters and so on, down to one pixel.
+#[derive(Debug)]
+pub(crate) struct Pyramid {
+    levels: Vec<Image<[u8; 4]>>,
+    linear: &'static [f32; 256],
+}
+
+/// The most places along a pixel's longer axis at which a texture is read.
+const MOST_PROBES: f32 = 8.0;
+
+/// Numbers that are no colours: 0 to 1 in equal steps.
+static RAW: [f32; 256] = {
+    let mut values = [0.0; 256];
+    let mut i = 0;
+    while i < 256 {
+        values[i] = i as f32 / 255.0;
+        i += 1;
+    }
+    values
+};
+
+/// How a texture goes on beyond its borders.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wraps {
+    pub(super) s: Wrap,
+    pub(super) t: Wrap,
+}
+
+impl Pyramid {
+    /// Of an image of sRGB colours, or of bare numbers.
+    pub(super) fn new(image: Image<[u8; 4]>, is_srgb: bool) -> Self {
+        let linear = if is_srgb { linear_from_srgb() } else { &RAW };
+        let mut levels = vec![image];
+        while let Some(last) = levels.last()
+            && (last.width() > 1 || last.height() > 1)
+        {
+            let next = halved(last, linear, is_srgb);
+            levels.push(next);
+        }
+        Self { levels, linear }
+    }
+
+    /// What a pixel sees that covers the parallelogram of `across` and `down` around `at`, all in the image's
+    /// coordinates: (0, 0) at its lower left, (1, 1) at its upper right.
+    pub(super) fn filtered(&self, at: Vec2, across: Vec2, down: Vec2, wraps: Wraps) -> [f32; 3] {
+        let Some(base) = self.levels.first() else {
+            return [0.0; 3];
+        };
+        #[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
+        let size = Vec2::new(base.width() as f32, base.height() as f32);
+        let (a, b) = (across * size, down * size);
+        let (a_length, b_length) = (a.length(), b.length());
+        let (major, long, short) = if a_length >= b_length {
+            (across, a_length, b_length)
+        } else {
+            (down, b_length, a_length)
+        };
+        if !(at.is_finite() && long.is_finite()) {
+            return [0.0; 3];
+        }
+        let short = short.max(long / MOST_PROBES).max(1.0);
+        let lod = log2(short);
+        let probes = (long / short).ceil().clamp(1.0, MOST_PROBES);
+        if probes <= 1.0 {
+            return self.trilinear(at, lod, wraps);
+        }
+        let mut sum = [0.0f32; 3];
+        let mut probe = 0.5;
+        while probe < probes {
+            let color = self.trilinear(at + major * (probe / probes - 0.5), lod, wraps);
+            for (sum, color) in sum.iter_mut().zip(color) {
+                *sum += color;
+            }
+            probe += 1.0;
+        }
+        sum.map(|sum| sum / probes)
+    }
+
+    /// The mean of all of it.
+    pub(super) fn mean(&self) -> [f32; 3] {
+        let pixel = self.levels.last().and_then(|level| level.pixels().first());
+        pixel.map_or([0.0; 3], |[r, g, b, _]| {
+            [r, g, b].map(|value| self.linear[usize::from(*value)])
+        })
+    }
+
+    /// Between two levels.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "clamped to the levels"
+    )]
+    fn trilinear(&self, at: Vec2, lod: f32, wraps: Wraps) -> [f32; 3] {
+        let last = self.levels.len() - 1;
+        let lod = lod.clamp(0.0, last as f32);
+        let (level, part) = (lod as usize, lod.fract());
+        let fine = self.bilinear(level, at, wraps);
+        // What is less than half of an sRGB step is not seen.
+        if part < 1e-3 || level == last {
+            return fine;
+        }
+        let coarse = self.bilinear(level + 1, at, wraps);
+        std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * part)
+    }
+
+    /// Between four pixels of a level.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_precision_loss,
+        reason = "a texture's coordinates"
+    )]
+    fn bilinear(&self, level: usize, at: Vec2, wraps: Wraps) -> [f32; 3] {
+        let image = &self.levels[level];
+        let (width, height) = (image.width(), image.height());
+        let x = at.x * width as f32 - 0.5;
+        let y = (1.0 - at.y) * height as f32 - 0.5;
+        let (left, top) = (x.floor(), y.floor());
+        let (right_part, lower_part) = (x - left, y - top);
+        let columns = [left as i64, left as i64 + 1].map(|x| wrapped(x, width, wraps.s));
+        let rows = [top as i64, top as i64 + 1].map(|y| wrapped(y, height, wraps.t));
+        let pixels = image.pixels();
+        let mut sum = [0.0f32; 3];
+        for (row, row_part) in rows.into_iter().zip([1.0 - lower_part, lower_part]) {
+            for (column, column_part) in columns.into_iter().zip([1.0 - right_part, right_part]) {
+                let (Some(row), Some(column)) = (row, column) else {
+                    continue;
+                };
+                let Some(pixel) = pixels.get(row as usize * width as usize + column as usize) else {
+                    continue;
+                };
+                let part = row_part * column_part;
+                for (sum, value) in sum.iter_mut().zip(pixel) {
+                    *sum += self.linear[usize::from(*value)] * part;
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Where a coordinate beyond the border is; `None` for nowhere.
+#[inline]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "inside the image by then"
+)]
+fn wrapped(at: i64, count: u32, wrap: Wrap) -> Option<u32> {
+    let n = i64::from(count);
+    if (0..n).contains(&at) {
+        return Some(at as u32);
+    }
+    let at = match wrap {
+        Wrap::Repeat => at.rem_euclid(n),
+        Wrap::Clamp => at.clamp(0, n - 1),
+        Wrap::Mirror => {
+            let at = at.rem_euclid(2 * n);
+            at.min(2 * n - 1 - at)
+        }
+        Wrap::Black => return None,
+    };
+    Some(at as u32)
+}
+
+/// The binary logarithm of a number of at least 1, exact at powers of two and straight between them.
+#[expect(clippy::cast_precision_loss, reason = "an exponent")]
+fn log2(x: f32) -> f32 {
+    let bits = x.to_bits();
+    let exponent = (bits >> 23) as f32 - 127.0;
+    let mantissa = f32::from_bits(bits & 0x007F_FFFF | 0x3F80_0000);
+    exponent + (mantissa - 1.0)
+}
+
+/// Half as large in both directions, at least one pixel: the mean of what each pixel covers, in linear light.
+fn halved(image: &Image<[u8; 4]>, linear: &[f32; 256], is_srgb: bool) -> Image<[u8; 4]> {
+    let encoder = Encoder::new();
+    let (width, height) = (image.width().div_ceil(2), image.height().div_ceil(2));
+    let mut half = Image::filled(width, height, [0, 0, 0, 255]);
+    let columns: Vec<[(u32, f32); 3]> = (0..width).map(|x| covered(x, width, image.width())).collect();
+    let row_length = (width as usize).max(1);
+    let rows = half.pixels_mut().par_chunks_mut(row_length).with_min_len(16);
+    rows.zip(0..height).for_each(|(row, y)| {
+        let sources = covered(y, height, image.height());
+        for (pixel, columns) in row.iter_mut().zip(&columns) {
+            let mut sum = [0.0f32; 3];
+            for (source, row_part) in sources {
+                for (column, part) in columns {
+                    let weight = row_part * part;
+                    if weight > 0.0
+                        && let Some(from) = image.get(*column, source)
+                    {
+                        for (sum, value) in sum.iter_mut().zip(from) {
+                            *sum += linear[usize::from(*value)] * weight;
+                        }
+                    }
+                }
+            }
+            let [r, g, b] = sum.map(|value| encoded(value, is_srgb, encoder));
+            *pixel = [r, g, b, 255];
+        }
+    });
+    half
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "casts of floats saturate"
+)]
+fn encoded(value: f32, is_srgb: bool, encoder: Encoder) -> u8 {
+    if is_srgb {
+        encoder.srgb(value)
+    } else {
+        (value * 255.0 + 0.5) as u8
+    }
+}
+
+/// Which of `fine` pixels the pixel `at` of `coarse` ones covers, and what share each is of it.
+#[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
+fn covered(at: u32, coarse: u32, fine: u32) -> [(u32, f32); 3] {
+    // In units of 1 / coarse of a fine pixel, so that all is whole.
+    let (coarse, fine, at) = (u64::from(coarse), u64::from(fine), u64::from(at));
+    let (start, end) = (at * fine, (at + 1) * fine);
+    let first = start / coarse;
+    [0, 1, 2].map(|i| {
+        let pixel = first + i;
+        let (from, to) = ((pixel * coarse).max(start), ((pixel + 1) * coarse).min(end));
+        let share = to.saturating_sub(from) as f32 / fine as f32;
+        (u32::try_from(pixel.min(fine - 1)).unwrap_or(u32::MAX), share)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const REPEAT: Wraps = Wraps {
+        s: Wrap::Repeat,
+        t: Wrap::Repeat,
+    };
+
+    fn numbered() -> Image<[u8; 4]> {
+        // Columns in red, rows from the top in green.
+        let pixels = (0..6u8).flat_map(|y| (0..8u8).map(move |x| [x * 30, y * 40, 7, 255]));
+        Image::new(8, 6, pixels.collect()).unwrap()
+    }
+
+    fn bytes(color: [f32; 3]) -> [u8; 3] {
+        color.map(|value| Encoder::new().srgb(value))
+    }
+
+    #[test]
+    fn at_full_size_every_texel_is_itself() {
+        let image = numbered();
+        let pyramid = Pyramid::new(image.clone(), true);
+        for y in 0..6u8 {
+            for x in 0..8u8 {
+                let at = Vec2::new((f32::from(x) + 0.5) / 8.0, 1.0 - (f32::from(y) + 0.5) / 6.0);
+                let color =
+                    pyramid.filtered(at, Vec2::new(1.0 / 8.0, 0.0), Vec2::new(0.0, 1.0 / 6.0), REPEAT);
+                let [r, g, b, _] = *image.get(x.into(), y.into()).unwrap();
+                assert_eq!(bytes(color), [r, g, b]);
+            }
+        }
+    }
+
+    #[test]
+    fn from_afar_only_the_mean_is_left() {
+        // Seven columns are not halved without a rest; black and white by turns.
+        let pixels = (0..7 * 5).map(|i| if i % 7 % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] });
+        let pyramid = Pyramid::new(Image::new(7, 5, pixels.collect()).unwrap(), true);
+        let far = pyramid.filtered(Vec2::new(0.3, 0.3), Vec2::X * 2.0, Vec2::Y * 2.0, REPEAT);
+        assert!((far[0] - 4.0 / 7.0).abs() < 0.01, "{far:?}");
+        // At a grazing angle only one direction is blurred.
+        let pixels = (0..64 * 64).map(|i| if i / 64 % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] });
+        let stripes = Pyramid::new(Image::new(64, 64, pixels.collect()).unwrap(), true);
+        let row = Vec2::new(0.5, 1.0 - 10.5 / 64.0);
+        let along = stripes.filtered(
+            row,
+            Vec2::new(8.0 / 64.0, 0.0),
+            Vec2::new(0.0, 1.0 / 64.0),
+            REPEAT,
+        );
+        assert!(along[0] > 0.99, "{along:?}");
+        let across = stripes.filtered(
+            row,
+            Vec2::new(0.0, 8.0 / 64.0),
+            Vec2::new(1.0 / 64.0, 0.0),
+            REPEAT,
+        );
+        assert!((across[0] - 0.5).abs() < 0.01, "{across:?}");
+    }
+
+    #[test]
+    fn beyond_the_border() {
+        let at = |wrap, x| wrapped(x, 4, wrap);
+        assert_eq!(
+            [-1, 4, 9].map(|x| at(Wrap::Repeat, x)),
+            [Some(3), Some(0), Some(1)]
+        );
+        assert_eq!(
+            [-1, 4, 9].map(|x| at(Wrap::Mirror, x)),
+            [Some(0), Some(3), Some(1)]
+        );
+        assert_eq!(
+            [-9, 4, 9].map(|x| at(Wrap::Clamp, x)),
+            [Some(0), Some(3), Some(3)]
+        );
+        assert_eq!([-1, 2, 4].map(|x| at(Wrap::Black, x)), [None, Some(2), None]);
+    }
+
+    #[test]
+    fn no_coordinates_are_too_odd() {
+        let pyramid = Pyramid::new(numbered(), false);
+        for odd in [f32::NAN, f32::INFINITY, 1e30, -1e30] {
+            for wraps in [
+                REPEAT,
+                Wraps {
+                    s: Wrap::Mirror,
+                    t: Wrap::Clamp,
+                },
+            ] {
+                let color = pyramid.filtered(Vec2::splat(odd), Vec2::splat(odd), Vec2::ZERO, wraps);
+                assert!(color.iter().all(|value| value.is_finite()), "{odd}");
+                let color = pyramid.filtered(Vec2::splat(0.5), Vec2::splat(odd), Vec2::ZERO, wraps);
+                assert!(color.iter().all(|value| value.is_finite()), "{odd}");
+            }
+        }
+    }
+
+    #[test]
+    fn logarithms() {
+        assert_eq!([1.0, 2.0, 3.0, 1024.0].map(log2), [0.0, 1.0, 1.5, 10.0]);
+    }
+}

@@ -1,0 +1,250 @@
+//! What lights a scene, and how bright a picture of it is.
+
+use glam::Vec3;
+use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_diagnostic::Finding;
+use oaktwin_scene::{Light, LightKind, Scene};
+
+use super::dome::DomeImage;
+use super::harmonics::Harmonics;
+use super::lamp::{Lamp, Shape};
+
+/// Light that comes back from what is lit, as a share of the light that falls on the scene's things: every surface
+/// receives it from everywhere.
+const BOUNCE: f32 = 0.16;
+
+/// How many things are asked how bright it is around them.
+const MOST_WITNESSES: usize = 1024;
+
+/// The lights of a scene and what follows from them alone, never from a view: so both pictures of a stereo pair and all
+/// pictures of a trajectory are exposed alike.
+///
+/// # Exposure
+/// The scene's things, of which at most 1024 are asked, receive a median irradiance from the unshadowed lights (towards
+/// them, at the things' centres). A white diffuse surface that receives as much has the value 1 before the tone curve, a
+/// middle grey its own value.
+///
+/// # Lights
+/// The radiance of a distant light is taken as its irradiance, whatever its angle and normalization: Isaac Sim's own
+/// templates light a stage by a dome of 1000 and a distant light of 3000, which is balanced only in that reading.
+///
+/// A scene without a light that shines has a pale sky, brighter above, that only what is near hides, and a key light
+/// from above at one side of the world.
+#[derive(Debug)]
+pub(super) struct Rig {
+    /// All but domes.
+    pub(super) lamps: Vec<Lamp>,
+    /// Light from infinitely far away: whatever is above a surface hides it.
+    pub(super) sky: Harmonics,
+    /// Whether there is such light.
+    pub(super) has_sky: bool,
+    /// Light from all around that only things nearby hide.
+    pub(super) ambient: Harmonics,
+    /// How far such things are, metres.
+    pub(super) reach: f64,
+    /// Multiplies radiance.
+    pub(super) exposure: f32,
+    backdrop: Backdrop,
+    pub(super) findings: Vec<Finding>,
+}
+
+/// What is behind everything.
+#[derive(Debug)]
+struct Backdrop {
+    plain: Vec3,
+    slope: Vec3,
+    up: Vec3,
+    domes: Vec<DomeImage>,
+}
+
+impl Rig {
+    pub(super) fn new(scene: &Scene) -> Self {
+        let up = scene.up.direction().as_vec3();
+        let mut rig = Self {
+            lamps: Vec::new(),
+            sky: Harmonics::default(),
+            has_sky: false,
+            ambient: Harmonics::default(),
+            reach: reach(scene),
+            exposure: 1.0,
+            backdrop: Backdrop {
+                plain: Vec3::ZERO,
+                slope: Vec3::ZERO,
+                up,
+                domes: Vec::new(),
+            },
+            findings: Vec::new(),
+        };
+        for light in &scene.lights {
+            rig.add(scene, light);
+        }
+        let irradiance = rig.typical_irradiance(scene);
+        if irradiance > 0.0 && irradiance.is_finite() {
+            rig.ambient = Harmonics::uniform(Vec3::splat(BOUNCE * irradiance / std::f32::consts::PI));
+            rig.exposure = std::f32::consts::PI / irradiance;
+            return rig;
+        }
+        rig.light_a_dark_scene(up);
+        rig
+    }
+
+    /// What is seen where nothing is, exposed.
+    pub(super) fn background(&self, direction: DVec3) -> Vec3 {
+        let backdrop = &self.backdrop;
+        let slope = backdrop.slope * backdrop.up.dot(direction.as_vec3());
+        let domes = backdrop.domes.iter().map(|dome| dome.radiance(direction));
+        (backdrop.plain + slope + domes.fold(Vec3::ZERO, |sum, radiance| sum + radiance)) * self.exposure
+    }
+
+    fn add(&mut self, scene: &Scene, light: &Light) {
+        let radiance = Vec3::from(light.radiance);
+        if !(radiance.is_finite() && radiance.max_element() > 0.0) {
+            return;
+        }
+        if let LightKind::Dome { texture } = light.kind {
+            self.has_sky = true;
+            let texture = texture.and_then(|index| scene.textures.get(index as usize));
+            match texture.map(|texture| DomeImage::new(texture, radiance, light.world_from_light)) {
+                Some(Ok(dome)) => {
+                    self.sky = self.sky.plus(&dome.harmonics());
+                    self.backdrop.domes.push(dome);
+                    return;
+                }
+                Some(Err(missing)) => self.findings.push(missing.finding()),
+                None => {}
+            }
+            self.sky = self.sky.plus(&Harmonics::uniform(radiance));
+            self.backdrop.plain += radiance;
+            return;
+        }
+        self.lamps.extend(lamp(light, radiance, scene.meters_per_unit.0));
+    }
+
+    /// The median over the scene's things of what falls on a surface that faces all lights at once.
+    fn typical_irradiance(&self, scene: &Scene) -> f32 {
+        let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
+        let from_sky = luminance(self.sky.mean_by_cosine(self.backdrop.up)) * std::f32::consts::PI;
+        let mut found: Vec<f32> = (scene.instances.iter().step_by(step))
+            .filter_map(|instance| {
+                let bounds = Bounds::of(scene, instance.mesh as usize)?;
+                let centre = instance.world_from_mesh.transform_point3(bounds.centre());
+                let lamps = self
+                    .lamps
+                    .iter()
+                    .map(|lamp| luminance(lamp.irradiance_at(centre)));
+                Some(from_sky + lamps.sum::<f32>())
+            })
+            .filter(|irradiance| irradiance.is_finite())
+            .collect();
+        let middle = found.len() / 2;
+        found.sort_by(f32::total_cmp);
+        found.get(middle).copied().unwrap_or(0.0)
+    }
+
+    fn light_a_dark_scene(&mut self, up: Vec3) {
+        let side = if up.z > 0.5 {
+            Vec3::new(-0.45, -0.6, 0.0)
+        } else {
+            Vec3::new(0.45, 0.0, 0.6)
+        };
+        let towards = (up + side).normalize();
+        self.lamps = vec![Lamp {
+            shape: Shape::distant(towards.as_dvec3(), 0.12),
+            radiance: Vec3::new(1.0, 0.97, 0.92) * 2.2,
+        }];
+        let (plain, slope) = (Vec3::new(0.46, 0.48, 0.5), Vec3::new(0.16, 0.17, 0.19));
+        self.ambient = Harmonics::uniform(plain).with_slope(slope, up);
+        self.backdrop.plain = plain;
+        self.backdrop.slope = slope;
+        self.exposure = 1.0;
+    }
+}
+
+/// Rec. 709.
+#[inline]
+pub(super) fn luminance(rgb: Vec3) -> f32 {
+    rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+}
+
+fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
+    let frame: DAffine3 = light.world_from_light;
+    let forward = frame.transform_vector3(DVec3::NEG_Z).try_normalize()?;
+    let area = |u: DVec3, v: DVec3, round: bool| {
+        let across = u.cross(v).try_normalize()?;
+        let normal = if across.dot(forward) < 0.0 {
+            -across
+        } else {
+            across
+        };
+        Some(Shape::Area {
+            centre: frame.translation,
+            u,
+            v,
+            normal,
+            round,
+        })
+    };
+    let along = |axis: DVec3, half: f32| frame.transform_vector3(axis * f64::from(half));
+    let shape = match light.kind {
+        LightKind::Distant { angle } => Shape::distant(-forward, f64::from(angle)),
+        LightKind::Dome { .. } => return None,
+        LightKind::Sphere { radius } => Shape::Sphere {
+            centre: frame.translation,
+            radius: along(DVec3::X, radius).length(),
+        },
+        LightKind::Rect { width, height } => {
+            area(along(DVec3::X, width * 0.5), along(DVec3::Y, height * 0.5), false)?
+        }
+        LightKind::Disk { radius } => area(along(DVec3::X, radius), along(DVec3::Y, radius), true)?,
+    };
+    let mut radiance = radiance;
+    if light.normalize
+        && let Some(square_metres) = shape.surface()
+    {
+        #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
+        let square_units = (square_metres / (metres_per_unit * metres_per_unit)) as f32;
+        radiance /= square_units;
+    }
+    (radiance.is_finite()).then_some(Lamp { shape, radiance })
+}
+
+/// A corner at the lower end and one at the upper.
+struct Bounds([DVec3; 2]);
+
+impl Bounds {
+    /// Of a mesh in its own frame; `None` where it has no vertices.
+    fn of(scene: &Scene, mesh: usize) -> Option<Self> {
+        let positions = &scene.meshes.get(mesh)?.positions;
+        // Large meshes are as large when looked at here and there.
+        let step = positions.len().div_ceil(4096).max(1);
+        (positions.iter().step_by(step))
+            .map(|p| DVec3::from(p.map(f64::from)))
+            .map(|p| [p, p])
+            .reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
+            .map(Self)
+    }
+
+    fn centre(&self) -> DVec3 {
+        self.0[0].midpoint(self.0[1])
+    }
+
+    fn diagonal(&self) -> DVec3 {
+        self.0[1] - self.0[0]
+    }
+}
+
+/// How far away things darken their surroundings: half a metre, or an eighth of the size of the scene's larger things
+/// where that is less.
+fn reach(scene: &Scene) -> f64 {
+    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
+    let mut sizes: Vec<f64> = (scene.instances.iter().step_by(step))
+        .filter_map(|instance| {
+            let diagonal = Bounds::of(scene, instance.mesh as usize)?.diagonal();
+            Some(instance.world_from_mesh.transform_vector3(diagonal).length())
+        })
+        .filter(|size| size.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let large = sizes.get(sizes.len() * 9 / 10).copied().unwrap_or(4.0);
+    (large / 8.0).min(0.5)
+}

@@ -1,0 +1,128 @@
+//! The images of a scene, decoded when they are first seen.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_image::{Image, texture};
+use oaktwin_scene::{ColorSpace, Scene, TextureSource};
+
+use super::pyramid::Pyramid;
+
+/// No image file is larger.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// Why a texture is not there: where, what, and what to do.
+#[derive(Clone, Debug)]
+pub(super) struct Missing {
+    place: String,
+    message: String,
+    remedy: String,
+}
+
+impl Missing {
+    pub(super) fn finding(&self) -> Finding {
+        Finding::new(
+            "texture-missing",
+            Level::Warning,
+            self.place.clone(),
+            self.message.clone(),
+            self.remedy.clone(),
+        )
+    }
+}
+
+/// The textures of a scene.
+#[derive(Debug)]
+pub(super) struct Textures {
+    pyramids: Vec<OnceLock<Result<Pyramid, Missing>>>,
+}
+
+impl Textures {
+    pub(super) fn new(scene: &Scene) -> Self {
+        Self {
+            pyramids: scene.textures.iter().map(|_| OnceLock::new()).collect(),
+        }
+    }
+
+    /// A texture, decoded by whoever comes first; `None` where the scene has no such texture.
+    pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Result<Pyramid, Missing>> {
+        let slot = self.pyramids.get(index as usize)?;
+        let texture = scene.textures.get(index as usize)?;
+        Some(slot.get_or_init(|| {
+            let (image, is_high_range) = decoded(&texture.source)?;
+            // High dynamic range was brought into sRGB on the way.
+            Ok(Pyramid::new(
+                image,
+                is_high_range || texture.color_space != ColorSpace::Raw,
+            ))
+        }))
+    }
+
+    /// A texture that was decoded before.
+    pub(super) fn ready(&self, index: u32) -> Option<&Pyramid> {
+        self.pyramids.get(index as usize)?.get()?.as_ref().ok()
+    }
+}
+
+/// The image of a dome in linear light.
+pub(super) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Missing> {
+    if let TextureSource::Pixels(image) = source {
+        let linear = oaktwin_image::srgb::linear_from_srgb();
+        return Ok(image.map(|&[r, g, b, _]| [r, g, b].map(|value| linear[usize::from(value)])));
+    }
+    let (name, bytes) = bytes(source)?;
+    texture::decode_linear(&bytes, extension(&name)).map_err(|error| broken(name, &error.to_string()))
+}
+
+/// An image in sRGB, and whether it had more range than that.
+fn decoded(source: &TextureSource) -> Result<(Image<[u8; 4]>, bool), Missing> {
+    if let TextureSource::Pixels(image) = source {
+        return Ok((Image::clone(image), false));
+    }
+    let (name, bytes) = bytes(source)?;
+    let is_high_range = bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) || bytes.starts_with(b"#?");
+    match texture::decode_srgb(&bytes, extension(&name)) {
+        Ok(image) => Ok((image, is_high_range)),
+        Err(error) => Err(broken(name, &error.to_string())),
+    }
+}
+
+fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
+    match source {
+        TextureSource::Pixels(_) => Ok((String::new(), Vec::new())),
+        TextureSource::Encoded { name, bytes } => Ok((name.clone(), bytes.to_vec())),
+        TextureSource::File(path) => {
+            let name = path.display().to_string();
+            match read(path) {
+                Ok(bytes) => Ok((name, bytes)),
+                Err(error) => Err(Missing {
+                    place: name,
+                    message: format!("the texture cannot be read ({error}); a plain colour stands for it"),
+                    remedy: "put the file there, or correct the path to it".to_owned(),
+                }),
+            }
+        }
+    }
+}
+
+fn read(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST_BYTES).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn extension(name: &str) -> Option<&str> {
+    name.rsplit_once('.').map(|(_, extension)| extension)
+}
+
+/// The message of a codec ends with what to do.
+fn broken(place: String, message: &str) -> Missing {
+    Missing {
+        place,
+        message: format!("a plain colour stands for the texture: {message}"),
+        remedy: String::new(),
+    }
+}

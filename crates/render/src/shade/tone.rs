@@ -1,0 +1,93 @@
+//! From linear light to sRGB bytes.
+
+use std::sync::LazyLock;
+
+use oaktwin_image::srgb::srgb_from_linear;
+
+/// Up to here the tone curve is the identity.
+const SHOULDER: f32 = 0.6;
+
+/// Buckets of the table that finds an sRGB value's neighbourhood.
+const BUCKETS: u16 = 4096;
+
+/// Linear light, exposed, onto 0 to 1: as it is up to 0.6, then `0.6 + 0.4 t / (1 + t)` with `t = (x − 0.6) / 0.4`, which
+/// goes on with the same slope and never reaches 1. So most colours are the scene's own, and lights keep their shape.
+#[inline]
+pub(super) fn tone(x: f32) -> f32 {
+    if x <= SHOULDER {
+        // A NaN is black.
+        return if x > 0.0 { x } else { 0.0 };
+    }
+    let rest = 1.0 - SHOULDER;
+    // Written for infinity, too.
+    1.0 - rest / (1.0 + (x - SHOULDER) / rest)
+}
+
+/// The sRGB values between which each bucket lies.
+static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    (0..=BUCKETS)
+        .map(|i| srgb_from_linear(f32::from(i) / f32::from(BUCKETS)))
+        .collect()
+});
+
+/// Encodes linear values of 0 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Encoder {
+    table: &'static [u8],
+}
+
+impl Encoder {
+    pub(super) fn new() -> Self {
+        Self { table: &TABLE }
+    }
+
+    /// The nearest sRGB value; [`srgb_from_linear`] but faster.
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to the table"
+    )]
+    pub(super) fn srgb(self, linear: f32) -> u8 {
+        let at = (linear * f32::from(BUCKETS)) as usize;
+        match self.table.get(at..at + 2) {
+            Some([low, high]) if low == high => *low,
+            _ => srgb_from_linear(linear),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_is_smooth_and_bounded() {
+        let step = 1e-3;
+        let mut last = tone(0.0);
+        assert_eq!(last, 0.0);
+        for i in 1..20_000u16 {
+            let x = f32::from(i) * step;
+            let y = tone(x);
+            assert!(y >= last && y < 1.0 && y - last < 1.001 * step);
+            last = y;
+        }
+        assert_eq!(tone(0.5), 0.5);
+        assert_eq!(tone(f32::INFINITY), 1.0);
+        assert_eq!(tone(f32::NAN), 0.0);
+        assert_eq!(tone(-1.0), 0.0);
+    }
+
+    #[test]
+    fn the_table_rounds_as_the_formula() {
+        let encoder = Encoder::new();
+        for i in 0..=100_000u32 {
+            let x = i as f32 / 99_000.0;
+            assert_eq!(encoder.srgb(x), srgb_from_linear(x));
+        }
+        assert_eq!(
+            [f32::NAN, -3.0, f32::INFINITY].map(|x| encoder.srgb(x)),
+            [0, 0, 255]
+        );
+    }
+}

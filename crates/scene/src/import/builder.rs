@@ -1,0 +1,203 @@
+//! A scene as it grows.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::error::Fault;
+use super::{Imported, ImportedCamera};
+use crate::{Instance, Light, Material, Mesh, MetersPerUnit, Scene, Texture, Up};
+
+/// A path longer than this loses its front: names come from the file, and each instance has its ancestors'.
+const LONGEST_PATH: usize = 1024;
+
+pub(super) struct Builder {
+    scene: Scene,
+    cameras: Vec<ImportedCamera>,
+    pub(super) findings: Vec<Finding>,
+    /// Taken ones, and the number that the last of that name got. Never iterated.
+    paths: HashMap<String, u32>,
+    scale: f64,
+    /// The file's name without extension: for what has no name of its own.
+    pub(super) stem: String,
+}
+
+impl Builder {
+    pub(super) fn new(file: &Path, up: Up, scale: f64) -> Self {
+        Self {
+            scene: Scene {
+                up,
+                meters_per_unit: MetersPerUnit(scale),
+                ..Scene::default()
+            },
+            cameras: Vec::new(),
+            findings: Vec::new(),
+            paths: HashMap::new(),
+            scale,
+            stem: file
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+        }
+    }
+
+    pub(super) fn warn(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<String>) {
+        self.findings
+            .push(Finding::new(code, Level::Warning, place, message, ""));
+    }
+
+    /// From the file's unit to metres.
+    pub(super) fn world_from_file(&self) -> DAffine3 {
+        DAffine3::from_scale(DVec3::splat(self.scale))
+    }
+
+    pub(super) fn add_material(&mut self, material: Material) -> u32 {
+        self.scene.materials.push(material);
+        number(self.scene.materials.len() - 1)
+    }
+
+    pub(super) fn add_texture(&mut self, texture: Texture) -> u32 {
+        self.scene.textures.push(texture);
+        number(self.scene.textures.len() - 1)
+    }
+
+    pub(super) fn add_light(&mut self, light: Light) {
+        self.scene.lights.push(light);
+    }
+
+    pub(super) fn add_camera(&mut self, camera: ImportedCamera) {
+        self.cameras.push(camera);
+    }
+
+    /// `None` for one without triangles.
+    pub(super) fn add_mesh(&mut self, mesh: Mesh) -> Option<u32> {
+        if mesh.triangles.is_empty() {
+            return None;
+        }
+        self.scene.meshes.push(mesh);
+        Some(number(self.scene.meshes.len() - 1))
+    }
+
+    /// Puts a mesh at a place in the file's unit.
+    pub(super) fn place(&mut self, mesh: u32, path: &str, file_from_mesh: DAffine3) {
+        let world_from_mesh = self.world_from_file() * file_from_mesh;
+        let path = self.free_path(path);
+        if !world_from_mesh.is_finite() {
+            self.warn("node-transform", path, "left out: its transform is not finite");
+            return;
+        }
+        let (mesh, world_from_mesh) = if is_invertible(world_from_mesh) {
+            (mesh, world_from_mesh)
+        } else {
+            let flat = baked(&self.scene.meshes[mesh as usize], world_from_mesh);
+            self.scene.meshes.push(flat);
+            (number(self.scene.meshes.len() - 1), DAffine3::IDENTITY)
+        };
+        self.scene.instances.push(Instance {
+            mesh,
+            path,
+            world_from_mesh,
+            labels: Vec::new(),
+        });
+    }
+
+    /// The path, or if it is taken the path with a number.
+    pub(super) fn free_path(&mut self, path: &str) -> String {
+        let path = shortened(path);
+        let mut free = path.clone();
+        while self.paths.contains_key(&free) {
+            let times = self.paths.entry(path.clone()).or_insert(0);
+            *times += 1;
+            free = format!("{path}_{times}");
+        }
+        self.paths.insert(free.clone(), 1);
+        free
+    }
+
+    pub(super) fn finish(mut self) -> Result<Imported, Fault> {
+        if self.scene.instances.is_empty() {
+            let why: String = self
+                .findings
+                .iter()
+                .take(3)
+                .map(|finding| format!("; {}: {}", finding.place, finding.message))
+                .collect();
+            return Err(Fault::new(
+                "",
+                format!("has no triangle to render{why}"),
+                "export it with its meshes",
+            ));
+        }
+        self.drop_unplaced();
+        Ok(Imported {
+            scene: self.scene,
+            cameras: self.cameras,
+            findings: self.findings,
+        })
+    }
+
+    /// Meshes of which no instance is left take no room.
+    fn drop_unplaced(&mut self) {
+        let mut used = vec![false; self.scene.meshes.len()];
+        for instance in &self.scene.instances {
+            used[instance.mesh as usize] = true;
+        }
+        for (mesh, used) in self.scene.meshes.iter_mut().zip(used) {
+            if !used {
+                *mesh = Mesh::default();
+            }
+        }
+    }
+}
+
+fn shortened(path: &str) -> String {
+    if path.len() <= LONGEST_PATH {
+        return path.into();
+    }
+    let mut start = path.len() - LONGEST_PATH;
+    while !path.is_char_boundary(start) {
+        start += 1;
+    }
+    format!("/…{}", &path[start..])
+}
+
+/// A name as one step of a path.
+pub(super) fn step(name: &str) -> String {
+    name.trim()
+        .chars()
+        .take(LONGEST_PATH)
+        .map(|c| if c == '/' || c.is_control() { '_' } else { c })
+        .collect()
+}
+
+/// Whether the mesh keeps its volume: what is squashed flat, or nearly, has no inverse to speak of.
+fn is_invertible(transform: DAffine3) -> bool {
+    let m = transform.matrix3;
+    let room = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
+    m.determinant().abs() > 1e-9 * room && transform.inverse().is_finite()
+}
+
+/// A mesh in the world's own frame, flat as it may be.
+fn baked(mesh: &Mesh, world_from_mesh: DAffine3) -> Mesh {
+    let mut flat = mesh.clone();
+    for position in &mut flat.positions {
+        let moved = world_from_mesh.transform_point3(DVec3::from(position.map(f64::from)));
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "single precision is what meshes have"
+        )]
+        let moved = moved.to_array().map(|x| (x as f32).clamp(f32::MIN, f32::MAX));
+        *position = moved;
+    }
+    // Its directions are lost.
+    flat.normals = None;
+    flat
+}
+
+/// Lists in memory are shorter than that.
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}

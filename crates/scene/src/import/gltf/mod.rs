@@ -1,0 +1,46 @@
+//! glTF 2.0, `.gltf` and `.glb`, from the raw JSON: nothing in it is trusted.
+//!
+//! Read: nodes, meshes of triangles, strips and fans, sparse and quantized accessors, base colour with its texture and
+//! `KHR_texture_transform`, vertex colours, cameras, `KHR_lights_punctual`. Skins, morph targets, points, lines and
+//! compressed meshes are findings.
+
+mod accessor;
+mod camera;
+mod document;
+mod light;
+mod material;
+mod mesh;
+mod node;
+mod uri;
+
+use std::path::Path;
+
+use self::document::Document;
+use super::builder::Builder;
+use super::error::Fault;
+
+/// Extensions without which a file cannot be read, and that are.
+const KNOWN_EXTENSIONS: [&str; 7] = [
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
+
+pub(super) fn read(bytes: Vec<u8>, path: &Path, builder: &mut Builder) -> Result<(), Fault> {
+    let document = Document::open(bytes, path)?;
+    for extension in &document.root.extensions_required {
+        if !KNOWN_EXTENSIONS.contains(&extension.as_str()) {
+            builder.warn(
+                "gltf-extension",
+                extension,
+                "the file needs this extension, which is not supported: something may be missing or wrong",
+            );
+        }
+    }
+    let materials = material::Materials::read(&document, builder);
+    node::read(&document, &materials, builder)
+}

@@ -1,0 +1,144 @@
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+/// Where a URI points.
+pub(super) enum Target<'a> {
+    /// At bytes in itself.
+    Data(Vec<u8>),
+    /// At a file beside the one that has it.
+    File(PathBuf),
+    /// Somewhere else.
+    Unsupported(&'a str),
+}
+
+pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let Some((kind, content)) = data.split_once(',') else {
+            return Target::Unsupported("a data URI without data");
+        };
+        if !kind.trim_end().ends_with(";base64") {
+            return Target::Data(unescaped(content).into_owned());
+        }
+        return match base64(content.as_bytes()) {
+            Some(bytes) => Target::Data(bytes),
+            None => Target::Unsupported("a data URI that is not base64"),
+        };
+    }
+    let name = match uri.split_once(':') {
+        // `C:` is a drive and a longer word a scheme.
+        Some(("file", path)) => path.strip_prefix("//").unwrap_or(path),
+        Some((scheme, _))
+            if scheme.len() > 1
+                && scheme
+                    .bytes()
+                    .all(|b| b.is_ascii_alphanumeric() || b"+-.".contains(&b)) =>
+        {
+            return Target::Unsupported("an address that is no local file");
+        }
+        _ => uri,
+    };
+    // Not everybody escapes: a name that is there as it stands is meant.
+    let as_it_stands = folder.join(name);
+    if as_it_stands.exists() {
+        return Target::File(as_it_stands);
+    }
+    match String::from_utf8(unescaped(name).into_owned()) {
+        Ok(name) => Target::File(folder.join(name)),
+        Err(_) => Target::Unsupported("a name that is not UTF-8"),
+    }
+}
+
+/// With `%20` as a space and the like.
+fn unescaped(text: &str) -> Cow<'_, [u8]> {
+    if !text.contains('%') {
+        return Cow::Borrowed(text.as_bytes());
+    }
+    let digit = |byte: Option<&u8>| char::from(*byte?).to_digit(16);
+    let bytes = text.as_bytes();
+    let mut plain = Vec::with_capacity(bytes.len());
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        match (byte, digit(bytes.get(at + 1)), digit(bytes.get(at + 2))) {
+            (b'%', Some(high), Some(low)) => {
+                plain.push(u8::try_from(16 * high + low).unwrap_or(byte));
+                at += 3;
+            }
+            _ => {
+                plain.push(byte);
+                at += 1;
+            }
+        }
+    }
+    Cow::Owned(plain)
+}
+
+/// Base 64 of RFC 4648, padded or not, of either alphabet.
+fn base64(text: &[u8]) -> Option<Vec<u8>> {
+    let end = text.iter().position(|&byte| byte == b'=').unwrap_or(text.len());
+    let mut bytes = Vec::with_capacity(end / 4 * 3 + 2);
+    let (mut bits, mut held) = (0_u32, 0);
+    for &byte in &text[..end] {
+        let value = match byte {
+            b'A'..=b'Z' => byte - b'A',
+            b'a'..=b'z' => byte - b'a' + 26,
+            b'0'..=b'9' => byte - b'0' + 52,
+            b'+' | b'-' => 62,
+            b'/' | b'_' => 63,
+            b'\r' | b'\n' | b' ' => continue,
+            _ => return None,
+        };
+        bits = bits << 6 | u32::from(value);
+        held += 6;
+        if held >= 8 {
+            held -= 8;
+            bytes.push(u8::try_from(bits >> held & 0xff).ok()?);
+            bits &= (1 << held) - 1;
+        }
+    }
+    Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn data(uri: &str) -> Option<Vec<u8>> {
+        match resolve(uri, Path::new("")) {
+            Target::Data(bytes) => Some(bytes),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn data_is_in_the_uri() {
+        // The test vectors of RFC 4648, section 10.
+        for (text, plain) in [
+            ("", ""),
+            ("Zg==", "f"),
+            ("Zm8=", "fo"),
+            ("Zm9v", "foo"),
+            ("Zm9vYmFy", "foobar"),
+            ("Zm9vYg", "foob"),
+        ] {
+            let uri = format!("data:application/octet-stream;base64,{text}");
+            assert_eq!(data(&uri).unwrap(), plain.as_bytes());
+        }
+        assert_eq!(data("data:,a%20b%zz").unwrap(), b"a b%zz");
+        assert_eq!(data("data:;base64,Zm9*"), None);
+        assert_eq!(data("data:nothing"), None);
+    }
+
+    #[test]
+    fn names_are_unescaped() {
+        let file = |uri| match resolve(uri, Path::new("folder")) {
+            Target::File(path) => Some(path),
+            _ => None,
+        };
+        assert_eq!(file("my%20mesh.bin"), Some("folder/my mesh.bin".into()));
+        assert_eq!(file("../other/a.bin"), Some("folder/../other/a.bin".into()));
+        assert_eq!(file("file:///tmp/a.bin"), Some("/tmp/a.bin".into()));
+        assert_eq!(file("https://example.org/a.bin"), None);
+        assert_eq!(file("%ff.bin"), None);
+    }
+}

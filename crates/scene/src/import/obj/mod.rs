@@ -1,0 +1,215 @@
+//! OBJ with its MTL: polygons by object or group, texture coordinates, normals, and colours at points.
+
+mod mtl;
+mod part;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use oaktwin_camera::math::DAffine3;
+
+use self::mtl::Library;
+use self::part::{Corner, Part, Pool};
+use super::builder::{Builder, step};
+use super::error::Fault;
+use super::{srgb, text};
+
+pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(), Fault> {
+    let mut reader = Reader {
+        folder: path.parent().unwrap_or(Path::new("")),
+        builder,
+        pool: Pool::default(),
+        parts: Vec::new(),
+        part_of_name: BTreeMap::new(),
+        current: None,
+        object: String::new(),
+        group: String::new(),
+        library: Library::default(),
+        material: None,
+        left_out: BTreeMap::new(),
+        bad_corners: 0,
+    };
+    let mut known = 0_usize;
+    for (number, line) in text::lines(bytes) {
+        known += usize::from(reader.line(line, number)?);
+    }
+    if known == 0 {
+        return Err(Fault::new(
+            "",
+            "is no OBJ file: no line of it is known",
+            "give an OBJ file",
+        ));
+    }
+    reader.finish();
+    Ok(())
+}
+
+struct Reader<'a> {
+    folder: &'a Path,
+    builder: &'a mut Builder,
+    pool: Pool,
+    parts: Vec<Part>,
+    part_of_name: BTreeMap<String, usize>,
+    /// The part that faces go to; `None` after a new name.
+    current: Option<usize>,
+    object: String,
+    group: String,
+    library: Library,
+    material: Option<u32>,
+    /// What is not supported, with how often it came.
+    left_out: BTreeMap<&'static str, usize>,
+    bad_corners: usize,
+}
+
+impl Reader<'_> {
+    /// False for a line that is not known.
+    fn line(&mut self, line: &[u8], number: usize) -> Result<bool, Fault> {
+        let line = line.split(|&byte| byte == b'#').next().unwrap_or_default();
+        let mut words = text::words(line);
+        let bad = |what: &str| {
+            let message = format!("{what}: {}", text::shown(line));
+            Err(Fault::damaged(format!("line {number}"), message))
+        };
+        let Some(word) = words.next() else {
+            return Ok(false);
+        };
+        match word {
+            b"v" => match text::numbers(&mut words) {
+                Some(point) => self.pool.push_point(point, point_color(&mut words)),
+                None => return bad("a point without three numbers"),
+            },
+            b"vt" => match text::numbers::<f32, 1>(&mut words) {
+                Some([u]) => self
+                    .pool
+                    .uvs
+                    .push([u, words.next().and_then(text::number).unwrap_or(0.0)]),
+                None => return bad("a texture coordinate without number"),
+            },
+            b"vn" => match text::numbers(&mut words) {
+                Some(normal) => self.pool.normals.push(normal),
+                None => return bad("a normal without three numbers"),
+            },
+            b"f" => {
+                if self.face(&mut words).is_none() {
+                    return bad("a corner that is no number");
+                }
+            }
+            b"o" => {
+                self.object = rest(line, 1);
+                self.current = None;
+            }
+            b"g" => {
+                self.group = rest(line, 1);
+                self.current = None;
+            }
+            b"usemtl" => self.material = Some(self.library.find(&rest(line, 6), self.builder)),
+            b"mtllib" => self.library.load(&rest(line, 6), self.folder, self.builder),
+            b"p" => *self.left_out.entry("points").or_default() += 1,
+            b"l" => *self.left_out.entry("lines").or_default() += 1,
+            b"curv" | b"curv2" | b"surf" => *self.left_out.entry("curves and surfaces").or_default() += 1,
+            b"s" | b"vp" | b"cstype" | b"deg" | b"parm" | b"trim" | b"hole" | b"end" | b"mg" => {}
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn face<'w>(&mut self, words: &mut impl Iterator<Item = &'w [u8]>) -> Option<()> {
+        let current = self.current_part();
+        let part = &mut self.parts[current];
+        let first = part.corners.len();
+        for word in words {
+            let mut fields = word.split(|&byte| byte == b'/');
+            let point = self.pool.point(text::number(fields.next()?)?);
+            // An empty field is none.
+            let mut optional = |count| match fields.next() {
+                None | Some(b"") => Some(Corner::NONE),
+                Some(field) => Some(index(text::number(field)?, count)),
+            };
+            let uv = optional(self.pool.uvs.len())?;
+            let normal = optional(self.pool.normals.len())?;
+            self.bad_corners += usize::from(uv == Corner::BAD) + usize::from(normal == Corner::BAD);
+            part.corners.push(Corner { point, uv, normal });
+        }
+        part.counts
+            .push(i32::try_from(part.corners.len() - first).unwrap_or(i32::MAX));
+        part.set_material(self.material);
+        Some(())
+    }
+
+    fn current_part(&mut self) -> usize {
+        let (object, group, parts) = (&self.object, &self.group, &mut self.parts);
+        let part_of_name = &mut self.part_of_name;
+        *self.current.get_or_insert_with(|| {
+            let name = match (object.is_empty(), group.is_empty()) {
+                (false, false) if object != group => format!("/{}/{}", step(object), step(group)),
+                (false, _) => format!("/{}", step(object)),
+                (true, false) => format!("/{}", step(group)),
+                (true, true) => String::new(),
+            };
+            *part_of_name.entry(name).or_insert_with_key(|name| {
+                parts.push(Part::new(name));
+                parts.len() - 1
+            })
+        })
+    }
+
+    fn finish(self) {
+        let builder = self.builder;
+        for (what, count) in self.left_out {
+            builder.warn("obj-unsupported", what, format!("left out: {count}"));
+        }
+        if self.bad_corners > 0 {
+            builder.warn(
+                "obj-index",
+                "f",
+                format!(
+                    "texture coordinates and normals that do not exist: {}",
+                    self.bad_corners
+                ),
+            );
+        }
+        let mut pool = self.pool;
+        for part in self.parts {
+            let path = if part.path.is_empty() {
+                format!("/{}", step(&builder.stem))
+            } else {
+                part.path.clone()
+            };
+            let (mesh, findings) = part.polygons(&mut pool).into_mesh(&path);
+            builder.findings.extend(findings);
+            if let Some(mesh) = builder.add_mesh(mesh) {
+                builder.place(mesh, &path, DAffine3::IDENTITY);
+            }
+        }
+    }
+}
+
+/// The zero-based number of what a file counts from 1, or backwards from −1.
+fn index(said: i64, count: usize) -> i32 {
+    let count = i64::try_from(count).unwrap_or(i64::MAX);
+    let index = match said {
+        1.. => said - 1,
+        0 => -1,
+        _ => said.saturating_add(count),
+    };
+    if (0..count).contains(&index) {
+        i32::try_from(index).unwrap_or(Corner::BAD)
+    } else {
+        Corner::BAD
+    }
+}
+
+/// The colour that some programs write after a point, perhaps after a weight.
+fn point_color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
+    let numbers: Vec<f32> = words.take(4).map_while(text::number).collect();
+    match *numbers.as_slice() {
+        [r, g, b] | [_, r, g, b] => Some([r, g, b].map(srgb::linear)),
+        _ => None,
+    }
+}
+
+/// What comes after a line's first word, spaces in it included.
+fn rest(line: &[u8], word: usize) -> String {
+    let line = line.trim_ascii();
+    String::from_utf8_lossy(line.get(word..).unwrap_or_default().trim_ascii()).into_owned()
+}

@@ -1,0 +1,223 @@
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::rest;
+use crate::import::builder::Builder;
+use crate::import::text;
+use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
+
+/// The materials of the libraries that a file names.
+///
+/// `Kd` is a linear colour that multiplies `map_Kd`; where it is black, as some programs write it beside an image, the
+/// image is as it is.
+#[derive(Default)]
+pub(super) struct Library {
+    materials: BTreeMap<String, u32>,
+    textures: BTreeMap<PathBuf, Option<u32>>,
+}
+
+impl Library {
+    /// Reads one, or several: their names are told apart by spaces, which a name may have too.
+    pub(super) fn load(&mut self, names: &str, folder: &Path, builder: &mut Builder) {
+        let whole = folder.join(local(names));
+        let files = if whole.is_file() {
+            vec![whole]
+        } else {
+            names
+                .split_whitespace()
+                .map(|name| folder.join(local(name)))
+                .collect()
+        };
+        for file in files {
+            if !file.is_file() {
+                builder.warn(
+                    "obj-material-library",
+                    file.display().to_string(),
+                    "is not there: its materials are left out",
+                );
+                continue;
+            }
+            match fs::read(&file) {
+                Ok(bytes) => self.read(&bytes, &file, builder),
+                Err(error) => builder.warn(
+                    "obj-material-library",
+                    file.display().to_string(),
+                    format!("cannot be read: {error}"),
+                ),
+            }
+        }
+    }
+
+    /// The material of a name; one that no library has is made, so that its faces stay apart.
+    pub(super) fn find(&mut self, name: &str, builder: &mut Builder) -> u32 {
+        *self.materials.entry(name.into()).or_insert_with(|| {
+            builder.add_material(Material {
+                name: name.into(),
+                ..Material::default()
+            })
+        })
+    }
+
+    fn read(&mut self, bytes: &[u8], file: &Path, builder: &mut Builder) {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let mut current: Option<Material> = None;
+        for (_, line) in text::lines(bytes) {
+            let line = line.trim_ascii();
+            let mut words = text::words(line);
+            let word = words.next().unwrap_or_default();
+            if word == b"newmtl" {
+                self.add(current.take(), builder);
+                current = Some(Material {
+                    name: rest(line, 6),
+                    base_color: Some([1.0; 3]),
+                    ..Material::default()
+                });
+                continue;
+            }
+            let Some(material) = &mut current else {
+                continue;
+            };
+            match word {
+                b"Kd" => material.base_color = color(&mut words).or(material.base_color),
+                b"Ke" => material.emissive = color(&mut words).unwrap_or_default(),
+                b"Pm" => material.metallic = fraction(words.next()).unwrap_or(material.metallic),
+                b"Pr" => material.roughness = fraction(words.next()).unwrap_or(material.roughness),
+                b"map_Kd" => {
+                    material.base_color_texture = self.texture(&rest(line, 6), folder, builder);
+                }
+                _ => {}
+            }
+        }
+        self.add(current, builder);
+    }
+
+    fn add(&mut self, material: Option<Material>, builder: &mut Builder) {
+        let Some(mut material) = material else {
+            return;
+        };
+        if material.base_color_texture.is_some() && material.base_color == Some([0.0; 3]) {
+            material.base_color = Some([1.0; 3]);
+        }
+        // The first of a name counts.
+        if !self.materials.contains_key(&material.name) {
+            let name = material.name.clone();
+            self.materials.insert(name, builder.add_material(material));
+        }
+    }
+
+    /// An image with the options in front of its name.
+    fn texture(&mut self, said: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
+        let (name, options) = Options::split(said);
+        let file = folder.join(local(name));
+        let texture = self.textures.entry(file.clone()).or_insert_with(|| {
+            if !file.is_file() {
+                builder.warn(
+                    "texture-missing",
+                    file.display().to_string(),
+                    "the image is not there",
+                );
+                return None;
+            }
+            Some(builder.add_texture(Texture {
+                source: TextureSource::File(file),
+                color_space: ColorSpace::Auto,
+            }))
+        });
+        let texture = (*texture)?;
+        let wrap = if options.clamp { Wrap::Clamp } else { Wrap::Repeat };
+        let ([su, sv], [ou, ov]) = (options.scale, options.offset);
+        Some(TextureUse {
+            image_from_uv: [[su, 0.0, ou], [0.0, sv, ov]],
+            wrap_s: wrap,
+            wrap_t: wrap,
+            ..TextureUse::new(texture)
+        })
+    }
+}
+
+struct Options {
+    scale: [f32; 2],
+    offset: [f32; 2],
+    clamp: bool,
+}
+
+impl Options {
+    fn split(said: &str) -> (&str, Self) {
+        let mut options = Self {
+            scale: [1.0; 2],
+            offset: [0.0; 2],
+            clamp: false,
+        };
+        let mut left = said.trim();
+        while let Some((option, after)) = left
+            .strip_prefix('-')
+            .and_then(|option| option.split_once(char::is_whitespace))
+        {
+            // How many words may follow: numbers, of which the later ones may be missing, or one word.
+            let (words, rest) = match option {
+                "o" | "s" | "t" => leading_numbers(after, 3),
+                "mm" => leading_numbers(after, 2),
+                "bm" | "boost" | "texres" => leading_numbers(after, 1),
+                "blendu" | "blendv" | "cc" | "clamp" | "imfchan" | "type" | "colorspace" => {
+                    if after.trim_start().starts_with("on") {
+                        options.clamp |= option == "clamp";
+                    }
+                    let rest = after
+                        .trim_start()
+                        .split_once(char::is_whitespace)
+                        .map_or("", |split| split.1);
+                    (Vec::new(), rest)
+                }
+                // No option: a name that starts with a hyphen.
+                _ => break,
+            };
+            let target = match option {
+                "o" => Some(&mut options.offset),
+                "s" => Some(&mut options.scale),
+                _ => None,
+            };
+            if let Some(target) = target {
+                for (slot, number) in target.iter_mut().zip(words) {
+                    *slot = number;
+                }
+            }
+            left = rest.trim_start();
+        }
+        (left, options)
+    }
+}
+
+fn leading_numbers(text: &str, most: usize) -> (Vec<f32>, &str) {
+    let mut numbers = Vec::new();
+    let mut left = text.trim_start();
+    while numbers.len() < most {
+        let (word, after) = left.split_once(char::is_whitespace).unwrap_or((left, ""));
+        let Some(number) = word.parse().ok().filter(|number: &f32| number.is_finite()) else {
+            break;
+        };
+        numbers.push(number);
+        left = after.trim_start();
+    }
+    (numbers, left)
+}
+
+fn color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
+    let [r] = text::numbers(words)?;
+    // One number is a grey.
+    let color = match text::numbers(words) {
+        Some([g, b]) => [r, g, b],
+        None => [r; 3],
+    };
+    color.iter().all(|x: &f32| x.is_finite()).then_some(color)
+}
+
+fn fraction(word: Option<&[u8]>) -> Option<f32> {
+    let number: f32 = text::number(word?)?;
+    number.is_finite().then(|| number.clamp(0.0, 1.0))
+}
+
+/// A file's name as this system has it.
+fn local(name: &str) -> PathBuf {
+    PathBuf::from(name.replace('\\', "/"))
+}

@@ -1,0 +1,174 @@
+use crate::polygon::{FaceMaterial, Interpolation, PolygonMesh, Primvar};
+
+/// What all faces of a file pick from.
+#[derive(Default)]
+pub(super) struct Pool {
+    points: Vec<[f32; 3]>,
+    /// Where a point has one; shorter than the points, or empty, where the last have none.
+    colors: Vec<[f32; 3]>,
+    pub(super) uvs: Vec<[f32; 2]>,
+    pub(super) normals: Vec<[f32; 3]>,
+    /// Scratch: the number in the current part of what the file has so many of.
+    numbers: Vec<i32>,
+}
+
+/// Without a colour of their own, points are white.
+const WHITE: [f32; 3] = [1.0; 3];
+
+impl Pool {
+    pub(super) fn push_point(&mut self, point: [f32; 3], color: Option<[f32; 3]>) {
+        if let Some(color) = color {
+            self.colors.resize(self.points.len(), WHITE);
+            self.colors.push(color);
+        }
+        self.points.push(point);
+    }
+
+    pub(super) fn point(&self, said: i64) -> i32 {
+        super::index(said, self.points.len())
+    }
+}
+
+/// Picks by a corner, from zero.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) point: i32,
+    pub(super) uv: i32,
+    pub(super) normal: i32,
+}
+
+impl Corner {
+    /// Not said.
+    pub(super) const NONE: i32 = -2;
+    /// Said, but not there.
+    pub(super) const BAD: i32 = -1;
+}
+
+/// Faces of one name.
+pub(super) struct Part {
+    pub(super) path: String,
+    pub(super) counts: Vec<i32>,
+    pub(super) corners: Vec<Corner>,
+    /// From which face on there is which material.
+    materials: Vec<(usize, Option<u32>)>,
+}
+
+impl Part {
+    pub(super) fn new(path: &str) -> Self {
+        Self {
+            path: path.into(),
+            counts: Vec::new(),
+            corners: Vec::new(),
+            materials: Vec::new(),
+        }
+    }
+
+    /// Of the face that was added last.
+    pub(super) fn set_material(&mut self, material: Option<u32>) {
+        if self.materials.last().is_none_or(|last| last.1 != material) {
+            self.materials.push((self.counts.len() - 1, material));
+        }
+    }
+
+    /// A mesh with what its faces pick, and no more.
+    pub(super) fn polygons(self, pool: &mut Pool) -> PolygonMesh {
+        let Self {
+            counts,
+            corners,
+            materials,
+            ..
+        } = self;
+        let numbers = &mut pool.numbers;
+        let mut mesh = PolygonMesh::default();
+        let has_color = !pool.colors.is_empty();
+        let mut colors = Vec::new();
+        let points = corners.iter().map(|corner| corner.point);
+        (mesh.points, mesh.face_vertex_indices) = picked(&pool.points, points.clone(), numbers);
+        if has_color {
+            pool.colors.resize(pool.points.len(), WHITE);
+            colors = picked(&pool.colors, points, numbers).0;
+        }
+        mesh.colors = has_color.then(|| Primvar::new(Interpolation::Vertex, colors));
+        if corners.iter().any(|corner| corner.uv >= 0) {
+            let (mut values, mut indices) =
+                picked(&pool.uvs, corners.iter().map(|corner| corner.uv), numbers);
+            // Corners without are at the origin.
+            let origin = i32::try_from(values.len()).unwrap_or(-1);
+            values.push([0.0; 2]);
+            for index in &mut indices {
+                *index = if *index < 0 { origin } else { *index };
+            }
+            mesh.uvs = Some(Primvar {
+                interpolation: Interpolation::FaceVarying,
+                values,
+                indices: Some(indices),
+            });
+        }
+        // Half a set of normals is none.
+        if corners.iter().all(|corner| corner.normal >= 0) {
+            let (values, indices) =
+                picked(&pool.normals, corners.iter().map(|corner| corner.normal), numbers);
+            mesh.normals = Some(Primvar {
+                interpolation: Interpolation::FaceVarying,
+                values,
+                indices: Some(indices),
+            });
+        }
+        (mesh.material, mesh.face_materials) = face_materials(&materials, counts.len());
+        mesh.face_vertex_counts = counts;
+        mesh
+    }
+}
+
+/// The values that are picked, in the order in which they come first, and the picks among them; those of none stay
+/// negative. `numbers` is left as it was found: zero everywhere.
+fn picked<T: Copy>(
+    values: &[T],
+    picks: impl Iterator<Item = i32>,
+    numbers: &mut Vec<i32>,
+) -> (Vec<T>, Vec<i32>) {
+    if numbers.len() < values.len() {
+        numbers.resize(values.len(), 0);
+    }
+    let mut kept = Vec::new();
+    let mut touched = Vec::new();
+    let indices = picks
+        .map(|pick| {
+            let Ok(at) = usize::try_from(pick) else {
+                return pick;
+            };
+            // From one, so that zero is none.
+            if numbers[at] == 0 {
+                kept.push(values[at]);
+                touched.push(at);
+                numbers[at] = i32::try_from(kept.len()).unwrap_or(i32::MAX);
+            }
+            numbers[at] - 1
+        })
+        .collect();
+    for at in touched {
+        numbers[at] = 0;
+    }
+    (kept, indices)
+}
+
+/// The material of most faces, and which faces have others.
+fn face_materials(runs: &[(usize, Option<u32>)], faces: usize) -> (Option<u32>, Vec<FaceMaterial>) {
+    let first = runs.first().and_then(|run| run.1);
+    let mut others: Vec<FaceMaterial> = Vec::new();
+    for (i, &(start, material)) in runs.iter().enumerate() {
+        let end = runs.get(i + 1).map_or(faces, |next| next.0);
+        let (Some(material), true) = (material, material != first) else {
+            continue;
+        };
+        let run = (start..end).filter_map(|face| i32::try_from(face).ok());
+        match others.iter_mut().find(|other| other.material == material) {
+            Some(other) => other.faces.extend(run),
+            None => others.push(FaceMaterial {
+                faces: run.collect(),
+                material,
+            }),
+        }
+    }
+    (first, others)
+}

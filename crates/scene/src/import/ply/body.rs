@@ -1,0 +1,125 @@
+use super::header::{Encoding, Kind};
+use crate::import::error::Fault;
+use crate::import::text;
+
+/// The numbers of a body, one after the other.
+pub(super) struct Body<'a> {
+    rest: &'a [u8],
+    encoding: Encoding,
+    line: usize,
+}
+
+impl<'a> Body<'a> {
+    pub(super) fn new(rest: &'a [u8], encoding: Encoding, line: usize) -> Self {
+        Self { rest, encoding, line }
+    }
+
+    /// How many bytes are left.
+    pub(super) fn left(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// Numbers as doubles have all values of all kinds.
+    pub(super) fn number(&mut self, kind: Kind) -> Result<f64, Fault> {
+        match self.encoding {
+            Encoding::Text => {
+                let word = self.word();
+                text::number(word).ok_or_else(|| self.bad_number(word))
+            }
+            Encoding::LittleEndian => self.take(kind, |bytes| bytes),
+            Encoding::BigEndian => self.take(kind, |mut bytes| {
+                bytes[..kind.size()].reverse();
+                bytes
+            }),
+        }
+    }
+
+    pub(super) fn length(&mut self, kind: Kind) -> Result<usize, Fault> {
+        let length = self.number(kind)?;
+        let shortest = if self.encoding == Encoding::Text { 2 } else { 1 };
+        // The last number of a text may end with the file.
+        #[allow(clippy::cast_precision_loss, reason = "an upper bound")]
+        let most = (self.left() / shortest + 1) as f64;
+        if length >= 0.0 && length <= most && length.fract() == 0.0 {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+            return Ok(length as usize);
+        }
+        Err(Fault::damaged(
+            self.place(),
+            format!("a list of {length} numbers is longer than the file"),
+        ))
+    }
+
+    pub(super) fn skip(&mut self, kind: Kind, count: usize) -> Result<(), Fault> {
+        if self.encoding == Encoding::Text {
+            for _ in 0..count {
+                self.number(kind)?;
+            }
+            return Ok(());
+        }
+        match count
+            .checked_mul(kind.size())
+            .and_then(|size| self.rest.get(size..))
+        {
+            Some(rest) => {
+                self.rest = rest;
+                Ok(())
+            }
+            None => Err(self.too_short()),
+        }
+    }
+
+    fn word(&mut self) -> &'a [u8] {
+        let start = self
+            .rest
+            .iter()
+            .position(|byte| !byte.is_ascii_whitespace())
+            .unwrap_or(self.rest.len());
+        self.line += self.rest[..start].iter().filter(|&&byte| byte == b'\n').count();
+        let word = &self.rest[start..];
+        let end = word
+            .iter()
+            .position(u8::is_ascii_whitespace)
+            .unwrap_or(word.len());
+        self.rest = &word[end..];
+        &word[..end]
+    }
+
+    fn take(&mut self, kind: Kind, order: impl Fn([u8; 8]) -> [u8; 8]) -> Result<f64, Fault> {
+        let Some((head, rest)) = self.rest.split_at_checked(kind.size()) else {
+            return Err(self.too_short());
+        };
+        self.rest = rest;
+        let mut bytes = [0; 8];
+        bytes[..head.len()].copy_from_slice(head);
+        let [a, b, c, d, ..] = order(bytes);
+        Ok(match kind {
+            Kind::I8 => f64::from(a.cast_signed()),
+            Kind::U8 => f64::from(a),
+            Kind::I16 => f64::from(i16::from_le_bytes([a, b])),
+            Kind::U16 => f64::from(u16::from_le_bytes([a, b])),
+            Kind::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            Kind::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            Kind::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            Kind::F64 => f64::from_le_bytes(order(bytes)),
+        })
+    }
+
+    fn place(&self) -> String {
+        match self.encoding {
+            Encoding::Text => format!("line {}", self.line),
+            _ => "body".into(),
+        }
+    }
+
+    fn bad_number(&self, word: &[u8]) -> Fault {
+        if word.is_empty() {
+            return self.too_short();
+        }
+        Fault::damaged(self.place(), format!("no number: {}", text::shown(word)))
+    }
+
+    pub(super) fn too_short(&self) -> Fault {
+        Fault::damaged(self.place(), "the file ends before its last element")
+    }
+}

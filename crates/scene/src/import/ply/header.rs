@@ -1,0 +1,164 @@
+use crate::import::error::Fault;
+use crate::import::text;
+
+/// How the numbers of the body are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Text,
+    LittleEndian,
+    BigEndian,
+}
+
+/// A kind of number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Kind {
+    fn named(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"char" | b"int8" => Self::I8,
+            b"uchar" | b"uint8" => Self::U8,
+            b"short" | b"int16" => Self::I16,
+            b"ushort" | b"uint16" => Self::U16,
+            b"int" | b"int32" => Self::I32,
+            b"uint" | b"uint32" => Self::U32,
+            b"float" | b"float32" => Self::F32,
+            b"double" | b"float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    pub(super) const fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+#[derive(Debug)]
+pub(super) struct Property {
+    pub(super) name: String,
+    /// Of lists, that of their lengths.
+    pub(super) list: Option<Kind>,
+    pub(super) kind: Kind,
+}
+
+#[derive(Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) count: usize,
+    pub(super) properties: Vec<Property>,
+}
+
+impl Element {
+    /// The fewest bytes that a row takes.
+    pub(super) fn least_size(&self, encoding: Encoding) -> usize {
+        let size = |property: &Property| match encoding {
+            // A digit and a space.
+            Encoding::Text => 2,
+            _ => property.list.unwrap_or(property.kind).size(),
+        };
+        self.properties.iter().map(size).sum()
+    }
+
+    pub(super) fn find(&self, names: &[&str]) -> Option<usize> {
+        self.properties
+            .iter()
+            .position(|property| names.contains(&property.name.as_str()))
+    }
+}
+
+#[derive(Debug)]
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+    /// Where the body starts.
+    pub(super) length: usize,
+    /// The body's first line.
+    pub(super) lines: usize,
+}
+
+impl Header {
+    pub(super) fn read(bytes: &[u8]) -> Result<Self, Fault> {
+        let mut header = Self {
+            encoding: Encoding::Text,
+            elements: Vec::new(),
+            length: 0,
+            lines: 0,
+        };
+        let mut format = None;
+        for (number, line) in text::lines(bytes) {
+            header.length += line.len() + 1;
+            header.lines = number + 1;
+            let mut words = text::words(line);
+            let fault = |message: &str| {
+                let message = format!("{message}: {}", text::shown(line));
+                Err(Fault::damaged(format!("line {number}"), message))
+            };
+            match (number, words.next()) {
+                (1, Some(b"ply")) => {}
+                (1, _) => {
+                    return Err(Fault::damaged(
+                        "line 1",
+                        "is no PLY file: it does not start with ply",
+                    ));
+                }
+                (_, Some(b"format")) => {
+                    format = match words.next() {
+                        Some(b"ascii") => Some(Encoding::Text),
+                        Some(b"binary_little_endian") => Some(Encoding::LittleEndian),
+                        Some(b"binary_big_endian") => Some(Encoding::BigEndian),
+                        _ => return fault("no known format"),
+                    };
+                }
+                (_, Some(b"element")) => match (words.next(), words.next().and_then(text::number)) {
+                    (Some(name), Some(count)) => header.elements.push(Element {
+                        name: String::from_utf8_lossy(name).into_owned(),
+                        count,
+                        properties: Vec::new(),
+                    }),
+                    _ => return fault("an element without name or count"),
+                },
+                (_, Some(b"property")) => match (header.elements.last_mut(), property(&mut words)) {
+                    (Some(element), Some(property)) => element.properties.push(property),
+                    _ => return fault("no property that is known"),
+                },
+                (_, Some(b"end_header")) => {
+                    header.length = header.length.min(bytes.len());
+                    let Some(format) = format else {
+                        return Err(Fault::damaged("header", "has no line with its format"));
+                    };
+                    header.encoding = format;
+                    return Ok(header);
+                }
+                (_, None | Some(b"comment" | b"obj_info")) => {}
+                _ => return fault("no line of a header"),
+            }
+        }
+        Err(Fault::damaged("header", "does not end"))
+    }
+}
+
+fn property<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<Property> {
+    let (list, kind) = match words.next()? {
+        b"list" => (Some(Kind::named(words.next()?)?), words.next()?),
+        kind => (None, kind),
+    };
+    Some(Property {
+        kind: Kind::named(kind)?,
+        list,
+        name: String::from_utf8_lossy(words.next()?).into_owned(),
+    })
+}

@@ -1,0 +1,100 @@
+//! Primvars into attributes of triangles, stored as compactly as their values allow.
+
+use super::weld::Welder;
+use super::{Interpolation, Primvar};
+use crate::Attribute;
+
+/// What an attribute needs to know about the triangles that were made.
+pub(super) struct Triangles<'a> {
+    pub(super) vertices: &'a [[u32; 3]],
+    pub(super) points: usize,
+    /// The face of each triangle.
+    pub(super) face: &'a dyn Fn(usize) -> u32,
+    /// The corners of each triangle, among all corners of the mesh.
+    pub(super) corners: &'a dyn Fn(usize) -> [u32; 3],
+    /// Whether triangle `i` is face `i` and there are no others.
+    pub(super) are_faces: bool,
+}
+
+/// A value at a corner.
+pub(super) trait Value: Copy + PartialEq {
+    const ZERO: Self;
+    fn is_finite(&self) -> bool;
+}
+
+macro_rules! values {
+    ($($float:ty),*) => {$(
+        impl<const N: usize> Value for [$float; N] {
+            const ZERO: Self = [0.0; N];
+
+            fn is_finite(&self) -> bool {
+                self.iter().all(|x| x.is_finite())
+            }
+        }
+    )*};
+}
+
+values!(f32, f64);
+
+/// The attribute, from a primvar that was checked.
+pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> Attribute<T> {
+    let value = |element: u32| primvar.get(element as usize).unwrap_or(T::ZERO);
+    match primvar.interpolation {
+        Interpolation::Constant => Attribute::Constant(value(0)),
+        Interpolation::Uniform if triangles.are_faces && primvar.indices.is_none() => {
+            Attribute::Triangle(primvar.values)
+        }
+        Interpolation::Uniform => {
+            let of_triangle = |triangle| value((triangles.face)(triangle));
+            Attribute::Triangle((0..triangles.vertices.len()).map(of_triangle).collect())
+        }
+        Interpolation::Vertex => match &primvar.indices {
+            None => Attribute::Vertex(primvar.values),
+            Some(indices) => Attribute::Vertex(
+                (0..indices.len())
+                    .map(|i| primvar.get(i).unwrap_or(T::ZERO))
+                    .collect(),
+            ),
+        },
+        Interpolation::FaceVarying => face_varying(&value, triangles),
+    }
+}
+
+/// Most vertices have the same value at all their corners: those values are stored once.
+fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> Attribute<T> {
+    if let Some(values) = one_for_each_triangle(value, triangles) {
+        return Attribute::Triangle(values);
+    }
+    let mut welder = Welder::new(triangles.points);
+    // The values that the vertices came to first are all there is, as long as no corner asks for another.
+    let mut indices: Option<Vec<[u32; 3]>> = None;
+    for (triangle, vertices) in triangles.vertices.iter().enumerate() {
+        let corners = (triangles.corners)(triangle);
+        let picked = [0, 1, 2].map(|i| welder.index(vertices[i], value(corners[i])));
+        if indices.is_none() && picked != *vertices {
+            let mut list = Vec::with_capacity(triangles.vertices.len());
+            list.extend_from_slice(&triangles.vertices[..triangle]);
+            indices = Some(list);
+        }
+        if let Some(indices) = &mut indices {
+            indices.push(picked);
+        }
+    }
+    let values = welder.values;
+    match indices {
+        None => Attribute::Vertex(values),
+        Some(indices) => Attribute::Corner { values, indices },
+    }
+}
+
+/// For each triangle the value that all its corners have.
+fn one_for_each_triangle<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> Option<Vec<T>> {
+    let one = |triangle| {
+        let [a, b, c] = (triangles.corners)(triangle).map(value);
+        (a == b && a == c).then_some(a)
+    };
+    // A look at some before room is made for all.
+    let count = triangles.vertices.len();
+    (0..count.min(64)).map(one).collect::<Option<Vec<T>>>()?;
+    (0..count).map(one).collect()
+}

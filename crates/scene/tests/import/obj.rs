@@ -1,0 +1,162 @@
+use oaktwin_scene::{Attribute, TextureSource, Up, Wrap};
+
+use crate::support::{Files, error, messages, open, triangles};
+
+#[test]
+fn objects_and_groups_are_instances_with_their_own_points() {
+    let scene = open(
+        "room.obj",
+        "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+         o table\ng top\nf 2 3 4\ng legs\nf 2 3 5\no chair\nf -4 -3 -1\no table\ng top\nf 3 4 5\n",
+    )
+    .scene;
+    let paths: Vec<&str> = scene.instances.iter().map(|i| i.path.as_str()).collect();
+    assert_eq!(paths, ["/table/top", "/table/legs", "/chair/legs"]);
+    assert_eq!(scene.up, Up::Y);
+    // What comes back to a name goes to it; no part has points of others.
+    assert_eq!(scene.meshes[0].triangles.len(), 2);
+    assert_eq!(scene.meshes[0].positions.len(), 4);
+    assert_eq!(
+        scene.meshes[2].positions,
+        [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]
+    );
+}
+
+#[test]
+fn polygons_may_be_concave() {
+    let scene = open("a.obj", "v 2 1 0\nv 0.5 0 0\nv 2 -1 0\nv 0 0 0\nf 3 2 1 4\n").scene;
+    let area: f64 = triangles(&scene)
+        .iter()
+        .map(|[a, b, c]| (*b - *a).cross(*c - *a).z / 2.0)
+        .sum();
+    assert!((area.abs() - 0.5).abs() < 1e-6, "{area}");
+    assert!(
+        triangles(&scene)
+            .iter()
+            .all(|[a, b, c]| (*b - *a).cross(*c - *a).z * area > 0.0)
+    );
+}
+
+#[test]
+fn corners_pick_texture_coordinates_and_normals() {
+    let scene = open(
+        "a.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5\nvn 0 0 3\nvn 0 1 0\n\
+         f 1/1/1 2/2/1 3/3/1\nf 1/4/2 3/3/2 4/-1/-1\n",
+    )
+    .scene;
+    let mesh = &scene.meshes[0];
+    let uvs = mesh.uvs.as_ref().unwrap();
+    assert_eq!(
+        uvs.corners(0, mesh.triangles[0]).unwrap(),
+        [[0., 0.], [1., 0.], [1., 1.]]
+    );
+    assert_eq!(
+        uvs.corners(1, mesh.triangles[1]).unwrap(),
+        [[0.5, 0.], [1., 1.], [0.5, 0.]]
+    );
+    assert_eq!(
+        mesh.normals,
+        Some(Attribute::Triangle(vec![[0., 0., 1.], [0., 1., 0.]]))
+    );
+    // Half a set of normals is none, corners without coordinates are at the origin.
+    let scene = open(
+        "a.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2//1 3\n",
+    )
+    .scene;
+    let mesh = &scene.meshes[0];
+    assert_eq!(mesh.normals, None);
+    assert_eq!(
+        mesh.uvs,
+        Some(Attribute::Vertex(vec![[1., 1.], [0., 0.], [0., 0.]]))
+    );
+}
+
+#[test]
+fn points_may_have_colours() {
+    let scene = open("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 1.0 0 1 0\nv 1 1 0\nf 1 2 3\n").scene;
+    assert_eq!(
+        scene.meshes[0].colors,
+        Some(Attribute::Vertex(vec![[1., 0., 0.], [0., 1., 0.], [1., 1., 1.]]))
+    );
+}
+
+#[test]
+fn materials_come_from_libraries() {
+    let files = Files::new()
+        .with(
+            "my room.mtl",
+            "newmtl red paint\nKd 1 0.5 0\nKe 2 2 2\nPr 0.25\nPm 3\n\
+            newmtl wood\nKd 0 0 0\nmap_Kd -s 2 3 1 -o 0.5 -clamp on images\\my wood.png\n\
+            newmtl lost\nKd 0.5\nmap_Kd none.png\nnewmtl wood\nKd 1 1 1\n",
+        )
+        .with("images/my wood.png", "not looked at")
+        .with(
+            "a.obj",
+            "mtllib my room.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl wood\nf 1 2 3\n\
+            usemtl red paint\nf 1 2 3\nusemtl lost\nf 1 2 3\nusemtl wood\nf 3 2 1\nusemtl nowhere\nf 1 2 3\n",
+        );
+    let imported = files.open("a.obj");
+    let scene = &imported.scene;
+    let mesh = &scene.meshes[0];
+    let name = |triangle| {
+        scene.materials[mesh.material(triangle).unwrap() as usize]
+            .name
+            .as_str()
+    };
+    assert_eq!(
+        [0, 1, 2, 3, 4].map(name),
+        ["wood", "wood", "red paint", "lost", "nowhere"]
+    );
+    let material = |name: &str| scene.materials.iter().find(|m| m.name == name).unwrap();
+    let red = material("red paint");
+    assert_eq!((red.base_color, red.emissive), (Some([1.0, 0.5, 0.0]), [2.0; 3]));
+    assert_eq!((red.roughness, red.metallic), (0.25, 1.0));
+    // A black factor would hide the image.
+    let wood = material("wood");
+    assert_eq!(wood.base_color, Some([1.0; 3]));
+    let texture = wood.base_color_texture.unwrap();
+    assert_eq!(texture.image_from_uv, [[2.0, 0.0, 0.5], [0.0, 3.0, 0.0]]);
+    assert_eq!((texture.wrap_s, texture.wrap_t), (Wrap::Clamp, Wrap::Clamp));
+    assert_eq!(scene.textures.len(), 1);
+    assert_eq!(
+        scene.textures[0].source,
+        TextureSource::File(files.path("images/my wood.png"))
+    );
+    assert_eq!(material("lost").base_color, Some([0.5; 3]));
+    assert_eq!(material("nowhere").base_color, None);
+    assert_eq!(imported.findings.len(), 1);
+    assert!(messages(&imported)[0].ends_with("none.png: the image is not there"));
+}
+
+#[test]
+fn what_cannot_be_rendered_is_counted() {
+    let imported = open(
+        "a.obj",
+        "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\np 1 2\nl 1 2\nl 2 3\nf 1 2 3\nf 1 2\nf 1/7 2/1 3/1\nf 1 2 9\nf 0 1 2\n",
+    );
+    let found = messages(&imported);
+    assert!(found[0].ends_with("none.mtl: is not there: its materials are left out"));
+    assert_eq!(
+        found[1..],
+        [
+            "lines: left out: 2",
+            "points: left out: 1",
+            "f: texture coordinates and normals that do not exist: 1",
+            "/a: 2 triangles have points that do not exist or are not finite, and are left out",
+        ]
+    );
+    assert_eq!(imported.scene.meshes[0].triangles.len(), 2);
+}
+
+#[test]
+fn broken_lines_are_said() {
+    assert_eq!(
+        error("a.obj", "v 0 0 0\nv 1 zero 0\n"),
+        "a.obj: line 2: a point without three numbers: v 1 zero 0; export or copy it again: it is damaged"
+    );
+    assert!(error("a.obj", "v 0 0 0\nf 1 x 1\n").contains("line 2: a corner that is no number"));
+    assert!(error("a.obj", "#usda 1.0\ndef Xform {}\n").contains("is no OBJ file"));
+    assert!(error("a.obj", "v 0 0 0\n").contains("has no triangle to render"));
+}

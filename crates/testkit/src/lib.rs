@@ -1,0 +1,7 @@
+//! For development only: what tests and benchmarks of rendering share.
+
+#[cfg(target_os = "linux")]
+pub mod embree;
+pub mod random;
+pub mod reference;
+pub mod shapes;

@@ -1,0 +1,185 @@
+use std::cell::OnceCell;
+
+use openusd::sdf::{self, Path, Value};
+use openusd::tf::Token;
+use openusd::usd;
+
+use super::scene::Own;
+use super::value::number;
+
+/// What the library says when it cannot go on.
+pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
+pub(super) type Outcome<T> = Result<T, Failure>;
+
+/// Reads composed prims and values of a stage at one time. Each question costs a walk over every layer that has an
+/// opinion, so a prim's properties are listed once and only those that exist are asked for.
+pub(super) struct Reader {
+    pub(super) stage: usd::Stage,
+    /// The time code at which values are wanted; `None` for default values.
+    time: Option<f64>,
+}
+
+/// What the traversal wants to know of every prim.
+pub(super) struct Record {
+    /// Where its opinions are composed: for what instances share, a place inside their prototype.
+    pub(super) path: Path,
+    /// Its type; empty where it has none.
+    pub(super) type_name: Token,
+    /// The names of its authored properties.
+    pub(super) properties: Vec<Token>,
+    /// The names of its children; an instance's own are its prototype's.
+    pub(super) children: Vec<Token>,
+    /// The prototype that holds the children of an instance.
+    pub(super) prototype: Option<Path>,
+    /// Not deactivated itself.
+    pub(super) active: bool,
+    /// `def`, `over` or `class`.
+    pub(super) specifier: sdf::Specifier,
+    own: OnceCell<Own>,
+}
+
+impl Record {
+    /// Whether a property has an opinion anywhere.
+    pub(super) fn has(&self, property: &str) -> bool {
+        self.properties.iter().any(|name| name.as_str() == property)
+    }
+
+    /// What it says that its children inherit; read once.
+    pub(super) fn own(&self, reader: &Reader) -> &Own {
+        self.own.get_or_init(|| Own::of(reader, self))
+    }
+
+    /// The paths of the children.
+    pub(super) fn child_paths(&self) -> impl Iterator<Item = (&Token, Path)> {
+        let parent = self.prototype.as_ref().unwrap_or(&self.path);
+        self.children
+            .iter()
+            .filter_map(|name| Some((name, child_path(parent, name.as_str())?)))
+    }
+}
+
+/// The path of a prim's child.
+pub(super) fn child_path(parent: &Path, name: &str) -> Option<Path> {
+    if parent.is_abs_root() {
+        return Path::new(&format!("/{name}")).ok();
+    }
+    Path::new(&format!("{}/{name}", parent.as_str())).ok()
+}
+
+impl Reader {
+    pub(super) fn new(stage: usd::Stage, time: Option<f64>) -> Self {
+        Self { stage, time }
+    }
+
+    /// The children of the stage itself.
+    pub(super) fn roots(&self) -> Outcome<Vec<Path>> {
+        let root = Path::abs_root();
+        let names = self.stage.root_prims()?;
+        Ok(names
+            .iter()
+            .filter_map(|name| child_path(&root, name.as_str()))
+            .collect())
+    }
+
+    /// A field of a prim or a property.
+    pub(super) fn field(&self, path: &Path, name: &str) -> Option<Value> {
+        // The library keeps its general accessor to itself, but an attribute's does not mind a prim's path.
+        self.stage
+            .attribute(path.clone())
+            .get_metadata::<Value>(name)
+            .ok()
+            .flatten()
+    }
+
+    /// Composes the prim at `path`.
+    pub(super) fn record(&self, path: Path) -> Outcome<Record> {
+        let prim = self.stage.prim(path);
+        let path = prim.path().clone();
+        let active = !matches!(self.field(&path, "active"), Some(Value::Bool(false)));
+        let specifier = prim.specifier()?.unwrap_or(sdf::Specifier::Over);
+        if !active {
+            return Ok(Record {
+                path,
+                type_name: Token::default(),
+                properties: Vec::new(),
+                children: Vec::new(),
+                prototype: None,
+                active,
+                specifier,
+                own: OnceCell::new(),
+            });
+        }
+        let instanceable = matches!(self.field(&path, "instanceable"), Some(Value::Bool(true)));
+        let prototype = if instanceable { prim.prototype()? } else { None };
+        let children = match &prototype {
+            Some(prototype) => self.stage.prim(prototype.clone()).child_names()?,
+            None => prim.child_names()?,
+        };
+        Ok(Record {
+            type_name: prim.type_name()?.unwrap_or_default(),
+            properties: prim.property_names()?,
+            children,
+            prototype,
+            active,
+            specifier,
+            path,
+            own: OnceCell::new(),
+        })
+    }
+
+    /// An attribute's value: at the time asked for, else the default value, else (where there is none) the first time
+    /// sample. OpenUSD's own default time knows no samples; a scene that is only animated would stand at its origin.
+    pub(super) fn value(&self, record: &Record, name: &str) -> Option<Value> {
+        if !record.has(name) {
+            return None;
+        }
+        self.attribute_value(&record.path, name)
+    }
+
+    /// Like [`Reader::value`], where it is not known whether there is such an attribute.
+    pub(super) fn attribute_value(&self, prim: &Path, name: &str) -> Option<Value> {
+        let attribute = self.stage.attribute(prim.append_property(name).ok()?);
+        let at = |time| attribute.get_at::<Value>(time).ok().flatten();
+        let value = match self.time {
+            Some(time) => match at(Some(usd::TimeCode::new(time))) {
+                Some(Value::Int64(_) | Value::Double(_)) => scalar_at(&attribute, time),
+                other => other,
+            },
+            None => attribute.get::<Value>().ok().flatten().or_else(|| {
+                let times = attribute.time_sample_times().ok()?;
+                at(Some(usd::TimeCode::new(*times.first()?)))
+            }),
+        };
+        value.filter(|value| !matches!(value, Value::None | Value::ValueBlock))
+    }
+
+    /// The targets of a relationship, in the prim's own namespace.
+    pub(super) fn targets(&self, record: &Record, name: &str) -> Vec<Path> {
+        if !record.has(name) {
+            return Vec::new();
+        }
+        let Ok(path) = record.path.append_property(name) else {
+            return Vec::new();
+        };
+        self.stage
+            .relationship(path)
+            .forwarded_targets()
+            .unwrap_or_default()
+    }
+}
+
+/// A number between samples. The library reads `0` in a text layer's samples as an integer and `0.5` as a double,
+/// whatever the attribute's type, and does not interpolate from one to the other.
+fn scalar_at(attribute: &usd::Attribute, time: f64) -> Option<Value> {
+    let at = |time| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
+    let kind = attribute.type_name().ok().flatten();
+    let is_continuous = kind.is_some_and(|kind| matches!(kind.as_str(), "half" | "float" | "double"));
+    let bracket = attribute.bracketing_time_samples(time).ok().flatten();
+    let Some((before, after)) = bracket.filter(|(before, after)| is_continuous && before < after) else {
+        return at(time);
+    };
+    let (from, to) = (number(&at(before)?)?, number(&at(after)?)?);
+    Some(Value::Double(
+        from + (to - from) * (time - before) / (after - before),
+    ))
+}

@@ -1,0 +1,105 @@
+use std::rc::Rc;
+
+use oaktwin_camera::math::DAffine3;
+use oaktwin_scene::Label;
+use openusd::sdf::Path;
+
+use super::super::reader::Record;
+use super::binding::Bindings;
+use super::own::{Own, Purpose};
+
+/// What a prim inherits from its ancestors.
+#[derive(Clone)]
+pub(in crate::stage) struct Context {
+    /// From the prim's frame into the stage's, both in the stage's unit.
+    pub(in crate::stage) stage_from_prim: DAffine3,
+    /// Whether it is drawn: visible, and not a point instancer's original.
+    pub(in crate::stage) drawn: bool,
+    pub(super) purpose: Purpose,
+    /// Its own semantic labels first, then its parent's, and so on.
+    pub(super) labels: Rc<[Label]>,
+    pub(super) bindings: Bindings,
+    pub(super) primvars: Option<Rc<Primvars>>,
+}
+
+/// The nearest ancestors that have primvars.
+pub(super) struct Primvars {
+    pub(super) prim: Path,
+    pub(super) names: Vec<openusd::tf::Token>,
+    pub(super) above: Option<Rc<Primvars>>,
+}
+
+impl Default for Context {
+    fn default() -> Self {
+        Self {
+            stage_from_prim: DAffine3::IDENTITY,
+            drawn: true,
+            purpose: Purpose::Default,
+            labels: Rc::from([]),
+            bindings: Bindings::default(),
+            primvars: None,
+        }
+    }
+}
+
+impl Context {
+    /// What holds for the child that the scene knows as `path` and that says `own` of itself.
+    pub(in crate::stage) fn with(&self, own: &Own, path: &str) -> Self {
+        let mut inner = self.clone();
+        if let Some(local) = &own.transform {
+            inner.stage_from_prim = if local.resets {
+                local.parent_from_prim
+            } else {
+                self.stage_from_prim * local.parent_from_prim
+            };
+        }
+        inner.drawn &= !own.invisible;
+        if let Some(purpose) = own.purpose {
+            inner.purpose = purpose;
+        }
+        if !own.labels.is_empty() {
+            let labels = own.labels.iter().map(|(taxonomy, name)| Label {
+                prim: path.to_owned(),
+                taxonomy: taxonomy.clone(),
+                name: name.clone(),
+            });
+            inner.labels = labels.chain(self.labels.iter().cloned()).collect();
+        }
+        inner.bindings = self.bindings.with(&own.bindings);
+        inner
+    }
+
+    /// The same for the children of `prim`.
+    pub(in crate::stage) fn hand_down(mut self, prim: &Record, own: &Own) -> Self {
+        if own.has_primvars {
+            self.primvars = Some(Rc::new(Primvars {
+                prim: prim.path.clone(),
+                names: prim
+                    .properties
+                    .iter()
+                    .filter(|name| name.starts_with("primvars:"))
+                    .cloned()
+                    .collect(),
+                above: self.primvars.take(),
+            }));
+        }
+        self
+    }
+
+    /// The nearest ancestor that has a primvar.
+    pub(super) fn ancestor_with(&self, primvar: &str) -> Option<&Path> {
+        let mut at = self.primvars.as_deref();
+        while let Some(primvars) = at {
+            if primvars.names.iter().any(|name| name.as_str() == primvar) {
+                return Some(&primvars.prim);
+            }
+            at = primvars.above.as_deref();
+        }
+        None
+    }
+
+    /// Whether its geometry belongs into a picture.
+    pub(super) fn is_drawn(&self) -> bool {
+        self.drawn && self.purpose != Purpose::Other
+    }
+}

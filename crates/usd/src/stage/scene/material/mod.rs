@@ -1,0 +1,166 @@
+//! What surfaces look like: the base colour of a material's shading network.
+
+mod network;
+mod surface;
+mod texture;
+mod uv;
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use oaktwin_scene::{Material, Scene};
+use openusd::sdf::Path;
+
+use super::super::reader::Reader;
+use super::super::walk::is_in_prototype;
+use super::findings::Findings;
+use network::{Node, surface_shader};
+
+pub(super) use texture::Textures;
+
+/// The materials that were come by.
+pub(super) struct Materials {
+    known: HashMap<Path, Option<Rc<Surface>>>,
+    pub(super) textures: Textures,
+    /// The first instance of each prototype, to call what is in it by a name that the scene knows.
+    prototypes: HashMap<String, String>,
+}
+
+/// A material of the scene, and what a mesh needs to know of it.
+pub(super) struct Surface {
+    /// Into the scene's materials.
+    pub(super) index: u32,
+    /// The primvar that its texture is laid out by.
+    pub(super) uv: Option<String>,
+    /// Whether the colours of the mesh show.
+    pub(super) shows_mesh_colors: bool,
+    /// Whether its shading network is one that we read.
+    pub(super) understood: bool,
+}
+
+impl Materials {
+    pub(super) fn new() -> Self {
+        Self {
+            known: HashMap::new(),
+            textures: Textures::default(),
+            prototypes: HashMap::new(),
+        }
+    }
+
+    pub(super) fn name_prototype(&mut self, prototype: &Path, path: &str) {
+        self.prototypes
+            .entry(prototype.as_str().to_owned())
+            .or_insert_with(|| path.to_owned());
+    }
+
+    /// A path that the scene knows for one inside a prototype.
+    pub(in crate::stage::scene) fn scene_path(&self, path: &Path) -> String {
+        let text = path.as_str();
+        if is_in_prototype(path) {
+            let end = text[1..].find('/').map_or(text.len(), |at| at + 1);
+            if let Some(instance) = self.prototypes.get(&text[..end]) {
+                return format!("{instance}{}", &text[end..]);
+            }
+        }
+        text.to_owned()
+    }
+
+    /// The surface of the material at `path`; `None` where there is no material.
+    pub(super) fn surface(
+        &mut self,
+        reader: &Reader,
+        path: &Path,
+        user: &str,
+        scene: &mut Scene,
+        findings: &mut Findings,
+    ) -> Option<Rc<Surface>> {
+        if let Some(known) = self.known.get(path) {
+            return known.clone();
+        }
+        // Through an instance, the material is its prototype's.
+        let canonical = if is_in_prototype(path) || self.prototypes.is_empty() {
+            None
+        } else {
+            reader.stage.prim(path.clone()).prim_in_prototype().ok().flatten()
+        };
+        let surface = match canonical {
+            Some(prim) if prim.path() != path => self.surface(reader, prim.path(), user, scene, findings),
+            _ => self.read(reader, path, user, scene, findings),
+        };
+        self.known.insert(path.clone(), surface.clone());
+        surface
+    }
+
+    fn read(
+        &mut self,
+        reader: &Reader,
+        path: &Path,
+        user: &str,
+        scene: &mut Scene,
+        findings: &mut Findings,
+    ) -> Option<Rc<Surface>> {
+        let name = self.scene_path(path);
+        let prim = reader.stage.prim(path.clone());
+        if prim
+            .type_name()
+            .ok()
+            .flatten()
+            .is_none_or(|kind| kind.as_str() != "Material")
+        {
+            let message = format!("is bound to the material <{name}>, which is not there");
+            findings.warn(
+                "missing-material",
+                user,
+                message,
+                "correct the binding, or add the file that defines it",
+            );
+            return None;
+        }
+        let mut material = Material {
+            name: name.clone(),
+            ..Material::default()
+        };
+        let mut read = surface::Reading {
+            reader,
+            place: &name,
+            textures: &mut self.textures,
+            scene_textures: &mut scene.textures,
+            findings,
+            uv: None,
+        };
+        let understood = match surface_shader(reader, path) {
+            Some(shader) => read.shader(&shader, &mut material),
+            None => {
+                read.findings.warn(
+                    "unsupported-material",
+                    &name,
+                    "has no surface that can be read; it is grey",
+                    "",
+                );
+                false
+            }
+        };
+        let uv = read.uv.take();
+        if !understood {
+            material.base_color.get_or_insert(surface::GREY);
+        }
+        let surface = Rc::new(Surface {
+            index: u32::try_from(scene.materials.len()).ok()?,
+            uv: material
+                .base_color_texture
+                .is_some()
+                .then(|| uv.unwrap_or_else(|| "st".to_owned())),
+            shows_mesh_colors: material.base_color.is_none() && material.base_color_texture.is_none(),
+            understood,
+        });
+        scene.materials.push(material);
+        Some(surface)
+    }
+}
+
+/// A node of a shading network by its identifier.
+fn identifier(reader: &Reader, node: &Node) -> String {
+    use super::super::value::text;
+    let token = |name| reader.attribute_value(&node.shader, name).and_then(text);
+    token("info:id").unwrap_or_default()
+}

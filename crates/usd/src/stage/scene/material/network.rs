@@ -1,0 +1,67 @@
+use openusd::sdf::{Path, Value};
+
+use super::super::super::reader::Reader;
+
+/// Longer chains of connections lead nowhere.
+const LONGEST: usize = 64;
+
+/// The outputs of a material that may hold its surface, the most portable first.
+const SURFACES: [&str; 4] = [
+    "outputs:surface",
+    "outputs:mtlx:surface",
+    "outputs:glslfx:surface",
+    "outputs:mdl:surface",
+];
+
+/// A shader whose output is used.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Node {
+    pub(super) shader: Path,
+}
+
+/// What feeds an input.
+pub(super) enum Input {
+    /// A value, and the attribute that holds it.
+    Value(Value, Path),
+    /// A shader.
+    Node(Node),
+}
+
+/// The shader that a material's surface comes from.
+pub(super) fn surface_shader(reader: &Reader, material: &Path) -> Option<Node> {
+    SURFACES
+        .into_iter()
+        .find_map(|output| match input(reader, material, output)? {
+            Input::Node(node) => Some(node),
+            Input::Value(..) => None,
+        })
+}
+
+/// What feeds a property, through the interfaces of materials and node graphs; `None` where nothing does.
+pub(super) fn input(reader: &Reader, prim: &Path, name: &str) -> Option<Input> {
+    let mut at = prim.append_property(name).ok()?;
+    for _ in 0..LONGEST {
+        let connections = reader
+            .stage
+            .attribute(at.clone())
+            .connections()
+            .unwrap_or_default();
+        let Some(source) = connections.into_iter().next() else {
+            let (prim, name) = at.split_property()?;
+            return Some(Input::Value(
+                reader.attribute_value(&prim, name.trim_start_matches('.'))?,
+                at.clone(),
+            ));
+        };
+        let (source_prim, source_name) = source.split_property()?;
+        let is_output = source_name.trim_start_matches('.').starts_with("outputs:");
+        if is_output {
+            let kind = reader.stage.prim(source_prim.clone()).type_name().ok().flatten();
+            if kind.is_some_and(|kind| kind.as_str() == "Shader") {
+                return Some(Input::Node(Node { shader: source_prim }));
+            }
+        }
+        at = source;
+    }
+    None
+}

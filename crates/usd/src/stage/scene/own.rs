@@ -1,0 +1,69 @@
+use super::super::reader::{Reader, Record};
+use super::super::transform::{LocalTransform, local_transform};
+use super::super::value::{text, texts};
+use super::binding::{Binding, bindings};
+
+/// What a prim itself says of what its children inherit.
+pub(in crate::stage) struct Own {
+    pub(super) transform: Option<LocalTransform>,
+    pub(super) invisible: bool,
+    pub(super) purpose: Option<Purpose>,
+    pub(super) labels: Vec<(String, String)>,
+    pub(super) bindings: Vec<Binding>,
+    /// Whether it has primvars that its children may inherit.
+    pub(super) has_primvars: bool,
+}
+
+/// What a part of the scene is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// For all.
+    Default,
+    /// For the final picture.
+    Render,
+    /// For a quick look, or for people who work on the scene.
+    Other,
+}
+
+impl Own {
+    pub(in crate::stage) fn of(reader: &Reader, prim: &Record) -> Self {
+        let token = |name: &str| reader.value(prim, name).and_then(text);
+        Self {
+            transform: local_transform(reader, prim),
+            invisible: token("visibility").is_some_and(|visibility| visibility == "invisible"),
+            purpose: token("purpose").map(|purpose| match purpose.as_str() {
+                "default" => Purpose::Default,
+                "render" => Purpose::Render,
+                _ => Purpose::Other,
+            }),
+            labels: labels(reader, prim),
+            bindings: bindings(reader, prim),
+            has_primvars: prim.properties.iter().any(|name| name.starts_with("primvars:")),
+        }
+    }
+}
+
+/// Semantic labels: OpenUSD's `semantics:labels:TAXONOMY` and the older
+/// `semantic:NAME:params:semanticType`/`semanticData` of Isaac Sim.
+fn labels(reader: &Reader, prim: &Record) -> Vec<(String, String)> {
+    let mut labels = Vec::new();
+    for name in &prim.properties {
+        if let Some(taxonomy) = name.strip_prefix("semantics:labels:") {
+            let values = reader.value(prim, name.as_str()).and_then(texts);
+            for label in values.unwrap_or_default() {
+                labels.push((taxonomy.to_owned(), label));
+            }
+        } else if let Some(instance) = name.strip_suffix(":params:semanticData")
+            && name.starts_with("semantic:")
+        {
+            let taxonomy = reader
+                .value(prim, &format!("{instance}:params:semanticType"))
+                .and_then(text)
+                .filter(|taxonomy| !taxonomy.is_empty());
+            if let Some(label) = reader.value(prim, name.as_str()).and_then(text) {
+                labels.push((taxonomy.unwrap_or_else(|| "class".to_owned()), label));
+            }
+        }
+    }
+    labels
+}

@@ -1,0 +1,132 @@
+use oaktwin_scene::shape::{self, Axis};
+use oaktwin_scene::{Attribute, Mesh};
+
+use super::super::reader::{Reader, Record};
+use super::super::value::{boolean, number, text, vec3s};
+use super::context::Context;
+use super::primvar::primvar;
+use oaktwin_scene::polygon::Interpolation;
+
+/// A shape of OpenUSD with its measures in the unit of its own frame; the schema's fallbacks where it says nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shape {
+    kind: Kind,
+    double_sided: Option<bool>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Cube { size: f64 },
+    Sphere { radius: f64 },
+    Cylinder { radius: f64, height: f64, axis: Axis },
+    Cone { radius: f64, height: f64, axis: Axis },
+    Capsule { radius: f64, height: f64, axis: Axis },
+    Plane { width: f64, length: f64, axis: Axis },
+}
+
+impl Shape {
+    /// Reads a prim of such a type, and what is odd about it; `None` for other types.
+    pub(super) fn read(reader: &Reader, prim: &Record) -> Option<(Self, Option<&'static str>)> {
+        let measure = |name: &str, fallback: f64| {
+            reader
+                .value(prim, name)
+                .and_then(|value| number(&value))
+                .unwrap_or(fallback)
+        };
+        let axis = match reader.value(prim, "axis").and_then(text).as_deref() {
+            Some("X") => Axis::X,
+            Some("Y") => Axis::Y,
+            _ => Axis::Z,
+        };
+        let mut odd = None;
+        // The newer versions have a radius for each end.
+        let mut ends = |fallback: f64| {
+            let (bottom, top) = (measure("radiusBottom", fallback), measure("radiusTop", fallback));
+            if bottom.to_bits() != top.to_bits() {
+                odd = Some("its two radii differ; it is drawn with the larger one");
+            }
+            bottom.max(top)
+        };
+        let kind = match prim.type_name.as_str() {
+            "Cube" => Kind::Cube {
+                size: measure("size", 2.0),
+            },
+            "Sphere" => Kind::Sphere {
+                radius: measure("radius", 1.0),
+            },
+            "Cylinder" => Kind::Cylinder {
+                radius: measure("radius", 1.0),
+                height: measure("height", 2.0),
+                axis,
+            },
+            "Cylinder_1" => Kind::Cylinder {
+                radius: ends(1.0),
+                height: measure("height", 2.0),
+                axis,
+            },
+            "Cone" => Kind::Cone {
+                radius: measure("radius", 1.0),
+                height: measure("height", 2.0),
+                axis,
+            },
+            "Capsule" => Kind::Capsule {
+                radius: measure("radius", 0.5),
+                height: measure("height", 1.0),
+                axis,
+            },
+            "Capsule_1" => Kind::Capsule {
+                radius: ends(0.5),
+                height: measure("height", 1.0),
+                axis,
+            },
+            "Plane" => Kind::Plane {
+                width: measure("width", 2.0),
+                length: measure("length", 2.0),
+                axis,
+            },
+            _ => return None,
+        };
+        let shape = Self {
+            kind,
+            double_sided: reader
+                .value(prim, "doubleSided")
+                .and_then(|value| boolean(&value)),
+        };
+        Some((shape, odd))
+    }
+
+    /// Whether its measures make sense.
+    pub(super) fn is_finite(&self) -> bool {
+        match self.kind {
+            Kind::Cube { size } => size.is_finite(),
+            Kind::Sphere { radius } => radius.is_finite(),
+            Kind::Cylinder { radius, height, .. }
+            | Kind::Cone { radius, height, .. }
+            | Kind::Capsule { radius, height, .. } => radius.is_finite() && height.is_finite(),
+            Kind::Plane { width, length, .. } => width.is_finite() && length.is_finite(),
+        }
+    }
+
+    /// Its triangles.
+    pub(super) fn mesh(&self) -> Mesh {
+        let mut mesh = match self.kind {
+            Kind::Cube { size } => shape::cube(size),
+            Kind::Sphere { radius } => shape::sphere(radius),
+            Kind::Cylinder { radius, height, axis } => shape::cylinder(radius, height, axis),
+            Kind::Cone { radius, height, axis } => shape::cone(radius, height, axis),
+            Kind::Capsule { radius, height, axis } => shape::capsule(radius, height, axis),
+            Kind::Plane { width, length, axis } => shape::plane(width, length, axis),
+        };
+        if let Some(double_sided) = self.double_sided {
+            mesh.double_sided = double_sided;
+        }
+        mesh
+    }
+}
+
+/// The colour of a shape, if it is of one colour: there are no vertices that other colours could belong to.
+pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<Attribute<[f32; 3]>> {
+    let colors = primvar(reader, prim, context, "primvars:displayColor", vec3s)?;
+    (colors.interpolation == Interpolation::Constant || colors.values.len() == 1).then_some(())?;
+    colors.values.first().copied().map(Attribute::Constant)
+}

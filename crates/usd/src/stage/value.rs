@@ -1,0 +1,178 @@
+//! From the USD library's many types of value to few of ours.
+
+use oaktwin_camera::math::{DQuat, DVec3};
+use openusd::gf::f16;
+use openusd::sdf::Value as V;
+
+/// A scalar of any precision.
+pub(super) fn number(value: &V) -> Option<f64> {
+    Some(match value {
+        V::Half(v) => v.to_f64(),
+        V::Float(v) => (*v).into(),
+        V::Double(v) => *v,
+        V::TimeCode(v) => v.value(),
+        V::Int(v) => (*v).into(),
+        V::Uint(v) => (*v).into(),
+        V::Uchar(v) => (*v).into(),
+        #[expect(clippy::cast_precision_loss, reason = "no attribute counts beyond 2^53")]
+        V::Int64(v) => *v as f64,
+        _ => return None,
+    })
+}
+
+/// A scalar in single precision.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+pub(super) fn single(value: &V) -> Option<f32> {
+    number(value).map(|v| v as f32)
+}
+
+/// Three numbers of any precision.
+pub(super) fn vec3(value: &V) -> Option<DVec3> {
+    Some(match value {
+        V::Vec3d(v) => DVec3::new(v.x, v.y, v.z),
+        V::Vec3f(v) => DVec3::new(v.x.into(), v.y.into(), v.z.into()),
+        V::Vec3h(v) => DVec3::new(v.x.to_f64(), v.y.to_f64(), v.z.to_f64()),
+        V::Vec3i(v) => DVec3::new(v.x.into(), v.y.into(), v.z.into()),
+        _ => return None,
+    })
+}
+
+/// Three numbers, or the first three of four, in single precision.
+#[expect(clippy::cast_possible_truncation, reason = "colours are of single precision")]
+pub(super) fn color(value: &V) -> Option<[f32; 3]> {
+    match value {
+        V::Vec4f(v) => Some([v.x, v.y, v.z]),
+        V::Vec4d(v) => Some([v.x as f32, v.y as f32, v.z as f32]),
+        V::Vec4h(v) => Some([v.x.to_f32(), v.y.to_f32(), v.z.to_f32()]),
+        _ => vec3(value).map(|v| v.as_vec3().to_array()),
+    }
+}
+
+/// Two numbers in single precision.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+pub(super) fn vec2(value: &V) -> Option<[f32; 2]> {
+    Some(match value {
+        V::Vec2f(v) => [v.x, v.y],
+        V::Vec2d(v) => [v.x as f32, v.y as f32],
+        V::Vec2h(v) => [v.x.to_f32(), v.y.to_f32()],
+        _ => return None,
+    })
+}
+
+/// A quaternion of any precision, as it stands.
+pub(super) fn quaternion(value: &V) -> Option<DQuat> {
+    Some(match value {
+        V::Quatd(q) => DQuat::from_xyzw(q.x, q.y, q.z, q.w),
+        V::Quatf(q) => DQuat::from_xyzw(q.x.into(), q.y.into(), q.z.into(), q.w.into()),
+        V::Quath(q) => DQuat::from_xyzw(q.x.to_f64(), q.y.to_f64(), q.z.to_f64(), q.w.to_f64()),
+        _ => return None,
+    })
+}
+
+/// A token or a string.
+pub(super) fn text(value: V) -> Option<String> {
+    match value {
+        V::Token(v) => Some(v.as_str().to_owned()),
+        V::String(v) => Some(v),
+        V::AssetPath(v) => Some(v.authored_path),
+        _ => None,
+    }
+}
+
+/// Tokens or strings, one or many.
+pub(super) fn texts(value: V) -> Option<Vec<String>> {
+    match value {
+        V::TokenVec(v) => Some(v.iter().map(|token| token.as_str().to_owned()).collect()),
+        V::StringVec(v) => Some(v),
+        V::TokenListOp(op) => Some(op.flatten().into_iter().map(String::from).collect()),
+        V::StringListOp(op) => Some(op.flatten()),
+        other => text(other).map(|text| vec![text]),
+    }
+}
+
+/// A truth value; integers count.
+pub(super) fn boolean(value: &V) -> Option<bool> {
+    match value {
+        V::Bool(v) => Some(*v),
+        V::Int(v) => Some(*v != 0),
+        _ => None,
+    }
+}
+
+/// An array of integers.
+pub(super) fn ints(value: V) -> Option<Vec<i32>> {
+    match value {
+        V::IntVec(v) => Some(v),
+        V::UintVec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
+        V::Int64Vec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
+        V::UcharVec(v) => Some(v.into_iter().map(i32::from).collect()),
+        // What an empty array of a text file is read as.
+        V::ValueVec(v) if v.is_empty() => Some(Vec::new()),
+        _ => None,
+    }
+}
+
+/// An array of numbers, or one.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+pub(super) fn floats(value: V) -> Option<Vec<f32>> {
+    match value {
+        V::FloatVec(v) => Some(v),
+        V::DoubleVec(v) => Some(v.into_iter().map(|v| v as f32).collect()),
+        V::HalfVec(v) => Some(v.into_iter().map(f16::to_f32).collect()),
+        other => single(&other).map(|v| vec![v]),
+    }
+}
+
+/// An array of points, vectors or colours, or one. What is of single precision already is not copied.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+pub(super) fn vec3s(value: V) -> Option<Vec<[f32; 3]>> {
+    match value {
+        V::Vec3fVec(v) => Some(v.into_iter().map(<[f32; 3]>::from).collect()),
+        V::Vec3dVec(v) => Some(
+            v.into_iter()
+                .map(|v| [v.x as f32, v.y as f32, v.z as f32])
+                .collect(),
+        ),
+        V::Vec3hVec(v) => Some(
+            v.into_iter()
+                .map(|v| [v.x.to_f32(), v.y.to_f32(), v.z.to_f32()])
+                .collect(),
+        ),
+        V::Vec4fVec(v) => Some(v.into_iter().map(|v| [v.x, v.y, v.z]).collect()),
+        other => color(&other).map(|v| vec![v]),
+    }
+}
+
+/// An array of texture coordinates, or one; of three components the first two.
+#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+pub(super) fn vec2s(value: V) -> Option<Vec<[f32; 2]>> {
+    match value {
+        V::Vec2fVec(v) => Some(v.into_iter().map(<[f32; 2]>::from).collect()),
+        V::Vec2dVec(v) => Some(v.into_iter().map(|v| [v.x as f32, v.y as f32]).collect()),
+        V::Vec2hVec(v) => Some(v.into_iter().map(|v| [v.x.to_f32(), v.y.to_f32()]).collect()),
+        V::Vec3fVec(v) => Some(v.into_iter().map(|v| [v.x, v.y]).collect()),
+        other => vec2(&other).map(|v| vec![v]),
+    }
+}
+
+/// An array of quaternions, as they stand.
+pub(super) fn quaternions(value: V) -> Option<Vec<DQuat>> {
+    Some(match value {
+        V::QuathVec(v) => v.into_iter().filter_map(|q| quaternion(&V::Quath(q))).collect(),
+        V::QuatfVec(v) => v.into_iter().filter_map(|q| quaternion(&V::Quatf(q))).collect(),
+        V::QuatdVec(v) => v.into_iter().filter_map(|q| quaternion(&V::Quatd(q))).collect(),
+        other => vec![quaternion(&other)?],
+    })
+}
+
+/// An array of ids.
+pub(super) fn ids(value: V) -> Option<Vec<i64>> {
+    match value {
+        V::Int64Vec(v) => Some(v),
+        V::IntVec(v) => Some(v.into_iter().map(i64::from).collect()),
+        V::Int64ListOp(op) => Some(op.flatten()),
+        V::IntListOp(op) => Some(op.flatten().into_iter().map(i64::from).collect()),
+        V::ValueVec(v) if v.is_empty() => Some(Vec::new()),
+        _ => None,
+    }
+}

@@ -1,0 +1,62 @@
+//! Depth frames: what the program `render-bench` needs is built and fetched, then it runs.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::python::{Interpreter, RENDER};
+use crate::workspace::{self, check, output};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Passed on to render-bench
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    arguments: Vec<String>,
+}
+
+/// Prepares and runs it; what cannot be prepared is named and left out.
+pub(crate) fn run(args: &Args) -> Result<(), String> {
+    // Not the whole workspace: reading USD takes minutes to compile and has no part in this.
+    let package = [
+        "--release",
+        "--package",
+        "oaktwin-testkit",
+        "--no-default-features",
+        "--bin",
+        "render-bench",
+    ];
+    let mut programs = workspace::build(&package)?;
+    let program = programs.remove("render-bench");
+    let program = program.ok_or("cargo built no program named render-bench")?;
+    if args.arguments.iter().any(|word| word == "--help" || word == "-h") {
+        return check(Command::new(program).args(&args.arguments));
+    }
+    if let Err(reason) = prepare() {
+        println!("skipped: {reason}");
+    }
+    let mut command = Command::new(program);
+    check(
+        command
+            .args(&args.arguments)
+            .arg("--environment")
+            .arg(RENDER.folder()),
+    )
+}
+
+/// The Python environment, and the chess set's triangles as OpenUSD extracts them.
+fn prepare() -> Result<(), String> {
+    let interpreters = Interpreter::find_all();
+    let python = RENDER.prepare(RENDER.choose(&interpreters)?)?;
+    let data = std::env::var_os("OAKTWIN_TEST_DATA").ok_or("the chess set: OAKTWIN_TEST_DATA is not set")?;
+    let stage = PathBuf::from(data).join("data/scenes/OpenChessSet/chess_set.usda");
+    if !stage.exists() {
+        return Err(format!("the chess set: {}: not there", stage.display()));
+    }
+    let folder = workspace::target().join("bench-render");
+    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let script = workspace::root().join("tests/oracles/extract_triangles.py");
+    let mut extract = Command::new(python);
+    extract.arg(script).arg(stage);
+    extract.args(["positions.f32", "triangles.u32"].map(|part| folder.join(format!("chess.{part}"))));
+    output(extract.env_remove("PYTHONPATH").env_remove("PYTHONHOME"))?;
+    Ok(())
+}
