@@ -23,6 +23,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod demo_room;
 pub mod files;
 pub mod render;
 pub mod report;
