@@ -6,6 +6,7 @@
 )]
 
 mod bench;
+mod conformance;
 mod counts;
 mod python;
 mod report;
@@ -35,6 +36,8 @@ enum Task {
     /// Compare the speed of this project with a peer, in one run.
     #[command(subcommand)]
     Bench(bench::Bench),
+    /// Compare what the program renders with what Isaac Sim rendered; exit code 1 where they differ, 2 without the data.
+    Conformance(conformance::Args),
     /// Write the JSON schemas of the catalog's files anew.
     Schema,
 }
@@ -42,6 +45,7 @@ enum Task {
 fn main() -> ExitCode {
     let result = match Args::parse().task {
         Task::Test(args) => return test::run(&args),
+        Task::Conformance(args) => return conformance::run(&args),
         Task::Bench(bench) => bench::run(&bench),
         Task::Schema => schema::run(),
     };

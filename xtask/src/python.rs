@@ -22,17 +22,24 @@ pub(crate) struct Environment {
     pub(crate) name: &'static str,
     /// The Python versions that its packages have wheels for, first and last; no last where none is known.
     versions: (Version, Option<Version>),
+    /// What is tested in it.
+    pub(crate) tests: &'static str,
 }
+
+/// The tests that ask other people's libraries.
+const ORACLES: &str = "tests/oracles";
 
 /// The newest OpenUSD and the other oracles; the OpenUSD generation of Isaac Sim 5.1.
 pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     Environment {
         name: "current",
         versions: ((3, 11), None),
+        tests: ORACLES,
     },
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),
+        tests: ORACLES,
     },
 ];
 
@@ -40,6 +47,7 @@ pub(crate) const ENVIRONMENTS: [Environment; 2] = [
 pub(crate) const RENDER: Environment = Environment {
     name: "render",
     versions: ((3, 11), None),
+    tests: "tests/oracles/test_render.py",
 };
 
 impl Interpreter {

@@ -5,12 +5,9 @@ use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
-use crate::python::{ENVIRONMENTS, Environment, Interpreter};
+use crate::python::{ENVIRONMENTS, Environment, Interpreter, RENDER};
 use crate::report::Report;
 use crate::workspace;
-
-/// The tests that ask other people's libraries.
-const ORACLES: &str = "tests/oracles";
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -40,7 +37,8 @@ enum Readiness {
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
     // Mostly waiting for downloads: done beside the Rust steps.
-    let environments = (!args.skip_python).then(|| thread::spawn(prepare_environments));
+    let all = args.all;
+    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(all)));
     rust_steps(&mut report, args);
     match environments {
         None => report.skip("Python oracles", "--skip-python"),
@@ -80,7 +78,8 @@ fn rust_steps(report: &mut Report, args: &Args) {
     report.command("Rust tests", &mut test, counts::of_cargo_test);
 }
 
-fn prepare_environments() -> Vec<(&'static Environment, Readiness)> {
+/// The large one only for the slow tests, which are all that it is for.
+fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
     let interpreters = Interpreter::find_all();
     let prepare = |environment: &'static Environment| {
         let readiness = match environment.choose(&interpreters) {
@@ -92,7 +91,8 @@ fn prepare_environments() -> Vec<(&'static Environment, Readiness)> {
         };
         (environment, readiness)
     };
-    ENVIRONMENTS.iter().map(prepare).collect()
+    let large = all.then_some(&RENDER);
+    ENVIRONMENTS.iter().chain(large).map(prepare).collect()
 }
 
 fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
@@ -117,7 +117,11 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             }
             (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
             (Readiness::Ready(python), Some(programs)) => {
-                report.command(&name, &mut pytest(python, programs, args), counts::of_pytest);
+                report.command(
+                    &name,
+                    &mut pytest(python, environment.tests, programs, args),
+                    counts::of_pytest,
+                );
             }
         }
     }
@@ -141,7 +145,7 @@ fn build_programs() -> Result<Programs, String> {
     })
 }
 
-fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
+fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Command {
     let mut command = Command::new(python);
     command.current_dir(workspace::root());
     command.args([
@@ -152,7 +156,7 @@ fn pytest(python: PathBuf, programs: &Programs, args: &Args) -> Command {
         "--color=no",
         "-p",
         "no:cacheprovider",
-        ORACLES,
+        tests,
     ]);
     if args.all {
         command.arg("--slow");

@@ -1,7 +1,9 @@
 //! `OpenEXR`: depth as one channel of `float32`, every bit kept.
 //!
-//! The channel's name is `Z`, `OpenEXR`'s own for the distance of what a pixel shows (its technical introduction,
-//! "Channel names"); OpenCV, Blender and `OpenImageIO` read it as such. Infinity and NaN are written as they are.
+//! The channel that is written is `Y`, the luminance of an image without colour: OpenCV writes and reads such files, and
+//! every viewer shows them. `OpenEXR`'s own name for depth is `Z` (its technical introduction), but OpenCV opens a file
+//! with that channel alone and returns nothing but zeros (its issue 22592), which nobody would notice.
+//! Infinity and NaN are written as they are.
 
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -16,7 +18,7 @@ use crate::{CodecError, Image, limits};
 const FORMAT: &str = "OpenEXR";
 
 /// The channel that is written.
-pub const CHANNEL: &str = "Z";
+pub const CHANNEL: &str = "Y";
 
 /// A file of one channel named [`CHANNEL`].
 ///
@@ -52,13 +54,13 @@ pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
     Ok(out.into_inner())
 }
 
-/// The depth in a file: its channel `Z`, else `Y`, else `R`, else its only one.
+/// The depth in a file: its channel `Z`, else Blender's `V`, else `Y`, else `R`, else its only one.
 ///
 /// # Errors
 /// Bytes that are no `OpenEXR` file of scan lines or tiles, or one of several channels of other names.
 pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
     let mut channels = channels(bytes)?;
-    let index = ["Z", "Y", "R"]
+    let index = ["Z", "V", "Y", "R"]
         .iter()
         .find_map(|name| channels.names.iter().position(|given| given == name))
         .or((channels.names.len() == 1).then_some(0))
@@ -166,17 +168,13 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn one_channel_named_z() {
+    fn one_channel_that_opencv_reads() {
         let file = encode(&Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap()).unwrap();
         assert_eq!(file[..4], [0x76, 0x2F, 0x31, 0x01]);
         let channels = channels(&file).unwrap();
-        assert_eq!(channels.names, ["Z"]);
+        assert_eq!(channels.names, ["Y"]);
         assert!(matches!(&channels.samples[0], FlatSamples::F32(values) if values == &[1.5, f32::INFINITY]));
-        let error = decode_rgb(&file).unwrap_err().to_string();
-        assert_eq!(
-            error,
-            "OpenEXR: channels: no R, G and B among Z; save an image of R, G and B"
-        );
+        assert_eq!(decode_rgb(&file).unwrap().get(0, 0), Some(&[1.5; 3]));
     }
 
     #[test]
@@ -192,6 +190,28 @@ mod tests {
         let image = decode_rgb(file.get_ref()).unwrap();
         assert_eq!(image.pixels(), [[0.0, 0.5, 2.0], [1.0, 0.5, 2.0]]);
         assert_eq!(decode(file.get_ref()).unwrap().pixels(), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn channels_that_say_nothing() {
+        let mut file = Cursor::new(Vec::new());
+        let channels = ::exr::prelude::SpecificChannels::build()
+            .with_channel("U")
+            .with_channel("W")
+            .with_pixel_fn(|_| (1f32, 2f32));
+        ExrImage::from_channels((1, 1), channels)
+            .write()
+            .non_parallel()
+            .to_buffered(&mut file)
+            .unwrap();
+        assert_eq!(
+            decode(file.get_ref()).unwrap_err().to_string(),
+            "OpenEXR: channels: none of U, W is a depth; name the channel Z"
+        );
+        assert_eq!(
+            decode_rgb(file.get_ref()).unwrap_err().to_string(),
+            "OpenEXR: channels: no R, G and B among U, W; save an image of R, G and B"
+        );
     }
 
     #[test]

@@ -2,7 +2,8 @@
 //!
 //! A [`Twin`](catalog::Twin) is a device with every camera resolved: optics, lens, place. It comes from the
 //! [`Catalog`](catalog::Catalog), nominal, or from a calibration, as one unit's ([`unit::open`]), and becomes a USD
-//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]).
+//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]), or is put
+//! into a scene, to see what it would see there ([`render`]).
 //!
 //! ```
 //! use oaktwin::camera::{Usd, math::DVec3};
@@ -23,7 +24,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod demo_room;
+pub mod contact_sheet;
 pub mod files;
 pub mod render;
 pub mod report;

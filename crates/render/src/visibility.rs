@@ -9,8 +9,8 @@ pub struct Visibility {
     pub hits: Image<Hit>,
 }
 
-/// A triangle of an instance, or nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A triangle of an instance, or nothing, in the scene's order; nothing comes last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Hit {
     /// Into the scene's instances; `u32::MAX` for a miss.
     pub instance: u32,

@@ -300,6 +300,40 @@ def Mesh "M" {{ {TRIANGLE} rel material:binding = </Looks/Wood> }}
 }
 
 #[test]
+fn of_mdl_only_the_diffuse_inputs_are_read() {
+    let folder = Folder::new();
+    let material = |name: &str, inputs: &str| {
+        format!(
+            r#"
+def Material "{name}" {{
+    token outputs:mdl:surface.connect = </{name}/S.outputs:out>
+    def Shader "S" {{
+        uniform token info:implementationSource = "sourceAsset"
+        uniform asset info:mdl:sourceAsset = @OmniPBR.mdl@
+        {inputs}
+        token outputs:out
+    }}
+}}
+def Mesh "On{name}" {{ {TRIANGLE} rel material:binding = </{name}> }}
+"#
+        )
+    };
+    let known =
+        "color3f inputs:diffuse_color_constant = (0.5, 0.5, 1) color3f inputs:diffuse_tint = (1, 0.5, 0.5)";
+    let body = material("Known", known) + &material("Other", "");
+    let read = open(&folder.usda("root.usda", &body));
+    assert_eq!(
+        codes(&read),
+        [
+            ("unsupported-material", "/Known"),
+            ("unsupported-material", "/Other")
+        ]
+    );
+    assert_eq!(read.scene.materials[0].base_color, Some([0.5, 0.25, 0.5]));
+    assert_eq!(read.scene.materials[1].base_color, Some([0.18; 3]));
+}
+
+#[test]
 fn many_findings_of_a_kind_are_counted() {
     let folder = Folder::new();
     let curves: String = (0..50)

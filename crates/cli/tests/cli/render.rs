@@ -48,6 +48,94 @@ fn the_depth_sensor_by_default_flat() {
 }
 
 #[test]
+fn what_is_written_unless_asked_otherwise_and_beside_it() {
+    let program = program();
+    let written = |folder: &str, more: &[&str]| -> Vec<String> {
+        program.good(&[&["render", "room.usda", "-o", folder], more].concat());
+        let names = program.names().into_iter();
+        names
+            .filter_map(|name| name.strip_prefix(&format!("{folder}/")).map(str::to_owned))
+            .collect()
+    };
+    assert_eq!(
+        written("plain", &[]),
+        [
+            "camera_params_0000.json",
+            "distance_to_image_plane_0000.npy",
+            "metadata.txt",
+            "rgb_0000.png",
+        ]
+    );
+    // A file beside an annotator's own brings the annotator with it.
+    let extras = [
+        "--annotators",
+        "normals",
+        "--png16",
+        "--exr",
+        "--preview",
+        "--ply",
+    ];
+    assert_eq!(
+        written("more", &extras),
+        [
+            "distance_to_image_plane_0000.exr",
+            "distance_to_image_plane_0000.npy",
+            "distance_to_image_plane_millimetres_0000.png",
+            "distance_to_image_plane_preview_0000.png",
+            "metadata.txt",
+            "normals_0000.png",
+            "pointcloud_0000.npy",
+            "pointcloud_0000.ply",
+            "pointcloud_instance_0000.npy",
+            "pointcloud_normals_0000.npy",
+            "pointcloud_semantic_0000.npy",
+        ]
+    );
+}
+
+#[test]
+fn apertures_as_isaac_or_openusd_reads_them() {
+    let program = program();
+    let focal = |projection: &str| {
+        let printed = program.good(&[
+            "render",
+            "room.usda",
+            "--camera",
+            "Left",
+            "--resolution",
+            "64x64",
+            "--annotators",
+            "camera_params",
+            "--projection",
+            projection,
+            "--json",
+        ]);
+        let report: Value = serde_json::from_str(&printed).unwrap();
+        let number = |name: &str| report["cameras"][0][name].as_f64().unwrap();
+        (number("fx"), number("fy"))
+    };
+    assert_eq!(focal("isaac"), (64.0, 64.0));
+    let (fx, fy) = focal("openusd");
+    assert!((fx - 64.0).abs() < 1e-9 && (fy - 64.0 * 20.0 / 15.0).abs() < 1e-4);
+}
+
+#[test]
+fn a_stage_at_a_time() {
+    let program = program();
+    let moving = ROOM.replacen(
+        "double3 xformOp:translate = (0, -225, 25)",
+        "double3 xformOp:translate.timeSamples = { 0: (0, -225, 25), 10: (0, -325, 25) }",
+        1,
+    );
+    program.put("moving.usda", moving);
+    for (time, expected) in [("0", 2.0), ("5", 2.5), ("10", 3.0)] {
+        program.good(&["render", "moving.usda", "--time", time, "-o", "out"]);
+        let z = centre(&program, "out/distance_to_image_plane_0000.npy");
+        assert!((z - expected).abs() < 1e-6, "{z} at {time}");
+    }
+}
+
+#[test]
 fn several_cameras_in_a_folder_each() {
     let program = program();
     let printed = program.good(&[
@@ -136,6 +224,51 @@ fn an_oak_looks_at_a_mesh() {
     ];
     assert!((at(&down) - 2.0).abs() < 1e-6);
     assert!((at(&[&down[..], &["--scale", "0.5"]].concat()) - 2.5).abs() < 1e-6);
+}
+
+/// The asset of a model in a stage, and the model put at the same place: one camera.
+#[test]
+fn an_asset_and_its_model_see_the_same() {
+    let program = program();
+    for model in ["oak4-d", "oak-d-pro-w-poe"] {
+        program.good(&["asset", model, "-o", "oak.usd"]);
+        let things = r#"
+            def Cube "Box" {
+                double size = 0.5
+                double3 xformOp:translate = (1.5, 0.2, 0.4)
+                double xformOp:rotateZ = 30
+                uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateZ"]
+            }
+            def Plane "Wall" {
+                double width = 9
+                double length = 9
+                uniform token axis = "X"
+                double3 xformOp:translate = (4, 0, 0)
+                uniform token[] xformOpOrder = ["xformOp:translate"]
+            }"#;
+        let oak = r#"
+            def Xform "Oak" (references = @oak.usd@) {
+                double3 xformOp:translate = (0.1, 0.1, 0.5)
+                double xformOp:rotateZ = 10
+                uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateZ"]
+            }"#;
+        let header = "#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n";
+        program.put("with.usda", format!("{header}{things}{oak}\n"));
+        program.put("without.usda", format!("{header}{things}\n"));
+        let half = 5f64.to_radians();
+        let (z, w) = (half.sin().to_string(), half.cos().to_string());
+        let depth_only = ["--annotators", "distance_to_image_plane", "-o"];
+        program.good(&[&["render", "with.usda"], &depth_only[..], &["asset"]].concat());
+        let pose = ["--model", model, "--pose", "0.1", "0.1", "0.5", "0", "0", &z, &w];
+        program.good(&[&["render", "without.usda"], &depth_only[..], &["model"], &pose].concat());
+        let (_, asset) = depth(&program, "asset/distance_to_image_plane_0000.npy");
+        let (_, model) = depth(&program, "model/distance_to_image_plane_0000.npy");
+        // Attributes are floats: at a few places of an edge, another side of it is seen.
+        let same = |a: f32, b: f32| a == b || (a / b - 1.0).abs() < 1e-5;
+        let differ = asset.iter().zip(&model).filter(|(a, b)| !same(**a, **b)).count();
+        assert!(differ < 20, "{differ} pixels");
+        assert!(asset.iter().filter(|z| z.is_finite()).count() > 1280 * 800 / 2);
+    }
 }
 
 #[test]
@@ -257,6 +390,38 @@ fn what_is_missing_is_told_and_refused_when_strict() {
     );
     let error = program.refused(&["render", "part.usda", "-o", "strict", "--strict"]);
     assert!(error.contains("gone.usda"), "{error}");
+    // A texture that turns out to be none only when it is needed.
+    program.put("crate.mtl", "newmtl wood\nmap_Kd wood.png\n");
+    program.put("wood.png", "no picture");
+    program.put(
+        "textured.obj",
+        CRATE.replace("o Crate", "mtllib crate.mtl\no Crate\nusemtl wood"),
+    );
+    let textured = [
+        "render",
+        "textured.obj",
+        "--model",
+        "oak4-d",
+        "--pose",
+        "-2",
+        "0",
+        "0.5",
+        "0",
+        "0",
+        "0",
+        "1",
+        "--resolution",
+        "64x40",
+    ];
+    let ended = program.run(&textured);
+    assert!(
+        ended.code == 0 && ended.stderr.contains("wood.png"),
+        "{}",
+        ended.stderr
+    );
+    fs::remove_dir_all(program.path("oaktwin-render")).unwrap();
+    let error = program.refused(&[&textured[..], &["--strict"]].concat());
+    assert!(error.contains("wood.png"), "{error}");
 }
 
 #[cfg(unix)]

@@ -1,28 +1,74 @@
 //! All that a tile shows.
 
-use super::cluster::ClusteredMesh;
+use super::cluster::{Cluster, ClusteredMesh};
 use super::cull::Visible;
 use super::frame::{Frame, Projection};
 use super::lanes::Lanes;
 use super::large;
 use super::small::{self, Drawn, Scratch};
-use super::tile::{Id, Rectangle, Tile};
+use super::tile::{Id, Rectangle, STRIDE, Tile};
+use crate::Hit;
 
-/// Draws what is listed, by its place in `visible` in the lower half of each entry, in the order of the list.
-#[inline(always)]
-pub(super) fn entries<L: Lanes, const IDS: bool>(
-    lanes: L,
-    frame: &Frame,
-    meshes: &[ClusteredMesh],
-    visible: &[Visible],
-    entries: &[u64],
-    tile: &mut Tile,
-    scratch: &mut Scratch,
-) {
-    let mut last: Option<(u32, Projection)> = None;
-    for entry in entries {
+/// A tile's work.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Job<'a> {
+    pub(super) frame: &'a Frame<'a>,
+    pub(super) meshes: &'a [ClusteredMesh],
+    pub(super) visible: &'a [Visible],
+    /// What to draw, in this order: places in `visible`, in the lower half.
+    pub(super) entries: &'a [u64],
+}
+
+/// What an entry is about.
+struct Entry<'a> {
+    item: &'a Visible,
+    mesh: &'a ClusteredMesh,
+    cluster: &'a Cluster,
+}
+
+impl Job<'_> {
+    #[inline(always)]
+    fn entry(&self, at: usize) -> Option<Entry<'_>> {
         #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
-        let Some(item) = visible.get(*entry as u32 as usize) else {
+        let item = self.visible.get(*self.entries.get(at)? as u32 as usize)?;
+        let instance = self.frame.scene.instances.get(item.instance as usize)?;
+        let mesh = self.meshes.get(instance.mesh as usize)?;
+        let cluster = mesh.clusters.get(item.cluster as usize)?;
+        Some(Entry { item, mesh, cluster })
+    }
+
+    /// The triangle that is meant, in the scene.
+    pub(super) fn hit(&self, id: Id) -> Hit {
+        if id == Id::NONE {
+            return Hit::MISS;
+        }
+        let (at, triangle) = id.parts();
+        self.entry(at).map_or(Hit::MISS, |entry| entry.hit(triangle))
+    }
+}
+
+impl Entry<'_> {
+    fn hit(&self, triangle: usize) -> Hit {
+        let at = self.cluster.first_triangle as usize + triangle;
+        Hit {
+            instance: self.item.instance,
+            triangle: self.mesh.triangles.get(at).copied().unwrap_or(u32::MAX),
+        }
+    }
+}
+
+/// How many clusters memory is asked ahead of time.
+const AHEAD: usize = 2;
+
+/// Draws what is listed.
+#[inline(always)]
+pub(super) fn draw<L: Lanes, const IDS: bool>(l: L, job: &Job, tile: &mut Tile, scratch: &mut Scratch) {
+    let mut last: Option<(u32, Projection)> = None;
+    for at in 0..job.entries.len() {
+        if let Some(next) = job.entry(at + AHEAD) {
+            small::prefetch(l, next.mesh, next.cluster);
+        }
+        let Some(Entry { item, mesh, cluster }) = job.entry(at) else {
             continue;
         };
         let rectangle = on_tile(item, tile);
@@ -32,40 +78,58 @@ pub(super) fn entries<L: Lanes, const IDS: bool>(
         let onto_tile = match last {
             Some((instance, onto_tile)) if instance == item.instance => onto_tile,
             _ => {
-                let Some(projection) = frame.projection(item.instance) else {
+                let Some(projection) = job.frame.projection(item.instance) else {
                     continue;
                 };
-                let onto_tile = projection.on_tile(frame.grid, tile.x, tile.y);
+                let onto_tile = projection.on_tile(job.frame.grid, tile.x, tile.y);
                 last = Some((item.instance, onto_tile));
                 onto_tile
             }
         };
-        let Some(mesh) = (frame.scene.instances.get(item.instance as usize))
-            .and_then(|instance| meshes.get(instance.mesh as usize))
-        else {
-            continue;
-        };
-        let Some(cluster) = mesh.clusters.get(item.cluster as usize) else {
-            continue;
-        };
         if let Some(triangle) = item.triangle {
-            let triangle = triangle as usize;
-            if let (Some(positions), Some(number)) =
-                (mesh.positions(cluster, triangle), mesh.triangles.get(triangle))
-            {
-                let id = Id::from(item.instance) << 32 | Id::from(*number);
-                large::draw::<L, IDS>(lanes, frame, tile, &onto_tile, positions, id);
+            if let Some(positions) = mesh.positions(cluster, triangle as usize) {
+                let id = Id::new(at, triangle - cluster.first_triangle);
+                large::draw::<L, IDS>(l, job, tile, &onto_tile, positions, id);
             }
         } else {
             let drawn = Drawn {
                 mesh,
                 cluster,
                 onto_tile: &onto_tile,
-                instance: item.instance,
+                entry: at,
             };
-            small::draw::<L, IDS>(lanes, frame, tile, scratch, &drawn);
+            small::draw::<L, IDS>(l, job, tile, scratch, &drawn);
         }
         tile.touch(rectangle);
+    }
+}
+
+/// Writes what the tile shows: z in metres, infinite where there is nothing.
+#[inline(always)]
+pub(super) fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
+    for (row, inverse_z) in rows.iter_mut().zip(tile.inverse_z.chunks(STRIDE)) {
+        for (z, inverse_z) in row.iter_mut().zip(inverse_z) {
+            *z = 1.0 / inverse_z;
+        }
+    }
+}
+
+/// Writes which triangles the tile shows.
+pub(super) fn resolve_ids(job: &Job, tile: &Tile, rows: &mut [&mut [Hit]]) {
+    // Neighbours are mostly of one cluster.
+    let mut last: Option<(usize, Entry)> = None;
+    for (row, ids) in rows.iter_mut().zip(tile.id_rows()) {
+        for (hit, id) in row.iter_mut().zip(ids) {
+            if id == Id::NONE {
+                *hit = Hit::MISS;
+                continue;
+            }
+            let (at, triangle) = id.parts();
+            if last.as_ref().is_none_or(|(last, _)| *last != at) {
+                last = job.entry(at).map(|entry| (at, entry));
+            }
+            *hit = last.as_ref().map_or(Hit::MISS, |(_, entry)| entry.hit(triangle));
+        }
     }
 }
 

@@ -31,6 +31,8 @@ pub(super) trait Lanes: Copy {
     fn div_f(self, a: Self::F, b: Self::F) -> Self::F;
     /// `b` where they are equal or one is not a number.
     fn max_f(self, a: Self::F, b: Self::F) -> Self::F;
+    /// Sign bits where `a` is the greater.
+    fn greater_f(self, a: Self::F, b: Self::F) -> Self::I;
     /// Zero where the mask has a sign bit.
     fn zero_where_negative(self, mask: Self::I, a: Self::F) -> Self::F;
 
@@ -43,6 +45,8 @@ pub(super) trait Lanes: Copy {
     fn and_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn or_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn xor_i(self, a: Self::I, b: Self::I) -> Self::I;
+    /// `a` where the mask has a sign bit, else `b`.
+    fn select_i(self, mask: Self::I, a: Self::I, b: Self::I) -> Self::I;
     fn min_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn max_i(self, a: Self::I, b: Self::I) -> Self::I;
     fn shl_i(self, a: Self::I, bits: u32) -> Self::I;
@@ -50,6 +54,9 @@ pub(super) trait Lanes: Copy {
     fn shr_i(self, a: Self::I, bits: u32) -> Self::I;
     /// The sign bits, the first lane's lowest.
     fn signs(self, a: Self::I) -> u32;
+
+    /// Brings what is there into the fastest cache.
+    fn prefetch<T>(self, values: &[T]);
 
     /// The first three columns of eight rows.
     fn columns(self, rows: [&Row; 8]) -> (Self::I, Self::I, Self::F);
@@ -158,6 +165,10 @@ impl Lanes for Baseline {
         zip(a, b, |a, b| if a > b { a } else { b })
     }
     #[inline(always)]
+    fn greater_f(self, a: [f32; 8], b: [f32; 8]) -> [i32; 8] {
+        zip(a, b, |a, b| -i32::from(a > b))
+    }
+    #[inline(always)]
     fn zero_where_negative(self, mask: [i32; 8], a: [f32; 8]) -> [f32; 8] {
         zip(mask, a, |mask, a| if mask < 0 { 0.0 } else { a })
     }
@@ -199,6 +210,10 @@ impl Lanes for Baseline {
         zip(a, b, |a, b| a ^ b)
     }
     #[inline(always)]
+    fn select_i(self, mask: [i32; 8], a: [i32; 8], b: [i32; 8]) -> [i32; 8] {
+        std::array::from_fn(|l| if mask[l] < 0 { a[l] } else { b[l] })
+    }
+    #[inline(always)]
     fn min_i(self, a: [i32; 8], b: [i32; 8]) -> [i32; 8] {
         zip(a, b, i32::min)
     }
@@ -218,6 +233,9 @@ impl Lanes for Baseline {
     fn signs(self, a: [i32; 8]) -> u32 {
         (0..8).fold(0, |signs, l| signs | u32::from(a[l] < 0) << l)
     }
+
+    #[inline(always)]
+    fn prefetch<T>(self, _values: &[T]) {}
 
     #[inline(always)]
     fn columns(self, rows: [&Row; 8]) -> ([i32; 8], [i32; 8], [f32; 8]) {

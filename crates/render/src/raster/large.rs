@@ -2,6 +2,7 @@
 
 use oaktwin_camera::math::DVec3;
 
+use super::draw::Job;
 use super::frame::{Frame, Grid, Projection, round};
 use super::lanes::Lanes;
 use super::tile::{Id, Rectangle, STRIDE, Tile};
@@ -62,12 +63,13 @@ impl Linear {
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
     lanes: L,
-    frame: &Frame,
+    job: &Job,
     tile: &mut Tile,
     onto_tile: &Projection,
     positions: [[f32; 3]; 3],
     id: Id,
 ) {
+    let frame = job.frame;
     let corners = positions.map(|p| Corner::new(frame.grid, onto_tile.apply(p)));
     let Some(rectangle) = rectangle(frame, tile, &corners) else {
         return;
@@ -111,7 +113,13 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
                 }
             }
             #[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
-            tile.put_row::<L, IDS>(lanes, y as usize * STRIDE + x as usize, lanes.load_f(&row), id);
+            tile.put_row::<L, IDS>(
+                lanes,
+                job,
+                y as usize * STRIDE + x as usize,
+                lanes.load_f(&row),
+                id,
+            );
         }
     }
 }

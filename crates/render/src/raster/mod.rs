@@ -23,10 +23,11 @@ use rayon::prelude::*;
 
 use self::cluster::{Bounds, ClusteredMesh};
 use self::cull::Visible;
+use self::draw::Job;
 use self::frame::Frame;
 use self::simd::Level;
 use self::small::Scratch;
-use self::tile::{Id, Tile};
+use self::tile::Tile;
 use crate::{Hit, View, Visibility};
 
 /// What the rasterizer prepares of a scene.
@@ -111,23 +112,22 @@ impl Rasterizer {
         let jobs: Vec<_> = rows.into_iter().zip(id_rows).zip(first.windows(2)).collect();
         jobs.into_par_iter().with_max_len(1).enumerate().for_each_init(
             || (Tile::default(), Scratch::default(), Vec::new()),
-            |(tile, scratch, order), (at, ((z_rows, id_rows), range))| {
+            |(tile, scratch, order), (at, ((mut z_rows, id_rows), range))| {
                 tile.start::<IDS>(&frame, at % across, at / across);
                 sort(
                     &visible,
                     entries.get(range[0]..range[1]).unwrap_or_default(),
                     order,
                 );
-                simd::draw_entries::<IDS>(self.level, &frame, &self.meshes, &visible, order, tile, scratch);
-                for (row, pixels) in z_rows.into_iter().zip(tile.inverse_z.chunks(tile::STRIDE)) {
-                    for (z, inverse_z) in row.iter_mut().zip(pixels) {
-                        *z = 1.0 / inverse_z;
-                    }
-                }
-                for (row, ids) in id_rows.into_iter().flatten().zip(tile.ids.chunks(tile::STRIDE)) {
-                    for (hit, id) in row.iter_mut().zip(ids) {
-                        *hit = hit_of(*id);
-                    }
+                let job = Job {
+                    frame: &frame,
+                    meshes: &self.meshes,
+                    visible: &visible,
+                    entries: order,
+                };
+                simd::draw::<IDS>(self.level, &job, tile, scratch, &mut z_rows);
+                if let Some(mut rows) = id_rows {
+                    draw::resolve_ids(&job, tile, &mut rows);
                 }
             },
         );
@@ -217,12 +217,4 @@ fn split<T>(pixels: &mut [T], width: u32) -> Vec<Vec<&mut [T]>> {
         }
     }
     tiles
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "two halves")]
-fn hit_of(id: Id) -> Hit {
-    Hit {
-        instance: (id >> 32) as u32,
-        triangle: id as u32,
-    }
 }

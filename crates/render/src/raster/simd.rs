@@ -4,12 +4,10 @@
 
 #![allow(unsafe_code)]
 
-use super::cluster::ClusteredMesh;
-use super::cull::Visible;
-use super::frame::Frame;
-use super::lanes::Baseline;
+use super::draw::{self, Job};
+use super::lanes::{Baseline, Lanes};
+use super::small::Scratch;
 use super::tile::Tile;
-use super::{Scratch, draw};
 
 /// Instructions to use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,51 +46,47 @@ impl Level {
     }
 }
 
-/// [`draw::entries`] with the given instructions.
-pub(super) fn draw_entries<const IDS: bool>(
+/// [`draw::draw`] and [`draw::resolve`] with the given instructions.
+pub(super) fn draw<const IDS: bool>(
     level: Level,
-    frame: &Frame,
-    meshes: &[ClusteredMesh],
-    visible: &[Visible],
-    entries: &[u64],
+    job: &Job,
     tile: &mut Tile,
     scratch: &mut Scratch,
+    rows: &mut [&mut [f32]],
 ) {
     match level {
-        Level::Baseline => draw::entries::<_, IDS>(Baseline, frame, meshes, visible, entries, tile, scratch),
+        Level::Baseline => with::<_, IDS>(Baseline, job, tile, scratch, rows),
         // SAFETY: this level exists only where `available` found the processor to have its features.
         #[cfg(target_arch = "x86_64")]
-        Level::Avx2 => unsafe { avx2::<IDS>(frame, meshes, visible, entries, tile, scratch) },
+        Level::Avx2 => unsafe { avx2::<IDS>(job, tile, scratch, rows) },
         // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        Level::Avx512 => unsafe { avx512::<IDS>(frame, meshes, visible, entries, tile, scratch) },
+        Level::Avx512 => unsafe { avx512::<IDS>(job, tile, scratch, rows) },
     }
+}
+
+#[inline(always)]
+fn with<L: Lanes, const IDS: bool>(
+    l: L,
+    job: &Job,
+    tile: &mut Tile,
+    scratch: &mut Scratch,
+    rows: &mut [&mut [f32]],
+) {
+    draw::draw::<L, IDS>(l, job, tile, scratch);
+    draw::resolve(tile, rows);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2<const IDS: bool>(
-    frame: &Frame,
-    meshes: &[ClusteredMesh],
-    visible: &[Visible],
-    entries: &[u64],
-    tile: &mut Tile,
-    scratch: &mut Scratch,
-) {
-    draw::entries::<_, IDS>(Avx2, frame, meshes, visible, entries, tile, scratch);
+fn avx2<const IDS: bool>(job: &Job, tile: &mut Tile, scratch: &mut Scratch, rows: &mut [&mut [f32]]) {
+    with::<_, IDS>(Avx2, job, tile, scratch, rows);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl")]
-fn avx512<const IDS: bool>(
-    frame: &Frame,
-    meshes: &[ClusteredMesh],
-    visible: &[Visible],
-    entries: &[u64],
-    tile: &mut Tile,
-    scratch: &mut Scratch,
-) {
-    draw::entries::<_, IDS>(Avx512, frame, meshes, visible, entries, tile, scratch);
+fn avx512<const IDS: bool>(job: &Job, tile: &mut Tile, scratch: &mut Scratch, rows: &mut [&mut [f32]]) {
+    with::<_, IDS>(Avx512, job, tile, scratch, rows);
 }
 
 /// AVX2, with eight `f64` in two registers.
@@ -179,6 +173,11 @@ mod x86 {
                 unsafe { _mm256_max_ps(a, b) }
             }
             #[inline(always)]
+            fn greater_f(self, a: F, b: F) -> I {
+                // SAFETY: whoever made `self` has the features.
+                unsafe { _mm256_castps_si256(_mm256_cmp_ps::<_CMP_GT_OQ>(a, b)) }
+            }
+            #[inline(always)]
             fn zero_where_negative(self, mask: I, a: F) -> F {
                 // SAFETY: whoever made `self` has the features; pointers come from references.
                 unsafe { _mm256_blendv_ps(a, _mm256_setzero_ps(), _mm256_castsi256_ps(mask)) }
@@ -235,6 +234,18 @@ mod x86 {
                 unsafe { _mm256_xor_si256(a, b) }
             }
             #[inline(always)]
+            fn select_i(self, mask: I, a: I, b: I) -> I {
+                // SAFETY: whoever made `self` has the features.
+                unsafe {
+                    let (mask, a, b) = (
+                        _mm256_castsi256_ps(mask),
+                        _mm256_castsi256_ps(a),
+                        _mm256_castsi256_ps(b),
+                    );
+                    _mm256_castps_si256(_mm256_blendv_ps(b, a, mask))
+                }
+            }
+            #[inline(always)]
             fn min_i(self, a: I, b: I) -> I {
                 // SAFETY: whoever made `self` has the features; pointers come from references.
                 unsafe { _mm256_min_epi32(a, b) }
@@ -259,6 +270,12 @@ mod x86 {
                 // SAFETY: whoever made `self` has the features; pointers come from references.
                 unsafe { _mm256_movemask_ps(_mm256_castsi256_ps(a)).cast_unsigned() }
             }
+            #[inline(always)]
+            fn prefetch<T>(self, values: &[T]) {
+                // SAFETY: whoever made `self` has the features; a prefetch has no effect on any address.
+                unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().cast()) }
+            }
+
             #[inline(always)]
             fn columns(self, rows: [&Row; 8]) -> (I, I, F) {
                 // SAFETY: whoever made `self` has the features; pointers come from references.

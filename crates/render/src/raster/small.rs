@@ -1,7 +1,8 @@
 //! Clusters of triangles, most of which are a few pixels: eight triangles at a time, in single precision.
 
 use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES};
-use super::frame::{Frame, Grid, Projection};
+use super::draw::Job;
+use super::frame::{Grid, Projection};
 use super::lanes::{Lanes, Row};
 use super::large;
 use super::tile::{Id, ROW, STRIDE, Tile};
@@ -19,6 +20,24 @@ pub(super) struct Scratch {
     large: Kept,
 }
 
+/// For each byte the numbers of its bits that are set, from the lowest, as bytes.
+const SET_BITS: [u64; 256] = {
+    let mut table = [0; 256];
+    let mut mask = 0;
+    while mask < 256 {
+        let (mut bit, mut count) = (0, 0);
+        while bit < 8 {
+            if mask >> bit & 1 == 1 {
+                table[mask] |= bit << (8 * count);
+                count += 1;
+            }
+            bit += 1;
+        }
+        mask += 1;
+    }
+    table
+};
+
 /// Triangles of a cluster.
 #[derive(Debug)]
 struct Kept {
@@ -34,17 +53,13 @@ impl Kept {
 
     /// Those of eight triangles whose bit is set.
     #[inline(always)]
-    fn push(&mut self, first: usize, mut mask: u32) {
-        while mask != 0 {
-            if let Some(slot) = self.triangles.get_mut(self.count) {
-                #[expect(clippy::cast_possible_truncation, reason = "less than MAX_TRIANGLES")]
-                {
-                    *slot = (first + mask.trailing_zeros() as usize) as u8;
-                }
-                self.count += 1;
-            }
-            mask &= mask - 1;
+    fn push(&mut self, first: usize, mask: u32) {
+        // All eight bytes are written: what should not be there is written over next.
+        if let Some(slots) = self.triangles[self.count % MAX_TRIANGLES..].first_chunk_mut::<LANES>() {
+            let packed = SET_BITS[mask as usize % 256] + first as u64 * 0x0101_0101_0101_0101;
+            *slots = packed.to_le_bytes();
         }
+        self.count += mask.count_ones() as usize;
     }
 
     /// Eight at a time, and how many of them count.
@@ -74,14 +89,14 @@ pub(super) struct Drawn<'a> {
     pub(super) mesh: &'a ClusteredMesh,
     pub(super) cluster: &'a Cluster,
     pub(super) onto_tile: &'a Projection,
-    pub(super) instance: u32,
+    /// Its place in the tile's list.
+    pub(super) entry: usize,
 }
 
 impl Drawn<'_> {
     #[inline(always)]
     fn id(&self, triangle: u8) -> Id {
-        let at = self.cluster.first_triangle as usize + usize::from(triangle);
-        Id::from(self.instance) << 32 | self.mesh.triangles.get(at).copied().map_or(0, Id::from)
+        Id::new(self.entry, u32::from(triangle))
     }
 
     #[inline(always)]
@@ -92,30 +107,47 @@ impl Drawn<'_> {
     }
 }
 
+/// Asks for a cluster's geometry before it is needed.
+#[inline(always)]
+pub(super) fn prefetch<L: Lanes>(l: L, mesh: &ClusteredMesh, cluster: &Cluster) {
+    let first = cluster.first_vertex as usize;
+    let vertices = first..first + usize::from(cluster.vertices);
+    for axis in [&mesh.x, &mesh.y, &mesh.z] {
+        for line in axis.get(vertices.clone()).unwrap_or_default().chunks(16) {
+            l.prefetch(line);
+        }
+    }
+    let first = cluster.first_triangle as usize;
+    let triangles = first..first + usize::from(cluster.triangles);
+    for line in mesh.corners.get(triangles).unwrap_or_default().chunks(16) {
+        l.prefetch(line);
+    }
+}
+
 /// Draws a cluster that lies between the near and the far plane, and on the tile's grid.
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
     l: L,
-    frame: &Frame,
+    job: &Job,
     tile: &mut Tile,
     scratch: &mut Scratch,
     drawn: &Drawn,
 ) {
     transform(l, scratch, drawn);
-    sort_out(l, frame.grid, tile, scratch, drawn);
+    sort_out(l, job.frame.grid, tile, scratch, drawn);
     let corners = drawn.corners();
     for (kept, count) in scratch.tiny.batches() {
-        let setup = Setup::new(l, frame.grid, scratch, corners, kept);
-        setup.draw_tiny::<IDS>(l, tile, drawn, kept, count);
+        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
+        setup.draw_tiny::<IDS>(l, job, tile, drawn, kept, count);
     }
     for (kept, count) in scratch.small.batches() {
-        let setup = Setup::new(l, frame.grid, scratch, corners, kept);
-        setup.draw_rows::<IDS>(l, tile, drawn, kept, count);
+        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
+        setup.draw_rows::<IDS>(l, job, tile, drawn, kept, count);
     }
-    for triangle in &scratch.large.triangles[..scratch.large.count] {
+    for triangle in &scratch.large.triangles[..scratch.large.count.min(MAX_TRIANGLES)] {
         let at = drawn.cluster.first_triangle as usize + usize::from(*triangle);
         if let Some(positions) = drawn.mesh.positions(drawn.cluster, at) {
-            large::draw::<L, IDS>(l, frame, tile, drawn.onto_tile, positions, drawn.id(*triangle));
+            large::draw::<L, IDS>(l, job, tile, drawn.onto_tile, positions, drawn.id(*triangle));
         }
     }
 }
@@ -237,7 +269,9 @@ fn sort_out<L: Lanes>(l: L, grid: Grid, tile: &Tile, scratch: &mut Scratch, draw
         let kept = !l.signs(is_empty) & there;
         let large = l.signs(is_large) & kept;
         let small = l.signs(is_wide) & kept & !large;
-        scratch.large.push(first, large);
+        if large != 0 {
+            scratch.large.push(first, large);
+        }
         scratch.small.push(first, small);
         scratch.tiny.push(first, kept & !large & !small);
     }
@@ -321,6 +355,7 @@ impl<L: Lanes> Setup<L> {
     fn draw_tiny<const IDS: bool>(
         &self,
         l: L,
+        job: &Job,
         tile: &mut Tile,
         drawn: &Drawn,
         kept: &[u8; LANES],
@@ -351,8 +386,8 @@ impl<L: Lanes> Setup<L> {
             let (corner, lane) = (bit / LANES, bit % LANES);
             #[expect(clippy::cast_sign_loss, reason = "in the tile")]
             let at = at[lane] as usize + (corner & 1) + (corner >> 1) * STRIDE;
-            let id = if IDS { drawn.id(kept[lane]) } else { 0 };
-            tile.put::<IDS>(at, found[corner][lane], id);
+            let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
+            tile.put::<IDS>(job, at, found[corner][lane], id);
         }
     }
 
@@ -361,6 +396,7 @@ impl<L: Lanes> Setup<L> {
     fn draw_rows<const IDS: bool>(
         &self,
         l: L,
+        job: &Job,
         tile: &mut Tile,
         drawn: &Drawn,
         kept: &[u8; LANES],
@@ -383,13 +419,13 @@ impl<L: Lanes> Setup<L> {
             let down = splat(l, b, lane);
             let slope = [l.splat_f(slope[0][lane]), l.splat_f(slope[1][lane])];
             let (inverse_z, rest) = (l.splat_f(inverse_z[lane]), l.splat_f(rest[lane]));
-            let id = if IDS { drawn.id(kept[lane]) } else { 0 };
+            let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
             #[expect(clippy::cast_sign_loss, reason = "in the tile")]
             let mut at = at[lane] as usize;
             for _ in 0..=last[lane] {
                 let outside = l.or_i(l.or_i(edges[0], edges[1]), edges[2]);
                 let w = interpolate(l, edges, inverse_z, slope, rest);
-                tile.put_row::<L, IDS>(l, at, l.zero_where_negative(outside, w), id);
+                tile.put_row::<L, IDS>(l, job, at, l.zero_where_negative(outside, w), id);
                 edges = add(l, edges, down);
                 at += STRIDE;
             }

@@ -1,5 +1,6 @@
 //! The pixels that are drawn together, small enough for the fastest cache.
 
+use super::draw::Job;
 use super::frame::Frame;
 use super::lanes::Lanes;
 
@@ -30,16 +31,32 @@ pub(super) struct Tile {
     pub(super) height: i32,
     /// 1/z of the nearest surface so far; 0 where there is none.
     pub(super) inverse_z: Box<[f32; SIZE]>,
-    /// Which triangle that is, as [`Id`]; not used where only depth is wanted.
-    pub(super) ids: Box<[Id; SIZE]>,
+    /// Which triangle that is; not used where only depth is wanted.
+    ids: Box<[i32; SIZE]>,
     /// Not more than the smallest inverse z in each block.
     farthest: [f32; BLOCKS],
     /// Blocks drawn on since `farthest` was found.
     is_stale: [bool; BLOCKS],
 }
 
-/// Instance and triangle, so that the lower is the first of the scene.
-pub(super) type Id = u64;
+/// A triangle among all that a tile draws: its entry, and its place in the cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Id(i32);
+
+impl Id {
+    pub(super) const NONE: Self = Self(-1);
+
+    /// Entries are fewer than 2^25: more would not fit into memory.
+    #[expect(clippy::cast_possible_truncation, reason = "see above")]
+    pub(super) const fn new(entry: usize, triangle: u32) -> Self {
+        Self(((entry as u32) << 7 | triangle).cast_signed())
+    }
+
+    pub(super) const fn parts(self) -> (usize, usize) {
+        let bits = self.0.cast_unsigned() as usize;
+        (bits >> 7, bits & 127)
+    }
+}
 
 /// Columns and rows of a tile, both inclusive, in it.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +73,7 @@ impl Default for Tile {
             width: 1,
             height: 1,
             inverse_z: Box::new([0.0; SIZE]),
-            ids: Box::new([Id::MAX; SIZE]),
+            ids: Box::new([Id::NONE.0; SIZE]),
             farthest: [0.0; BLOCKS],
             is_stale: [false; BLOCKS],
         }
@@ -72,6 +89,11 @@ impl Tile {
         ]
     }
 
+    /// Rows of what is seen.
+    pub(super) fn id_rows(&self) -> impl Iterator<Item = impl Iterator<Item = Id>> {
+        self.ids.chunks(STRIDE).map(|row| row.iter().map(|id| Id(*id)))
+    }
+
     /// Empties it and puts it elsewhere.
     #[expect(
         clippy::cast_possible_truncation,
@@ -85,7 +107,7 @@ impl Tile {
         self.height = (frame.height - self.y).min(HEIGHT as u32) as i32;
         self.inverse_z[..STRIDE * (HEIGHT + 1)].fill(0.0);
         if IDS {
-            self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::MAX);
+            self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE.0);
         }
         self.farthest = [0.0; BLOCKS];
         self.is_stale = [false; BLOCKS];
@@ -125,15 +147,15 @@ impl Tile {
         }
     }
 
-    /// Makes `surface` what is seen at a pixel, given by its place in the arrays, if it is nearer.
+    /// Makes a triangle what is seen at a pixel, given by its place in the arrays, if it is nearer.
     #[inline(always)]
-    pub(super) fn put<const IDS: bool>(&mut self, at: usize, inverse_z: f32, id: Id) {
+    pub(super) fn put<const IDS: bool>(&mut self, job: &Job, at: usize, inverse_z: f32, id: Id) {
         let nearest = &mut self.inverse_z[at % SIZE];
+        #[expect(clippy::float_cmp, reason = "a tie is when they are the same")]
         if IDS {
             let first = &mut self.ids[at % SIZE];
-            #[expect(clippy::float_cmp, reason = "a tie is when they are the same")]
-            if inverse_z > *nearest || inverse_z == *nearest && id < *first {
-                (*nearest, *first) = (inverse_z, id);
+            if inverse_z > *nearest || inverse_z == *nearest && job.hit(id) < job.hit(Id(*first)) {
+                (*nearest, *first) = (inverse_z, id.0);
             }
         } else {
             *nearest = if inverse_z > *nearest { inverse_z } else { *nearest };
@@ -142,15 +164,32 @@ impl Tile {
 
     /// The same for eight pixels in a row, where `inverse_z` is positive.
     #[inline(always)]
-    pub(super) fn put_row<L: Lanes, const IDS: bool>(&mut self, l: L, at: usize, inverse_z: L::F, id: Id) {
-        if IDS {
-            for (at, inverse_z) in (at..).zip(l.store_f(inverse_z)) {
-                if inverse_z > 0.0 {
-                    self.put::<IDS>(at, inverse_z, id);
+    pub(super) fn put_row<L: Lanes, const IDS: bool>(
+        &mut self,
+        l: L,
+        job: &Job,
+        at: usize,
+        inverse_z: L::F,
+        id: Id,
+    ) {
+        let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() else {
+            return;
+        };
+        let before = l.load_f(pixels);
+        *pixels = l.store_f(l.max_f(inverse_z, before));
+        if IDS && let Some(ids) = self.ids[at % SIZE..].first_chunk_mut::<8>() {
+            let nearer = l.greater_f(inverse_z, before);
+            let not_farther =
+                l.signs(l.greater_f(inverse_z, l.splat_f(0.0))) & !l.signs(l.greater_f(before, inverse_z));
+            *ids = l.store_i(l.select_i(nearer, l.splat_i(id.0), l.load_i(ids)));
+            let mut ties = not_farther & !l.signs(nearer);
+            while ties != 0 {
+                let first = &mut ids[ties.trailing_zeros() as usize % 8];
+                if job.hit(id) < job.hit(Id(*first)) {
+                    *first = id.0;
                 }
+                ties &= ties - 1;
             }
-        } else if let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() {
-            *pixels = l.store_f(l.max_f(inverse_z, l.load_f(pixels)));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Rays into the scene, for every lens, for shadows and for whatever else asks.
 
+#[cfg(test)]
 pub(crate) mod brute;
 mod bvh;
 mod corners;

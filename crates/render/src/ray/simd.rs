@@ -42,6 +42,13 @@ pub(crate) trait Lanes: Copy {
     fn signs(self) -> u32;
     /// The least of all lanes, none of which is NaN.
     fn least(self) -> f32;
+    /// For each lane, how many lanes are not greater, itself included; 0 where it is NaN.
+    fn ranks(self) -> [u32; 8];
+    /// Says that a place will be read soon.
+    #[inline(always)]
+    fn prefetch<T>(_place: &T) {}
+    /// The coordinates of eight points.
+    fn gather(points: &[[f32; 3]], at: [u32; 8]) -> [Self; 3];
 
     #[inline(always)]
     fn values(self) -> [f32; 8] {
@@ -231,6 +238,15 @@ impl Lanes for Scalar {
             .into_iter()
             .fold(f32::INFINITY, |a, b| if b < a { b } else { a })
     }
+    #[inline(always)]
+    fn ranks(self) -> [u32; 8] {
+        std::array::from_fn(|i| self.0.iter().map(|x| u32::from(*x <= self.0[i])).sum())
+    }
+    #[inline(always)]
+    fn gather(points: &[[f32; 3]], at: [u32; 8]) -> [Self; 3] {
+        let points = at.map(|index| points[index as usize]);
+        std::array::from_fn(|axis| Self(std::array::from_fn(|lane| points[lane][axis])))
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -256,6 +272,20 @@ mod avx2 {
     }
 
     // SAFETY of all below: the processor has AVX2 (see `Avx2`); loads and stores are of whole arrays, unaligned.
+    /// Three coordinates and anything; inlined only where there is AVX2.
+    #[inline(always)]
+    fn point(points: &[[f32; 3]], index: u32) -> __m128 {
+        let index = index as usize;
+        if index + 1 < points.len() {
+            // SAFETY: another point follows, so sixteen bytes are inside the slice.
+            unsafe { _mm_loadu_ps(points.as_ptr().add(index).cast()) }
+        } else {
+            let [x, y, z] = points[index];
+            // SAFETY: part of the instructions that every x86-64 has.
+            unsafe { _mm_setr_ps(x, y, z, 0.0) }
+        }
+    }
+
     impl Wide for WideAvx2 {
         #[inline(always)]
         fn load(values: &[f64; 8]) -> Self {
@@ -382,6 +412,44 @@ mod avx2 {
                 _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
             }
         }
+        #[inline(always)]
+        fn prefetch<T>(place: &T) {
+            // A hint: nothing is read.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast()) }
+        }
+        #[inline(always)]
+        fn ranks(self) -> [u32; 8] {
+            let mut ranks = [0; 8];
+            unsafe {
+                let mut sum = _mm256_setzero_si256();
+                for lane in 0..8 {
+                    let other = _mm256_permutevar8x32_ps(self.0, _mm256_set1_epi32(lane));
+                    let is_not_greater = _mm256_cmp_ps::<_CMP_LE_OQ>(other, self.0);
+                    sum = _mm256_sub_epi32(sum, _mm256_castps_si256(is_not_greater));
+                }
+                _mm256_storeu_si256(ranks.as_mut_ptr().cast(), sum);
+            }
+            ranks
+        }
+        #[inline(always)]
+        fn gather(points: &[[f32; 3]], at: [u32; 8]) -> [Self; 3] {
+            let [a, b, c, d, e, f, g, h] = at;
+            let (a, b) = (point(points, a), point(points, b));
+            let (c, d) = (point(points, c), point(points, d));
+            let (e, f) = (point(points, e), point(points, f));
+            let (g, h) = (point(points, g), point(points, h));
+            unsafe {
+                let (ae, bf) = (_mm256_set_m128(e, a), _mm256_set_m128(f, b));
+                let (cg, dh) = (_mm256_set_m128(g, c), _mm256_set_m128(h, d));
+                let (xy_ab, z_ab) = (_mm256_unpacklo_ps(ae, bf), _mm256_unpackhi_ps(ae, bf));
+                let (xy_cd, z_cd) = (_mm256_unpacklo_ps(cg, dh), _mm256_unpackhi_ps(cg, dh));
+                [
+                    Self(_mm256_shuffle_ps::<0b01_00_01_00>(xy_ab, xy_cd)),
+                    Self(_mm256_shuffle_ps::<0b11_10_11_10>(xy_ab, xy_cd)),
+                    Self(_mm256_shuffle_ps::<0b01_00_01_00>(z_ab, z_cd)),
+                ]
+            }
+        }
     }
 }
 
@@ -437,6 +505,12 @@ mod tests {
             // No NaN, and only one zero.
             let ordered = a.le(b).select(L::splat(-1.0), L::splat(2.0));
             bits.push(ordered.least().to_bits());
+            bits.extend(a.ranks());
+            let points = [[self.0[0], self.1[0], 0.5], [self.0[1], self.1[1], 1.5], [2.5; 3]];
+            for axis in L::gather(&points, [0, 1, 2, 0, 2, 1, 1, 2]) {
+                axis.store_bits(&mut raw);
+                bits.extend(raw);
+            }
             bits.push(
                 L::load(&self.0.map(|x| if x.is_nan() { 1.0 } else { x + 0.0 }))
                     .least()

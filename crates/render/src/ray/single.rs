@@ -250,11 +250,7 @@ fn walk<L: Lanes>(
     visit: &mut impl Visit,
 ) -> bool {
     let base = stack.len();
-    stack.push(Entry {
-        start: f32::NEG_INFINITY,
-        first: 0,
-        count: 0,
-    });
+    stack.push(Entry::ROOT);
     let near = L::splat(loosened(path.lengths(search.near), -1e-5));
     let inverse = Vector::<L>::splat(path.inverse);
     let to_first = Vector::<L>::splat(path.origin_to_first);
@@ -276,20 +272,17 @@ fn walk<L: Lanes>(
         }
         let node = &nodes[entry.first as usize];
         let planes = &node.bounds;
-        let start = L::load(&planes[x])
-            .sub(to_first.x)
-            .mul(inverse.x)
+        // In this order a NaN stays one, and hides the child.
+        let start = near
+            .max(L::load(&planes[x]).sub(to_first.x).mul(inverse.x))
             .max(L::load(&planes[y]).sub(to_first.y).mul(inverse.y))
-            .max(L::load(&planes[z]).sub(to_first.z).mul(inverse.z))
-            .max(near);
-        let end = L::load(&planes[x1])
-            .sub(to_last.x)
-            .mul(inverse.x)
+            .max(L::load(&planes[z]).sub(to_first.z).mul(inverse.z));
+        let end = L::splat(far)
+            .min(L::load(&planes[x1]).sub(to_last.x).mul(inverse.x))
             .min(L::load(&planes[y1]).sub(to_last.y).mul(inverse.y))
-            .min(L::load(&planes[z1]).sub(to_last.z).mul(inverse.z))
-            .min(L::splat(far));
+            .min(L::load(&planes[z1]).sub(to_last.z).mul(inverse.z));
         let end = end.mul(L::splat(1.0 + 1e-6)).max(end.mul(L::splat(1.0 - 1e-6)));
-        push_children(stack, node, start.le(end).signs(), &start.values());
+        push_children(stack, node, start.le(end), start);
     }
     false
 }

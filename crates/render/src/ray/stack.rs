@@ -1,3 +1,6 @@
+use super::bvh::Node;
+use super::simd::Lanes;
+
 /// What is left to visit: a node, or the items of a leaf.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
@@ -9,29 +12,52 @@ pub(crate) struct Entry {
     pub(crate) count: u32,
 }
 
-/// Entries, the next one last. It grows as it must and keeps its memory.
-pub(crate) type Stack = Vec<Entry>;
+impl Entry {
+    /// The root of a tree.
+    pub(crate) const ROOT: Self = Self {
+        start: f32::NEG_INFINITY,
+        first: 0,
+        count: 0,
+    };
 
-/// Appends the children that `mask` has, so that the one that starts first comes out first; equal ones in their
-/// order in the node.
-#[inline(always)]
-pub(crate) fn push_children(stack: &mut Stack, node: &super::bvh::Node, mask: u32, starts: &[f32; 8]) {
-    let base = stack.len();
-    let mut left = mask & u32::from(node.present);
-    while left != 0 {
-        let child = 31 - left.leading_zeros() as usize;
-        left ^= 1 << child;
-        let entry = Entry {
+    #[inline(always)]
+    fn of_child(node: &Node, child: usize, starts: &[f32; 8]) -> Self {
+        Self {
             start: starts[child],
             first: node.first[child],
             count: u32::from(node.count[child]),
-        };
-        stack.push(entry);
-        let mut at = stack.len() - 1;
-        while at > base && stack[at - 1].start < entry.start {
-            stack[at] = stack[at - 1];
-            at -= 1;
         }
-        stack[at] = entry;
+    }
+}
+
+/// Entries, the next one last. It grows as it must and keeps its memory.
+pub(crate) type Stack = Vec<Entry>;
+
+/// Appends the children that `seen` has (all ones), so that the one that starts first comes out first.
+#[inline(always)]
+pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L, starts: L) {
+    let mut children = seen.signs();
+    if children == 0 {
+        return;
+    }
+    let starts_of = starts.values();
+    let count = children.count_ones() as usize;
+    if count == 1 {
+        let child = children.trailing_zeros() as usize & 7;
+        stack.push(Entry::of_child(node, child, &starts_of));
+        return;
+    }
+    // Their numbers in the lowest bits tell equal ones apart; that moves the order by less than rounding does.
+    let finite = starts.min(L::splat(f32::MAX)).max(L::splat(f32::MIN));
+    let numbers = L::load_bits(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    let distinct = finite.and(L::splat(f32::from_bits(!7))).xor(numbers);
+    let ranks = seen.select(distinct, L::splat(f32::INFINITY)).ranks();
+    let base = stack.len();
+    stack.resize(base + count, Entry::ROOT);
+    let new = &mut stack[base..];
+    while children != 0 {
+        let child = children.trailing_zeros() as usize & 7;
+        children &= children - 1;
+        new[count - ranks[child] as usize] = Entry::of_child(node, child, &starts_of);
     }
 }

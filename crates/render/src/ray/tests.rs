@@ -420,6 +420,46 @@ fn far_from_the_origin() {
     assert_like_brute_force(&scene, &view);
 }
 
+/// How many numbers lie between two.
+fn ulps(a: f32, b: f32) -> u32 {
+    a.to_bits().abs_diff(b.to_bits())
+}
+
+#[test]
+fn depth_is_exact_however_flat_it_is_seen() {
+    for (degrees, largest) in [(0.0, 1), (30.0, 1), (60.0, 1), (75.0, 1), (85.0, 1), (89.9, 16)] {
+        for seed in 0..4 {
+            let mut numbers = Numbers(seed);
+            // A floor of many triangles, some metres off, turned away from the camera.
+            let mut corners = Vec::new();
+            for _ in 0..200 {
+                let centre = numbers.vector() * DVec3::new(4.0, 4.0, 0.0);
+                for _ in 0..3 {
+                    corners.push(
+                        (centre + numbers.vector() * DVec3::new(2.0, 2.0, 0.0))
+                            .as_vec3()
+                            .to_array(),
+                    );
+                }
+            }
+            let turn = DMat3::from_rotation_y(f64::to_radians(degrees));
+            let mut scene = scene_of(soup(&corners));
+            scene.instances[0].world_from_mesh =
+                DAffine3::from_mat3_translation(turn, DVec3::new(0.1, 0.2, 7.3));
+            for view in [view(LensModel::Pinhole, 61, 43, 30.0), fisheye(61, 43, 40.0)] {
+                let ours = RayCaster::new(&scene).visibility(&scene, &view);
+                let truth = brute::visibility(&scene, &view);
+                for ((ours, truth), (a, b)) in (ours.z.0.pixels().iter().zip(truth.z.0.pixels()))
+                    .zip(ours.hits.pixels().iter().zip(truth.hits.pixels()))
+                {
+                    assert_eq!(a.is_miss(), b.is_miss());
+                    assert!(ulps(*ours, *truth) <= largest, "{degrees}: {ours} {truth}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn nothing_and_next_to_nothing() {
     let pinhole = view(LensModel::Pinhole, 9, 5, 77.0);

@@ -21,15 +21,6 @@ impl<L: Lanes> Vector<L> {
         }
     }
 
-    #[inline(always)]
-    pub(crate) fn load([x, y, z]: &[[f32; 8]; 3]) -> Self {
-        Self {
-            x: L::load(x),
-            y: L::load(y),
-            z: L::load(z),
-        }
-    }
-
     /// One lane of each in all lanes.
     #[inline(always)]
     pub(crate) fn splat_lane([x, y, z]: &[[f32; 8]; 3], lane: usize) -> Self {

@@ -8,7 +8,7 @@ use super::faces::Faces;
 use super::material::FaceMaterials;
 use super::primvar::Elements;
 use super::triangulate::Triangulator;
-use super::{PolygonMesh, Primvar, Scheme, normals};
+use super::{Interpolation, PolygonMesh, Primvar, Scheme, normals};
 use crate::{MaterialSpan, Mesh};
 
 impl PolygonMesh {
@@ -47,12 +47,23 @@ impl PolygonMesh {
         let uvs = findings.check("texture coordinates", self.uvs.take(), elements);
         let colors = findings.check("colours", self.colors.take(), elements);
 
-        let cut = self.cut(&faces, &materials, &mut findings);
+        let uses = |wanted| {
+            normals
+                .as_ref()
+                .is_some_and(|primvar| primvar.interpolation == wanted)
+                || uvs
+                    .as_ref()
+                    .is_some_and(|primvar| primvar.interpolation == wanted)
+                || colors
+                    .as_ref()
+                    .is_some_and(|primvar| primvar.interpolation == wanted)
+        };
+        let needs_faces = uses(Interpolation::Uniform) || !materials.is_one();
+        let needs_corners = uses(Interpolation::FaceVarying);
+        let mut cut = self.cut(&faces, &materials, needs_faces, &mut findings);
         self.hide_unusable_points();
-        let vertices = vertices(&self.face_vertex_indices, &cut);
-        if cut.is_direct() {
-            self.face_vertex_indices = Vec::new();
-        }
+        let vertices = cut.vertices(&self.face_vertex_indices, needs_corners);
+        self.face_vertex_indices = Vec::new();
         let mut mesh = Mesh {
             positions: self.points,
             materials: spans(&materials, &cut, vertices.len()),
@@ -117,7 +128,13 @@ impl PolygonMesh {
     }
 
     /// Cuts the faces into triangles.
-    fn cut(&self, faces: &Faces, materials: &FaceMaterials, findings: &mut Findings<'_>) -> Cut {
+    fn cut(
+        &self,
+        faces: &Faces,
+        materials: &FaceMaterials,
+        needs_faces: bool,
+        findings: &mut Findings<'_>,
+    ) -> Cut {
         let all_usable = self.points.iter().all(Value::is_finite)
             && self
                 .face_vertex_indices
@@ -131,7 +148,7 @@ impl PolygonMesh {
         }
         let is_hole = self.hole_mask(faces, findings);
         let mut corners = Vec::with_capacity(self.triangle_count(faces));
-        let mut of_face = Vec::with_capacity(corners.capacity());
+        let mut of_face = Vec::with_capacity(if needs_faces { corners.capacity() } else { 0 });
         let mut triangulator = Triangulator::default();
         let mut polygon = Vec::new();
         let (mut lost, mut uncut) = (0_u64, 0_u64);
@@ -152,7 +169,9 @@ impl PolygonMesh {
             polygon.extend(range.clone().map(|corner| self.point_of(corner)));
             let whole = triangulator.triangulate(&polygon, |triangle| {
                 corners.push(triangle.map(|corner| range.start + corner));
-                of_face.push(face);
+                if needs_faces {
+                    of_face.push(face);
+                }
             });
             uncut += u64::from(!whole);
         }
@@ -238,13 +257,37 @@ struct Cut {
 }
 
 struct Listed {
+    /// Empty once nothing asks for it.
     corners: Vec<[u32; 3]>,
+    /// Empty if nothing asks for it.
     of_face: Vec<u32>,
 }
 
 impl Cut {
     fn is_direct(&self) -> bool {
         self.listed.is_none()
+    }
+
+    /// The points of each triangle; of corners that are usable.
+    fn vertices(&mut self, indices: &[i32], keep_corners: bool) -> Vec<[u32; 3]> {
+        let vertex = |corner: u32| u32::try_from(indices[corner as usize]).unwrap_or(0);
+        let flipped = self.flipped;
+        let turned = |[a, b, c]: [u32; 3]| if flipped { [a, c, b] } else { [a, b, c] };
+        match &mut self.listed {
+            // In the same memory.
+            Some(listed) if !keep_corners => std::mem::take(&mut listed.corners)
+                .into_iter()
+                .map(|corners| turned(corners).map(vertex))
+                .collect(),
+            Some(listed) => listed
+                .corners
+                .iter()
+                .map(|&corners| turned(corners).map(vertex))
+                .collect(),
+            None => (0..indices.len() / 3)
+                .map(|triangle| self.corners(triangle).map(vertex))
+                .collect(),
+        }
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "corners have 32 bits")]
@@ -264,19 +307,15 @@ impl Cut {
     }
 }
 
-/// The points of each triangle; of corners that are usable.
-fn vertices(indices: &[i32], cut: &Cut) -> Vec<[u32; 3]> {
-    let count = cut
-        .listed
-        .as_ref()
-        .map_or(indices.len() / 3, |listed| listed.corners.len());
-    let vertex = |corner: u32| u32::try_from(indices[corner as usize]).unwrap_or(0);
-    (0..count)
-        .map(|triangle| cut.corners(triangle).map(vertex))
-        .collect()
-}
-
 fn spans(materials: &FaceMaterials, cut: &Cut, count: usize) -> Vec<MaterialSpan> {
+    if materials.is_one() {
+        let material = materials.get(0);
+        let end = u32::try_from(count).unwrap_or(u32::MAX);
+        let span = material
+            .filter(|_| count > 0)
+            .map(|_| MaterialSpan { end, material });
+        return span.into_iter().collect();
+    }
     let mut spans: Vec<MaterialSpan> = Vec::new();
     let mut end = 0;
     for triangle in 0..count {

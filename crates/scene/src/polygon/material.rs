@@ -38,6 +38,11 @@ impl FaceMaterials {
         (result, unknown)
     }
 
+    /// Whether all faces have the same.
+    pub(super) fn is_one(&self) -> bool {
+        self.of_face.is_empty()
+    }
+
     pub(super) fn get(&self, face: u32) -> Option<u32> {
         self.of_face.get(face as usize).copied().unwrap_or(self.default)
     }

@@ -67,14 +67,12 @@ fn repair(
 pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribute<[f32; 3]> {
     let mut sums = vec![[0.0_f32; 3]; positions.len()];
     for &triangle in triangles {
-        let normal = area(positions, triangle).normalize_or_zero();
-        let corners = triangle.map(|vertex| point(positions, vertex));
-        for i in 0..3 {
-            let weight = angle(
-                corners[(i + 1) % 3] - corners[i],
-                corners[(i + 2) % 3] - corners[i],
-            );
-            let sum = &mut sums[triangle[i] as usize];
+        let [a, b, c] = triangle.map(|vertex| point(positions, vertex));
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        let [ab, bc, ca] = [b - a, c - b, a - c].map(DVec3::normalize_or_zero);
+        let weights = [angle(ab, -ca), angle(bc, -ab), angle(ca, -bc)];
+        for (vertex, weight) in triangle.into_iter().zip(weights) {
+            let sum = &mut sums[vertex as usize];
             for (sum, part) in sum.iter_mut().zip((weight * normal).to_array()) {
                 *sum += narrow(part);
             }
@@ -89,10 +87,10 @@ pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribut
     Attribute::Vertex(sums)
 }
 
-/// The angle between two directions within 1e-3, by arithmetic that is the same on every machine.
+/// The angle between two unit vectors within 1e-3, by arithmetic that is the same on every machine.
 fn angle(a: DVec3, b: DVec3) -> f64 {
-    let (a, b) = (a.normalize_or_zero(), b.normalize_or_zero());
-    let (sine, cosine) = ((a - b).length(), (a + b).length());
+    let full = a.dot(b).clamp(-1.0, 1.0);
+    let (sine, cosine) = ((1.0 - full).sqrt(), (1.0 + full).sqrt());
     // Half the angle, as an arc tangent of a number from 0 to 1 or of its inverse.
     let arc_tangent = |x: f64| {
         let xx = x * x;

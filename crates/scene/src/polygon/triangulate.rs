@@ -155,12 +155,22 @@ fn fan_covers(polygon: &[DVec3]) -> bool {
     if polygon.len() < 4 {
         return true;
     }
+    if let &[a, b, c, d] = polygon {
+        // Nearly all quads need no more than this.
+        let diagonal = c - a;
+        let (first, second) = ((b - a).cross(diagonal), diagonal.cross(d - a));
+        let normal = first + second;
+        if first.dot(normal) >= 0.0 && second.dot(normal) >= 0.0 {
+            return true;
+        }
+    }
     let normal = newell(polygon);
     let origin = polygon[0];
     let turned = |edge: &[DVec3]| {
         let (from, to) = (edge[0] - origin, edge[1] - origin);
+        let area = from.cross(to).dot(normal);
         // A corner on the line between its neighbours, but for the rounding of single precision, is not turned.
-        from.cross(to).dot(normal) < -1e-6 * from.length() * to.length() * normal.length()
+        area < 0.0 && area < -1e-6 * from.length() * to.length() * normal.length()
     };
     !polygon.windows(2).any(turned)
 }

@@ -1,4 +1,4 @@
-//! A USD stage as oaktwin sees it, for oracles in other languages: `scene-dump STAGE FOLDER [--time CODE]
+//! A USD stage or a mesh file as oaktwin sees it, for oracles in other languages: `scene-dump FILE FOLDER [--time CODE]
 //! [--subdivide LEVELS]` writes `FOLDER/scene.json` and beside it `arrays.bin`, little-endian numbers that the JSON
 //! points into as `{"dtype", "shape", "offset"}`.
 
@@ -7,8 +7,9 @@ use std::path::Path;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
+use oaktwin_scene::import::{self, ImportOptions, Imported};
 use oaktwin_scene::{
-    Attribute, Instance, Light, LightKind, Material, Mesh, Texture, TextureSource, TextureUse,
+    Attribute, Instance, Light, LightKind, Material, Mesh, Scene, Texture, TextureSource, TextureUse,
 };
 use oaktwin_usd::stage::{SceneOptions, StageScene, open_scene};
 use serde_json::{Value, json};
@@ -17,7 +18,7 @@ type Failure = Box<dyn std::error::Error>;
 
 fn main() -> Result<(), Failure> {
     let mut arguments = std::env::args().skip(1);
-    let usage = "scene-dump STAGE FOLDER [--time CODE] [--subdivide LEVELS]";
+    let usage = "scene-dump FILE FOLDER [--time CODE] [--subdivide LEVELS]";
     let (stage, folder) = (arguments.next().ok_or(usage)?, arguments.next().ok_or(usage)?);
     let mut options = SceneOptions::default();
     while let Some(flag) = arguments.next() {
@@ -28,11 +29,17 @@ fn main() -> Result<(), Failure> {
             _ => return Err(usage.into()),
         }
     }
-    let read = open_scene(&stage, &options)?;
+    let mut arrays = Arrays::default();
+    let described = if import::is_importable(stage.as_ref()) {
+        describe_file(
+            &import::open(stage.as_ref(), &ImportOptions::default())?,
+            &mut arrays,
+        )
+    } else {
+        describe_stage(&open_scene(&stage, &options)?, &mut arrays)
+    };
     let folder = Path::new(&folder);
     fs::create_dir_all(folder)?;
-    let mut arrays = Arrays::default();
-    let described = describe(&read, &mut arrays);
     fs::write(folder.join("arrays.bin"), arrays.0)?;
     fs::write(folder.join("scene.json"), serde_json::to_vec(&described)?)?;
     Ok(())
@@ -59,8 +66,51 @@ impl Arrays {
     }
 }
 
-fn describe(read: &StageScene, arrays: &mut Arrays) -> Value {
-    let scene = &read.scene;
+fn describe_stage(read: &StageScene, arrays: &mut Arrays) -> Value {
+    let mut described = describe(&read.scene, arrays);
+    described["cameras"] = read
+        .cameras
+        .iter()
+        .map(|camera| {
+            json!({
+                "path": camera.prim.path,
+                "world_from_camera": rows(&affine(&camera.world_from_camera)),
+            })
+        })
+        .collect();
+    described["products"] = read
+        .products
+        .iter()
+        .map(|product| {
+            json!({
+                "path": product.prim.path,
+                "cameras": product.cameras.iter().map(|target| &target.path).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    described["findings"] = read.findings.iter().map(ToString::to_string).collect();
+    described
+}
+
+fn describe_file(read: &Imported, arrays: &mut Arrays) -> Value {
+    let mut described = describe(&read.scene, arrays);
+    described["cameras"] = read
+        .cameras
+        .iter()
+        .map(|camera| {
+            json!({
+                "path": camera.path,
+                "world_from_camera": rows(&affine(&camera.world_from_camera)),
+                "vfov": camera.vfov,
+                "aspect": camera.aspect,
+            })
+        })
+        .collect();
+    described["findings"] = read.findings.iter().map(ToString::to_string).collect();
+    described
+}
+
+fn describe(scene: &Scene, arrays: &mut Arrays) -> Value {
     json!({
         "up": scene.up.direction().to_array(),
         "meters_per_unit": scene.meters_per_unit.0,
@@ -69,15 +119,6 @@ fn describe(read: &StageScene, arrays: &mut Arrays) -> Value {
         "materials": scene.materials.iter().map(material).collect::<Vec<_>>(),
         "textures": scene.textures.iter().map(texture).collect::<Vec<_>>(),
         "lights": scene.lights.iter().map(light).collect::<Vec<_>>(),
-        "cameras": read.cameras.iter().map(|camera| json!({
-            "path": camera.prim.path,
-            "world_from_camera": rows(&affine(&camera.world_from_camera)),
-        })).collect::<Vec<_>>(),
-        "products": read.products.iter().map(|product| json!({
-            "path": product.prim.path,
-            "cameras": product.cameras.iter().map(|target| &target.path).collect::<Vec<_>>(),
-        })).collect::<Vec<_>>(),
-        "findings": read.findings.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

@@ -93,7 +93,7 @@ pub(super) fn scene(
 
 fn open(file: &str, path: &str, layer: &Inspected) -> Result<usd::Stage, StageError> {
     usd::Stage::builder()
-        .resolver(InspectingResolver::new())
+        .resolver(InspectingResolver::new(path, layer.bytes.clone()))
         .open(path)
         .map_err(|error| failed(file, layer, &error))
 }

@@ -1,6 +1,9 @@
+use std::cell::RefCell;
+use std::collections::HashSet;
 use std::fs;
-use std::io::{self, Cursor, Read};
-use std::path::Path;
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
@@ -35,11 +38,59 @@ fn materialx_document(path: &str) -> Option<String> {
 }
 
 /// OpenUSD's default resolver, with every file looked over before the library reads it.
-pub(super) struct InspectingResolver(DefaultResolver);
+pub(super) struct InspectingResolver {
+    inner: DefaultResolver,
+    /// The packages that were found to be sound: one is asked for as often as it has files.
+    packages: RefCell<HashSet<String>>,
+    /// The layer that was looked over last, at first the stage's own: the library opens a layer several times in a row,
+    /// to see what it is and to read it.
+    last: RefCell<(PathBuf, Arc<Vec<u8>>)>,
+}
+
+/// A file in memory that several readers share.
+struct Shared {
+    bytes: Arc<Vec<u8>>,
+    at: u64,
+}
+
+impl Read for Shared {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let mut cursor = Cursor::new(self.bytes.as_slice());
+        cursor.set_position(self.at);
+        let count = cursor.read(buffer)?;
+        self.at = cursor.position();
+        Ok(count)
+    }
+}
+
+impl Seek for Shared {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        let mut cursor = Cursor::new(self.bytes.as_slice());
+        cursor.set_position(self.at);
+        self.at = cursor.seek(to)?;
+        Ok(self.at)
+    }
+}
+
+impl Asset for Shared {
+    fn size(&self) -> io::Result<u64> {
+        Ok(self.bytes.len() as u64)
+    }
+
+    fn read_all(&mut self) -> io::Result<Vec<u8>> {
+        Ok(self.bytes.to_vec())
+    }
+}
 
 impl InspectingResolver {
-    pub(super) fn new() -> Self {
-        Self(DefaultResolver::new())
+    /// For the stage in the file `root` with this content.
+    pub(super) fn new(root: &str, bytes: Arc<Vec<u8>>) -> Self {
+        let root = PathBuf::from(root);
+        Self {
+            last: RefCell::new((root.canonicalize().unwrap_or(root), bytes)),
+            inner: DefaultResolver::new(),
+            packages: RefCell::default(),
+        }
     }
 }
 
@@ -74,17 +125,18 @@ impl InspectingResolver {
 
 impl Resolver for InspectingResolver {
     fn create_identifier(&self, asset_path: &str, anchor: Option<&ResolvedPath>) -> String {
-        self.0.create_identifier(asset_path, anchor)
+        self.inner.create_identifier(asset_path, anchor)
     }
 
     fn resolve(&self, asset_path: &str) -> Option<ResolvedPath> {
         // Resolving a path into a package opens the package.
         if let Some((package, _)) = ar::split_package_relative_path_outer(asset_path)
-            && inspect::file(Path::new(&package)).is_err()
+            && !self.packages.borrow().contains(&package)
         {
-            return None;
+            inspect::file(Path::new(&package)).ok()?;
+            self.packages.borrow_mut().insert(package);
         }
-        let resolved = self.0.resolve(asset_path)?;
+        let resolved = self.inner.resolve(asset_path)?;
         Some(match as_text_layer(&resolved.to_string_lossy()) {
             Some(named) => ResolvedPath::new(named),
             None => resolved,
@@ -92,7 +144,7 @@ impl Resolver for InspectingResolver {
     }
 
     fn resolve_for_new_asset(&self, asset_path: &str) -> Option<ResolvedPath> {
-        self.0.resolve_for_new_asset(asset_path)
+        self.inner.resolve_for_new_asset(asset_path)
     }
 
     fn open_asset(&self, resolved: &ResolvedPath) -> io::Result<Box<dyn Asset>> {
@@ -104,11 +156,16 @@ impl Resolver for InspectingResolver {
         }
         if let Some((package, inner)) = ar::split_package_relative_path_outer(&text) {
             inspect::file(Path::new(&package)).map_err(refuse)?;
-            let bytes = self.0.open_asset(resolved)?.read_all()?;
+            let bytes = self.inner.open_asset(resolved)?.read_all()?;
             inspect::layer(&inner, &bytes).map_err(refuse)?;
             return Ok(Box::new(Cursor::new(bytes)));
         }
-        let layer = inspect::file(resolved).map_err(refuse)?;
-        Ok(Box::new(Cursor::new(layer.bytes)))
+        let path: &Path = resolved;
+        if self.last.borrow().0 != path {
+            let bytes = inspect::file(path).map_err(refuse)?.bytes;
+            self.last.replace((path.to_owned(), bytes));
+        }
+        let bytes = self.last.borrow().1.clone();
+        Ok(Box::new(Shared { bytes, at: 0 }))
     }
 }

@@ -16,9 +16,9 @@ impl Bounds {
             .fold(Self::EMPTY, |bounds, p| bounds.join(Self::new(*p, *p)))
     }
 
-    /// Of all children of a node.
+    /// Of all children of a node; NaN where there are none.
     pub(crate) fn of_nodes(node: &super::Node) -> Self {
-        let fold = |values: [f32; 8], f: fn(f32, f32) -> f32| values.into_iter().reduce(f).unwrap_or(0.0);
+        let fold = |values: [f32; 8], f: fn(f32, f32) -> f32| values.into_iter().fold(f32::NAN, f);
         let [a, b, c, d, e, f] = node.bounds;
         Self::new(
             [a, b, c].map(|v| fold(v, f32::min)),

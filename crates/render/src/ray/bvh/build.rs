@@ -193,7 +193,6 @@ fn grow(range: Range, nodes: &mut Vec<Node>) {
             node.bounds[axis][slot] = min[axis];
             node.bounds[axis + 3][slot] = max[axis];
         }
-        node.present |= 1 << slot;
         if child.is_leaf() {
             node.first[slot] = child.first as u32;
             node.count[slot] = child.items.len() as u8;

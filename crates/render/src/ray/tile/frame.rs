@@ -63,14 +63,14 @@ impl Frame {
 
     /// Which children of a node the tile may see in front of `limit`, and where in z each begins.
     #[inline(always)]
-    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (u32, [f32; 8]) {
+    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (L, L) {
         let zero = L::splat(0.0);
         let nearest = zero.sub(self.depth.farthest::<L>(node));
         let mut seen = nearest.le(L::splat(limit));
         for side in &self.sides {
             seen = seen.and(zero.le(side.farthest::<L>(node)));
         }
-        (seen.signs(), nearest.values())
+        (seen, nearest)
     }
 
     /// Eight points of the frame in the tile's.

@@ -74,6 +74,11 @@ impl Kernel for Trace<'_> {
 /// What happens in a leaf.
 trait Visit {
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack);
+
+    #[inline(always)]
+    fn prefetch_early<L: Lanes>(&self, _first: u32) {}
+    #[inline(always)]
+    fn prefetch<L: Lanes>(&self, _first: u32, _count: u32) {}
 }
 
 struct VisitInstances<'a> {
@@ -122,6 +127,19 @@ struct VisitTriangles<'a> {
 
 impl Visit for VisitTriangles<'_> {
     #[inline(always)]
+    fn prefetch_early<L: Lanes>(&self, first: u32) {
+        let triangles = &self.tree.triangles[first as usize..];
+        L::prefetch(&triangles[0]);
+        L::prefetch(&triangles[4.min(triangles.len() - 1)]);
+    }
+    #[inline(always)]
+    fn prefetch<L: Lanes>(&self, first: u32, count: u32) {
+        for triangle in &self.tree.triangles[first as usize..][..count as usize] {
+            L::prefetch(&self.mesh.positions[triangle[0] as usize]);
+        }
+    }
+
+    #[inline(always)]
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Stack) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
@@ -146,22 +164,32 @@ fn walk<L: Lanes>(
     visit: &mut impl Visit,
 ) {
     let base = stack.len();
-    stack.push(Entry {
-        start: f32::NEG_INFINITY,
-        first: 0,
-        count: 0,
-    });
+    stack.push(Entry::ROOT);
     while stack.len() > base {
         let Some(entry) = stack.pop() else { break };
         if entry.start > state.farthest {
             continue;
         }
         if entry.count != 0 {
+            if let Some(next) = stack.last().filter(|next| next.count != 0) {
+                visit.prefetch::<L>(next.first, next.count);
+            }
             visit.leaf::<L>(entry.first, entry.count, state, stack);
             continue;
         }
         let node = &nodes[entry.first as usize];
-        let (mask, starts) = frame.children::<L>(node, state.farthest);
-        push_children(stack, node, mask, &starts);
+        let (seen, starts) = frame.children::<L>(node, state.farthest);
+        let from = stack.len();
+        push_children(stack, node, seen, starts);
+        for entry in &stack[from..] {
+            if entry.count == 0 {
+                let bounds = &nodes[entry.first as usize].bounds;
+                L::prefetch(&bounds[0]);
+                L::prefetch(&bounds[2]);
+                L::prefetch(&bounds[4]);
+            } else {
+                visit.prefetch_early::<L>(entry.first);
+            }
+        }
     }
 }

@@ -10,6 +10,7 @@ use std::fmt;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Arc;
 
 use oaktwin_diagnostic::Finding;
 
@@ -19,7 +20,7 @@ use super::MAX_LAYER_BYTES;
 #[derive(Debug)]
 pub(super) struct Inspected {
     /// Its content.
-    pub bytes: Vec<u8>,
+    pub bytes: Arc<Vec<u8>>,
     /// Oddities that do not keep it from being read.
     pub findings: Vec<Finding>,
 }
@@ -99,7 +100,10 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         .read_to_end(&mut bytes)
         .map_err(|error| io_problem(&error))?;
     let findings = look_over(kind, &bytes)?;
-    Ok(Inspected { bytes, findings })
+    Ok(Inspected {
+        bytes: Arc::new(bytes),
+        findings,
+    })
 }
 
 /// Looks over a layer that is in memory, an entry of a package.

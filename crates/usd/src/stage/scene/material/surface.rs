@@ -84,15 +84,55 @@ impl Reading<'_> {
                 } else {
                     format!("`{id}`")
                 };
+                let (understood, instead) = if self.mdl_diffuse(shader, material) {
+                    (true, "only its diffuse inputs are used")
+                } else {
+                    (false, "it is grey")
+                };
                 self.findings.warn(
                     "unsupported-material",
                     self.place,
-                    format!("its surface is {what}, which is not read; it is grey"),
+                    format!("its surface is {what}, which is not read; {instead}"),
                     "give it a UsdPreviewSurface or a MaterialX standard surface as well",
                 );
-                false
+                understood
             }
         }
+    }
+
+    /// The diffuse inputs of `OmniPBR`, the MDL material that Isaac Sim's assets use most, and of those that took over
+    /// its names.
+    fn mdl_diffuse(&mut self, shader: &Node, material: &mut Material) -> bool {
+        let constant = self.color_input(shader, "inputs:diffuse_color_constant");
+        let tint = self
+            .color_input(shader, "inputs:diffuse_tint")
+            .unwrap_or([1.0; 3]);
+        let named = |value: &openusd::sdf::Value| !matches!(value, openusd::sdf::Value::AssetPath(asset) if asset.is_empty());
+        let file = match input(self.reader, &shader.shader, "inputs:diffuse_texture") {
+            Some(Input::Value(value, _)) => named(&value),
+            _ => false,
+        };
+        let texture = file
+            .then(|| self.image(shader, "inputs:diffuse_texture", None))
+            .flatten();
+        if let Some(texture) = texture {
+            material.base_color_texture = Some(TextureUse::new(texture));
+            material.base_color = Some(tint);
+        } else if let Some([r, g, b]) = constant {
+            material.base_color = Some([r * tint[0], g * tint[1], b * tint[2]]);
+        } else {
+            return false;
+        }
+        self.common(
+            shader,
+            material,
+            [
+                "inputs:metallic_constant",
+                "inputs:reflection_roughness_constant",
+                "",
+            ],
+        );
+        true
     }
 
     fn number(&self, shader: &Node, name: &str) -> Option<f32> {
@@ -228,7 +268,7 @@ impl Reading<'_> {
     fn preview_texture(&mut self, node: &Node, material: &mut Material) {
         let fallback = self.color_input(node, "inputs:fallback").unwrap_or([0.0; 3]);
         let space = self.token(node, "inputs:sourceColorSpace");
-        let Some(texture) = self.image(node, space.as_deref()) else {
+        let Some(texture) = self.image(node, "inputs:file", space.as_deref()) else {
             material.base_color = Some(fallback);
             return;
         };
@@ -254,7 +294,7 @@ impl Reading<'_> {
     fn materialx_image(&mut self, node: &Node, material: &mut Material) {
         let default = self.color_input(node, "inputs:default").unwrap_or([0.0; 3]);
         let space = self.token(node, "inputs:sourceColorSpace");
-        let Some(texture) = self.image(node, space.as_deref()) else {
+        let Some(texture) = self.image(node, "inputs:file", space.as_deref()) else {
             material.base_color = Some(default);
             return;
         };
@@ -292,8 +332,8 @@ impl Reading<'_> {
     }
 
     /// The image that a node reads from its `file`.
-    fn image(&mut self, node: &Node, space: Option<&str>) -> Option<u32> {
-        let Some(Input::Value(value, attribute)) = input(self.reader, &node.shader, "inputs:file") else {
+    fn image(&mut self, node: &Node, name: &str, space: Option<&str>) -> Option<u32> {
+        let Some(Input::Value(value, attribute)) = input(self.reader, &node.shader, name) else {
             self.findings.warn(
                 "missing-texture",
                 self.place,

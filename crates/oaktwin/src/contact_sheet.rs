@@ -1,0 +1,132 @@
+//! Several cameras' pictures on one: colour above depth, a column each.
+
+use crate::image::text::{self, Style};
+use crate::image::{Image, ZDepth, preview};
+
+/// What one camera saw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Above the pictures.
+    pub title: String,
+    /// sRGB and coverage.
+    pub rgb: Image<[u8; 4]>,
+    /// In the same size.
+    pub depth: ZDepth,
+}
+
+const PAPER: [u8; 3] = [24, 24, 24];
+const INK: [u8; 3] = [235, 235, 235];
+/// Around every picture, px.
+const GAP: u32 = 8;
+/// Of the titles, px.
+const TITLE: u32 = 14;
+
+/// A picture of all columns at half their size, with the same depth scale (nearest and farthest, metres) for all.
+#[must_use]
+pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> {
+    let options = preview::Options { range: Some(range_m) };
+    let cells: Vec<[Image<[u8; 3]>; 2]> = columns
+        .iter()
+        .map(|column| [averaged(&column.rgb), halved(&column.depth).preview(&options)])
+        .collect();
+    let widest = |cell: &[Image<[u8; 3]>; 2]| cell.iter().map(Image::width).max().unwrap_or(0);
+    let tallest = |row: usize| {
+        let heights = cells.iter().filter_map(|cell| Some(cell.get(row)?.height()));
+        heights.max().unwrap_or(0)
+    };
+    let tops = [TITLE + 2 * GAP, TITLE + 3 * GAP + tallest(0)];
+    let width = cells.iter().map(|cell| widest(cell) + GAP).sum::<u32>() + GAP;
+    let mut sheet = Image::filled(width, tops[1] + tallest(1) + GAP, PAPER);
+    let mut left = GAP;
+    for (column, cell) in columns.iter().zip(&cells) {
+        let style = Style {
+            height: TITLE as f32,
+            color: INK,
+        };
+        text::draw(&mut sheet, &column.title, (left as f32, GAP as f32), style);
+        for (picture, top) in cell.iter().zip(tops) {
+            paste(&mut sheet, picture, left, top);
+        }
+        left += widest(cell) + GAP;
+    }
+    sheet
+}
+
+/// Each pixel the mean of four; what nothing covers is the paper.
+fn averaged(rgb: &Image<[u8; 4]>) -> Image<[u8; 3]> {
+    let (width, height) = (rgb.width() / 2, rgb.height() / 2);
+    let mut half = Image::filled(width, height, PAPER);
+    for (y, row) in half
+        .pixels_mut()
+        .chunks_exact_mut((width as usize).max(1))
+        .enumerate()
+    {
+        for (x, pixel) in row.iter_mut().enumerate() {
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| {
+                #[expect(clippy::cast_possible_truncation, reason = "an image's sides are u32")]
+                let [r, g, b, a] = *rgb.get(2 * x as u32 + dx, 2 * y as u32 + dy).unwrap_or(&[0; 4]);
+                if a == 0 { PAPER } else { [r, g, b] }
+            });
+            for (channel, value) in pixel.iter_mut().enumerate() {
+                let sum: u16 = four.iter().map(|one| u16::from(one[channel])).sum();
+                #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
+                let mean = ((sum + 2) / 4) as u8;
+                *value = mean;
+            }
+        }
+    }
+    half
+}
+
+/// Every second pixel of every second row: depth is not averaged over edges.
+fn halved(depth: &ZDepth) -> ZDepth {
+    let (width, height) = (depth.0.width() / 2, depth.0.height() / 2);
+    let rows = depth.0.rows().step_by(2).take(height as usize);
+    let pixels = rows
+        .flat_map(|row| row.iter().step_by(2).take(width as usize))
+        .copied()
+        .collect();
+    ZDepth(Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(0, 0, 0.0)))
+}
+
+fn paste(sheet: &mut Image<[u8; 3]>, picture: &Image<[u8; 3]>, left: u32, top: u32) {
+    let width = sheet.width() as usize;
+    for (row, y) in picture.rows().zip(top as usize..) {
+        let start = y * width + left as usize;
+        if let Some(place) = sheet.pixels_mut().get_mut(start..start + row.len()) {
+            place.copy_from_slice(row);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_lie_where_they_should() {
+        let column = |width: u32, height: u32| Column {
+            title: "OAK".to_owned(),
+            rgb: Image::filled(width, height, [200, 100, 50, 255]),
+            depth: ZDepth(Image::filled(width, height, 1.0)),
+        };
+        let sheet = contact_sheet(&[column(80, 40), column(60, 80)], (0.5, 2.0));
+        assert_eq!(sheet.width(), 40 + 30 + 3 * GAP);
+        let top = TITLE + 2 * GAP;
+        assert_eq!(sheet.get(GAP, top), Some(&[200, 100, 50]));
+        assert_eq!(sheet.get(GAP + 39, top + 19), Some(&[200, 100, 50]));
+        assert_eq!(sheet.get(GAP + 40, top), Some(&PAPER));
+        assert_eq!(sheet.get(2 * GAP + 40, top + 39), Some(&[200, 100, 50]));
+        let depth_top = top + 40 + GAP;
+        let colour = sheet.get(GAP, depth_top).unwrap();
+        assert!(colour != &PAPER && sheet.get(2 * GAP + 40 + 29, depth_top) == Some(colour));
+        assert_eq!(contact_sheet(&[], (0.5, 2.0)).width(), GAP);
+    }
+
+    #[test]
+    fn four_pixels_are_one() {
+        let mut rgb = Image::filled(2, 2, [0, 0, 0, 255]);
+        rgb.pixels_mut()[0] = [255, 4, 0, 255];
+        assert_eq!(averaged(&rgb).pixels(), [[64, 1, 0]]);
+    }
+}
