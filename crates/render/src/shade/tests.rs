@@ -491,3 +491,27 @@ fn outlines_are_smooth() {
     let hard = frame.rgb.unwrap();
     assert!(hard.pixels().iter().all(|pixel| !(80..200).contains(&pixel[1])));
 }
+
+#[test]
+fn rays_that_never_end_hit_what_long_ones_hit() {
+    use crate::Ray;
+    let scene = floor_and_box(Vec::new());
+    let renderer = Renderer::new(scene);
+    let mut rays = Vec::new();
+    for i in 0..4000u32 {
+        let f =
+            |k: u32| f64::from((i.wrapping_mul(2_654_435_761).rotate_left(k) >> 8) & 0xffff) / 65536.0 - 0.5;
+        rays.push(Ray {
+            origin: DVec3::new(f(1) * 3.0, 0.99, 3.0 + f(9) * 3.0),
+            direction: DVec3::new(f(5), -f(13).abs() - 0.1, f(17)),
+            near: 0.0,
+            far: f64::INFINITY,
+        });
+    }
+    let endless = renderer.occluded(&rays);
+    for ray in &mut rays {
+        ray.far = 1e6;
+    }
+    assert!(endless.iter().any(|o| *o));
+    assert_eq!(endless, renderer.occluded(&rays));
+}
