@@ -80,7 +80,7 @@ impl Renderer {
     }
 
     pub(crate) fn shader(&self) -> &Shader {
-        self.shader.get_or_init(|| Shader::new(&self.scene))
+        (self.shader).get_or_init(|| Shader::new(&self.scene, self.ray_caster()))
     }
 
     pub(crate) fn semantics(&self) -> &Semantics {

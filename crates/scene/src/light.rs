@@ -1,6 +1,6 @@
 use oaktwin_camera::math::DAffine3;
 
-/// A light. Its own frame is USD's: it shines along −z; a dome's pole is +y, or +z where the file says so.
+/// A light. Its own frame is USD's: it shines along −z; a dome's pole is +y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// The prim.

@@ -148,7 +148,11 @@ fn smoothed(
                     weights += weight;
                 }
             }
-            sample.light = sum.times(1.0 / weights);
+            let small = sample.light.small;
+            sample.light = Light {
+                small,
+                ..sum.times(1.0 / weights)
+            };
         }
     });
     smooth

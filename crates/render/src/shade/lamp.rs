@@ -94,7 +94,22 @@ fn on_disk([a, b]: [f64; 2]) -> [f64; 2] {
     }
 }
 
+/// The tangent of half the angle below which a lamp's shadows have no soft borders.
+const SMALL: f64 = 0.02;
+
 impl Lamp {
+    /// Whether it is about as large as a point, seen from here.
+    pub(super) fn looks_small_from(&self, point: DVec3) -> bool {
+        let (size, d2) = match self.shape {
+            Shape::Distant { u, .. } => (u.length(), 1.0),
+            Shape::Sphere { centre, radius } => (radius, (centre - point).length_squared()),
+            Shape::Area { centre, u, v, .. } => {
+                (u.length().max(v.length()), (centre - point).length_squared())
+            }
+        };
+        size * size < SMALL * SMALL * d2
+    }
+
     /// What falls on a surface that faces it, without shadows.
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub(super) fn irradiance_at(&self, point: DVec3) -> Vec3 {

@@ -60,11 +60,12 @@ struct Studio<'a> {
 }
 
 impl Shader {
-    pub(crate) fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene, caster: &RayCaster) -> Self {
+        let pattern = Pattern::new();
         Self {
             textures: Textures::new(scene),
-            rig: Rig::new(scene),
-            pattern: Pattern::new(),
+            rig: Rig::new(scene, caster, &pattern),
+            pattern,
         }
     }
 

@@ -4,7 +4,7 @@ use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
-use super::lamp::Emitter;
+use super::lamp::{Emitter, Lamp};
 use super::pattern::{LOOKS, Pattern};
 use super::rig::{Rig, luminance};
 use crate::ray::{Ray, RayCaster, Stack};
@@ -12,12 +12,31 @@ use crate::ray::{Ray, RayCaster, Stack};
 /// How many lamps, those that light a place most, are looked for; the rest is taken to be hidden as they are.
 const MOST_SHADOWS: usize = 4;
 
-/// How much of its light reaches a place.
+/// Of lamps' light, as luminance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Arrived {
+    /// What arrives.
+    pub(super) some: f32,
+    /// What would arrive without shadows.
+    pub(super) all: f32,
+}
+
+impl Arrived {
+    #[inline]
+    fn plus(self, other: Self, weight: f32) -> Self {
+        Self {
+            some: self.some + other.some * weight,
+            all: self.all + other.all * weight,
+        }
+    }
+}
+
+/// How much of its light reaches a place: of lamps that look small, whose shadows are sharp, of large ones, and of what
+/// is all around.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Light {
-    /// Of the lamps' light, as luminance: what arrives, and what would without shadows.
-    pub(super) arriving: f32,
-    pub(super) unhidden: f32,
+    pub(super) small: Arrived,
+    pub(super) large: Arrived,
     /// The shares of the surroundings and of the sky that are open.
     pub(super) ambient: f32,
     pub(super) sky: f32,
@@ -26,8 +45,8 @@ pub(super) struct Light {
 impl Light {
     /// All of it.
     pub(super) const FULL: Self = Self {
-        arriving: 1.0,
-        unhidden: 1.0,
+        small: Arrived { some: 0.0, all: 0.0 },
+        large: Arrived { some: 0.0, all: 0.0 },
         ambient: 1.0,
         sky: 1.0,
     };
@@ -35,8 +54,9 @@ impl Light {
     /// The share of the lamps' light that arrives.
     #[inline]
     pub(super) fn direct(&self) -> f32 {
-        if self.unhidden > 0.0 {
-            self.arriving / self.unhidden
+        let all = self.small.all + self.large.all;
+        if all > 0.0 {
+            (self.small.some + self.large.some) / all
         } else {
             1.0
         }
@@ -46,8 +66,8 @@ impl Light {
     #[inline]
     pub(super) fn plus(self, other: Self, weight: f32) -> Self {
         Self {
-            arriving: self.arriving + other.arriving * weight,
-            unhidden: self.unhidden + other.unhidden * weight,
+            small: self.small.plus(other.small, weight),
+            large: self.large.plus(other.large, weight),
             ambient: self.ambient + other.ambient * weight,
             sky: self.sky + other.sky * weight,
         }
@@ -89,10 +109,22 @@ impl Occlusion<'_> {
         let mut light = Light::default();
         let strongest = self.strongest(place);
         for (lamp, strength) in strongest.into_iter().flatten() {
-            light.unhidden += strength;
-            if !self.is_hidden(origin, lamp, turn, stack) {
-                light.arriving += strength;
-            }
+            let Some(lamp) = self.rig.lamps.get(lamp) else {
+                continue;
+            };
+            let is_small = lamp.looks_small_from(origin);
+            let spot = if is_small { [0.0; 2] } else { Pattern::place(turn) };
+            let some = if self.is_hidden(origin, lamp, spot, stack) {
+                0.0
+            } else {
+                strength
+            };
+            let arrived = if is_small {
+                &mut light.small
+            } else {
+                &mut light.large
+            };
+            *arrived = arrived.plus(Arrived { some, all: strength }, 1.0);
         }
         let far = if self.rig.has_sky {
             f64::INFINITY
@@ -133,11 +165,8 @@ impl Occlusion<'_> {
             .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
     }
 
-    fn is_hidden(&self, origin: DVec3, lamp: usize, turn: usize, stack: &mut Stack) -> bool {
-        let Some(lamp) = self.rig.lamps.get(lamp) else {
-            return false;
-        };
-        let (direction, ends) = lamp.shape.towards(origin, Pattern::place(turn));
+    fn is_hidden(&self, origin: DVec3, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
+        let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {
             origin,
             direction,

@@ -3,26 +3,29 @@
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_diagnostic::Finding;
-use oaktwin_scene::{Light, LightKind, Scene};
+use oaktwin_scene::{Light, LightKind, Mesh, Scene};
+use rayon::prelude::*;
 
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
 use super::lamp::{Lamp, Shape};
+use super::pattern::{LOOKS, Pattern};
+use crate::ray::{Ray, RayCaster, Stack};
 
 /// Light that comes back from what is lit, as a share of the light that falls on the scene's things: every surface
 /// receives it from everywhere.
 const BOUNCE: f32 = 0.16;
 
-/// How many things are asked how bright it is around them.
+/// At how many places the light is measured.
 const MOST_WITNESSES: usize = 1024;
 
 /// The lights of a scene and what follows from them alone, never from a view: so both pictures of a stereo pair and all
 /// pictures of a trajectory are exposed alike.
 ///
 /// # Exposure
-/// The scene's things, of which at most 1024 are asked, receive a median irradiance from the unshadowed lights (towards
-/// them, at the things' centres). A white diffuse surface that receives as much has the value 1 before the tone curve, a
-/// middle grey its own value.
+/// At the middles of at most 1024 triangles, evenly picked from the scene's things, the light of the lamps and of the sky
+/// is measured, shadows included, as a surface receives it that faces the lamps. A white diffuse surface that receives as
+/// much as two thirds of those places at most has the value 1 before the tone curve, a middle grey its own value.
 ///
 /// # Lights
 /// The radiance of a distant light is taken as its irradiance, whatever its angle and normalization: Isaac Sim's own
@@ -58,7 +61,7 @@ struct Backdrop {
 }
 
 impl Rig {
-    pub(super) fn new(scene: &Scene) -> Self {
+    pub(super) fn new(scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> Self {
         let up = scene.up.direction().as_vec3();
         let mut rig = Self {
             lamps: Vec::new(),
@@ -78,7 +81,7 @@ impl Rig {
         for light in &scene.lights {
             rig.add(scene, light);
         }
-        let irradiance = rig.typical_irradiance(scene);
+        let irradiance = rig.typical_irradiance(scene, caster, pattern);
         if irradiance > 0.0 && irradiance.is_finite() {
             rig.ambient = Harmonics::uniform(Vec3::splat(BOUNCE * irradiance / std::f32::consts::PI));
             rig.exposure = std::f32::consts::PI / irradiance;
@@ -120,25 +123,60 @@ impl Rig {
         self.lamps.extend(lamp(light, radiance, scene.meters_per_unit.0));
     }
 
-    /// The median over the scene's things of what falls on a surface that faces all lights at once.
-    fn typical_irradiance(&self, scene: &Scene) -> f32 {
-        let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
-        let from_sky = luminance(self.sky.mean_by_cosine(self.backdrop.up)) * std::f32::consts::PI;
-        let mut found: Vec<f32> = (scene.instances.iter().step_by(step))
-            .filter_map(|instance| {
-                let bounds = Bounds::of(scene, instance.mesh as usize)?;
-                let centre = instance.world_from_mesh.transform_point3(bounds.centre());
-                let lamps = self
-                    .lamps
-                    .iter()
-                    .map(|lamp| luminance(lamp.irradiance_at(centre)));
-                Some(from_sky + lamps.sum::<f32>())
+    /// What a surface of the scene receives, see [`Rig`].
+    fn typical_irradiance(&self, scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> f32 {
+        let mut found: Vec<f32> = witnesses(scene)
+            .into_par_iter()
+            .map_init(Stack::new, |stack, witness| {
+                self.irradiance_at(scene, caster, pattern, &witness, stack)
             })
             .filter(|irradiance| irradiance.is_finite())
             .collect();
-        let middle = found.len() / 2;
+        let at = found.len() * 2 / 3;
         found.sort_by(f32::total_cmp);
-        found.get(middle).copied().unwrap_or(0.0)
+        found.get(at).copied().unwrap_or(0.0)
+    }
+
+    fn irradiance_at(
+        &self,
+        scene: &Scene,
+        caster: &RayCaster,
+        pattern: &Pattern,
+        witness: &Witness,
+        stack: &mut Stack,
+    ) -> f32 {
+        let mut sum = 0.0;
+        for lamp in &self.lamps {
+            let irradiance = luminance(lamp.irradiance_at(witness.point));
+            let (direction, ends) = lamp.shape.towards(witness.point, [0.0; 2]);
+            let ray = Ray {
+                origin: witness.point,
+                direction,
+                near: 0.0,
+                far: if ends { 0.999 } else { f64::INFINITY },
+            };
+            let faces = direction.dot(witness.normal) > 0.0;
+            if irradiance > 0.0 && faces && !caster.is_occluded(scene, ray, stack) {
+                sum += irradiance;
+            }
+        }
+        if self.has_sky {
+            let looks = [0, 5, 10, 15].map(|turn| pattern.looks(turn, witness.normal));
+            let open = looks.iter().flatten().filter(|direction| {
+                let ray = Ray {
+                    origin: witness.point,
+                    direction: **direction,
+                    near: 0.0,
+                    far: f64::INFINITY,
+                };
+                !caster.is_occluded(scene, ray, stack)
+            });
+            #[expect(clippy::cast_precision_loss, reason = "a few")]
+            let share = open.count() as f32 / (4 * LOOKS) as f32;
+            let radiance = luminance(self.sky.mean_by_cosine(witness.normal.as_vec3()));
+            sum += share * radiance * std::f32::consts::PI;
+        }
+        sum
     }
 
     fn light_a_dark_scene(&mut self, up: Vec3) {
@@ -149,7 +187,7 @@ impl Rig {
         };
         let towards = (up + side).normalize();
         self.lamps = vec![Lamp {
-            shape: Shape::distant(towards.as_dvec3(), 0.12),
+            shape: Shape::distant(towards.as_dvec3(), 0.03),
             radiance: Vec3::new(1.0, 0.97, 0.92) * 2.2,
         }];
         let (plain, slope) = (Vec3::new(0.46, 0.48, 0.5), Vec3::new(0.16, 0.17, 0.19));
@@ -208,43 +246,65 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
     (radiance.is_finite()).then_some(Lamp { shape, radiance })
 }
 
-/// A corner at the lower end and one at the upper.
-struct Bounds([DVec3; 2]);
-
-impl Bounds {
-    /// Of a mesh in its own frame; `None` where it has no vertices.
-    fn of(scene: &Scene, mesh: usize) -> Option<Self> {
-        let positions = &scene.meshes.get(mesh)?.positions;
-        // Large meshes are as large when looked at here and there.
-        let step = positions.len().div_ceil(4096).max(1);
-        (positions.iter().step_by(step))
-            .map(|p| DVec3::from(p.map(f64::from)))
-            .map(|p| [p, p])
-            .reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
-            .map(Self)
-    }
-
-    fn centre(&self) -> DVec3 {
-        self.0[0].midpoint(self.0[1])
-    }
-
-    fn diagonal(&self) -> DVec3 {
-        self.0[1] - self.0[0]
-    }
+/// A place where the light is measured.
+struct Witness {
+    point: DVec3,
+    normal: DVec3,
 }
 
-/// How far away things darken their surroundings: half a metre, or an eighth of the size of the scene's larger things
-/// where that is less.
+/// The middles of some triangles, a little off them.
+fn witnesses(scene: &Scene) -> Vec<Witness> {
+    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
+    let each = (MOST_WITNESSES / scene.instances.len().max(1)).clamp(1, 8);
+    let mut found = Vec::new();
+    for instance in scene.instances.iter().step_by(step) {
+        let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
+            continue;
+        };
+        let world_from_mesh = instance.world_from_mesh;
+        let turn = world_from_mesh.matrix3.determinant().signum();
+        let picked = each.min(mesh.triangles.len());
+        for i in 0..picked {
+            let Some(corners) = mesh.corners((2 * i + 1) * mesh.triangles.len() / (2 * picked)) else {
+                continue;
+            };
+            let [a, b, c] = corners.map(|p| world_from_mesh.transform_point3(DVec3::from(p.map(f64::from))));
+            let across = (b - a).cross(c - a) * turn;
+            if let Some(normal) = across.try_normalize() {
+                let off = 1e-3 * across.length().sqrt();
+                found.push(Witness {
+                    point: (a + b + c) / 3.0 + normal * off,
+                    normal,
+                });
+            }
+        }
+    }
+    found
+}
+
+/// From one corner of a mesh to the other, in its own frame; `None` where it has no vertices.
+fn diagonal(mesh: &Mesh) -> Option<DVec3> {
+    // Large meshes are as large when looked at here and there.
+    let step = mesh.positions.len().div_ceil(4096).max(1);
+    (mesh.positions.iter().step_by(step))
+        .map(|p| DVec3::from(p.map(f64::from)))
+        .map(|p| [p, p])
+        .reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
+        .map(|[low, high]| high - low)
+}
+
+/// How far away things darken their surroundings: half a metre, or half the size of the scene's larger things where that
+/// is less.
 fn reach(scene: &Scene) -> f64 {
     let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
     let mut sizes: Vec<f64> = (scene.instances.iter().step_by(step))
         .filter_map(|instance| {
-            let diagonal = Bounds::of(scene, instance.mesh as usize)?.diagonal();
+            let diagonal = diagonal(scene.meshes.get(instance.mesh as usize)?)?;
             Some(instance.world_from_mesh.transform_vector3(diagonal).length())
         })
         .filter(|size| size.is_finite())
         .collect();
     sizes.sort_by(f64::total_cmp);
     let large = sizes.get(sizes.len() * 9 / 10).copied().unwrap_or(4.0);
-    (large / 8.0).min(0.5)
+    (large / 2.0).min(0.5)
 }

@@ -1,1 +1,517 @@
+#![allow(clippy::cast_possible_truncation, reason = "coordinates are float32")]
 
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_image::Image;
+use oaktwin_image::annotation::Annotator;
+use oaktwin_image::srgb::{linear_from_srgb, srgb_from_linear};
+use oaktwin_scene::{
+    Attribute, ColorSpace, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture, TextureSource,
+    TextureUse, Up,
+};
+
+use super::tone::tone;
+use crate::fixture::{cube, fisheye, look_at, placed, rectangle, view};
+use crate::{AnnotateOptions, Backend, Renderer, View};
+
+fn rgb(scene: &Scene, view: &View) -> Image<[u8; 4]> {
+    let (rgb, codes) = rgb_and_codes(scene, view);
+    assert!(codes.is_empty(), "{codes:?}");
+    rgb
+}
+
+fn rgb_and_codes(scene: &Scene, view: &View) -> (Image<[u8; 4]>, Vec<String>) {
+    let renderer = Renderer::new(scene.clone());
+    let options = AnnotateOptions::default();
+    let (frame, findings) = renderer.annotate(view, &[Annotator::Rgb], Backend::Auto, &options);
+    let findings = findings.iter().map(ToString::to_string).collect();
+    (frame.rgb.unwrap(), findings)
+}
+
+fn dome(radiance: f32) -> Light {
+    Light {
+        path: "/Dome".to_owned(),
+        kind: LightKind::Dome { texture: None },
+        radiance: [radiance; 3],
+        normalize: false,
+        world_from_light: DAffine3::IDENTITY,
+    }
+}
+
+fn texture(image: Image<[u8; 4]>) -> Texture {
+    Texture {
+        source: TextureSource::Pixels(Arc::new(image)),
+        color_space: ColorSpace::Auto,
+    }
+}
+
+/// A rectangle 2 m away that fills the view, u to the right and v up, as the camera sees it.
+fn screen(scene: &mut Scene, material: Material) {
+    // One pixel is 2 cm: 200 × 160 of them.
+    let mut mesh = rectangle([-2.0, 2.0], [-1.6, 1.6], 2.0);
+    // The corners are upper left, lower left, lower right, upper right.
+    mesh.uvs = Some(Attribute::Vertex(vec![
+        [0.0, 1.0],
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [1.0, 1.0],
+    ]));
+    mesh.materials = vec![MaterialSpan {
+        end: 2,
+        material: Some(u32::try_from(scene.materials.len()).unwrap()),
+    }];
+    scene.materials.push(material);
+    placed(scene, "/Screen", mesh);
+}
+
+fn rough(texture: Option<u32>) -> Material {
+    Material {
+        base_color_texture: texture.map(TextureUse::new),
+        roughness: 1.0,
+        ..Material::default()
+    }
+}
+
+/// All different.
+fn card() -> Image<[u8; 4]> {
+    let pixels = (0..160u8).flat_map(|y| (0..200u8).map(move |x| [x, y, (x ^ y) / 2, 255]));
+    Image::new(200, 160, pixels.collect()).unwrap()
+}
+
+#[test]
+fn at_its_own_size_a_texture_is_seen_texel_by_texel() {
+    let mut scene = Scene {
+        lights: vec![dome(1000.0)],
+        textures: vec![texture(card())],
+        ..Scene::default()
+    };
+    screen(&mut scene, rough(Some(0)));
+    let seen = rgb(&scene, &view());
+    // A dome and its bounce; the screen reflects a little of them as dielectrics do.
+    let lit = 1.16f32;
+    for (x, y) in [(0, 0), (199, 0), (0, 159), (199, 159), (100, 80), (37, 121)] {
+        let [r, g, b, coverage] = *seen.get(x, y).unwrap();
+        let texel = card().get(x, y).copied().unwrap();
+        let linear = linear_from_srgb();
+        for (got, value) in [r, g, b].into_iter().zip(texel) {
+            let expected =
+                |gloss: f32| srgb_from_linear(tone((linear[usize::from(value)] * 0.999 + gloss) * lit));
+            let range = expected(0.03)..=expected(0.09);
+            assert!(range.contains(&got), "{x} {y}: {got} of {value}, {range:?}");
+        }
+        assert_eq!(coverage, 255);
+    }
+    // Equal texels are equal, wherever they are.
+    let scene_of = |image| {
+        let mut scene = Scene {
+            lights: vec![dome(1.0)],
+            textures: vec![texture(image)],
+            ..Scene::default()
+        };
+        screen(&mut scene, rough(Some(0)));
+        rgb(&scene, &view())
+    };
+    let plain = scene_of(Image::filled(200, 160, [90, 120, 30, 255]));
+    let near = |a: u8, b: u8| a.abs_diff(b) <= 2;
+    let first = plain.pixels()[0];
+    assert!(
+        plain
+            .pixels()
+            .iter()
+            .all(|pixel| near(pixel[0], first[0]) && near(pixel[1], first[1]))
+    );
+}
+
+#[test]
+fn the_picture_is_not_brighter_for_brighter_lights() {
+    let picture = |radiance| {
+        let mut scene = Scene {
+            lights: vec![dome(radiance)],
+            textures: vec![texture(card())],
+            ..Scene::default()
+        };
+        screen(&mut scene, rough(Some(0)));
+        rgb(&scene, &view())
+    };
+    let (dim, bright) = (picture(0.5), picture(2048.0));
+    for (a, b) in dim.pixels().iter().zip(bright.pixels()) {
+        assert!(a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= 1));
+    }
+}
+
+/// A floor below the camera and a box on it, lit from the left by the sun.
+fn floor_and_box(lights: Vec<Light>) -> Scene {
+    let mut scene = Scene {
+        lights,
+        up: Up::Y,
+        ..Scene::default()
+    };
+    let floor = Mesh {
+        positions: vec![
+            [-9.0, 1.0, 0.0],
+            [-9.0, 1.0, 18.0],
+            [9.0, 1.0, 18.0],
+            [9.0, 1.0, 0.0],
+        ],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    };
+    placed(&mut scene, "/Floor", floor);
+    let mut small = cube();
+    for position in &mut small.positions {
+        *position = [
+            position[0] * 0.25,
+            position[1] * 0.25 + 0.75,
+            position[2] * 0.25 + 3.0,
+        ];
+    }
+    placed(&mut scene, "/Box", small);
+    scene
+}
+
+/// −y is up here. The sun stands 45° high over −x.
+fn sun() -> Light {
+    let from = DVec3::new(-1.0, -1.0, 0.0).normalize();
+    // The light's z axis points back to where it comes from.
+    let turn = DAffine3::from_mat3(oaktwin_camera::math::DMat3::from_cols(
+        DVec3::Z
+            .cross(from)
+            .normalize()
+            .cross(from)
+            .cross(from)
+            .normalize(),
+        DVec3::Z,
+        from,
+    ));
+    Light {
+        path: "/Sun".to_owned(),
+        kind: LightKind::Distant { angle: 0.005 },
+        radiance: [3000.0; 3],
+        normalize: false,
+        world_from_light: turn,
+    }
+}
+
+#[test]
+fn things_cast_shadows_away_from_the_light() {
+    let scene = floor_and_box(vec![sun(), dome(200.0)]);
+    let seen = rgb(&scene, &view());
+    let at = |point: DVec3| {
+        let pixel = view().camera.project(point).unwrap().to::<oaktwin_camera::Usd>();
+        i32::from(seen.get(pixel.x as u32, pixel.y as u32).unwrap()[1])
+    };
+    let (lit, shadow) = (at(DVec3::new(-0.6, 1.0, 3.0)), at(DVec3::new(0.45, 1.0, 3.0)));
+    assert!(lit > shadow + 40, "{lit} {shadow}");
+    // The box is half a metre high, so its shadow ends half a metre behind it.
+    let beyond = at(DVec3::new(1.2, 1.0, 3.0));
+    assert!((lit - beyond).abs() < 8, "{lit} {beyond}");
+}
+
+#[test]
+fn lamps_light_what_is_before_them() {
+    // A rectangle over the floor that shines down, which is +y here; it is 1 m wide, and the floor is 2 m below it.
+    let down = DAffine3::from_translation(DVec3::new(0.0, -1.0, 3.0))
+        * DAffine3::from_rotation_x(std::f64::consts::FRAC_PI_2);
+    for kind in [
+        LightKind::Rect {
+            width: 1.0,
+            height: 1.0,
+        },
+        LightKind::Disk { radius: 0.5 },
+        LightKind::Sphere { radius: 0.2 },
+    ] {
+        let lamp = Light {
+            path: "/Lamp".to_owned(),
+            kind,
+            radiance: [5000.0; 3],
+            normalize: true,
+            world_from_light: down,
+        };
+        let scene = floor_and_box(vec![lamp.clone()]);
+        let seen = rgb(&scene, &view());
+        let at = |point: DVec3| {
+            let pixel = view().camera.project(point).unwrap().to::<oaktwin_camera::Usd>();
+            i32::from(seen.get(pixel.x as u32, pixel.y as u32).unwrap()[1])
+        };
+        let (near, far) = (at(DVec3::new(-0.7, 1.0, 3.0)), at(DVec3::new(3.5, 1.0, 5.0)));
+        assert!(near > far + 30, "{kind:?}: {near} {far}");
+        // The other way round it lights nothing but what bounces.
+        if !matches!(kind, LightKind::Sphere { .. }) {
+            let flipped = Light {
+                world_from_light: down * DAffine3::from_rotation_x(std::f64::consts::PI),
+                ..lamp
+            };
+            let dark = rgb(&floor_and_box(vec![sun(), flipped]), &view());
+            let without = rgb(&floor_and_box(vec![sun()]), &view());
+            assert_eq!(dark, without);
+        }
+    }
+}
+
+#[test]
+fn corners_are_darker_than_walls() {
+    let mut scene = Scene::default();
+    // Two walls that meet 4 m away, in the light that dark scenes have.
+    let wall = Mesh {
+        positions: vec![
+            [0.0, -9.0, 4.0],
+            [0.0, 9.0, 4.0],
+            [-9.0, 9.0, 0.0],
+            [-9.0, -9.0, 0.0],
+        ],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    };
+    let mut other = wall.clone();
+    for position in &mut other.positions {
+        position[0] *= -1.0;
+    }
+    placed(&mut scene, "/Left", wall);
+    placed(&mut scene, "/Right", other);
+    let seen = rgb(&scene, &view());
+    let value = |x| i32::from(seen.get(x, 80).unwrap()[1]);
+    assert!(value(40) > value(99) + 5 && value(160) > value(100) + 5);
+    // Nothing but smooth shading: no trace of the pattern.
+    for x in 10..85 {
+        assert!((value(x) - value(x + 1)).abs() <= 2, "{x}");
+    }
+}
+
+#[test]
+fn a_stereo_pair_sees_the_same_colours() {
+    let mut scene = floor_and_box(vec![sun(), dome(300.0)]);
+    // Coarse enough that both cameras see as much detail.
+    let pixels = (0..16 * 16u32).map(|i| {
+        let (x, y) = (i % 16, i / 16);
+        let value = |seed: u32| ((x * 97 + y * 57 + seed).wrapping_mul(2_654_435_761) >> 24) as u8;
+        [value(1), value(2), value(3), 255]
+    });
+    scene.textures = vec![texture(Image::new(16, 16, pixels.collect()).unwrap())];
+    screen(&mut scene, rough(Some(0)));
+    let baseline = 0.08;
+    let right = View {
+        world_from_camera: RigidTransform::new(
+            view().world_from_camera.rotation,
+            DVec3::new(baseline, 0.0, 0.0),
+        ),
+        ..view()
+    };
+    let (left, right) = (rgb(&scene, &view()), rgb(&scene, &right));
+    // 100 px · 8 cm / 2 m.
+    let disparity = 4;
+    let mut differences = Vec::new();
+    for y in 5..75 {
+        for x in 10..190 {
+            let (a, b) = (left.get(x, y).unwrap(), right.get(x - disparity, y).unwrap());
+            differences.push(a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap());
+        }
+    }
+    differences.sort_unstable();
+    let count = differences.len();
+    assert!(differences[count / 2] <= 1, "{}", differences[count / 2]);
+    assert!(
+        differences[count * 99 / 100] <= 3,
+        "{}",
+        differences[count * 99 / 100]
+    );
+}
+
+#[test]
+fn any_number_of_threads_makes_the_same_bytes() {
+    let scene = floor_and_box(vec![sun(), dome(300.0)]);
+    for view in [view(), fisheye()] {
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| rgb(&scene, &view))
+        };
+        let one = with(1);
+        assert_eq!(one, with(2));
+        assert_eq!(one, with(5));
+    }
+}
+
+#[test]
+fn without_a_light_everything_is_still_seen() {
+    for up in [Up::Y, Up::Z] {
+        let mut scene = floor_and_box(Vec::new());
+        scene.up = up;
+        let seen = rgb(&scene, &view());
+        assert!(seen.pixels().iter().all(|pixel| pixel[1] > 25));
+        assert_eq!(seen.get(100, 0).unwrap()[3], 0);
+        assert_eq!(seen.get(100, 159).unwrap()[3], 255);
+        // A light that does not shine is none.
+        scene.lights = vec![dome(0.0), dome(f32::NAN)];
+        assert_eq!(rgb(&scene, &view()), seen);
+    }
+}
+
+#[test]
+fn what_is_broken_is_told_and_grey() {
+    let mut scene = Scene {
+        lights: vec![dome(1.0)],
+        ..Scene::default()
+    };
+    let cases = [
+        TextureSource::File(PathBuf::from("/nowhere/wood.png")),
+        TextureSource::Encoded {
+            name: "room.usdz[wood.png]".to_owned(),
+            bytes: Arc::from(*b"\x89PNG\r\n\x1a\nno more"),
+        },
+    ];
+    for source in cases {
+        scene.textures = vec![Texture {
+            source,
+            color_space: ColorSpace::Auto,
+        }];
+        scene.meshes.clear();
+        scene.instances.clear();
+        scene.materials.clear();
+        screen(&mut scene, rough(Some(0)));
+        let (seen, findings) = rgb_and_codes(&scene, &view());
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert!(
+            findings[0].starts_with("warning[texture-missing]: "),
+            "{findings:?}"
+        );
+        assert!(findings[0].contains("wood.png"), "{findings:?}");
+        let [r, g, b, _] = seen.pixels()[0];
+        assert!(r == g && g == b && (120..230).contains(&r), "{r}");
+        // What is not looked at is not read.
+        let away = look_at(view(), DVec3::ZERO, DVec3::new(1.0, 0.0, -5.0));
+        assert_eq!(rgb_and_codes(&scene, &away).1, Vec::<String>::new());
+    }
+}
+
+#[test]
+fn odd_numbers_make_a_picture_all_the_same() {
+    let mut scene = floor_and_box(vec![sun(), dome(300.0)]);
+    scene.textures = vec![texture(card())];
+    let mut material = rough(Some(0));
+    material.base_color = Some([f32::NAN, f32::INFINITY, -1.0]);
+    material.emissive = [f32::NAN, 0.0, 0.0];
+    material.roughness = 0.0;
+    material.metallic = f32::NAN;
+    scene.materials = vec![material, Material::default()];
+    let span = |material| {
+        vec![MaterialSpan {
+            end: 12,
+            material: Some(material),
+        }]
+    };
+    let odd = [f32::NAN, 1e38];
+    for (uvs, material) in [
+        (None, 0),
+        (Some(Attribute::Constant(odd)), 0),
+        (Some(Attribute::Constant([0.5; 2])), 0),
+        (Some(Attribute::Vertex(vec![odd])), 0),
+        (None, 1),
+        (None, 99),
+    ] {
+        let mesh = &mut scene.meshes[1];
+        mesh.uvs = uvs;
+        mesh.materials = span(material);
+        mesh.normals = Some(Attribute::Constant([0.0; 3]));
+        mesh.colors = Some(Attribute::Constant([f32::NAN; 3]));
+        let seen = rgb(&scene, &view());
+        assert!(seen.pixels().iter().any(|pixel| pixel[3] == 255));
+    }
+    for light in &mut scene.lights {
+        light.world_from_light = DAffine3::from_scale(DVec3::new(0.0, 1.0, f64::NAN));
+    }
+    let _ = rgb(&scene, &view());
+    let _ = rgb(&Scene::default(), &view());
+}
+
+#[test]
+fn a_dome_shows_its_image() {
+    // Red to +x, which is left of the middle; blue above.
+    let pixels = (0..16 * 32u32).map(|i| {
+        let (x, y) = (i % 32, i / 32);
+        let red = if (4..12).contains(&x) { 200 } else { 20 };
+        [red, 20, if y < 4 { 200 } else { 20 }, 255]
+    });
+    let mut light = dome(1.0);
+    light.kind = LightKind::Dome { texture: Some(0) };
+    let mut scene = Scene {
+        lights: vec![light],
+        textures: vec![texture(Image::new(32, 16, pixels.collect()).unwrap())],
+        up: Up::Y,
+        ..Scene::default()
+    };
+    placed(&mut scene, "/Ball", cube());
+    let centre = |target: DVec3| {
+        let seen = rgb(&scene, &look_at(view(), target * 2.0, target * 3.0));
+        *seen.get(100, 80).unwrap()
+    };
+    let [red, _, _, coverage] = centre(DVec3::X);
+    assert!(red > 170 && coverage == 0, "{red}");
+    assert!(centre(DVec3::NEG_X)[0] < 130 && centre(DVec3::Z)[0] < 130);
+    assert!(centre(DVec3::new(0.05, 1.0, 0.0))[2] > 150);
+    // Surfaces that face it have its colour.
+    let facing = rgb(&scene, &look_at(view(), DVec3::X * 4.0, DVec3::ZERO));
+    let away = rgb(&scene, &look_at(view(), DVec3::NEG_X * 4.0, DVec3::ZERO));
+    assert!(facing.get(100, 80).unwrap()[0] > away.get(100, 80).unwrap()[0] + 40);
+}
+
+#[test]
+fn outlines_are_smooth() {
+    let mut scene = Scene {
+        lights: vec![dome(1.0)],
+        ..Scene::default()
+    };
+    let mut dark = rectangle([-3.0, 0.31], [-3.0, 3.0], 2.0);
+    dark.colors = Some(Attribute::Constant([0.02; 3]));
+    let mut light = rectangle([-3.0, 3.0], [-3.0, 3.0], 3.0);
+    light.colors = Some(Attribute::Constant([0.9; 3]));
+    // Tilted, so that all shares of a pixel occur.
+    for position in &mut dark.positions {
+        position[0] += position[1] * 0.05;
+    }
+    placed(&mut scene, "/Dark", dark);
+    placed(&mut scene, "/Light", light);
+    let seen = rgb(&scene, &view());
+    let between = seen
+        .pixels()
+        .iter()
+        .filter(|pixel| (80..200).contains(&pixel[1]))
+        .count();
+    assert!(between > 80, "{between}");
+    let renderer = Renderer::new(scene);
+    let options = AnnotateOptions {
+        smooth_edges: false,
+        ..AnnotateOptions::default()
+    };
+    let (frame, _) = renderer.annotate(&view(), &[Annotator::Rgb], Backend::Auto, &options);
+    let hard = frame.rgb.unwrap();
+    assert!(hard.pixels().iter().all(|pixel| !(80..200).contains(&pixel[1])));
+}
+
+#[test]
+fn rays_that_never_end_hit_what_long_ones_hit() {
+    use crate::Ray;
+    let scene = floor_and_box(Vec::new());
+    let renderer = Renderer::new(scene);
+    let mut rays = Vec::new();
+    for i in 0..4000u32 {
+        let f =
+            |k: u32| f64::from((i.wrapping_mul(2_654_435_761).rotate_left(k) >> 8) & 0xffff) / 65536.0 - 0.5;
+        rays.push(Ray {
+            origin: DVec3::new(f(1) * 3.0, 0.99, 3.0 + f(9) * 3.0),
+            direction: DVec3::new(f(5), -f(13).abs() - 0.1, f(17)),
+            near: 0.0,
+            far: f64::INFINITY,
+        });
+    }
+    let endless = renderer.occluded(&rays);
+    for ray in &mut rays {
+        ray.far = 1e6;
+    }
+    assert!(endless.iter().any(|o| *o));
+    assert_eq!(endless, renderer.occluded(&rays));
+}

@@ -14,9 +14,12 @@ const BUCKETS: u16 = 4096;
 /// goes on with the same slope and never reaches 1. So most colours are the scene's own, and lights keep their shape.
 #[inline]
 pub(super) fn tone(x: f32) -> f32 {
+    // So that a NaN is black.
+    if !(x > 0.0) {
+        return 0.0;
+    }
     if x <= SHOULDER {
-        // A NaN is black.
-        return if x > 0.0 { x } else { 0.0 };
+        return x;
     }
     let rest = 1.0 - SHOULDER;
     // Written for infinity, too.
