@@ -25,6 +25,7 @@
 //! ```
 
 pub mod contact_sheet;
+pub mod demo_room;
 pub mod files;
 pub mod render;
 pub mod report;

@@ -75,12 +75,12 @@ impl<'a> Coverage<'a> {
             sides: [(a, b), (b, c), (c, a)].map(|(p, q)| (p + q).cross(q - p)),
             normal: (b - a).cross(c - a),
         };
-        if self.view.camera.lens != LensModel::Pinhole {
-            self.add_piece(&triangle, corners, MOST_QUARTERINGS, stencil);
-        } else {
+        if self.view.camera.lens == LensModel::Pinhole {
             let clipped = in_front(corners, near);
             let points = clipped.iter().filter_map(|p| self.project(*p));
             self.add_box(&triangle, points, 1e-6, stencil);
+        } else {
+            self.add_piece(&triangle, corners, MOST_QUARTERINGS, stencil);
         }
     }
 

@@ -1,3 +1,4 @@
+use oaktwin_camera::math::DVec3;
 use oaktwin_image::{RangeDepth, ZDepth};
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
@@ -12,7 +13,7 @@ pub(super) fn from_depth(rays: &Rays, depth: &ZDepth) -> RangeDepth {
     along_rows(depth, |row, y| {
         for (range, x) in row.iter_mut().zip(0..) {
             if range.is_finite() {
-                let length = rays.centre(x, y).map_or(f64::INFINITY, |ray| ray.length());
+                let length = rays.centre(x, y).map_or(f64::INFINITY, DVec3::length);
                 *range = (f64::from(*range) * length) as f32;
             }
         }
