@@ -28,7 +28,7 @@ pub(crate) struct Cli {
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write the five assets and one unit's own twin, and compare the models
+    /// Write the five assets, one unit's own twin and what all see of a room, and compare the models
     Demo(DemoArgs),
     /// List the models
     Models(JsonArgs),

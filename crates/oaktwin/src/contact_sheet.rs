@@ -52,7 +52,7 @@ pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> 
     sheet
 }
 
-/// Each pixel the mean of four; what nothing covers is the paper.
+/// Each pixel the mean of four, covered or not: what nothing covers has the sky's colour.
 fn averaged(rgb: &Image<[u8; 4]>) -> Image<[u8; 3]> {
     let (width, height) = (rgb.width() / 2, rgb.height() / 2);
     let mut half = Image::filled(width, height, PAPER);
@@ -64,8 +64,8 @@ fn averaged(rgb: &Image<[u8; 4]>) -> Image<[u8; 3]> {
         for (x, pixel) in row.iter_mut().enumerate() {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| {
                 #[expect(clippy::cast_possible_truncation, reason = "an image's sides are u32")]
-                let [r, g, b, a] = *rgb.get(2 * x as u32 + dx, 2 * y as u32 + dy).unwrap_or(&[0; 4]);
-                if a == 0 { PAPER } else { [r, g, b] }
+                let at = (2 * x as u32 + dx, 2 * y as u32 + dy);
+                *rgb.get(at.0, at.1).unwrap_or(&[0; 4])
             });
             for (channel, value) in pixel.iter_mut().enumerate() {
                 let sum: u16 = four.iter().map(|one| u16::from(one[channel])).sum();

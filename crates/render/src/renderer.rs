@@ -72,18 +72,69 @@ impl Renderer {
     }
 
     pub(crate) fn rasterizer(&self) -> &Rasterizer {
-        self.rasterizer.get_or_init(|| Rasterizer::new(&self.scene))
+        self.rasterizer
+            .get_or_init(|| apart(|| Rasterizer::new(&self.scene)))
     }
 
     pub(crate) fn ray_caster(&self) -> &RayCaster {
-        self.ray_caster.get_or_init(|| RayCaster::new(&self.scene))
+        self.ray_caster
+            .get_or_init(|| apart(|| RayCaster::new(&self.scene)))
     }
 
     pub(crate) fn shader(&self) -> &Shader {
-        (self.shader).get_or_init(|| Shader::new(&self.scene, self.ray_caster()))
+        self.shader
+            .get_or_init(|| apart(|| Shader::new(&self.scene, self.ray_caster())))
     }
 
     pub(crate) fn semantics(&self) -> &Semantics {
         self.semantics.get_or_init(|| Semantics::new(&self.scene))
+    }
+}
+
+/// Makes something with threads of its own, as many as the caller's. A caller that waited in its own pool would take up
+/// other work meanwhile, which may need what is being made: it would wait for itself.
+fn apart<T: Send>(make: impl FnOnce() -> T + Send) -> T {
+    let threads = rayon::current_num_threads();
+    let made = std::thread::scope(|scope| {
+        let maker = scope.spawn(
+            || match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+                Ok(pool) => pool.install(make),
+                Err(_) => make(),
+            },
+        );
+        maker.join()
+    });
+    made.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
+
+#[cfg(test)]
+mod tests {
+    use rayon::prelude::*;
+
+    use super::*;
+    use crate::fixture;
+
+    #[test]
+    fn many_views_at_once_wait_for_one_preparation() {
+        let mut scene = Scene::default();
+        for step in 0..300u16 {
+            let z = 3.0 + 0.01 * f64::from(step);
+            fixture::placed(
+                &mut scene,
+                "/Rectangle",
+                fixture::rectangle([-z, 0.01 * z], [-1.0, 1.0], z),
+            );
+        }
+        let view = fixture::view();
+        let renderer = Renderer::new(scene);
+        let alone = Renderer::new(renderer.scene().clone()).depth(&view, Backend::Ray);
+        let backends = [Backend::Raster, Backend::Ray, Backend::Ray, Backend::Raster];
+        let all: Vec<_> = backends
+            .repeat(8)
+            .into_par_iter()
+            .map(|backend| renderer.depth(&view, backend))
+            .collect();
+        assert_eq!(all[1], alone);
+        assert!(all.chunks(4).all(|chunk| *chunk == all[..4]));
     }
 }

@@ -2,6 +2,7 @@
 
 #[cfg(target_os = "linux")]
 pub mod embree;
+pub mod process;
 pub mod random;
 pub mod reference;
 pub mod shapes;

@@ -1,6 +1,7 @@
 //! `cargo xtask bench`: this project beside a peer, in one run, as ratios.
 
 mod assets;
+mod load;
 mod render;
 
 #[derive(clap::Subcommand)]
@@ -10,11 +11,36 @@ pub(crate) enum Bench {
     /// Depth frames, against Embree, Open3D and Mitsuba; `--help` lists what more it takes
     #[command(disable_help_flag = true)]
     Render(render::Args),
+    /// Opening USD stages, against OpenUSD in Python; then what colour costs beside depth
+    Load(load::Args),
 }
 
 pub(crate) fn run(bench: &Bench) -> Result<(), String> {
     match bench {
         Bench::Assets(args) => assets::run(args),
         Bench::Render(args) => render::run(args),
+        Bench::Load(args) => load::run(args),
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.get(middle) {
+        None => f64::NAN,
+        Some(upper) if values.len() % 2 == 1 => *upper,
+        Some(upper) => (values[middle - 1] + upper) / 2.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::median;
+
+    #[test]
+    fn medians() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
+        assert!(median(Vec::new()).is_nan());
     }
 }

@@ -1,3 +1,5 @@
+mod room;
+
 use std::fmt::Write;
 
 use oaktwin::catalog::compare;
@@ -36,6 +38,18 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     let made = asset::asset(&twin, &options)?;
     let what = format!("the twin of that {}", twin.device.name);
     let path = put(&format!("{}_unit.usd", made.stem), &what, &made.bytes(format)?)?;
+    let sheet = room::render(&args.output, devices, &twins)?;
+    put(
+        "demo_room.png",
+        "a room as all five see it: colour and depth",
+        &sheet,
+    )?;
+    let room = args.output.join(room::FOLDER);
+    let _ = writeln!(
+        listing,
+        "  {:<44} that room, and each model's images of it",
+        room.display().to_string()
+    );
     output::say_findings(&file, &findings);
     output::say_findings(&path, &made.findings);
 
@@ -56,6 +70,7 @@ fn next_steps(folder: &std::path::Path) -> String {
          drag {folder}/oak_d_pro_poe.usd into Isaac Sim, or open it in any OpenUSD tool\n  \
          oaktwin show OAK4-D\n  \
          oaktwin check {folder}/oak_d_tof.usd\n  \
+         oaktwin render {folder}/demo_room/demo_room.usda --model OAK4-D --look-at 0 0 1.15 1 0 1.03 --preview\n  \
          oaktwin asset OAK-D-Pro-PoE --calibration FILE -o my_oak.usd\n"
     )
 }

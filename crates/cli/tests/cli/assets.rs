@@ -143,7 +143,7 @@ fn overrides_on_an_asset_elsewhere() {
 }
 
 #[test]
-fn the_demo_writes_five_assets_and_a_unit() {
+fn the_demo_writes_five_assets_a_unit_and_a_room() {
     let program = Program::new();
     let printed = program.good(&["demo"]);
     for name in [
@@ -154,6 +154,7 @@ fn the_demo_writes_five_assets_and_a_unit() {
         "oak_d_tof.usd",
         "example_calibration.json",
         "oak_d_pro_poe_unit.usd",
+        "demo_room.png",
     ] {
         assert!(
             program.path("oaktwin-demo").join(name).is_file() && printed.contains(name),
@@ -161,5 +162,15 @@ fn the_demo_writes_five_assets_and_a_unit() {
         );
     }
     assert!(printed.contains("Close-Range Accuracy"));
+    for stem in STEMS {
+        for name in [
+            "rgb_0000.png",
+            "distance_to_image_plane_0000.npy",
+            "distance_to_image_plane_preview_0000.png",
+        ] {
+            let path = program.path("oaktwin-demo/demo_room").join(stem).join(name);
+            assert!(path.is_file(), "{}", path.display());
+        }
+    }
     program.good(&["check", "oaktwin-demo/oak_d_pro_poe_unit.usd"]);
 }

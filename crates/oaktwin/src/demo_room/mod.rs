@@ -36,7 +36,10 @@ pub fn files() -> Result<Vec<(&'static str, Vec<u8>)>, CodecError> {
 /// An sRGB picture, rows from the top.
 type Picture = Image<[u8; 3]>;
 
-const TEXTURES: [(&str, fn() -> Picture); 11] = [
+/// Paints a picture.
+type Painter = fn() -> Picture;
+
+const TEXTURES: [(&str, Painter); 11] = [
     ("bricks.png", surfaces::bricks),
     ("carpet.png", pictures::carpet),
     ("carton.png", surfaces::carton),

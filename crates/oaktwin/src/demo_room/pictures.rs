@@ -149,9 +149,7 @@ pub(super) fn carpet() -> Picture {
                 cream
             } else if large < 0.3 {
                 blue
-            } else if large < 0.36 {
-                gold
-            } else if large > 0.8 && small < 0.3 {
+            } else if large < 0.36 || (large > 0.8 && small < 0.3) {
                 gold
             } else {
                 red

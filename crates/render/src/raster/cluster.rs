@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::order;
 
 /// At most so many triangles in a cluster.
-pub(super) const MAX_TRIANGLES: usize = 128;
+pub(super) const MAX_TRIANGLES: usize = 256;
 /// At most so many vertices in a cluster: a triangle's corners are bytes.
 pub(super) const MAX_VERTICES: usize = 256;
 /// Triangles and vertices are read so many at a time, past the end of a cluster.
@@ -50,10 +50,11 @@ impl Bounds {
         upper: [f32::NEG_INFINITY; 3],
     };
 
+    /// Not what is not a number.
     pub(super) fn include(mut self, point: [f32; 3]) -> Self {
         for ((lower, upper), p) in self.lower.iter_mut().zip(&mut self.upper).zip(point) {
-            *lower = lower.min(p);
-            *upper = upper.max(p);
+            *lower = if p < *lower { p } else { *lower };
+            *upper = if p > *upper { p } else { *upper };
         }
         self
     }

@@ -62,8 +62,11 @@ pub(super) fn leaves(mesh: &Mesh, keys: &mut [u64], limit: usize) -> Vec<Range<u
 
 fn sort(mesh: &Mesh, keys: &mut [u64]) {
     let bounds = keys
-        .par_iter()
-        .map(|key| Bounds::EMPTY.include(centroid(mesh, *key)))
+        .par_chunks(4096)
+        .map(|keys| {
+            keys.iter()
+                .fold(Bounds::EMPTY, |bounds, key| bounds.include(centroid(mesh, *key)))
+        })
         .reduce(|| Bounds::EMPTY, Bounds::union);
     let [x, y, z] = bounds.lower;
     let extent = (0..3)

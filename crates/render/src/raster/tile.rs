@@ -46,15 +46,15 @@ pub(super) struct Id(i32);
 impl Id {
     pub(super) const NONE: Self = Self(-1);
 
-    /// Entries are fewer than 2^25: more would not fit into memory.
+    /// Entries are fewer than 2^24: more would not fit into memory.
     #[expect(clippy::cast_possible_truncation, reason = "see above")]
     pub(super) const fn new(entry: usize, triangle: u32) -> Self {
-        Self(((entry as u32) << 7 | triangle).cast_signed())
+        Self(((entry as u32) << 8 | triangle).cast_signed())
     }
 
     pub(super) const fn parts(self) -> (usize, usize) {
         let bits = self.0.cast_unsigned() as usize;
-        (bits >> 7, bits & 127)
+        (bits >> 8, bits & 255)
     }
 }
 

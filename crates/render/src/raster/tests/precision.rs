@@ -10,6 +10,20 @@ struct Worst {
 }
 
 impl Worst {
+    fn of(z: f32, truth: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the depth that is nearest to the truth"
+        )]
+        let nearest = truth as f32;
+        let error = (f64::from(z) - truth).abs();
+        Self {
+            ulp: error / f64::from(nearest.next_up() - nearest),
+            relative: error / truth,
+            pixels: 1,
+        }
+    }
+
     fn or(self, other: Self) -> Self {
         Self {
             ulp: self.ulp.max(other.ulp),
@@ -71,18 +85,7 @@ fn errors(incidence_deg: f64, view: &View, extent: [f64; 2], seed: u64) -> Worst
                 continue;
             }
             let truth = a.dot(normal) / ray.dot(normal) * ray.z;
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "the depth that is nearest to the truth"
-            )]
-            let nearest = truth as f32;
-            let ulp = f64::from(nearest.next_up() - nearest);
-            let error = (f64::from(*z) - truth).abs();
-            worst = worst.or(Worst {
-                ulp: error / ulp,
-                relative: error / truth,
-                pixels: 1,
-            });
+            worst = worst.or(Worst::of(*z, truth));
         }
     }
     worst
@@ -111,4 +114,48 @@ fn depth_is_exact_to_single_precision() {
     println!("up to 75 deg: {below_75:?}; up to 85 deg: {below_85:?}");
     assert!(below_75.pixels > 10_000 && below_75.ulp <= 4.0);
     assert!(below_85.pixels > 10_000 && below_85.relative <= 1e-6);
+}
+
+#[test]
+fn a_dense_mesh_is_exact_too() {
+    const N: u32 = 150;
+    let mut positions = Vec::new();
+    for i in 0..(N + 1) * (N + 1) {
+        let (x, y) = (f64::from(i % (N + 1)), f64::from(i / (N + 1)));
+        let hill = (0.31 * x).sin() * (0.23 * y).cos();
+        positions.push(DVec3::new(
+            x * 0.04 - 3.0,
+            y * 0.03 - 2.0,
+            3.0 + 0.2 * hill + 0.02 * y,
+        ));
+    }
+    let triangles: Vec<_> = (0..N * N)
+        .flat_map(|i| {
+            let a = i / N * (N + 1) + i % N;
+            [[a, a + 1, a + N + 1], [a + 1, a + N + 2, a + N + 1]]
+        })
+        .collect();
+    let mut scene = scene(mesh(&positions, &triangles));
+    let place = DAffine3::from_rotation_y(0.1);
+    scene.instances[0].world_from_mesh = place;
+    let view = view(1280, 800, 77.0);
+    let seen = render(&scene, &view);
+    let mut worst = Worst::default();
+    for ((at, z), hit) in (0u32..).zip(seen.z.0.pixels()).zip(seen.hits.pixels()) {
+        if hit.is_miss() {
+            continue;
+        }
+        let centre = PixelPoint::<Usd>::new(f64::from(at % 1280) + 0.5, f64::from(at / 1280) + 0.5);
+        let ray = view.camera.unproject(centre).unwrap();
+        let [a, b, c] = scene.meshes[0]
+            .corners(hit.triangle as usize)
+            .unwrap()
+            .map(|p| place.transform_point3(DVec3::from(p.map(f64::from))));
+        let normal = (b - a).cross(c - a);
+        if normal.dot(ray).abs() >= 75f64.to_radians().cos() * normal.length() {
+            worst = worst.or(Worst::of(*z, a.dot(normal) / ray.dot(normal) * ray.z));
+        }
+    }
+    println!("{worst:?}");
+    assert!(worst.pixels > 300_000 && worst.ulp <= 4.0);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::raster::cluster::{ClusteredMesh, MAX_TRIANGLES, MAX_VERTICES};
 use crate::raster::simd::Level;
 
 /// Triangles of all sizes in front of the camera, behind it and through it, in meshes that stand several times.
@@ -125,4 +126,31 @@ fn images_of_any_size() {
     }
     let large = Rasterizer::new(&scene).depth(&scene, &odd_view(4056, 3040));
     assert!(large.0.pixels().iter().any(|z| z.is_finite()));
+}
+
+#[test]
+fn soup_and_points_become_clusters() {
+    // Triangles that share nothing, all in one place but for one that is far away; and nothing but a point.
+    let mut random = Random(9);
+    let mut positions: Vec<_> = (0..3000).map(|_| random.point(0.001)).collect();
+    positions.extend([DVec3::X * 1e6, DVec3::Y * 1e6, DVec3::Z * 1e6]);
+    let triangles: Vec<_> = (0..1001u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+    let soup = mesh(&positions, &triangles);
+    let point = mesh(&[DVec3::ONE], &[[0, 0, 0]; 600]);
+    for mesh in [soup, point] {
+        let clustered = ClusteredMesh::new(&mesh);
+        let mut found = clustered.triangles.clone();
+        found.sort_unstable();
+        let all: Vec<_> = (0..u32::try_from(mesh.triangles.len()).unwrap()).collect();
+        assert_eq!(found, all, "every triangle once");
+        for cluster in &clustered.clusters {
+            assert!(usize::from(cluster.vertices) <= MAX_VERTICES);
+            assert!(usize::from(cluster.triangles) <= MAX_TRIANGLES);
+            let first = cluster.first_triangle as usize;
+            for at in first..first + usize::from(cluster.triangles) {
+                let number = clustered.triangles[at] as usize;
+                assert_eq!(clustered.positions(cluster, at), mesh.corners(number));
+            }
+        }
+    }
 }

@@ -1,3 +1,4 @@
+use super::LEAF;
 use super::bounds::{Bounds, Item};
 
 /// How finely the surface area heuristic looks for a place to split.
@@ -94,8 +95,7 @@ impl Bins {
         self
     }
 
-    /// The cut with the least surface area times items; `None` where all is in one slice.
-    #[allow(clippy::cast_precision_loss, reason = "a heuristic")]
+    /// The cut with the least surface area times leaves; `None` where all is in one slice.
     pub(super) fn best_cut(&self) -> Option<Cut> {
         let mut best: Option<(f32, Cut)> = None;
         for axis in 0..3 {
@@ -113,7 +113,7 @@ impl Bins {
                 if below.1 == 0 || above.1 == 0 {
                     continue;
                 }
-                let cost = below.0.half_area() * below.1 as f32 + above.0.half_area() * above.1 as f32;
+                let cost = below.0.half_area() * leaves(below.1) + above.0.half_area() * leaves(above.1);
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     let cut = Cut {
                         axis,
@@ -127,4 +127,10 @@ impl Bins {
         }
         best.map(|(_, cut)| cut)
     }
+}
+
+/// How many leaves items fill, at best: a leaf costs the same however full it is.
+#[allow(clippy::cast_precision_loss, reason = "a heuristic")]
+fn leaves(items: u32) -> f32 {
+    (items as usize).div_ceil(LEAF) as f32
 }

@@ -136,13 +136,14 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
         low.extend(high);
         return low;
     }
+    let most = items_per_child(range.items.len());
     let mut children = Vec::with_capacity(8);
     children.push(range);
     while children.len() < 8 {
         let mut widest = None;
         for (index, child) in children.iter().enumerate() {
             let area = child.bounds.half_area();
-            if !child.is_leaf() && widest.is_none_or(|(_, least)| area > least) {
+            if child.items.len() > most && widest.is_none_or(|(_, least)| area > least) {
                 widest = Some((index, area));
             }
         }
@@ -151,6 +152,17 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
         children.extend([a, b]);
     }
     children
+}
+
+/// How many items a child of a node over so many may have: as many as fill whole levels of the tree below it, so that
+/// nodes near the leaves, which are nearly all, have all their children.
+fn items_per_child(items: usize) -> usize {
+    let mut most = LEAF;
+    while most * 8 < items - items / 8 {
+        most *= 8;
+    }
+    // Halves are never quite equal.
+    if most > LEAF { most + most / 8 } else { most }
 }
 
 /// Up to four parts.

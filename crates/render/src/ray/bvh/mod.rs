@@ -11,3 +11,7 @@ pub(crate) use node::Node;
 
 /// The most items in a leaf: as many as are looked at at once.
 pub(crate) const LEAF: usize = 8;
+
+#[cfg(test)]
+#[allow(clippy::cast_precision_loss, reason = "places are made up")]
+mod tests;

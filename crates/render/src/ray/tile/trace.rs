@@ -171,7 +171,7 @@ fn walk<L: Lanes>(
             continue;
         }
         if entry.count != 0 {
-            if let Some(next) = stack.last().filter(|next| next.count != 0) {
+            if let Some(next) = stack[base..].last().filter(|next| next.count != 0) {
                 visit.prefetch::<L>(next.first, next.count);
             }
             visit.leaf::<L>(entry.first, entry.count, state, stack);

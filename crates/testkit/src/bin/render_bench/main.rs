@@ -16,7 +16,6 @@ mod contest;
 mod embree;
 mod engine;
 mod ours;
-mod process;
 mod protocol;
 mod scenes;
 mod table;

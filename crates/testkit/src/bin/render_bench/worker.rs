@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use oaktwin_render::Backend;
+use oaktwin_testkit::process;
 use serde_json::{Value, json};
 
 use crate::contest::Places;
@@ -12,7 +13,7 @@ use crate::contest::Places;
 use crate::embree::Embree;
 use crate::engine::{Engine, Pools};
 use crate::ours::Ours;
-use crate::process;
+
 use crate::protocol::{Frames, Loaded, Request, ViewJson};
 use crate::scenes;
 use crate::triangles::{self, Files};

@@ -1,0 +1,100 @@
+//! How long opening a USD stage takes, for `cargo xtask bench load`: `load-bench STAGE RUNS` prints a JSON object a run,
+//! the first being the warm-up; `load-bench STAGE RUNS FRAMES` then also renders depth and colour in turns.
+
+#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+
+use std::error::Error;
+use std::time::Instant;
+
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
+use oaktwin_scene::Scene;
+use oaktwin_testkit::process;
+use oaktwin_usd::stage::{SceneOptions, open_scene};
+use serde_json::json;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let usage = "usage: load-bench STAGE RUNS [FRAMES]";
+    let stage = arguments.next().ok_or(usage)?;
+    let runs: usize = arguments.next().ok_or(usage)?.parse()?;
+    let frames: usize = arguments.next().map_or(Ok(0), |frames| frames.parse())?;
+    let mut scene = Scene::default();
+    for _ in 0..runs.max(1) {
+        drop(std::mem::take(&mut scene));
+        let (opened, wall_s, cpu_s) = timed(|| open_scene(&stage, &SceneOptions::default()));
+        scene = opened?.scene;
+        let triangles: usize = scene
+            .instances
+            .iter()
+            .filter_map(|placed| scene.meshes.get(placed.mesh as usize))
+            .map(|mesh| mesh.triangles.len())
+            .sum();
+        println!(
+            "{}",
+            json!({ "wall_s": wall_s, "cpu_s": cpu_s, "meshes": scene.instances.len(), "triangles": triangles })
+        );
+    }
+    if frames > 0 {
+        render(scene, frames);
+    }
+    Ok(())
+}
+
+/// Depth and colour of the same view in turns, a warm-up of both first.
+fn render(scene: Scene, frames: usize) {
+    let view = from_above_a_corner(&scene);
+    let renderer = Renderer::new(scene);
+    let options = AnnotateOptions::default();
+    let annotators = [Annotator::DistanceToImagePlane, Annotator::Rgb];
+    for _ in 0..=frames {
+        let [depth, rgb] = annotators.map(|annotator| {
+            let (_, wall_s, cpu_s) =
+                timed(|| renderer.annotate(&view, &[annotator], Backend::Auto, &options));
+            json!({ "wall_s": wall_s, "cpu_s": cpu_s })
+        });
+        println!("{}", json!({ "depth": depth, "rgb": rgb }));
+    }
+}
+
+/// What the work returns, its seconds, and its seconds of processor time. Dropping is not timed.
+fn timed<T>(work: impl FnOnce() -> T) -> (T, f64, f64) {
+    let (start, cpu) = (Instant::now(), process::cpu_s());
+    let value = work();
+    (value, start.elapsed().as_secs_f64(), process::cpu_s() - cpu)
+}
+
+/// 1280 × 800 pixels, 77° wide, the whole scene in sight.
+fn from_above_a_corner(scene: &Scene) -> View {
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for placed in &scene.instances {
+        for position in scene
+            .meshes
+            .get(placed.mesh as usize)
+            .iter()
+            .flat_map(|mesh| &mesh.positions)
+        {
+            let place = placed
+                .world_from_mesh
+                .transform_point3(DVec3::from(position.map(f64::from)));
+            (low, high) = (low.min(place), high.max(place));
+        }
+    }
+    let (centre, reach) = (low.midpoint(high), low.distance(high) / 2.0);
+    let up = scene.up.direction();
+    let aside = up.any_orthonormal_vector();
+    let direction = (0.6 * up + aside + 0.7 * up.cross(aside)).normalize();
+    let eye = centre + 1.1 * reach * direction;
+    let right = up.cross(direction).normalize();
+    let rotation = DMat3::from_cols(right, right.cross(direction), -direction);
+    View {
+        camera: Camera::new(
+            Intrinsics::from_hfov(ImageSize::new(1280, 800), 77f64.to_radians()),
+            LensModel::Pinhole,
+        ),
+        world_from_camera: RigidTransform::new(rotation, eye),
+        clip: Clip::default(),
+    }
+}
