@@ -78,37 +78,69 @@ impl Coarse {
     ) -> Self {
         let (width, height) = (seen.hits.width().div_ceil(2), seen.hits.height().div_ceil(2));
         let mut samples = Image::filled(width, height, NOTHING);
+        let place_of = |finder: &mut SurfaceFinder<'_>, x: u32, y: u32| {
+            let hit = seen.hits.get(2 * x, 2 * y).filter(|hit| !hit.is_miss())?;
+            let (z, ray) = (seen.z.0.get(2 * x, 2 * y)?, rays.centre(2 * x, 2 * y)?);
+            finder.find(*hit, ray, *z).map(|surface| place(&surface, view))
+        };
+        let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
-        rows.zip(0..height).for_each_init(Stack::new, |stack, (row, y)| {
-            let mut finder = SurfaceFinder::new(scene, view);
-            for (sample, x) in row.iter_mut().zip(0..) {
-                let surface = (seen.hits.get(2 * x, 2 * y).filter(|hit| !hit.is_miss()))
-                    .zip(seen.z.0.get(2 * x, 2 * y))
-                    .zip(rays.centre(2 * x, 2 * y))
-                    .and_then(|((hit, z), ray)| finder.find(*hit, ray, *z));
-                if let Some(surface) = surface {
-                    let place = place(&surface, view);
-                    *sample = Sample::new(&place);
-                    sample.light = occlusion.look(&place, Pattern::turn(x, y), stack);
+        rows.zip(0..height)
+            .for_each_init(state, |(finder, stack), (row, y)| {
+                for (sample, x) in row.iter_mut().zip(0..) {
+                    if let Some(place) = place_of(finder, x, y) {
+                        *sample = Sample::new(&place);
+                        let first = x % 2 == 0 && y % 2 == 0;
+                        sample.light = occlusion.look(&place, Pattern::turn(x, y), first, stack);
+                    }
                 }
-            }
-        });
-        let samples = smoothed(&samples, |x, y, step| (x.checked_add_signed(step), Some(y)));
-        let samples = smoothed(&samples, |x, y, step| (Some(x), y.checked_add_signed(step)));
+            });
+        // Between places that all see the small lamps, or all do not, no shadow begins.
+        let first = samples.clone();
+        let rows = samples.pixels_mut().par_chunks_mut(row_length);
+        rows.zip(0..height)
+            .for_each_init(state, |(finder, stack), (row, y)| {
+                for (sample, x) in row.iter_mut().zip(0..) {
+                    if sample.light.small.some.is_nan() {
+                        sample.light.small.some = match share_around(&first, sample, x, y) {
+                            Some(share) => sample.light.small.all * share,
+                            None => place_of(finder, x, y)
+                                .map_or(0.0, |place| occlusion.light_of_small_lamps(&place, stack)),
+                        };
+                    }
+                }
+            });
+        samples = smoothed(&samples, [1, 0], Light::with_smooth);
+        samples = smoothed(&samples, [0, 1], Light::with_smooth);
+        if occlusion.rig.has_sky {
+            let tile = PERIOD.cast_signed();
+            samples = smoothed(&samples, [tile, 0], Light::with_smooth_sky);
+            samples = smoothed(&samples, [0, tile], Light::with_smooth_sky);
+        }
         Self { samples }
     }
 
     /// The light at a place that pixel `(x, y)` sees; `None` where none of its neighbours sees the same surface.
     pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Light> {
         let at = Sample::new(place);
-        let mut sum = Light::default();
-        let mut weights = 0.0;
         // Smoothing over an even number of samples moved them by half of one, a pixel: of the pixels, those of odd
         // columns have a sample of their own and the others lie between two.
+        let columns = [x.div_ceil(2), x / 2 + 1];
+        let rows = [y.div_ceil(2), y / 2 + 1];
+        self.mean(&at, columns, rows).or_else(|| {
+            let wider = |[first, last]: [u32; 2]| [first.saturating_sub(1), last + 1];
+            self.mean(&at, wider(columns), wider(rows))
+        })
+    }
+
+    /// Of the samples of the same surface.
+    fn mean(&self, at: &Sample, columns: [u32; 2], rows: [u32; 2]) -> Option<Light> {
         let within = |at: u32, count: u32| at.min(count.saturating_sub(1));
-        for row in y.div_ceil(2)..=y / 2 + 1 {
-            for column in x.div_ceil(2)..=x / 2 + 1 {
+        let mut sum = Light::default();
+        let mut weights = 0.0;
+        for row in rows[0]..=rows[1] {
+            for column in columns[0]..=columns[1] {
                 let column = within(column, self.samples.width());
                 if let Some(sample) = self.samples.get(column, within(row, self.samples.height())) {
                     let weight = at.kinship(sample);
@@ -121,38 +153,49 @@ impl Coarse {
     }
 }
 
-/// The mean of a period of samples of the same surface: from two before to one after, which is half a sample before.
-fn smoothed(
-    samples: &Image<Sample>,
-    neighbour: impl Fn(u32, u32, i32) -> (Option<u32>, Option<u32>) + Sync,
-) -> Image<Sample> {
+/// The share of the small lamps' light that arrives at all of the even places around a place, if it is the same.
+fn share_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<f32> {
+    let mut all = None;
+    for row in [y / 2 * 2, y.div_ceil(2) * 2] {
+        for column in [x / 2 * 2, x.div_ceil(2) * 2] {
+            let other = samples.get(column, row)?;
+            let arrived = other.light.small;
+            let share = if arrived.some == arrived.all { 1.0 } else { 0.0 };
+            let is_clear = arrived.all > 0.0 && (arrived.some == 0.0 || share == 1.0);
+            if !is_clear || at.kinship(other) < 0.25 || all.is_some_and(|all| all != share) {
+                return None;
+            }
+            all = Some(share);
+        }
+    }
+    all
+}
+
+/// The mean of four samples of the same surface, one `step` apart: from two before to one after. `take` puts what is
+/// wanted of it into what was there.
+fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> Light) -> Image<Sample> {
     let mut smooth = samples.clone();
     let row_length = (samples.width() as usize).max(1);
     let rows = smooth.pixels_mut().par_chunks_mut(row_length);
     rows.zip(0..samples.height()).for_each(|(row, y)| {
-        for (sample, x) in row.iter_mut().zip(0..) {
+        for (sample, x) in row.iter_mut().zip(0u32..) {
             if sample.per_tolerance == 0.0 {
                 continue;
             }
             let mut sum = Light::default();
             let mut weights = 0.0;
             let before = PERIOD.cast_signed() / 2;
-            for step in -before..PERIOD.cast_signed() - before {
-                let other = match neighbour(x, y, step) {
-                    (Some(x), Some(y)) => samples.get(x, y),
-                    _ => None,
-                };
+            for i in -before..PERIOD.cast_signed() - before {
+                let [dx, dy] = step.map(|step| step * i);
+                let other = (x.checked_add_signed(dx).zip(y.checked_add_signed(dy)))
+                    .and_then(|(x, y)| samples.get(x, y));
                 if let Some(other) = other {
-                    let weight = if step == 0 { 1.0 } else { sample.kinship(other) };
+                    let weight = if i == 0 { 1.0 } else { sample.kinship(other) };
                     sum = sum.plus(other.light, weight);
                     weights += weight;
                 }
             }
-            let small = sample.light.small;
-            sample.light = Light {
-                small,
-                ..sum.times(1.0 / weights)
-            };
+            sample.light = take(sample.light, sum.times(1.0 / weights));
         }
     });
     smooth

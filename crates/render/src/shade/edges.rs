@@ -15,7 +15,7 @@ use crate::{Hit, Visibility};
 const PLACES: [[f64; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
 
 /// The least difference from a neighbour, of 255, that is worth smoothing.
-const LEAST_CONTRAST: u8 = 8;
+const LEAST_CONTRAST: u8 = 12;
 
 /// The least bend of 1/z over three pixels that is an edge, as a share of 1/z.
 const LEAST_BEND: f32 = 1e-3;

@@ -5,7 +5,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
 use super::lamp::{Emitter, Lamp};
-use super::pattern::{LOOKS, Pattern};
+use super::pattern::{LOOKS, Pattern, Turn};
 use super::rig::{Rig, luminance};
 use crate::ray::{Ray, RayCaster, Stack};
 
@@ -73,6 +73,22 @@ impl Light {
         }
     }
 
+    /// All of `smooth` but the sharp shadows.
+    pub(super) fn with_smooth(self, smooth: Self) -> Self {
+        Self {
+            small: self.small,
+            ..smooth
+        }
+    }
+
+    /// Only the sky of `smooth`.
+    pub(super) fn with_smooth_sky(self, smooth: Self) -> Self {
+        Self {
+            sky: smooth.sky,
+            ..self
+        }
+    }
+
     #[inline]
     pub(super) fn times(self, factor: f32) -> Self {
         Self::default().plus(self, factor)
@@ -92,6 +108,13 @@ pub(super) struct Place {
     pub(super) range: f64,
 }
 
+impl Place {
+    /// As far off the surface as the point may be wrong by.
+    fn above(&self) -> DVec3 {
+        self.point + self.flat_normal * (2e-5 + self.range * 1e-4)
+    }
+}
+
 /// Looks for what hides the lights.
 pub(super) struct Occlusion<'a> {
     pub(super) scene: &'a Scene,
@@ -102,38 +125,69 @@ pub(super) struct Occlusion<'a> {
 }
 
 impl Occlusion<'_> {
-    /// What one of 16 neighbours finds.
-    pub(super) fn look(&self, place: &Place, turn: usize, stack: &mut Stack) -> Light {
-        // As far off the surface as the point may be wrong by.
-        let origin = place.point + place.flat_normal * (2e-5 + place.range * 1e-4);
-        let mut light = Light::default();
-        let strongest = self.strongest(place);
-        for (lamp, strength) in strongest.into_iter().flatten() {
-            let Some(lamp) = self.rig.lamps.get(lamp) else {
-                continue;
-            };
-            let is_small = lamp.looks_small_from(origin);
-            let spot = if is_small { [0.0; 2] } else { Pattern::place(turn) };
-            let some = if self.is_hidden(origin, lamp, spot, stack) {
-                0.0
-            } else {
-                strength
-            };
-            let arrived = if is_small {
-                &mut light.small
-            } else {
-                &mut light.large
-            };
-            *arrived = arrived.plus(Arrived { some, all: strength }, 1.0);
-        }
-        let far = if self.rig.has_sky {
-            f64::INFINITY
-        } else {
-            self.rig.reach
+    /// What one of 16 neighbours finds. Where `small_lamps` are left for later, what arrives of them is unknown: NaN.
+    pub(super) fn look(&self, place: &Place, turn: Turn, small_lamps: bool, stack: &mut Stack) -> Light {
+        let (ambient, sky) = self.look_around(place, turn, stack);
+        let mut light = Light {
+            ambient,
+            sky,
+            ..Light::default()
         };
+        self.each_lamp(place, |lamp, strength| {
+            if lamp.looks_small_from(place.point) {
+                let some = if small_lamps {
+                    self.arriving(place, lamp, [0.0; 2], strength, stack)
+                } else {
+                    f32::NAN
+                };
+                light.small = light.small.plus(Arrived { some, all: strength }, 1.0);
+            } else {
+                let some = self.arriving(place, lamp, Pattern::place(turn.of_place), strength, stack);
+                light.large = light.large.plus(Arrived { some, all: strength }, 1.0);
+            }
+        });
+        light
+    }
+
+    /// What arrives of the small lamps.
+    pub(super) fn light_of_small_lamps(&self, place: &Place, stack: &mut Stack) -> f32 {
+        let mut sum = 0.0;
+        self.each_lamp(place, |lamp, strength| {
+            if lamp.looks_small_from(place.point) {
+                sum += self.arriving(place, lamp, [0.0; 2], strength, stack);
+            }
+        });
+        sum
+    }
+
+    /// What a few of the neighbours find at one and the same place.
+    pub(super) fn look_alone(&self, place: &Place, stack: &mut Stack) -> Light {
+        // One of each quarter of a lamp, and each about as far from straight up.
+        [0usize, 6, 9, 15]
+            .into_iter()
+            .map(|turn| {
+                let turn = Turn {
+                    of_place: turn,
+                    of_tile: turn,
+                };
+                self.look(place, turn, true, stack)
+            })
+            .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
+    }
+
+    /// How open the surroundings and the sky are.
+    fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
+        // Without a sky all tiles do the same, and none stands out.
+        let (far, of_tile) = if self.rig.has_sky {
+            (f64::INFINITY, turn.of_tile)
+        } else {
+            (self.rig.reach, 0)
+        };
+        let turn = Turn { of_tile, ..turn };
+        let (mut ambient, mut sky) = (0.0, 0.0);
         for direction in self.pattern.looks(turn, place.normal) {
             let ray = Ray {
-                origin,
+                origin: place.above(),
                 direction,
                 near: 0.0,
                 far,
@@ -145,27 +199,17 @@ impl Occlusion<'_> {
                 self.caster.cast(self.scene, ray, stack).map(|(t, _)| t)
             };
             #[expect(clippy::cast_possible_truncation, reason = "a share")]
-            let near = found.map_or(1.0, |t| (t / self.rig.reach).min(1.0) as f32);
-            light.ambient += near;
-            light.sky += if found.is_none() { 1.0 } else { 0.0 };
+            let distance = found.map_or(1.0, |t| (t / self.rig.reach).min(1.0) as f32);
+            ambient += distance * distance;
+            sky += if found.is_none() { 1.0 } else { 0.0 };
         }
         #[expect(clippy::cast_precision_loss, reason = "a few")]
         let share = 1.0 / LOOKS as f32;
-        light.ambient *= share;
-        light.sky *= share;
-        light
+        (ambient * share, sky * share)
     }
 
-    /// What a few of the neighbours find at one and the same place.
-    pub(super) fn look_alone(&self, place: &Place, stack: &mut Stack) -> Light {
-        // One of each quarter of a lamp, and each about as far from straight up.
-        [0usize, 6, 9, 15]
-            .into_iter()
-            .map(|turn| self.look(place, turn, stack))
-            .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
-    }
-
-    fn is_hidden(&self, origin: DVec3, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
+    fn arriving(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], strength: f32, stack: &mut Stack) -> f32 {
+        let origin = place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {
             origin,
@@ -174,31 +218,31 @@ impl Occlusion<'_> {
             // Just before the lamp, which may have a mesh to look at.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
-        self.caster.is_occluded(self.scene, ray, stack)
+        let hidden =
+            direction.dot(place.flat_normal) <= 0.0 || self.caster.is_occluded(self.scene, ray, stack);
+        if hidden { 0.0 } else { strength }
     }
 
     /// The lamps that light a place most, and how much.
-    fn strongest(&self, place: &Place) -> [Option<(usize, f32)>; MOST_SHADOWS] {
+    fn each_lamp(&self, place: &Place, mut with: impl FnMut(&Lamp, f32)) {
         let normal = place.normal.as_vec3();
-        let mut strongest = [None; MOST_SHADOWS];
-        for (lamp, emitter) in self.emitters.iter().enumerate() {
+        let mut strongest: [Option<(&Lamp, f32)>; MOST_SHADOWS] = [None; MOST_SHADOWS];
+        for (lamp, emitter) in self.rig.lamps.iter().zip(self.emitters) {
             let mut strength = 0.0;
             emitter.each(place.from_eye, |towards, irradiance, _| {
                 strength += luminance(irradiance) * normal.dot(towards).max(0.0);
             });
-            if !(strength > 0.0) {
-                continue;
-            }
-            let mut entry = Some((lamp, strength));
+            let mut entry = (strength > 0.0).then_some((lamp, strength));
             for slot in &mut strongest {
-                if slot.is_none_or(|(_, other)| other < entry.map_or(0.0, |(_, mine)| mine)) {
+                if entry.is_some()
+                    && slot.is_none_or(|(_, other)| other < entry.map_or(0.0, |(_, mine)| mine))
+                {
                     std::mem::swap(slot, &mut entry);
-                }
-                if entry.is_none() {
-                    break;
                 }
             }
         }
-        strongest
+        for (lamp, strength) in strongest.into_iter().flatten() {
+            with(lamp, strength);
+        }
     }
 }

@@ -1,46 +1,67 @@
-//! Which part of a lamp or of the sky a place of the image looks at: of 16 neighbours each looks at another one, and
-//! their mean at all of them. Nothing is random.
+//! Which part of a lamp or of the sky a place of the image looks at. Of 16 neighbours, a tile, each looks at another one,
+//! and their mean at all of them; each of 16 tiles looks into other directions, so that their mean sees even a small
+//! window as it is. Nothing is random.
 
 use std::f64::consts::TAU;
 
 use oaktwin_camera::math::DVec3;
 
-/// Neighbours that share the work: a square of 4 × 4.
+/// Neighbours, in a row, that share the work; and tiles.
 pub(super) const PERIOD: u32 = 4;
 
 /// The order in which an ordered dither fills a square, so that near ones differ most.
 const ORDER: [u8; 16] = [0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5];
 
 /// How often each place looks into its surroundings.
-pub(super) const LOOKS: usize = 2;
+pub(super) const LOOKS: usize = 1;
 
-/// Directions for all neighbours together.
-const DIRECTIONS: usize = 16 * LOOKS;
+/// Directions of a tile.
+const OF_TILE: usize = 16 * LOOKS;
 
-/// What each of the 16 looks at.
+/// Directions of all tiles.
+const DIRECTIONS: usize = 16 * OF_TILE;
+
+/// Which of the 16 places of its tile a place is, and which of 16 tiles that is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Turn {
+    pub(super) of_place: usize,
+    pub(super) of_tile: usize,
+}
+
+/// What each place looks at.
 #[derive(Debug)]
 pub(super) struct Pattern {
-    directions: [DVec3; DIRECTIONS],
+    directions: Vec<DVec3>,
 }
 
 impl Pattern {
     pub(super) fn new() -> Self {
         #[expect(clippy::cast_precision_loss, reason = "a few")]
         let direction = |i: usize| {
-            // Equal parts of the disk under the hemisphere: as a diffuse surface sees it.
-            let radius = ((i as f64 + 0.5) / DIRECTIONS as f64).sqrt();
-            let (sin, cos) = (i as f64 * TAU * 0.618_033_988_75).sin_cos();
-            DVec3::new(radius * cos, radius * sin, (1.0 - radius * radius).sqrt())
+            let (tile, look) = (i / OF_TILE, i % OF_TILE);
+            // Equal parts of the disk under the hemisphere, as a diffuse surface sees it: a ring for each look, in it a
+            // thinner one for each tile; the golden angle from look to look, and steps between for the tiles.
+            let part = (look as f64 + (tile as f64 + 0.5) / 16.0) / OF_TILE as f64;
+            let turns = look as f64 * 0.618_033_988_75 + (tile * 7 % 16) as f64 / 16.0;
+            let (sin, cos) = (turns * TAU).sin_cos();
+            let radius = part.sqrt();
+            DVec3::new(radius * cos, radius * sin, (1.0 - part).sqrt())
         };
         Self {
-            directions: std::array::from_fn(direction),
+            directions: (0..DIRECTIONS).map(direction).collect(),
         }
     }
 
-    /// Which of the 16 a place is.
-    pub(super) fn turn(x: u32, y: u32) -> usize {
-        let at = (y % PERIOD) * PERIOD + x % PERIOD;
-        ORDER.get(at as usize).copied().map_or(0, usize::from)
+    /// A place's turn.
+    pub(super) fn turn(x: u32, y: u32) -> Turn {
+        let in_square = |x: u32, y: u32| {
+            let at = (y % PERIOD) * PERIOD + x % PERIOD;
+            ORDER.get(at as usize).copied().map_or(0, usize::from)
+        };
+        Turn {
+            of_place: in_square(x, y),
+            of_tile: in_square(x / PERIOD, y / PERIOD),
+        }
     }
 
     /// Its place on a lamp, −1 to 1.
@@ -50,10 +71,11 @@ impl Pattern {
     }
 
     /// Its directions into the hemisphere around `normal`.
-    pub(super) fn looks(&self, turn: usize, normal: DVec3) -> [DVec3; LOOKS] {
+    pub(super) fn looks(&self, turn: Turn, normal: DVec3) -> [DVec3; LOOKS] {
         let (u, v) = normal.any_orthonormal_pair();
         std::array::from_fn(|i| {
-            let local = self.directions[(turn + i * 16) % DIRECTIONS];
+            let at = turn.of_tile * OF_TILE + turn.of_place + i * 16;
+            let local = self.directions.get(at).copied().unwrap_or(DVec3::Z);
             u * local.x + v * local.y + normal * local.z
         })
     }
@@ -65,10 +87,10 @@ mod tests {
 
     #[test]
     fn together_they_see_all() {
-        let turns: std::collections::BTreeSet<usize> = (0..4)
-            .flat_map(|y| (0..4).map(move |x| Pattern::turn(x + 8, y + 4)))
+        let turns: std::collections::BTreeSet<_> = (0..16)
+            .flat_map(|y| (0..16).map(move |x| Pattern::turn(x + 32, y + 16)))
             .collect();
-        assert_eq!(turns.len(), 16);
+        assert_eq!(turns.len(), 256);
         let places: Vec<_> = (0..16).map(Pattern::place).collect();
         let sum = places
             .iter()
@@ -76,16 +98,30 @@ mod tests {
         assert_eq!(sum, [0.0; 2]);
         let normal = DVec3::new(0.48, -0.6, 0.64);
         let pattern = Pattern::new();
-        let looks: Vec<_> = (0..16).flat_map(|turn| pattern.looks(turn, normal)).collect();
-        assert!(
-            looks
-                .iter()
-                .all(|d| (d.length() - 1.0).abs() < 1e-9 && d.dot(normal) > 0.0)
-        );
-        // The mean of the cosine by cosine is 2/3.
-        let mean = looks.iter().map(|d| d.dot(normal)).sum::<f64>() / 32.0;
-        assert!((mean - 2.0 / 3.0).abs() < 0.01, "{mean}");
-        let drift = looks.iter().fold(DVec3::ZERO, |sum, d| sum + *d) / 32.0 - normal * mean;
-        assert!(drift.length() < 0.06, "{drift}");
+        let of_tile = |of_tile| {
+            (0..16)
+                .flat_map(|of_place| pattern.looks(Turn { of_place, of_tile }, normal))
+                .collect::<Vec<_>>()
+        };
+        let mut all = Vec::new();
+        for tile in 0..16 {
+            let looks = of_tile(tile);
+            assert!(
+                looks
+                    .iter()
+                    .all(|d| (d.length() - 1.0).abs() < 1e-9 && d.dot(normal) > 0.0)
+            );
+            // The mean of the cosine by cosine is 2/3.
+            let mean = looks.iter().map(|d| d.dot(normal)).sum::<f64>() / looks.len() as f64;
+            assert!((mean - 2.0 / 3.0).abs() < 0.04, "{mean}");
+            let drift =
+                looks.iter().fold(DVec3::ZERO, |sum, d| sum + *d) / looks.len() as f64 - normal * mean;
+            assert!(drift.length() < 0.12, "{drift}");
+            all.extend(looks);
+        }
+        // No direction twice.
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|b| (*a - *b).length() > 1e-3));
+        }
     }
 }

@@ -9,12 +9,15 @@ use rayon::prelude::*;
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
 use super::lamp::{Lamp, Shape};
-use super::pattern::{LOOKS, Pattern};
+use super::pattern::{LOOKS, Pattern, Turn};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// Light that comes back from what is lit, as a share of the light that falls on the scene's things: every surface
 /// receives it from everywhere.
-const BOUNCE: f32 = 0.16;
+const BOUNCE: f32 = 0.22;
+
+/// What a white surface in typical light has before the tone curve.
+const WHITE: f32 = 0.8;
 
 /// At how many places the light is measured.
 const MOST_WITNESSES: usize = 1024;
@@ -24,8 +27,8 @@ const MOST_WITNESSES: usize = 1024;
 ///
 /// # Exposure
 /// At the middles of at most 1024 triangles, evenly picked from the scene's things, the light of the lamps and of the sky
-/// is measured, shadows included, as a surface receives it that faces the lamps. A white diffuse surface that receives as
-/// much as two thirds of those places at most has the value 1 before the tone curve, a middle grey its own value.
+/// is measured, shadows included, as a surface receives it that faces the lamps, on the brighter side. A white diffuse
+/// surface that receives as much as half of the lit places at most has the value 0.8 before the tone curve.
 ///
 /// # Lights
 /// The radiance of a distant light is taken as its irradiance, whatever its angle and normalization: Isaac Sim's own
@@ -84,7 +87,7 @@ impl Rig {
         let irradiance = rig.typical_irradiance(scene, caster, pattern);
         if irradiance > 0.0 && irradiance.is_finite() {
             rig.ambient = Harmonics::uniform(Vec3::splat(BOUNCE * irradiance / std::f32::consts::PI));
-            rig.exposure = std::f32::consts::PI / irradiance;
+            rig.exposure = WHITE * std::f32::consts::PI / irradiance;
             return rig;
         }
         rig.light_a_dark_scene(up);
@@ -127,12 +130,15 @@ impl Rig {
     fn typical_irradiance(&self, scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> f32 {
         let mut found: Vec<f32> = witnesses(scene)
             .into_par_iter()
-            .map_init(Stack::new, |stack, witness| {
-                self.irradiance_at(scene, caster, pattern, &witness, stack)
+            .map_init(Stack::new, |stack, sides| {
+                sides
+                    .map(|side| self.irradiance_at(scene, caster, pattern, &side, stack))
+                    .into_iter()
+                    .fold(0.0, f32::max)
             })
-            .filter(|irradiance| irradiance.is_finite())
+            .filter(|irradiance| *irradiance > 0.0 && irradiance.is_finite())
             .collect();
-        let at = found.len() * 2 / 3;
+        let at = found.len() / 2;
         found.sort_by(f32::total_cmp);
         found.get(at).copied().unwrap_or(0.0)
     }
@@ -161,7 +167,8 @@ impl Rig {
             }
         }
         if self.has_sky {
-            let looks = [0, 5, 10, 15].map(|turn| pattern.looks(turn, witness.normal));
+            let turn = |of_place| Turn { of_place, of_tile: 0 };
+            let looks = [0, 5, 10, 15].map(|place| pattern.looks(turn(place), witness.normal));
             let open = looks.iter().flatten().filter(|direction| {
                 let ray = Ray {
                     origin: witness.point,
@@ -181,16 +188,16 @@ impl Rig {
 
     fn light_a_dark_scene(&mut self, up: Vec3) {
         let side = if up.z > 0.5 {
-            Vec3::new(-0.45, -0.6, 0.0)
+            Vec3::new(-0.7, -0.35, 0.0)
         } else {
-            Vec3::new(0.45, 0.0, 0.6)
+            Vec3::new(-0.7, 0.0, 0.35)
         };
         let towards = (up + side).normalize();
         self.lamps = vec![Lamp {
             shape: Shape::distant(towards.as_dvec3(), 0.03),
-            radiance: Vec3::new(1.0, 0.97, 0.92) * 2.2,
+            radiance: Vec3::new(1.0, 0.97, 0.92) * 2.7,
         }];
-        let (plain, slope) = (Vec3::new(0.46, 0.48, 0.5), Vec3::new(0.16, 0.17, 0.19));
+        let (plain, slope) = (Vec3::new(0.36, 0.38, 0.4), Vec3::new(0.14, 0.15, 0.17));
         self.ambient = Harmonics::uniform(plain).with_slope(slope, up);
         self.backdrop.plain = plain;
         self.backdrop.slope = slope;
@@ -252,8 +259,8 @@ struct Witness {
     normal: DVec3,
 }
 
-/// The middles of some triangles, a little off them.
-fn witnesses(scene: &Scene) -> Vec<Witness> {
+/// The middles of some triangles, a little off them, on both sides.
+fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
     let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
     let each = (MOST_WITNESSES / scene.instances.len().max(1)).clamp(1, 8);
     let mut found = Vec::new();
@@ -262,20 +269,19 @@ fn witnesses(scene: &Scene) -> Vec<Witness> {
             continue;
         };
         let world_from_mesh = instance.world_from_mesh;
-        let turn = world_from_mesh.matrix3.determinant().signum();
         let picked = each.min(mesh.triangles.len());
         for i in 0..picked {
             let Some(corners) = mesh.corners((2 * i + 1) * mesh.triangles.len() / (2 * picked)) else {
                 continue;
             };
             let [a, b, c] = corners.map(|p| world_from_mesh.transform_point3(DVec3::from(p.map(f64::from))));
-            let across = (b - a).cross(c - a) * turn;
+            let across = (b - a).cross(c - a);
             if let Some(normal) = across.try_normalize() {
                 let off = 1e-3 * across.length().sqrt();
-                found.push(Witness {
+                found.push([normal, -normal].map(|normal| Witness {
                     point: (a + b + c) / 3.0 + normal * off,
                     normal,
-                });
+                }));
             }
         }
     }

@@ -8,16 +8,14 @@ use oaktwin_image::srgb::srgb_from_linear;
 const SHOULDER: f32 = 0.6;
 
 /// Buckets of the table that finds an sRGB value's neighbourhood.
-const BUCKETS: u16 = 4096;
+const BUCKETS: u16 = 16_384;
 
 /// Linear light, exposed, onto 0 to 1: as it is up to 0.6, then `0.6 + 0.4 t / (1 + t)` with `t = (x − 0.6) / 0.4`, which
 /// goes on with the same slope and never reaches 1. So most colours are the scene's own, and lights keep their shape.
 #[inline]
 pub(super) fn tone(x: f32) -> f32 {
-    // So that a NaN is black.
-    if !(x > 0.0) {
-        return 0.0;
-    }
+    // Also of a NaN.
+    let x = x.max(0.0);
     if x <= SHOULDER {
         return x;
     }
@@ -53,7 +51,7 @@ impl Encoder {
     )]
     pub(super) fn srgb(self, linear: f32) -> u8 {
         let at = (linear * f32::from(BUCKETS)) as usize;
-        match self.table.get(at..at + 2) {
+        match self.table.get(at..).and_then(|rest| rest.first_chunk()) {
             Some([low, high]) if low == high => *low,
             _ => srgb_from_linear(linear),
         }
