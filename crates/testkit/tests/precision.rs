@@ -93,8 +93,10 @@ impl Worst {
 fn surface(random: &mut Random) -> (Scene, View) {
     let scale = random.magnitude(1e-3, 1e4);
     let split = [1, 3, 14][random.below(3) as usize];
+    // A floor that a camera stands on reaches much farther than the floor is away.
+    let extent = [4.0, 4.0, 100.0, 10_000.0][random.below(4) as usize];
     let bulge = [0.0, 0.0, 0.1][random.below(3) as usize];
-    let mut mesh = oaktwin_testkit::shapes::heightfield([split, split], [4.0, 4.0], |x, y| {
+    let mut mesh = oaktwin_testkit::shapes::heightfield([split, split], [extent, extent], |x, y| {
         bulge * (3.0 * x).sin() * y.cos()
     });
     // The axis meets it at one unit, tilted by up to 84°.

@@ -13,6 +13,8 @@ pub(super) struct Frame {
     /// The rays' origin in two parts.
     pub(super) coarse: [f32; 3],
     pub(super) fine: [f32; 3],
+    /// The same in double precision: the axes and the origin.
+    exact: (DMat3, DVec3),
     /// The tile's four sides, inside positive, and its z axis.
     sides: [Plane; 4],
     depth: Plane,
@@ -50,6 +52,7 @@ impl Frame {
         Some(Self {
             tile_from_frame: rows.map(|row| row.map(|x| x as f32)),
             coarse,
+            exact: (tile_from_frame, origin_in_frame),
             fine: std::array::from_fn(|i| (origin_in_frame[i] - f64::from(coarse[i])) as f32),
             sides: [
                 plane(DVec3::new(1.0, 0.0, -u0)),
@@ -71,6 +74,12 @@ impl Frame {
             seen = seen.and(zero.le(side.farthest::<L>(node)));
         }
         (seen, nearest)
+    }
+
+    /// A point of the frame in the tile's, in double precision.
+    pub(super) fn see_exactly(&self, point: DVec3) -> DVec3 {
+        let (tile_from_frame, origin) = &self.exact;
+        *tile_from_frame * (point - *origin)
     }
 
     /// Eight points of the frame in the tile's.

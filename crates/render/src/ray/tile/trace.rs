@@ -144,6 +144,14 @@ impl Visit for VisitTriangles<'_> {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
         self.ready.set(corners, self.frame, &self.rays.all, state.least);
+        let mut vast = self.ready.vast & ((1 << triangles.len()) - 1);
+        while vast != 0 {
+            let lane = vast.trailing_zeros() as usize & 7;
+            vast &= vast - 1;
+            let [a, b, c, _] = triangles[lane].map(|index| index as usize);
+            let corners = [a, b, c].map(|vertex| self.mesh.positions[vertex]);
+            self.ready.refine(lane, corners, self.frame);
+        }
         let leaf = Leaf {
             instance: self.instance,
             first,

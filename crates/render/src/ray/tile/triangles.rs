@@ -1,7 +1,12 @@
+use oaktwin_camera::math::DVec3;
+
 use super::frame::Frame;
 use super::rays::Range;
 use crate::ray::corners::Corners;
 use crate::ray::simd::Lanes;
+
+/// How much farther away a triangle's corner may be than its plane, before single precision is not enough for the plane.
+const MOST_OBLIQUE: f32 = 16.0;
 
 /// Up to eight triangles made ready for rays of one origin.
 #[derive(Clone, Debug)]
@@ -19,6 +24,8 @@ pub(super) struct Triangles {
     pub(super) v: [[f32; 8]; 2],
     /// Which of them the tile may see, a bit each.
     pub(super) seen: u32,
+    /// Which of those reach so far beyond their distance that they need [`refine`](Self::refine).
+    pub(super) vast: u32,
 }
 
 impl Triangles {
@@ -30,6 +37,7 @@ impl Triangles {
         u: [[0.0; 8]; 2],
         v: [[0.0; 8]; 2],
         seen: 0,
+        vast: 0,
     };
 
     /// Makes triangles ready that the tile may see at 1/z of at least `least`.
@@ -72,9 +80,14 @@ impl Triangles {
             .and(v[0].le(L::splat(extent.v[1])))
             .and(L::splat(extent.v[0]).le(v[1]));
         self.seen = seen.signs();
+        self.vast = 0;
         if self.seen == 0 {
             return;
         }
+        let most = volume.mul(L::splat(MOST_OBLIQUE));
+        let is_oblique = most.mul(most).lt(a.dot(a).mul(normal.dot(normal)));
+        let is_deep = farthest.mul(L::splat(0.95)).mul(greatest);
+        self.vast = seen.and(is_oblique).and(one.lt(is_deep)).signs();
         a.side(b).turned(sign).store(&mut self.sides[0]);
         b.side(c).turned(sign).store(&mut self.sides[1]);
         c.side(a).turned(sign).store(&mut self.sides[2]);
@@ -85,6 +98,27 @@ impl Triangles {
         u[1].store(&mut self.u[1]);
         v[0].store(&mut self.v[0]);
         v[1].store(&mut self.v[1]);
+    }
+
+    /// The plane of one triangle anew, in double precision: its corners are far from where it is looked at.
+    #[allow(clippy::cast_possible_truncation, reason = "rounded once, at the end")]
+    pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
+        let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
+        let normal = (b - a).cross(c - a);
+        let plane = normal / a.dot(normal);
+        if !plane.is_finite() {
+            return;
+        }
+        for (axis, value) in plane.to_array().into_iter().enumerate() {
+            self.plane[axis][lane] = value as f32;
+        }
+        let nearest = a.z.min(b.z).min(c.z);
+        if nearest > 0.0 {
+            self.greatest[lane] = (1.0 / nearest * (1.0 + 1e-6)) as f32;
+        } else {
+            self.greatest[lane] = f32::INFINITY;
+        }
+        self.least[lane] = ((1.0 - 1e-6) / a.z.max(b.z).max(c.z)) as f32;
     }
 }
 
