@@ -103,6 +103,7 @@ impl Intrinsics {
 
     /// The point on the plane z = 1 that an ideal pinhole sees at `pixel`.
     #[must_use]
+    #[inline]
     pub fn normalized_from_pixel<C: PixelConvention>(&self, pixel: PixelPoint<C>) -> DVec2 {
         let p = pixel.to::<OpenCv>();
         let c = self.principal_point;

@@ -50,6 +50,7 @@ impl<C: PixelConvention> PixelPoint<C> {
 
     /// The same place in another convention.
     #[must_use]
+    #[inline]
     pub fn to<D: PixelConvention>(self) -> PixelPoint<D> {
         let shift = D::FIRST_CENTRE - C::FIRST_CENTRE;
         PixelPoint::new(self.x + shift, self.y + shift)

@@ -20,6 +20,7 @@ impl<T: Copy> Attribute<T> {
     /// The values at the three corners of triangle number `triangle`, whose vertices are `vertices`; `None` where the
     /// attribute is too short for it.
     #[must_use]
+    #[inline]
     pub fn corners(&self, triangle: usize, vertices: [u32; 3]) -> Option<[T; 3]> {
         let pick = |values: &[T], [a, b, c]: [u32; 3]| {
             Some([

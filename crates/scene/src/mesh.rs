@@ -35,6 +35,7 @@ pub struct MaterialSpan {
 impl Mesh {
     /// The positions of a triangle's corners; `None` where there is no such triangle.
     #[must_use]
+    #[inline]
     pub fn corners(&self, triangle: usize) -> Option<[[f32; 3]; 3]> {
         let [a, b, c] = *self.triangles.get(triangle)?;
         Some([
@@ -59,6 +60,7 @@ impl Mesh {
 
     /// The material of a triangle, into the scene's.
     #[must_use]
+    #[inline]
     pub fn material(&self, triangle: u32) -> Option<u32> {
         let span = self.materials.partition_point(|span| span.end <= triangle);
         self.materials.get(span)?.material

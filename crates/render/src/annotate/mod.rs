@@ -16,6 +16,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
 
 use crate::rays::Rays;
+use crate::shade::{Corners, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
 
 pub(crate) use semantics::Semantics;
@@ -70,7 +71,7 @@ impl Renderer {
             return (frame, Vec::new());
         }
         let seen = self.visibility(view, backend);
-        let findings = self.annotate_seen(view, &seen, &wants, *options, &mut frame);
+        let findings = self.annotate_seen(view, &seen, &wants, backend, *options, &mut frame);
         if wants(Annotator::DistanceToImagePlane) {
             frame.distance_to_image_plane = Some(seen.z);
         }
@@ -82,6 +83,7 @@ impl Renderer {
         view: &View,
         seen: &Visibility,
         wants: &impl Fn(Annotator) -> bool,
+        backend: Backend,
         options: AnnotateOptions,
         frame: &mut Frame,
     ) -> Vec<Finding> {
@@ -89,8 +91,13 @@ impl Renderer {
         let rays = &Rays::new(view);
         let mut findings = Vec::new();
         if wants(Annotator::Rgb) {
-            let (rgb, missing) =
-                (self.shader()).shade(scene, self.ray_caster(), view, rays, seen, options.smooth_edges);
+            let corner_view = corners_of(view);
+            let corners = (options.smooth_edges).then(|| Corners {
+                rays: Rays::new(&corner_view),
+                seen: self.visibility(&corner_view, backend),
+            });
+            let caster = self.ray_caster();
+            let (rgb, missing) = (self.shader()).shade(scene, caster, view, rays, seen, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
         }

@@ -36,15 +36,17 @@ impl Surface<'_> {
     }
 }
 
-/// Looks up surfaces, remembering the instance that it saw last.
+/// Looks up surfaces, remembering the instance and the triangle that it saw last.
 pub(crate) struct SurfaceFinder<'a> {
     scene: &'a Scene,
     origin: DVec3,
     world_from_camera: DMat3,
-    last: Option<(u32, Placed<'a>)>,
+    instance: u32,
+    placed: Option<Placed<'a>>,
+    hit: Hit,
+    triangle: Option<Triangle>,
 }
 
-#[derive(Clone, Copy)]
 struct Placed<'a> {
     mesh: &'a Mesh,
     camera_from_mesh: DAffine3,
@@ -54,29 +56,42 @@ struct Placed<'a> {
     turn: f64,
 }
 
+/// A triangle in the camera's frame.
+#[derive(Clone, Copy)]
+struct Triangle {
+    /// One of its corners.
+    corner: DVec3,
+    sides: [DVec3; 3],
+    /// Not of length 1.
+    normal: DVec3,
+    /// In the world.
+    flat_normal: DVec3,
+    smooth_normals: Option<[[f32; 3]; 3]>,
+}
+
 impl<'a> SurfaceFinder<'a> {
     pub(crate) fn new(scene: &'a Scene, view: &View) -> Self {
         Self {
             scene,
             origin: view.world_from_camera.translation,
             world_from_camera: view.world_from_camera.rotation,
-            last: None,
+            instance: u32::MAX,
+            placed: None,
+            hit: Hit::MISS,
+            triangle: None,
         }
     }
 
     /// What a ray in the camera's frame sees on the triangle that it hits, at the depth `z` along the optical axis.
+    #[inline]
     pub(crate) fn find(&mut self, hit: Hit, ray: DVec3, z: f32) -> Option<Surface<'a>> {
-        let (origin, world_from_camera) = (self.origin, self.world_from_camera);
-        let placed = self.placed(hit.instance)?;
-        let triangle = hit.triangle as usize;
-        let vertices = *placed.mesh.triangles.get(triangle)?;
-        let [a, b, c] = (placed.mesh.corners(triangle)?).map(|p| {
-            placed
-                .camera_from_mesh
-                .transform_point3(DVec3::from(p.map(f64::from)))
-        });
-        let normal = (b - a).cross(c - a);
-        let from_plane = a.dot(normal) / ray.dot(normal);
+        if hit != self.hit {
+            self.turn_to(hit);
+        }
+        let (Some(placed), Some(triangle)) = (&self.placed, &self.triangle) else {
+            return None;
+        };
+        let from_plane = triangle.corner.dot(triangle.normal) / ray.dot(triangle.normal);
         let from_depth = f64::from(z) / ray.z;
         // A triangle that is seen edge-on has no plane to speak of.
         let is_trusted = (from_plane - from_depth).abs() <= 1e-5 * from_depth.abs();
@@ -85,40 +100,73 @@ impl<'a> SurfaceFinder<'a> {
         } else {
             from_depth
         };
-        let towards_camera = -ray.normalize_or_zero();
-        let flat = (normal * placed.turn).normalize_or(towards_camera);
-        let side = if flat.dot(ray) > 0.0 { -1.0 } else { 1.0 };
-        let flat_normal = world_from_camera * flat * side;
+        let ray_in_world = self.world_from_camera * ray;
+        let side = if triangle.flat_normal.dot(ray_in_world) > 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        let flat_normal = if triangle.flat_normal == DVec3::ZERO {
+            -ray_in_world.normalize_or_zero()
+        } else {
+            triangle.flat_normal * side
+        };
         let mut surface = Surface {
             mesh: placed.mesh,
-            point: origin + world_from_camera * ray * t,
+            point: self.origin + ray_in_world * t,
             range: t * ray.length(),
             weights: [0.0; 3],
             flat_normal,
             normal: flat_normal,
-            sides: [b.cross(c), c.cross(a), a.cross(b)],
+            sides: triangle.sides,
         };
         surface.weights = clamped(surface.weights_of(ray));
-        let smooth = placed.mesh.normals.as_ref().and_then(|normals| {
-            let sum = surface.interpolated(normals.corners(triangle, vertices)?);
-            (placed.world_from_normal * DVec3::from(sum)).try_normalize()
-        });
-        if let Some(smooth) = smooth {
-            surface.normal = smooth * side;
+        if let Some(normals) = triangle.smooth_normals {
+            let normal = placed.world_from_normal * DVec3::from(surface.interpolated(normals));
+            surface.normal = normal.try_normalize().map_or(flat_normal, |normal| normal * side);
         }
         Some(surface)
     }
 
-    fn placed(&mut self, instance: u32) -> Option<Placed<'a>> {
-        if let Some((last, placed)) = self.last
-            && last == instance
-        {
-            return Some(placed);
+    fn turn_to(&mut self, hit: Hit) {
+        self.hit = hit;
+        if hit.instance != self.instance {
+            self.instance = hit.instance;
+            self.placed = self.place(hit.instance);
         }
+        self.triangle = self.triangle(hit.triangle);
+    }
+
+    fn triangle(&self, triangle: u32) -> Option<Triangle> {
+        let placed = self.placed.as_ref()?;
+        let index = triangle as usize;
+        let [a, b, c] = placed.mesh.corners(index)?;
+        let in_camera = |p: [f32; 3]| {
+            placed
+                .camera_from_mesh
+                .transform_point3(DVec3::from(p.map(f64::from)))
+        };
+        let (a, b, c) = (in_camera(a), in_camera(b), in_camera(c));
+        let normal = (b - a).cross(c - a);
+        let flat = (normal * placed.turn).normalize_or_zero();
+        let normals = placed.mesh.normals.as_ref();
+        Some(Triangle {
+            corner: a,
+            sides: [b.cross(c), c.cross(a), a.cross(b)],
+            normal,
+            flat_normal: self.world_from_camera * flat,
+            smooth_normals: match normals {
+                Some(normals) => normals.corners(index, *placed.mesh.triangles.get(index)?),
+                None => None,
+            },
+        })
+    }
+
+    fn place(&self, instance: u32) -> Option<Placed<'a>> {
         let found = self.scene.instances.get(instance as usize)?;
         let world_from_mesh = found.world_from_mesh;
         let camera_from_world = self.world_from_camera.transpose();
-        let placed = Placed {
+        Some(Placed {
             mesh: self.scene.meshes.get(found.mesh as usize)?,
             camera_from_mesh: DAffine3 {
                 matrix3: camera_from_world * world_from_mesh.matrix3,
@@ -126,9 +174,7 @@ impl<'a> SurfaceFinder<'a> {
             },
             world_from_normal: world_from_mesh.matrix3.inverse().transpose(),
             turn: world_from_mesh.matrix3.determinant().signum(),
-        };
-        self.last = Some((instance, placed));
-        Some(placed)
+        })
     }
 }
 
@@ -144,6 +190,7 @@ impl Surface<'_> {
 }
 
 /// Shares from 0 to 1 that make up a whole, whatever rounding did to them.
+#[inline]
 fn clamped(shares: [f64; 3]) -> [f64; 3] {
     let positive = shares.map(|share| share.clamp(0.0, 1.0));
     let sum: f64 = positive.iter().sum();

@@ -91,17 +91,17 @@ impl Coarse {
                 for (sample, x) in row.iter_mut().zip(0..) {
                     if let Some(place) = place_of(finder, x, y) {
                         *sample = Sample::new(&place);
-                        let first = x % 2 == 0 && y % 2 == 0;
-                        sample.light = occlusion.look(&place, Pattern::turn(x, y), first, stack);
+                        let now = [x % 2 == 0 && y % 2 == 0, (x + y) % 2 == 0];
+                        sample.light = occlusion.look(&place, Pattern::turn(x, y), now, stack);
                     }
                 }
             });
-        // Between places that all see the small lamps, or all do not, no shadow begins.
         let first = samples.clone();
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
         rows.zip(0..height)
             .for_each_init(state, |(finder, stack), (row, y)| {
                 for (sample, x) in row.iter_mut().zip(0..) {
+                    // Between places that all see the small lamps, or all do not, no shadow begins.
                     if sample.light.small.some.is_nan() {
                         sample.light.small.some = match share_around(&first, sample, x, y) {
                             Some(share) => sample.light.small.all * share,
@@ -109,14 +109,22 @@ impl Coarse {
                                 .map_or(0.0, |place| occlusion.light_of_small_lamps(&place, stack)),
                         };
                     }
+                    // Every other place asks its four neighbours.
+                    if sample.light.ambient.is_nan() {
+                        let found = mean_around(&first, sample, x, y).or_else(|| {
+                            let place = place_of(finder, x, y)?;
+                            Some(occlusion.look_around(&place, Pattern::turn(x, y), stack))
+                        });
+                        (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
+                    }
                 }
             });
         samples = smoothed(&samples, [1, 0], Light::with_smooth);
         samples = smoothed(&samples, [0, 1], Light::with_smooth);
         if occlusion.rig.has_sky {
             let tile = PERIOD.cast_signed();
-            samples = smoothed(&samples, [tile, 0], Light::with_smooth_sky);
-            samples = smoothed(&samples, [0, tile], Light::with_smooth_sky);
+            samples = smoothed(&samples, [tile, 0], Light::with_smooth_surroundings);
+            samples = smoothed(&samples, [0, tile], Light::with_smooth_surroundings);
         }
         Self { samples }
     }
@@ -169,6 +177,26 @@ fn share_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<
         }
     }
     all
+}
+
+/// The mean of what the four neighbours see around them; `None` where hardly any is of the same surface.
+fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(f32, f32)> {
+    let neighbours = [
+        (x.checked_sub(1), Some(y)),
+        (x.checked_add(1), Some(y)),
+        (Some(x), y.checked_sub(1)),
+        (Some(x), y.checked_add(1)),
+    ];
+    let (mut ambient, mut sky, mut weights) = (0.0, 0.0, 0.0);
+    for (x, y) in neighbours {
+        if let Some(other) = x.zip(y).and_then(|(x, y)| samples.get(x, y)) {
+            let weight = at.kinship(other);
+            ambient += other.light.ambient * weight;
+            sky += other.light.sky * weight;
+            weights += weight;
+        }
+    }
+    (weights > 0.5).then(|| (ambient / weights, sky / weights))
 }
 
 /// The mean of four samples of the same surface, one `step` apart: from two before to one after. `take` puts what is

@@ -1,131 +1,196 @@
 //! Smooth outlines.
 
 use glam::Vec3;
+use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::Studio;
 use super::tone::Encoder;
 use crate::annotate::SurfaceFinder;
-use crate::ray::{Ray, Stack};
+use crate::ray::Stack;
 use crate::rays::Rays;
-use crate::{Hit, Visibility};
-
-/// Where a pixel at an outline is looked at, from its centre: each in a row and a column of its own.
-const PLACES: [[f64; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
+use crate::{Hit, View, Visibility};
 
 /// The least difference from a neighbour, of 255, that is worth smoothing.
-const LEAST_CONTRAST: u8 = 12;
+const LEAST_CONTRAST: u8 = 10;
 
 /// The least bend of 1/z over three pixels that is an edge, as a share of 1/z.
 const LEAST_BEND: f32 = 1e-3;
 
-/// Looks again, four times, at pixels where one thing ends and another begins: their colour is the mean of what is there.
-pub(super) fn smooth(studio: &Studio<'_>, rays: &Rays<'_>, seen: &Visibility, rgb: &mut Image<[u8; 4]>) {
-    let places: Vec<[u32; 2]> = outlines(seen, rgb);
-    let encoder = Encoder::new();
-    let looked: Vec<[u8; 4]> = places
-        .par_iter()
-        .with_min_len(64)
-        .map_init(
-            || (SurfaceFinder::new(studio.scene, studio.view), Stack::new()),
-            |(finder, stack), [x, y]| {
-                let mut sum = Vec3::ZERO;
-                let mut coverage = 0u16;
-                for [dx, dy] in PLACES {
-                    let at = [f64::from(*x) + 0.5 + dx, f64::from(*y) + 0.5 + dy];
-                    let (color, covered) = look(studio, rays, [*x, *y], at, finder, stack);
-                    sum += color;
-                    coverage += u16::from(covered);
-                }
-                let [r, g, b] = (sum / 4.0).to_array().map(|value| encoder.srgb(value));
-                [r, g, b, if coverage > 0 { 255 } else { 0 }]
-            },
-        )
+/// What the corners of a view's pixels see.
+#[derive(Debug)]
+pub(crate) struct Corners<'a> {
+    /// Of [`corners_of`] the view.
+    pub(crate) rays: Rays<'a>,
+    pub(crate) seen: Visibility,
+}
+
+/// The view of the corners of a view's pixels: one column and one row more than the view has.
+pub(crate) fn corners_of(view: &View) -> View {
+    let mut corners = *view;
+    let of = &view.camera.intrinsics;
+    let mut centre = of.principal_point::<Usd>();
+    centre.x += 0.5;
+    centre.y += 0.5;
+    let mut size = of.size;
+    size.width += 1;
+    size.height += 1;
+    corners.camera.intrinsics = Intrinsics::new(size, of.fx, of.fy, centre);
+    corners
+}
+
+/// Where one thing ends and another begins a pixel becomes half of what its centre sees and half of what its four corners
+/// do. Coverage stays the centre's, as in all other annotations.
+pub(super) fn smooth(
+    studio: &Studio<'_>,
+    corners: &Corners<'_>,
+    seen: &Visibility,
+    colors: &Image<[f32; 3]>,
+    rgb: &mut Image<[u8; 4]>,
+) {
+    let (width, height) = (rgb.width(), rgb.height());
+    let outlines: Vec<Vec<u32>> = (0..height)
+        .into_par_iter()
+        .map(|y| outlines(seen, rgb, y))
         .collect();
-    let width = rgb.width() as usize;
-    for ([x, y], color) in places.into_iter().zip(looked) {
-        if let Some(pixel) = rgb.pixels_mut().get_mut(y as usize * width + x as usize) {
-            // Coverage says what the pixel's centre sees, as all other annotations do.
-            *pixel = [color[0], color[1], color[2], pixel[3]];
+    let encoder = Encoder::new();
+    let row_length = (width as usize).max(1);
+    let rows = rgb.pixels_mut().par_chunks_mut(row_length);
+    rows.zip(outlines).zip(0..height).for_each_init(
+        || (SurfaceFinder::new(studio.scene, studio.view), Stack::new()),
+        |(finder, stack), ((row, outlines), y)| {
+            // The corners on the right of one pixel are those on the left of the next.
+            let mut last: Option<(u32, [Vec3; 2])> = None;
+            for x in outlines {
+                let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], finder, stack);
+                let left = match last {
+                    Some((column, colors)) if column == x => colors,
+                    _ => [at(x, 0), at(x, 1)],
+                };
+                let right = [at(x + 1, 0), at(x + 1, 1)];
+                last = Some((x + 1, right));
+                let around = left[0] + left[1] + right[0] + right[1];
+                let centre = colors.get(x, y).copied().map_or(Vec3::ZERO, Vec3::from);
+                let [r, g, b] = (centre * 0.5 + around * 0.125)
+                    .to_array()
+                    .map(|value| encoder.srgb(value));
+                if let Some(pixel) = row.get_mut(x as usize) {
+                    *pixel = [r, g, b, pixel[3]];
+                }
+            }
+        },
+    );
+}
+
+/// The colour of what a corner sees: that of a pixel around it that sees the same triangle, or its own.
+fn corner<'a>(
+    studio: &'a Studio<'_>,
+    corners: &Corners<'_>,
+    seen: &Visibility,
+    colors: &Image<[f32; 3]>,
+    [x, y]: [u32; 2],
+    finder: &mut SurfaceFinder<'a>,
+    stack: &mut Stack,
+) -> Vec3 {
+    let hit = corners.seen.hits.get(x, y).copied().unwrap_or(Hit::MISS);
+    let around = [
+        [x, y],
+        [x.wrapping_sub(1), y],
+        [x, y.wrapping_sub(1)],
+        [x.wrapping_sub(1), y.wrapping_sub(1)],
+    ];
+    for [x, y] in around {
+        if seen.hits.get(x, y) == Some(&hit)
+            && let Some(color) = colors.get(x, y)
+        {
+            return Vec3::from(*color);
         }
+    }
+    let Some(ray) = corners.rays.centre(x, y) else {
+        return Vec3::ZERO;
+    };
+    let next = [corners.rays.centre(x + 1, y), corners.rays.centre(x, y + 1)];
+    let z = corners.seen.z.0.get(x, y).copied().unwrap_or(f32::INFINITY);
+    studio.color([x, y], hit, ray, next, z, finder, stack)
+}
+
+/// A row of what is seen.
+#[derive(Clone, Copy)]
+struct Row<'a> {
+    colors: &'a [[u8; 4]],
+    hits: &'a [Hit],
+    depths: &'a [f32],
+}
+
+/// A pixel of it.
+#[derive(Clone, Copy)]
+struct Pixel {
+    color: [u8; 4],
+    instance: u32,
+    z: f32,
+}
+
+impl<'a> Row<'a> {
+    fn new(seen: &'a Visibility, rgb: &'a Image<[u8; 4]>, y: u32) -> Option<Self> {
+        let width = rgb.width() as usize;
+        let first = y as usize * width;
+        let range = first..first + width;
+        Some(Self {
+            colors: rgb.pixels().get(range.clone())?,
+            hits: seen.hits.pixels().get(range.clone())?,
+            depths: seen.z.0.pixels().get(range)?,
+        })
+    }
+
+    #[inline]
+    fn pixel(&self, x: usize) -> Option<Pixel> {
+        Some(Pixel {
+            color: *self.colors.get(x)?,
+            instance: self.hits.get(x)?.instance,
+            z: *self.depths.get(x)?,
+        })
     }
 }
 
-fn look<'a>(
-    studio: &'a Studio<'_>,
-    rays: &Rays<'_>,
-    pixel: [u32; 2],
-    at: [f64; 2],
-    finder: &mut SurfaceFinder<'a>,
-    stack: &mut Stack,
-) -> (Vec3, u8) {
-    let Some(ray) = rays.through(at) else {
-        return (Vec3::ZERO, 0);
+/// The pixels of a row at outlines and sharp edges that can be seen as such.
+fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>, y: u32) -> Vec<u32> {
+    let Some(row) = Row::new(seen, rgb, y) else {
+        return Vec::new();
     };
-    let pose = &studio.view.world_from_camera;
-    let found = studio.occlusion.caster.cast(
-        studio.scene,
-        Ray {
-            origin: pose.translation,
-            direction: pose.rotation * ray,
-            near: studio.view.clip.near_m,
-            far: studio.view.clip.far_m,
-        },
-        stack,
-    );
-    let next = [
-        rays.through([at[0] + 1.0, at[1]]),
-        rays.through([at[0], at[1] + 1.0]),
-    ];
-    let (t, hit) = found.unwrap_or((f64::INFINITY, Hit::MISS));
-    #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
-    studio.color(pixel, hit, ray, next, (t * ray.z) as f32, finder, stack)
-}
-
-/// The pixels at outlines and sharp edges that can be seen as such.
-fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>) -> Vec<[u32; 2]> {
-    let (width, height) = (rgb.width(), rgb.height());
-    let rows: Vec<Vec<[u32; 2]>> = (0..height)
-        .into_par_iter()
-        .map(|y| {
-            let is_outline = |x: u32| {
-                let neighbours = [
-                    [(x.checked_sub(1), Some(y)), (x.checked_add(1), Some(y))],
-                    [(Some(x), y.checked_sub(1)), (Some(x), y.checked_add(1))],
-                ];
-                let pixel = |x: Option<u32>, y: Option<u32>| {
-                    let (x, y) = (x?, y?);
-                    Some((*rgb.get(x, y)?, *seen.hits.get(x, y)?, *seen.z.0.get(x, y)?))
-                };
-                let Some((color, hit, z)) = pixel(Some(x), Some(y)) else {
-                    return false;
-                };
-                neighbours.iter().any(|pair| {
-                    let [before, after] = pair.map(|(x, y)| pixel(x, y));
-                    let contrasts = [before, after]
-                        .iter()
-                        .flatten()
-                        .any(|(other, _, _)| contrast(color, *other) >= LEAST_CONTRAST);
-                    if !contrasts {
-                        return false;
-                    }
-                    let changes = [before, after]
-                        .iter()
-                        .flatten()
-                        .any(|(_, other, _)| other.instance != hit.instance);
-                    let bends = before.zip(after).is_some_and(|((_, _, left), (_, _, right))| {
-                        (z / left + z / right - 2.0).abs() > LEAST_BEND
-                    });
-                    changes || bends
-                })
+    let above = y.checked_sub(1).and_then(|y| Row::new(seen, rgb, y));
+    let below = y.checked_add(1).and_then(|y| Row::new(seen, rgb, y));
+    (0..rgb.width())
+        .filter(|x| {
+            let x = *x as usize;
+            let Some(pixel) = row.pixel(x) else {
+                return false;
             };
-            (0..width).filter(|x| is_outline(*x)).map(|x| [x, y]).collect()
+            pixel.is_edge_between(row.pixel(x.wrapping_sub(1)), row.pixel(x + 1))
+                || pixel.is_edge_between(
+                    above.and_then(|row| row.pixel(x)),
+                    below.and_then(|row| row.pixel(x)),
+                )
         })
-        .collect();
-    rows.concat()
+        .collect()
 }
 
+impl Pixel {
+    #[inline]
+    fn is_edge_between(&self, before: Option<Self>, after: Option<Self>) -> bool {
+        let differs = |other: Self| contrast(self.color, other.color) >= LEAST_CONTRAST;
+        if !(before.is_some_and(differs) || after.is_some_and(differs)) {
+            return false;
+        }
+        let is_other = |other: Self| other.instance != self.instance;
+        let bends = before
+            .zip(after)
+            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > LEAST_BEND);
+        bends || before.is_some_and(is_other) || after.is_some_and(is_other)
+    }
+}
+
+#[inline]
 fn contrast(a: [u8; 4], b: [u8; 4]) -> u8 {
     (a.iter().zip(b)).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }

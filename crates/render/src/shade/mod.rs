@@ -28,6 +28,7 @@ use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
 use self::coarse::{Coarse, place};
+pub(crate) use self::edges::{Corners, corners_of};
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
 use self::paint::{Paint, paints};
@@ -69,8 +70,9 @@ impl Shader {
         }
     }
 
-    /// sRGB and coverage (255, or 0 for a miss, which has the colour of the sky) of what is seen. The findings name the
-    /// textures that could not be shown, in the order of the scene.
+    /// sRGB and coverage (255, or 0 for a miss, which has the colour of the sky) of what is seen; smooth at outlines if
+    /// it is known what the corners of pixels see. The findings name the textures that could not be shown, in the order
+    /// of the scene.
     pub(crate) fn shade(
         &self,
         scene: &Scene,
@@ -78,7 +80,7 @@ impl Shader {
         view: &View,
         rays: &Rays<'_>,
         seen: &Visibility,
-        smooth_edges: bool,
+        corners: Option<&Corners<'_>>,
     ) -> (Image<[u8; 4]>, Vec<Finding>) {
         let findings = self.decode(scene, &seen.hits);
         let emitters: Vec<Emitter> = (self.rig.lamps.iter())
@@ -100,9 +102,20 @@ impl Shader {
             occlusion,
             coarse,
         };
-        let mut rgb = studio.centres(rays, seen);
-        if smooth_edges {
-            edges::smooth(&studio, rays, seen, &mut rgb);
+        let colors = studio.centres(rays, seen);
+        let encoder = Encoder::new();
+        let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
+        rgb.pixels_mut()
+            .par_iter_mut()
+            .with_min_len(4096)
+            .zip(colors.pixels())
+            .zip(seen.hits.pixels())
+            .for_each(|((pixel, color), hit)| {
+                let [r, g, b] = color.map(|value| encoder.srgb(value));
+                *pixel = [r, g, b, if hit.is_miss() { 0 } else { 255 }];
+            });
+        if let Some(corners) = corners {
+            edges::smooth(&studio, corners, seen, &colors, &mut rgb);
         }
         (rgb, findings)
     }
@@ -146,35 +159,31 @@ impl Shader {
 }
 
 impl Studio<'_> {
-    /// Each pixel by what its centre sees.
-    fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[u8; 4]> {
+    /// The tone-mapped colour of what each pixel's centre sees; black where the lens sees nothing.
+    fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
-        let mut rgb = Image::filled(width, height, [0; 4]);
-        let encoder = Encoder::new();
+        let mut colors = Image::filled(width, height, [0.0; 3]);
         let row_length = (width as usize).max(1);
-        let rows = rgb.pixels_mut().par_chunks_mut(row_length);
+        let rows = colors.pixels_mut().par_chunks_mut(row_length);
         let seen_rows =
             (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
         rows.zip(seen_rows).zip(0..height).for_each_init(
             || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
             |(finder, stack), ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
-                    let Some(ray) = rays.centre(x, y) else {
-                        *pixel = [0; 4];
-                        continue;
-                    };
-                    let next = [rays.centre(x + 1, y), rays.centre(x, y + 1)];
-                    let (color, coverage) = self.color([x, y], *hit, ray, next, *z, finder, stack);
-                    let [r, g, b] = color.to_array().map(|value| encoder.srgb(value));
-                    *pixel = [r, g, b, coverage];
+                    if let Some(ray) = rays.centre(x, y) {
+                        let next = [rays.centre(x + 1, y), rays.centre(x, y + 1)];
+                        let color = self.color([x, y], *hit, ray, next, *z, finder, stack);
+                        *pixel = color.to_array();
+                    }
                 }
             },
         );
-        rgb
+        colors
     }
 
-    /// The tone-mapped colour of what a ray through pixel `(x, y)` hits, and its coverage; `next` are the rays a pixel to
-    /// the right and a pixel below.
+    /// The tone-mapped colour of what a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a
+    /// pixel below.
     #[expect(clippy::too_many_arguments, reason = "all that is known of a ray")]
     fn color<'a>(
         &'a self,
@@ -185,7 +194,7 @@ impl Studio<'_> {
         z: f32,
         finder: &mut SurfaceFinder<'a>,
         stack: &mut Stack,
-    ) -> (Vec3, u8) {
+    ) -> Vec3 {
         let surface = if hit.is_miss() {
             None
         } else {
@@ -193,7 +202,7 @@ impl Studio<'_> {
         };
         let Some(surface) = surface else {
             let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return (toned(self.rig.background(direction)), 0);
+            return toned(self.rig.background(direction));
         };
         let place = place(&surface, self.view);
         let light = self
@@ -211,7 +220,7 @@ impl Studio<'_> {
             next.map(|ray| ray.map_or([f64::NAN; 3], |ray| surface.weights_of(ray))),
         );
         let emitters = self.occlusion.emitters;
-        (toned(radiance(&facet, &finish, &light, emitters, self.rig)), 255)
+        toned(radiance(&facet, &finish, &light, emitters, self.rig))
     }
 
     fn paint(&self, surface: &Surface<'_>, triangle: u32) -> &Paint<'_> {

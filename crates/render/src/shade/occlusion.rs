@@ -81,9 +81,10 @@ impl Light {
         }
     }
 
-    /// Only the sky of `smooth`.
-    pub(super) fn with_smooth_sky(self, smooth: Self) -> Self {
+    /// Only what is all around of `smooth`.
+    pub(super) fn with_smooth_surroundings(self, smooth: Self) -> Self {
         Self {
+            ambient: smooth.ambient,
             sky: smooth.sky,
             ..self
         }
@@ -125,9 +126,19 @@ pub(super) struct Occlusion<'a> {
 }
 
 impl Occlusion<'_> {
-    /// What one of 16 neighbours finds. Where `small_lamps` are left for later, what arrives of them is unknown: NaN.
-    pub(super) fn look(&self, place: &Place, turn: Turn, small_lamps: bool, stack: &mut Stack) -> Light {
-        let (ambient, sky) = self.look_around(place, turn, stack);
+    /// What one of 16 neighbours finds. What arrives of `small_lamps` and from all around may be left for later: NaN.
+    pub(super) fn look(
+        &self,
+        place: &Place,
+        turn: Turn,
+        [small_lamps, around]: [bool; 2],
+        stack: &mut Stack,
+    ) -> Light {
+        let (ambient, sky) = if around {
+            self.look_around(place, turn, stack)
+        } else {
+            (f32::NAN, f32::NAN)
+        };
         let mut light = Light {
             ambient,
             sky,
@@ -170,18 +181,18 @@ impl Occlusion<'_> {
                     of_place: turn,
                     of_tile: turn,
                 };
-                self.look(place, turn, true, stack)
+                self.look(place, turn, [true; 2], stack)
             })
             .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
     }
 
     /// How open the surroundings and the sky are.
-    fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
+    pub(super) fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
         // Without a sky all tiles do the same, and none stands out.
         let (far, of_tile) = if self.rig.has_sky {
             (f64::INFINITY, turn.of_tile)
         } else {
-            (self.rig.reach, 0)
+            (self.rig.reach, 7)
         };
         let turn = Turn { of_tile, ..turn };
         let (mut ambient, mut sky) = (0.0, 0.0);

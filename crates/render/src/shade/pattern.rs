@@ -74,7 +74,8 @@ impl Pattern {
     pub(super) fn looks(&self, turn: Turn, normal: DVec3) -> [DVec3; LOOKS] {
         let (u, v) = normal.any_orthonormal_pair();
         std::array::from_fn(|i| {
-            let at = turn.of_tile * OF_TILE + turn.of_place + i * 16;
+            // Only places on the black fields of a chessboard look around; they have the first eight turns.
+            let at = turn.of_tile * OF_TILE + turn.of_place * 2 % 16 + turn.of_place / 8 + i * 16;
             let local = self.directions.get(at).copied().unwrap_or(DVec3::Z);
             u * local.x + v * local.y + normal * local.z
         })

@@ -16,7 +16,7 @@ pub(crate) struct Pyramid {
 }
 
 /// The most places along a pixel's longer axis at which a texture is read.
-const MOST_PROBES: f32 = 8.0;
+const MOST_PROBES: f32 = 4.0;
 
 /// Numbers that are no colours: 0 to 1 in equal steps.
 static RAW: [f32; 256] = {
@@ -70,7 +70,11 @@ impl Pyramid {
         }
         let short = short.max(long / MOST_PROBES).max(1.0);
         let lod = log2(short);
-        let probes = (long / short).ceil().clamp(1.0, MOST_PROBES);
+        // Halves of a probe are not missed.
+        let mut probes = 1.0;
+        while probes < MOST_PROBES && probes + 0.5 < long / short {
+            probes += 1.0;
+        }
         if probes <= 1.0 {
             return self.trilinear(at, lod, wraps);
         }
@@ -115,38 +119,63 @@ impl Pyramid {
     }
 
     /// Between four pixels of a level.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_precision_loss,
-        reason = "a texture's coordinates"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
     fn bilinear(&self, level: usize, at: Vec2, wraps: Wraps) -> [f32; 3] {
         let image = &self.levels[level];
         let (width, height) = (image.width(), image.height());
         let x = at.x * width as f32 - 0.5;
         let y = (1.0 - at.y) * height as f32 - 0.5;
-        let (left, top) = (x.floor(), y.floor());
-        let (right_part, lower_part) = (x - left, y - top);
-        let columns = [left as i64, left as i64 + 1].map(|x| wrapped(x, width, wraps.s));
-        let rows = [top as i64, top as i64 + 1].map(|y| wrapped(y, height, wraps.t));
+        let (left, top) = (floor(x), floor(y));
+        let (right_part, lower_part) = (x - left as f32, y - top as f32);
         let pixels = image.pixels();
-        let mut sum = [0.0f32; 3];
-        for (row, row_part) in rows.into_iter().zip([1.0 - lower_part, lower_part]) {
-            for (column, column_part) in columns.into_iter().zip([1.0 - right_part, right_part]) {
-                let (Some(row), Some(column)) = (row, column) else {
-                    continue;
-                };
-                let Some(pixel) = pixels.get(row as usize * width as usize + column as usize) else {
-                    continue;
-                };
-                let part = row_part * column_part;
-                for (sum, value) in sum.iter_mut().zip(pixel) {
-                    *sum += self.linear[usize::from(*value)] * part;
-                }
-            }
+        let inside = |at: i64, count: u32| at >= 0 && at + 1 < i64::from(count);
+        let square = if inside(left, width) && inside(top, height) {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "inside the image"
+            )]
+            let first = top as usize * width as usize + left as usize;
+            let row = |first: usize| pixels.get(first..first + 2).and_then(|row| row.first_chunk());
+            row(first)
+                .zip(row(first + width as usize))
+                .map(|(a, b): (&[_; 2], &[_; 2])| [*a, *b])
+        } else {
+            None
+        };
+        let square = square.unwrap_or_else(|| {
+            [top, top + 1].map(|y| {
+                [left, left + 1].map(|x| {
+                    let place = wrapped(x, width, wraps.s).zip(wrapped(y, height, wraps.t));
+                    place
+                        .and_then(|(x, y)| image.get(x, y))
+                        .copied()
+                        .unwrap_or_default()
+                })
+            })
+        });
+        let [[a, b], [c, d]] = square;
+        let mut color = [0.0f32; 3];
+        for (i, value) in color.iter_mut().enumerate() {
+            let linear = |pixel: [u8; 4]| self.linear[usize::from(pixel[i])];
+            let upper = linear(a) + (linear(b) - linear(a)) * right_part;
+            let lower = linear(c) + (linear(d) - linear(c)) * right_part;
+            *value = upper + (lower - upper) * lower_part;
         }
-        sum
+        color
     }
+}
+
+/// The whole number at or below; far beyond a texture's size it is any.
+#[inline]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "a texture's coordinates"
+)]
+fn floor(x: f32) -> i64 {
+    let whole = x as i32;
+    i64::from(whole) - i64::from(whole as f32 > x)
 }
 
 /// Where a coordinate beyond the border is; `None` for nowhere.
@@ -288,14 +317,14 @@ mod tests {
         let row = Vec2::new(0.5, 1.0 - 10.5 / 64.0);
         let along = stripes.filtered(
             row,
-            Vec2::new(8.0 / 64.0, 0.0),
+            Vec2::new(4.0 / 64.0, 0.0),
             Vec2::new(0.0, 1.0 / 64.0),
             REPEAT,
         );
         assert!(along[0] > 0.99, "{along:?}");
         let across = stripes.filtered(
             row,
-            Vec2::new(0.0, 8.0 / 64.0),
+            Vec2::new(0.0, 4.0 / 64.0),
             Vec2::new(1.0 / 64.0, 0.0),
             REPEAT,
         );

@@ -10,6 +10,9 @@ use super::rig::Rig;
 /// What dielectrics reflect of light that comes from straight above.
 const DIELECTRIC: f32 = 0.04;
 
+/// From this roughness on a dielectric shows no lamps.
+const DULL: f32 = 0.75;
+
 /// A place on a surface, in single precision, relative to the eye, in the world's axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
@@ -32,6 +35,7 @@ pub(super) fn radiance(
     let albedo = finish.color * (1.0 - finish.metallic);
     let straight = Vec3::splat(DIELECTRIC).lerp(finish.color, finish.metallic);
     let alpha = (finish.roughness * finish.roughness).max(0.02);
+    let is_glossy = finish.roughness < DULL || finish.metallic > 0.0;
     let (normal, eye) = (facet.normal, facet.eye);
     let to_eye = normal.dot(eye).max(1e-3);
     let mut diffuse = Vec3::ZERO;
@@ -44,9 +48,11 @@ pub(super) fn radiance(
             }
             let received = irradiance * to_light;
             diffuse += received;
-            // A wide lamp has a wide reflection.
-            let alpha = (alpha + width * 0.5).min(1.0);
-            glossy += received * lobe(normal, eye, towards, to_eye, to_light, alpha, straight);
+            if is_glossy {
+                // A wide lamp has a wide reflection.
+                let alpha = (alpha + width * 0.5).min(1.0);
+                glossy += received * lobe(normal, eye, towards, to_eye, to_light, alpha, straight);
+            }
         });
     }
     let direct = light.direct();
