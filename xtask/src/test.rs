@@ -23,6 +23,7 @@ pub(crate) struct Args {
 struct Programs {
     oaktwin: PathBuf,
     camera_eval: PathBuf,
+    depth_eval: PathBuf,
     scene_dump: PathBuf,
 }
 
@@ -129,7 +130,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
 
 fn build_programs() -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
-    let names = ["oaktwin", "camera-eval", "scene-dump"];
+    let names = ["oaktwin", "camera-eval", "depth-eval", "scene-dump"];
     let mut arguments = vec!["--workspace"];
     arguments.extend(names.iter().flat_map(|name| ["--bin", name]));
     let mut programs = workspace::build(&arguments)?;
@@ -141,6 +142,7 @@ fn build_programs() -> Result<Programs, String> {
     Ok(Programs {
         oaktwin: take("oaktwin")?,
         camera_eval: take("camera-eval")?,
+        depth_eval: take("depth-eval")?,
         scene_dump: take("scene-dump")?,
     })
 }
@@ -163,6 +165,7 @@ fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Com
     }
     command.env("OAKTWIN_BIN", &programs.oaktwin);
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
+    command.env("OAKTWIN_DEPTH_EVAL", &programs.depth_eval);
     command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
     // The environment is pinned: nothing of the user's own Python gets in.
     command

@@ -20,7 +20,9 @@ pub mod preview;
 pub mod srgb;
 pub mod text;
 pub mod texture;
+mod view;
 
 pub use depth::{RangeDepth, ZDepth};
 pub use error::CodecError;
 pub use plane::Image;
+pub use view::ImageView;

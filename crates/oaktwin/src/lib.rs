@@ -29,12 +29,14 @@ pub mod demo_room;
 pub mod files;
 pub mod render;
 pub mod report;
+pub mod sensor;
 pub mod unit;
 
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
 pub use oaktwin_dataset as dataset;
+pub use oaktwin_depth as depth;
 pub use oaktwin_diagnostic as diagnostic;
 pub use oaktwin_image as image;
 pub use oaktwin_scene as scene;

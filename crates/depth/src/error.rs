@@ -1,0 +1,37 @@
+/// A parameter that makes no sensor: `NAME: what is wrong; what to do`.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{name}: {what}; {remedy}")]
+pub struct ParameterError {
+    /// The parameter.
+    pub name: String,
+    /// What is wrong.
+    pub what: String,
+    /// What to do.
+    pub remedy: String,
+}
+
+impl ParameterError {
+    pub(crate) fn new(name: impl Into<String>, what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+}
+
+/// Images that do not belong together.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the {what} is {width}x{height}, the depth {depth_width}x{depth_height}; give both in one size")]
+pub struct ShotError {
+    /// Which image.
+    pub what: &'static str,
+    /// Its columns.
+    pub width: u32,
+    /// Its rows.
+    pub height: u32,
+    /// Columns of the depth.
+    pub depth_width: u32,
+    /// Rows of the depth.
+    pub depth_height: u32,
+}

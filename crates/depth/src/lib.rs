@@ -1,0 +1,21 @@
+//! What a depth camera reports: images in, images out, never scenes.
+//!
+//! Ground truth from any renderer is a valid input: [`Shot`]. An engine turns it into what the camera would have
+//! reported: [`single_view`] as Isaac Sim's `DepthSensorDistance` does, [`stereo_noise`] with the errors that an OAK's
+//! stereo makes; a [`Sensor`] is an engine with its filters, which may remember earlier frames.
+//!
+//! Input is metres along the optical axis; what is not finite and above 0 is no surface. Output is metres, 0 where
+//! nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on the seed, the camera's
+//! name, the frame and the pixel, never on threads, tiles, batch order or call history.
+
+mod error;
+pub mod filter;
+pub mod random;
+mod sensor;
+mod shot;
+pub mod single_view;
+pub mod stereo_noise;
+
+pub use error::{ParameterError, ShotError};
+pub use sensor::{Capture, Engine, Sensor};
+pub use shot::Shot;

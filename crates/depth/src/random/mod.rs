@@ -1,0 +1,83 @@
+//! Counter-based random numbers: a function of (seed, camera, stage, frame, item, pixel) and nothing else.
+//!
+//! The generator is Philox4x32-10 (Salmon, Moraes, Dror, Shaw: *Parallel random numbers: as easy as 1, 2, 3*, SC 2011).
+//! Its key is made of the seed, the camera's name and the stage; its counter is (block of the row, row, frame, item).
+
+mod normal;
+mod philox;
+
+pub use normal::standard_normal;
+pub use philox::philox4x32_10;
+
+/// What a number is for: no two uses share one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum Stage {
+    /// The calibration bias of a device.
+    DeviceBias = 0,
+    /// The jitter of disparity.
+    Jitter = 1,
+    /// Pixels that are dropped.
+    Dropout = 2,
+    /// Errors of an image sensor.
+    Exposure = 3,
+}
+
+/// The random numbers of one camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stream {
+    key: u64,
+}
+
+impl Stream {
+    /// Of a seed and the camera's name.
+    #[must_use]
+    pub fn new(seed: u64, camera: &str) -> Self {
+        // FNV-1a of the name's bytes, then SplitMix64's finalizer over both.
+        let name = camera.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        });
+        Self {
+            key: mix(mix(seed) ^ name),
+        }
+    }
+
+    /// Those of one stage of one image. Frame numbers are taken modulo 2³².
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "frame numbers and keys are cut to words"
+    )]
+    pub fn plane(&self, stage: Stage, frame: u64, item: u32) -> Plane {
+        let key = mix(self.key ^ mix(stage as u64 + 1));
+        Plane {
+            key: [key as u32, (key >> 32) as u32],
+            frame: frame as u32,
+            item,
+        }
+    }
+}
+
+/// The random numbers of one stage of one image: four words for each block of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plane {
+    key: [u32; 2],
+    frame: u32,
+    item: u32,
+}
+
+impl Plane {
+    /// Four independent words.
+    #[must_use]
+    pub fn words(&self, block: u32, row: u32) -> [u32; 4] {
+        philox4x32_10([block, row, self.frame, self.item], self.key)
+    }
+}
+
+/// `SplitMix64`'s finalizer (Steele, Lea, Flood 2014).
+const fn mix(value: u64) -> u64 {
+    let value = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let value = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let value = (value ^ (value >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    value ^ (value >> 31)
+}

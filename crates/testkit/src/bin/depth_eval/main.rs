@@ -1,0 +1,38 @@
+//! The sensor models over a pipe, for oracles in other languages: one JSON request a line on standard input, one JSON
+//! answer a line on standard output, `{"error": …}` where there is none. Images are NPY files, named in the request.
+
+mod files;
+mod single_view;
+mod stereo_noise;
+
+use std::error::Error;
+use std::io::{self, BufRead, Write};
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+#[derive(Deserialize)]
+#[serde(tag = "op", rename_all = "snake_case")]
+enum Request {
+    /// Isaac Sim's sensor.
+    SingleView(single_view::Request),
+    /// The errors of an OAK's stereo.
+    StereoNoise(stereo_noise::Request),
+}
+
+fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
+    match serde_json::from_str(line)? {
+        Request::SingleView(request) => request.answer(),
+        Request::StereoNoise(request) => request.answer(),
+    }
+}
+
+fn main() -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    for line in io::stdin().lock().lines() {
+        let answer = answer(&line?).unwrap_or_else(|error| json!({"error": error.to_string()}));
+        writeln!(out, "{answer}")?;
+        out.flush()?;
+    }
+    Ok(())
+}
