@@ -10,6 +10,7 @@
 
 mod error;
 pub mod filter;
+pub mod measure;
 pub mod preset;
 pub mod random;
 mod sensor;
