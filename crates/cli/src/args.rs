@@ -1,11 +1,17 @@
 //! What the program understands.
 
+#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod sensor;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
+
+#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
 #[derive(Parser, Debug)]
