@@ -20,7 +20,12 @@ fn distorted() -> LensModel {
     LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&[-0.2, 0.05, 1e-3, -2e-3, 0.01]).unwrap())
 }
 
-/// Every target pixel asks every source pixel whether it goes there.
+/// Sample by sample with the cameras' own functions.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "within the image"
+)]
 fn brute_force(align: &Align, depth: &Image<f32>) -> Vec<f32> {
     let (source, target) = (&align.source, &align.target);
     let size = target.intrinsics.size;
