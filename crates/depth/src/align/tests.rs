@@ -111,6 +111,7 @@ proptest! {
             let ray = camera.unproject(PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5)).unwrap();
             height * ray.z / normal.dot(ray)
         };
+        #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
         let depth: Vec<f32> = (0..40).flat_map(|y| (0..64).map(move |x| (x, y)))
             .map(|(x, y)| plane(&source, normal, height, x, y) as f32).collect();
         let depth = Image::new(64, 40, depth).unwrap();
