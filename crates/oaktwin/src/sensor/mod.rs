@@ -86,7 +86,7 @@ pub fn sensor(
 }
 
 /// Isaac Sim's sensor of these parameters, those of a render product say, whose virtual camera has this name. Of the
-/// options only the seed, the filters and the parameters matter.
+/// options only the seed, the filters and the parameters matter; the findings say of the others that they do not.
 ///
 /// # Errors
 /// A filter or parameter that does not exist or is out of its range.
@@ -94,11 +94,29 @@ pub fn of_render_product(
     prim: &str,
     parameters: single_view::Parameters,
     options: &SensorOptions,
-) -> Result<Sensor, ParameterError> {
+) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let engine = single_view(parameters, options)?;
     let filters = configure::chain(options, None)?;
     let name = options.name.as_deref().unwrap_or(prim);
-    Ok(Sensor::new(engine, filters, Stream::new(options.seed, name)))
+    let ignored = [
+        (options.preset.is_some(), "preset"),
+        (options.extended_disparity, "extended range of disparities"),
+        (options.device_seed.is_some(), "seed of a device"),
+    ];
+    let findings = ignored.iter().filter(|(given, _)| *given).map(|(_, what)| {
+        Finding::new(
+            "ignored",
+            Level::Warning,
+            prim,
+            format!("a render product has no {what}: it is left out"),
+            "set its parameters by name",
+        )
+    });
+    let findings = findings.collect();
+    Ok((
+        Sensor::new(engine, filters, Stream::new(options.seed, name)),
+        findings,
+    ))
 }
 
 fn single_view(
