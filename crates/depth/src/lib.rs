@@ -11,6 +11,8 @@
 mod choice;
 mod error;
 pub mod filter;
+pub mod measure;
+pub mod preset;
 pub mod random;
 mod sensor;
 mod shot;
