@@ -9,6 +9,7 @@ pub mod colormap;
 mod depth;
 mod error;
 pub mod exr;
+mod half;
 mod limits;
 pub mod millimetres;
 pub mod npy;
