@@ -90,6 +90,15 @@ impl Sweep {
         }
     }
 
+    /// Of axes as people write them.
+    ///
+    /// # Errors
+    /// As [`Sweep::new`]; a text that is no axis.
+    pub fn parse<'a>(axes: impl IntoIterator<Item = &'a str>) -> Result<Self, SweepError> {
+        let axes: Result<Vec<Axis>, SweepError> = axes.into_iter().map(str::parse).collect();
+        Self::new(axes?)
+    }
+
     /// The options of each picture, row by row.
     fn options(&self, base: &SensorOptions) -> Vec<SensorOptions> {
         let one: [Option<&String>; 1] = [None];
@@ -168,8 +177,7 @@ mod tests {
     use super::*;
 
     fn sweep(texts: &[&str]) -> Result<Sweep, SweepError> {
-        let axes: Result<Vec<Axis>, SweepError> = texts.iter().map(|text| text.parse()).collect();
-        Sweep::new(axes?)
+        Sweep::parse(texts.iter().copied())
     }
 
     #[test]
