@@ -59,6 +59,7 @@ impl SensorArgs {
             extended_disparity: self.extended_disparity,
             isaac: self.isaac.map(Into::into).unwrap_or_default(),
             image: None,
+            name: None,
             seed: self.seed,
             device_seed: self.device_seed,
         }
