@@ -4,10 +4,12 @@
 //! The image is the rectified left one. Disparities are in matcher pixels, those of the mode's full width
 //! ([`Parameters::width_px`]): an image of any width of the same field of view has the same depth error.
 
+mod names;
 mod parameters;
 mod sense;
 
-pub use parameters::{DEVICE_BIAS_SIGMA_PX, Parameters, Subpixel};
+pub use names::NAMES;
+pub use parameters::{DEVICE_BIAS_SIGMA_PX, DepthRounding, Parameters, Subpixel};
 
 use oaktwin_image::{Image, ZDepth};
 
@@ -60,7 +62,11 @@ impl StereoNoise {
                 return 0.0;
             }
             let d = f64::from(fixed) * step + f64::from(p.disparity_shift_px);
-            let millimetres = (p.stereo.depth(d) * 1000.0).round();
+            let exact = p.stereo.depth(d) * 1000.0;
+            let millimetres = match p.depth_rounding {
+                DepthRounding::Nearest => exact.round(),
+                DepthRounding::Truncate => exact.floor(),
+            };
             if millimetres > f64::from(u16::MAX) {
                 return 0.0;
             }
