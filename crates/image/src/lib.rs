@@ -10,6 +10,7 @@ mod depth;
 pub mod draw;
 mod error;
 pub mod exr;
+mod half;
 mod limits;
 pub mod millimetres;
 pub mod npy;
