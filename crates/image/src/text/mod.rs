@@ -27,13 +27,24 @@ pub fn width(text: &str, height: f32) -> f32 {
 /// Draws a line of text whose capitals have their upper left corner at (`x`, `y`), px. What lies outside the image is
 /// cut off; a character that the font does not have is a box.
 pub fn draw(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: Style) {
+    draw_along(image, text, style, |right, down| [x + right, y + down]);
+}
+
+/// Draws a line of text that reads upwards: (`x`, `y`) is where the first letter's upper left corner is, which lies to
+/// the lower left.
+pub fn draw_upwards(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: Style) {
+    draw_along(image, text, style, |right, down| [x + down, y - right]);
+}
+
+/// Draws text of which `place` says where what is so far to the right and down lies.
+fn draw_along(image: &mut Image<[u8; 3]>, text: &str, style: Style, place: impl Fn(f32, f32) -> [f32; 2]) {
     let scale = style.height / f32::from(glyphs::CAPITAL);
     // Half a stroke, px: never thinner than what a pixel can show.
     let radius = (scale * 0.8).max(0.6);
-    let mut left = x;
+    let mut left = 0.0;
     for c in text.chars() {
         let glyph = glyphs::glyph(c);
-        let at = |[px, py]: [f32; 2]| [left + px * scale, y + py * scale];
+        let at = |[px, py]: [f32; 2]| place(left + px * scale, py * scale);
         let segments: Vec<[[f32; 2]; 2]> = glyph
             .strokes()
             .iter()
