@@ -59,6 +59,7 @@ impl SensorArgs {
             extended_disparity: self.extended_disparity,
             isaac: self.isaac.into(),
             image: None,
+            name: None,
             seed: self.seed,
             device_seed: self.device_seed,
         }

@@ -1,15 +1,16 @@
 //! The sensor of a twin: from its catalog entry or calibration to a [`Sensor`] that turns ground truth into what the
 //! device would report.
 
+mod configure;
 mod options;
 mod parameters;
 
-use oaktwin_depth::filter::Chain;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, SingleView};
 use oaktwin_depth::stereo_noise::StereoNoise;
 pub use oaktwin_depth::{Capture, Engine, ParameterError, Sensor, Shot, single_view};
 
+use configure::Preset;
 pub use options::{EngineKind, SensorOptions};
 pub use parameters::{single_view_parameters, stereo_noise_parameters};
 
@@ -23,8 +24,11 @@ const SAME_FOCAL_LENGTH: f64 = 1e-5;
 
 /// The sensor of a twin; the findings are what about it is not as the twin says.
 ///
+/// The order is: the twin's own parameters, the images' focal length, the preset, the range of disparities, the device's
+/// bias, then what is named.
+///
 /// # Errors
-/// An engine that the sensor cannot have; a parameter that does not exist or is out of its range.
+/// An engine that the sensor cannot have; a preset, filter or parameter that does not exist or is out of its range.
 pub fn sensor(
     twin: &Twin,
     sensor: &TwinDepthSensor,
@@ -33,64 +37,95 @@ pub fn sensor(
     let kind = options
         .engine
         .unwrap_or_else(|| EngineKind::default_for(sensor.spec.kind));
-    match kind {
+    let mut findings = Vec::new();
+    let own = own_focal_length(twin, sensor, options, &mut findings);
+    let preset = Preset::of(twin, sensor.spec.kind, options)?;
+    if let Some(preset) = &preset {
+        findings.push(preset.finding(options, kind, &sensor.spec.prim));
+    }
+    let is_extended = options.extended_disparity
+        || matches!(&preset, Some(Preset::Stereo(config)) if config.extended_disparity);
+    let engine = match kind {
         EngineKind::SingleView => {
-            let mut findings = Vec::new();
-            let mut parameters = single_view_parameters(sensor, options.extended_disparity, options.isaac);
-            if let Some(image) = own_focal_length(twin, sensor, options, &mut findings) {
+            let mut parameters = single_view_parameters(sensor, is_extended, options.isaac);
+            if let Some(image) = own {
                 parameters.focal_length_px =
                     image.fx * parameters.sensor_size_px / f64::from(image.size.width);
             }
-            let (sensor, more) = of_render_product(&sensor.spec.prim, parameters, options)?;
-            findings.extend(more);
-            Ok((sensor, findings))
+            single_view(parameters, options)?
         }
-        EngineKind::StereoNoise => stereo_noise(twin, sensor, options),
-    }
+        EngineKind::StereoNoise => {
+            let mut parameters = stereo_noise_parameters(twin)
+                .filter(|_| sensor.spec.kind == DepthKind::Stereo)
+                .ok_or_else(|| ParameterError {
+                    name: "engine".to_owned(),
+                    what: format!("{} is no stereo sensor", sensor.spec.prim),
+                    remedy: "use single-view, or the stereo sensor".to_owned(),
+                })?;
+            if let Some(image) = own {
+                parameters.stereo.focal_length_px =
+                    image.fx * f64::from(parameters.width_px) / f64::from(image.size.width);
+            }
+            if let Some(Preset::Stereo(config)) = &preset {
+                config.apply_to(&mut parameters);
+            }
+            parameters.extended_disparity = is_extended;
+            if let Some(seed) = options.device_seed {
+                parameters = parameters.of_device(seed);
+            }
+            configure::set_stereo_noise(&mut parameters, options)?;
+            Engine::StereoNoise(StereoNoise::new(parameters)?)
+        }
+    };
+    let filters = configure::chain(options, preset.as_ref())?;
+    let name = options.name.as_deref().unwrap_or(&sensor.spec.prim);
+    Ok((
+        Sensor::new(engine, filters, Stream::new(options.seed, name)),
+        findings,
+    ))
 }
 
-/// Isaac Sim's sensor of these parameters, those of a render product say, whose virtual camera has this name; of the
-/// options the engine, the range of disparities and the image do not matter.
+/// Isaac Sim's sensor of these parameters, those of a render product say, whose virtual camera has this name. Of the
+/// options only the seed, the filters and the parameters matter; the findings say of the others that they do not.
 ///
 /// # Errors
-/// A parameter that does not exist or is out of its range.
+/// A filter or parameter that does not exist or is out of its range.
 pub fn of_render_product(
     prim: &str,
     parameters: single_view::Parameters,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    refuse_unknown(options)?;
-    let engine = Engine::SingleView(SingleView::new(parameters, Assumptions::default())?);
-    let random = Stream::new(options.seed, prim);
-    Ok((Sensor::new(engine, Chain::default(), random), Vec::new()))
+    let engine = single_view(parameters, options)?;
+    let filters = configure::chain(options, None)?;
+    let name = options.name.as_deref().unwrap_or(prim);
+    let ignored = [
+        (options.preset.is_some(), "preset"),
+        (options.extended_disparity, "extended range of disparities"),
+        (options.device_seed.is_some(), "seed of a device"),
+    ];
+    let findings = ignored.iter().filter(|(given, _)| *given).map(|(_, what)| {
+        Finding::new(
+            "ignored",
+            Level::Warning,
+            prim,
+            format!("a render product has no {what}: it is left out"),
+            "set its parameters by name",
+        )
+    });
+    let findings = findings.collect();
+    Ok((
+        Sensor::new(engine, filters, Stream::new(options.seed, name)),
+        findings,
+    ))
 }
 
-fn stereo_noise(
-    twin: &Twin,
-    sensor: &TwinDepthSensor,
+fn single_view(
+    mut parameters: single_view::Parameters,
     options: &SensorOptions,
-) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    refuse_unknown(options)?;
-    let parameters = stereo_noise_parameters(twin)
-        .filter(|_| sensor.spec.kind == DepthKind::Stereo)
-        .ok_or_else(|| ParameterError {
-            name: "engine".to_owned(),
-            what: format!("{} is no stereo sensor", sensor.spec.prim),
-            remedy: "use single-view, or the stereo sensor".to_owned(),
-        })?;
-    let mut parameters = match options.device_seed {
-        Some(seed) => parameters.of_device(seed),
-        None => parameters,
-    };
-    parameters.extended_disparity = options.extended_disparity;
-    let mut findings = Vec::new();
-    if let Some(image) = own_focal_length(twin, sensor, options, &mut findings) {
-        parameters.stereo.focal_length_px =
-            image.fx * f64::from(parameters.width_px) / f64::from(image.size.width);
-    }
-    let engine = Engine::StereoNoise(StereoNoise::new(parameters)?);
-    let random = Stream::new(options.seed, &sensor.spec.prim);
-    Ok((Sensor::new(engine, Chain::default(), random), findings))
+) -> Result<Engine, ParameterError> {
+    let mut assumptions = Assumptions::default();
+    configure::set_single_view(&mut parameters, &mut assumptions, options)?;
+    Ok(Engine::SingleView(SingleView::new(parameters, assumptions)?))
 }
 
 /// The images' intrinsics where their field of view is not that of the sensor's camera: said.
@@ -120,15 +155,5 @@ fn own_focal_length(
     Some(image)
 }
 
-fn refuse_unknown(options: &SensorOptions) -> Result<(), ParameterError> {
-    let unknown = options.parameters.iter().map(|(name, _)| name);
-    let unknown = unknown.chain(&options.filters).chain(&options.preset).next();
-    match unknown {
-        Some(name) => Err(ParameterError {
-            name: name.clone(),
-            what: "is not known".to_owned(),
-            remedy: "leave it out".to_owned(),
-        }),
-        None => Ok(()),
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -48,6 +48,8 @@ pub struct SensorOptions {
     pub isaac: IsaacVersion,
     /// The intrinsics of the depth images where they are not the twin's: the focal length at their width is used.
     pub image: Option<Intrinsics>,
+    /// The camera's name, which tells its noise from other cameras'; by default the sensor's prim.
+    pub name: Option<String>,
     /// Of the noise.
     pub seed: u64,
     /// Of the device's calibration bias; none has none.
