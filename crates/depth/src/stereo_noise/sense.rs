@@ -245,6 +245,8 @@ impl Scratch {
             let row = start..start + stride;
             self.dilation
                 .widen(job.level, &self.disparities[row.clone()], &mut self.widened[row]);
+            // What grows over the border is not in the image.
+            self.widened[start + job.width()..start + stride].fill(0.0);
         }
         let widened = std::mem::take(&mut self.widened);
         if p.occlusion {
