@@ -30,7 +30,10 @@ fn filter(case: &Value) -> Result<Filter, Box<dyn Error>> {
         number => format!("{name}={number}"),
     });
     let name = case["name"].as_str().ok_or("no name")?;
-    Ok(parse(&format!("{name}:{}", settings.collect::<Vec<_>>().join(",")))?)
+    Ok(parse(&format!(
+        "{name}:{}",
+        settings.collect::<Vec<_>>().join(",")
+    ))?)
 }
 
 fn frames<P: Pixel + serde::de::DeserializeOwned>(frames: &Value) -> Result<Vec<Image<P>>, Box<dyn Error>> {
@@ -50,7 +53,11 @@ fn check<P: Pixel + serde::de::DeserializeOwned>(case: &Value) -> Result<(), Box
     assert!(!before.is_empty());
     for (number, (before, after)) in before.into_iter().zip(after).enumerate() {
         let filtered = chain.run(before);
-        assert_eq!(filtered, after, "frame {number} of {} {}", case["name"], case["params"]);
+        assert_eq!(
+            filtered, after,
+            "frame {number} of {} {}",
+            case["name"], case["params"]
+        );
     }
     Ok(())
 }
