@@ -35,3 +35,17 @@ pub struct ShotError {
     /// Rows of the depth.
     pub depth_height: u32,
 }
+
+/// A batch whose shape is not that of its numbers.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the {what} of a batch of shape {shape:?} has {length} numbers; give a C-contiguous array of that shape"
+)]
+pub struct BatchError {
+    /// Which array.
+    pub what: &'static str,
+    /// Images, rows, columns.
+    pub shape: [usize; 3],
+    /// How many numbers there are.
+    pub length: usize,
+}

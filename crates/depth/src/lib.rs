@@ -8,15 +8,19 @@
 //! nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on the seed, the camera's
 //! name, the frame and the pixel, never on threads, tiles, batch order or call history.
 
+pub mod align;
+mod choice;
 mod error;
 pub mod filter;
+pub mod measure;
 pub mod preset;
 pub mod random;
 mod sensor;
 mod shot;
+mod simd;
 pub mod single_view;
 pub mod stereo_noise;
 
-pub use error::{ParameterError, ShotError};
+pub use error::{BatchError, ParameterError, ShotError};
 pub use sensor::{Capture, Engine, Sensor};
 pub use shot::Shot;

@@ -2,9 +2,11 @@
 //!
 //! The generator is Philox4x32-10 (Salmon, Moraes, Dror, Shaw: *Parallel random numbers: as easy as 1, 2, 3*, SC 2011).
 //! Its key is made of the seed, the camera's name and the stage; its counter is (block of the row, row, frame, item).
+//! Uniform and normal numbers come from its words by exactly rounded operations only: the same bits on every machine.
 
 mod normal;
 mod philox;
+mod row;
 
 pub use normal::standard_normal;
 pub use philox::philox4x32_10;

@@ -44,7 +44,12 @@ fn pixel_bytes(annotator: Annotator) -> u64 {
         | Annotator::DistanceToCamera
         | Annotator::InstanceIdSegmentation
         | Annotator::SemanticSegmentation => 4,
+        Annotator::DepthSensorDistance
+        | Annotator::DepthSensorPointCloudColor
+        | Annotator::DepthSensorImager
+        | Annotator::DepthSensorOutputVisualization => 4,
         Annotator::Normals => 12,
+        Annotator::DepthSensorPointCloudPosition => 16,
         Annotator::Pointcloud => 36,
         Annotator::BoundingBox2dTight | Annotator::BoundingBox2dLoose | Annotator::CameraParams => 0,
     }

@@ -1,0 +1,92 @@
+use super::*;
+
+fn set(name: &str, value: &str) -> Result<Parameters, ParameterError> {
+    let mut parameters = Parameters::ISAAC_5_1;
+    parameters.set(name, value)?;
+    parameters.check()?;
+    Ok(parameters)
+}
+
+fn says(name: &str, value: &str) -> String {
+    set(name, value).unwrap_err().to_string()
+}
+
+#[test]
+fn all_fourteen_are_set_and_read() {
+    assert_eq!(Parameters::NAMES.len(), 14);
+    for defaults in [Parameters::ISAAC_5_1, Parameters::ISAAC_6] {
+        defaults.check().unwrap();
+        let mut copy = Parameters {
+            baseline_mm: -1.0,
+            enabled: true,
+            show_distance: true,
+            ..defaults
+        };
+        for name in Parameters::NAMES {
+            copy.set(name, &defaults.get(name).unwrap()).unwrap();
+        }
+        assert_eq!(copy, defaults);
+    }
+    for (name, value, read) in [
+        ("outlierRemovalEnabled", "true", "1"),
+        ("outlierRemovalEnabled", "false", "0"),
+        ("outlierRemovalRange", "3", "3"),
+        ("rgbDepthOutputMode", "rainbow", "3"),
+        ("rgbDepthOutputMode", "7", "7"),
+        ("baselineMM", "-75", "-75"),
+        ("enabled", "1", "true"),
+        ("maxDistance", "12.5", "12.5"),
+    ] {
+        let parameters = set(name, value).unwrap();
+        assert_eq!(parameters.get(name).as_deref(), Some(read));
+    }
+    assert_eq!(Parameters::ISAAC_5_1.get("baseline"), None);
+}
+
+#[test]
+fn errors_name_the_attribute_and_the_remedy() {
+    assert_eq!(
+        says("baselinemm", "3"),
+        "baselinemm: no such attribute of the depth sensor; did you mean baselineMM?"
+    );
+    assert_eq!(
+        says("baselineMM", "0"),
+        "baselineMM: 0 has no disparity: nothing would move or be measured; \
+         give the distance between the imagers in mm, 75 for an OAK-D"
+    );
+    assert_eq!(
+        says("noiseSigma", "nan"),
+        "noiseSigma: NaN is not finite; give a finite number"
+    );
+    assert_eq!(
+        says("maxDistance", "0.25"),
+        "maxDistance: 0.25 m is less than the minDistance of 0.5 m; give a greater one"
+    );
+    assert_eq!(
+        says("rgbDepthOutputMode", "8"),
+        "rgbDepthOutputMode: 8 is none of its modes; give 0 to 7"
+    );
+    assert_eq!(
+        says("outlierRemovalEnabled", "-1"),
+        "outlierRemovalEnabled: '-1' is no whole number from 0; give a range in pixels, or true or false"
+    );
+    for (name, value) in [
+        ("confidenceThreshold", "1.01"),
+        ("confidenceThreshold", "-0.1"),
+        ("focalLengthPixel", "0"),
+        ("focalLengthPixel", "inf"),
+        ("focalLengthPixel", "wide"),
+        ("maxDisparityPixel", "0"),
+        ("sensorSizePixel", "-1280"),
+        ("minDistance", "-1"),
+        ("maxDistance", "inf"),
+        ("noiseMean", "-0.25"),
+        ("noiseSigma", "-0.25"),
+        ("noiseDownscaleFactorPixel", "0.5"),
+        ("outlierRemovalRange", "64"),
+        ("enabled", "2"),
+    ] {
+        let error = set(name, value).unwrap_err();
+        assert!(error.name.starts_with(&name[..6]), "{error}");
+    }
+}
