@@ -20,7 +20,8 @@ pub struct DepthSensorOptions<'a> {
     /// The device, where the cameras are of an OAK of ours.
     pub twin: Option<&'a Twin>,
     /// The engine is [`EngineKind::SingleView`] unless it says another, for this is what Isaac Sim's annotators of these
-    /// names report; the image is the camera's own, and the Isaac Sim that of `isaac`.
+    /// names report; the image is the camera's own, the name its prim's unless it says another, and the Isaac Sim that of
+    /// `isaac`.
     pub sensor: &'a SensorOptions,
     /// The Isaac Sim whose defaults hold for what a stage does not say; by default the one that the stage is written for.
     pub isaac: Option<IsaacVersion>,
