@@ -271,8 +271,8 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) sensor: SensorArgs,
 
-    /// Sense each frame once for each of these values of a parameter, and write one picture of all; a second one makes
-    /// a table
+    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
+    /// of all; a second one makes a table
     #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
     pub(crate) sweep: Vec<String>,
 
