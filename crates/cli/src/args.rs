@@ -48,7 +48,7 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
-    /// Render what perfect cameras see of a scene: depth, colour, normals, labels
+    /// Render what perfect cameras see of a scene, depth, colour, normals, labels, and what depth sensors make of it
     Render(Box<RenderArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
@@ -222,10 +222,20 @@ pub(crate) struct AssetArgs {
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
+    mut_arg("engine", |arg| arg.help(
+        "The model of the errors; by default single-view, as Isaac Sim has it. stereo-noise is nearer to a real OAK"
+    )),
+    mut_arg("isaac", |arg| arg.help(
+        "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
+    )),
     after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. One camera writes \
     flat into the folder, several into a folder each.\n\n\
     Annotators: rgb, distance_to_image_plane, distance_to_camera, normals, instance_id_segmentation, \
     semantic_segmentation, bounding_box_2d_tight, bounding_box_2d_loose, pointcloud, camera_params.\n\n\
+    Of a depth sensor's camera also what the sensor reports: depth_sensor_distance (metres, 0 where nothing was \
+    measured), depth_sensor_point_cloud_position (camera's frame, USD's axes, metres), depth_sensor_point_cloud_color, \
+    depth_sensor_imager, depth_sensor_output_visualization (the view that rgbDepthOutputMode chooses). Its parameters \
+    are those of the scene's render product or of the model; --param sets others, --sweep tries several.\n\n\
     A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {\"time\": t, \"position\": [x, y, z], \
     \"orientation\": [qx, qy, qz, qw]}; its poses are those of the model's body (x forward, y left, z up), or of the \
     scene's own camera (x right, y down, z forward), metres."
@@ -252,6 +262,14 @@ pub(crate) struct RenderArgs {
         default_value = "rgb,distance_to_image_plane,camera_params"
     )]
     pub(crate) annotators: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) sensor: SensorArgs,
+
+    /// Sense each frame once for each of these values of a parameter, and write one picture of all; a second one makes
+    /// a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    pub(crate) sweep: Vec<String>,
 
     /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
     /// keep their aperture
@@ -335,7 +353,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// The point cloud (added to the annotators) also as PLY
+    /// Point clouds also as PLY: that of depth_sensor_point_cloud_position, else pointcloud, which is added to the
+    /// annotators
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

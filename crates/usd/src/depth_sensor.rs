@@ -5,36 +5,36 @@ use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NA
 use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
 
 /// What a stage says about a depth sensor; what it does not say has the schema's defaults.
-#[derive(Clone, Copy, Debug)]
-pub struct DepthSensor<'a> {
-    prim: &'a Prim,
+#[derive(Clone, Debug, PartialEq)]
+pub struct DepthSensor {
+    prim: Prim,
     namespace: &'static str,
 }
 
 /// The depth sensor of a render product: Kit's schema on the product, or ovrtx's on the camera. The former wins, as
 /// Isaac Sim reads no other.
 #[must_use]
-pub fn of_product<'a>(
-    product: Option<&'a RenderProduct>,
-    camera: Option<&'a SceneCamera>,
-) -> Option<DepthSensor<'a>> {
-    let of = |prim: &'a Prim, schema: &str, namespace| {
-        prim.has_api(schema).then_some(DepthSensor { prim, namespace })
+pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
+    let of = |prim: &Prim, schema: &str, namespace| {
+        prim.has_api(schema).then(|| DepthSensor {
+            prim: prim.clone(),
+            namespace,
+        })
     };
     product
         .and_then(|product| of(&product.prim, PRODUCT_SCHEMA, PRODUCT_NAMESPACE))
         .or_else(|| camera.and_then(|camera| of(&camera.prim, CAMERA_SCHEMA, CAMERA_NAMESPACE)))
 }
 
-impl<'a> DepthSensor<'a> {
+impl DepthSensor {
     /// The prim that says it.
     #[must_use]
-    pub fn prim(&self) -> &'a Prim {
-        self.prim
+    pub fn prim(&self) -> &Prim {
+        &self.prim
     }
 
     /// Its authored attributes by their names in the schema, `baselineMM`.
-    pub fn attributes(&self) -> impl Iterator<Item = (&'a str, &'a Attribute)> {
+    pub fn attributes(&self) -> impl Iterator<Item = (&str, &Attribute)> {
         self.prim.in_namespace(self.namespace)
     }
 

@@ -27,9 +27,9 @@ pub(crate) struct SensorArgs {
     #[arg(long)]
     pub(crate) extended_disparity: bool,
 
-    /// The Isaac Sim whose defaults single-view has
-    #[arg(long, value_enum, default_value_t = Isaac::V5_1)]
-    pub(crate) isaac: Isaac,
+    /// The Isaac Sim whose defaults single-view has; by default 5.1
+    #[arg(long, value_enum)]
+    pub(crate) isaac: Option<Isaac>,
 
     /// The seed of the noise
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -57,7 +57,7 @@ impl SensorArgs {
             filters: self.filters.clone(),
             parameters: self.parameters.clone(),
             extended_disparity: self.extended_disparity,
-            isaac: self.isaac.into(),
+            isaac: self.isaac.map(Into::into).unwrap_or_default(),
             image: None,
             name: None,
             seed: self.seed,

@@ -127,11 +127,16 @@ impl Plane {
         self.fill::<_, Uniforms>(row, out);
     }
 
-    /// Standard normal numbers: of 32 words of the row, word `i` of the first 16 and word `16 + i` give numbers `i` and
-    /// `16 + i` by
+    /// Standard normal numbers: of 32 words of the row, words `i` and `16 + i` give numbers `i` and `16 + i` by
     /// [`standard_normal`](super::standard_normal).
     pub fn normals(&self, row: u32, out: &mut [f32]) {
         self.fill::<_, Normals>(row, out);
+    }
+
+    /// [`Plane::normals`] with the instructions of the function that calls it.
+    #[inline(always)]
+    pub(crate) fn normals_here(&self, row: u32, out: &mut [f32]) {
+        self.kernel::<_, Normals>(row, out).run();
     }
 
     fn fill<T: Copy + Default, G: Groups<T>>(&self, row: u32, out: &mut [T]) {

@@ -5,8 +5,14 @@
 //! rendered one: only its place is wrong.
 
 mod assumptions;
+mod confidence;
+mod outliers;
 mod parameters;
+mod plan;
 mod sense;
+mod tile;
+mod view;
+mod warp;
 
 pub use assumptions::{
     Assumptions, Collision, ConfidenceAt, ConfidenceComparison, Depth, Direction, Invalid, Luma,

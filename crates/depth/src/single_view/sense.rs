@@ -1,11 +1,14 @@
 use oaktwin_image::{Image, ImageView, ZDepth};
+use rayon::prelude::*;
 
 use super::SingleView;
-use super::assumptions::Depth;
-use crate::random::{Stage, Stream, standard_normal};
+use super::parameters::OutputMode;
+use super::plan::Plan;
+use super::tile::{self, Rows, Scratch};
+use crate::random::{Stage, Stream};
 use crate::{BatchError, Shot};
 
-/// Which outputs to make.
+/// Which outputs to make beside the distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
     /// `DepthSensorPointCloudPosition`, where the shot has positions.
@@ -23,11 +26,12 @@ pub struct Wanted {
 pub struct Output {
     /// `DepthSensorDistance`: metres, 0 where nothing was measured.
     pub distance: ZDepth,
-    /// `DepthSensorPointCloudPosition`: the point that was moved there, 0 where nothing was measured.
+    /// `DepthSensorPointCloudPosition`: the point that was moved there; where nothing was measured what
+    /// [`Invalid`](super::Invalid) says, by default 0.
     pub positions: Option<Image<[f32; 4]>>,
-    /// `DepthSensorPointCloudColor`: the colour that was moved there, 0 where nothing was measured.
+    /// `DepthSensorPointCloudColor`: the colour that was moved there; where nothing was measured as in `positions`.
     pub colors: Option<Image<[u8; 4]>>,
-    /// `DepthSensorImager`: luma of the picture, 0 to 1.
+    /// `DepthSensorImager`: luma of the picture, which nothing moved, 0 to 1.
     pub imager: Option<Image<f32>>,
     /// The picture of the parameters' [`OutputMode`](super::OutputMode), sRGB.
     pub view: Option<Image<[u8; 4]>>,
@@ -43,62 +47,46 @@ impl Output {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "columns of an image"
-)]
+/// Rows of a tile: enough that the rows around it, which are computed again, are few.
+const TILE_ROWS: std::ops::RangeInclusive<usize> = 32..=128;
+
 pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
-    let (p, depth) = (sensor.parameters(), shot.depth());
-    let (width, height) = (depth.width(), depth.height());
-    let bf = p.disparity_times_depth(width);
+    let (width, height) = (shot.depth().width(), shot.depth().height());
+    let (has_rgb, mode) = (shot.rgb().is_some(), sensor.parameters().rgb_depth_output_mode);
+    let has_view = wanted.view && (has_rgb || mode != OutputMode::Color);
+    let mut output = Output {
+        distance: ZDepth(Image::filled(width, height, 0.0)),
+        positions: image(
+            wanted.positions && shot.positions().is_some(),
+            width,
+            height,
+            [0.0; 4],
+        ),
+        colors: image(wanted.colors && has_rgb, width, height, [0; 4]),
+        imager: image(wanted.imager && has_rgb, width, height, 0.0),
+        view: image(has_view, width, height, [0; 4]),
+    };
+    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), width, height);
+    if plan.width == 0 || plan.height == 0 {
+        return output;
+    }
     let jitter = random.plane(Stage::Jitter, shot.frame, shot.item);
-    let mut distance = Image::filled(width, height, 0.0f32);
-    let positions = shot.positions().filter(|_| wanted.positions);
-    let mut moved = positions.map(|_| Image::filled(width, height, [0.0f32; 4]));
-    for (y, row) in depth.rows().enumerate() {
-        let start = y * width as usize;
-        for (x, &z) in row.iter().enumerate() {
-            let z64 = f64::from(z);
-            if !(z64 >= p.min_distance_m && z64 <= p.max_distance_m && z64 > 0.0) {
-                continue;
-            }
-            let mut d = bf / z64;
-            if d.abs() > p.max_disparity_px {
-                continue;
-            }
-            if p.noise_mean_px > 0.0 {
-                let patch = |at: usize| (at as f64 / p.noise_downscale_factor_px) as u32;
-                let [a, b, ..] = jitter.words(patch(x), patch(y));
-                let q = p.noise_mean_px;
-                d = q * (d / q).round() + p.noise_sigma_px * standard_normal(a, b)[0];
-            }
-            let target = (x as f64 + d).round();
-            if target < 0.0 || target >= f64::from(width) {
-                continue;
-            }
-            let reported = match sensor.assumptions().depth {
-                Depth::Carried => z,
-                Depth::Recomputed if d * bf > 0.0 => (bf / d) as f32,
-                Depth::Recomputed => continue,
-            };
-            let target = start + target as usize;
-            let place = &mut distance.pixels_mut()[target];
-            if *place == 0.0 || reported < *place {
-                *place = reported;
-                if let (Some(moved), Some(positions)) = (&mut moved, positions) {
-                    moved.pixels_mut()[target] = positions.pixels()[start + x];
-                }
-            }
-        }
+    let tiles = plan.height.div_ceil(4 * rayon::current_num_threads());
+    let rows = tiles.clamp(*TILE_ROWS.start(), *TILE_ROWS.end());
+    let mut parts = Rows::of(&mut output, &plan, rows);
+    let work = |scratch: &mut Scratch, rows: &mut Rows<'_>| {
+        tile::sense(&plan, shot, &jitter, mode, rows, scratch);
+    };
+    if parts.len() == 1 {
+        work(&mut Scratch::default(), &mut parts[0]);
+    } else {
+        parts.par_iter_mut().for_each_init(Scratch::default, work);
     }
-    Output {
-        distance: ZDepth(distance),
-        positions: moved,
-        colors: None,
-        imager: None,
-        view: None,
-    }
+    output
+}
+
+fn image<T: Clone>(is_wanted: bool, width: u32, height: u32, value: T) -> Option<Image<T>> {
+    is_wanted.then(|| Image::filled(width, height, value))
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "items are numbered modulo 2³²")]
@@ -117,27 +105,38 @@ pub(super) fn batch(
             return Err(BatchError { what, shape, length });
         }
     }
-    if pixels == 0 {
+    // An image with pixels is not longer than its array.
+    let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
+    let Some((columns, rows)) = size.filter(|_| pixels > 0) else {
         return Ok(());
-    }
-    for (i, (depth, out)) in depth
-        .chunks_exact(pixels)
-        .zip(out.chunks_exact_mut(pixels))
+    };
+    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), columns, rows);
+    let items = depth
+        .par_chunks_exact(pixels)
+        .zip(out.par_chunks_exact_mut(pixels));
+    items
         .enumerate()
-    {
-        let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
-        let Some(view) = size.and_then(|(width, height)| ImageView::new(width, height, depth)) else {
-            continue;
-        };
-        let mut shot = Shot::new(view);
-        shot.frame = frame;
-        shot.item = (first_item as u32).wrapping_add(i as u32);
-        out.copy_from_slice(
-            sense(sensor, &shot, random, Wanted::default())
-                .distance
-                .0
-                .pixels(),
-        );
-    }
+        .with_min_len(8)
+        .for_each_init(Scratch::default, |scratch, (i, (depth, out))| {
+            let Some(view) = ImageView::new(columns, rows, depth) else {
+                return;
+            };
+            let mut shot = Shot::new(view);
+            shot.frame = frame;
+            shot.item = (first_item as u32).wrapping_add(i as u32);
+            let jitter = random.plane(Stage::Jitter, frame, shot.item);
+            let height = *TILE_ROWS.end();
+            for (k, distance) in out.chunks_mut(height * width).enumerate() {
+                let mut rows = Rows {
+                    first: k * height,
+                    distance,
+                    positions: None,
+                    colors: None,
+                    imager: None,
+                    view: None,
+                };
+                tile::sense(&plan, &shot, &jitter, OutputMode::Color, &mut rows, scratch);
+            }
+        });
     Ok(())
 }

@@ -9,7 +9,7 @@ use legend::Legend;
 use scale::{Scale, is_value, step};
 
 /// Where there is no value: a grey that turbo does not have.
-const NONE: [u8; 3] = [96, 96, 96];
+pub const NONE: [u8; 3] = [96, 96, 96];
 
 /// Behind the scale.
 const PAPER: [u8; 3] = [24, 24, 24];
@@ -77,6 +77,13 @@ pub fn legend(width: u32, range: (f32, f32), marks: Marks) -> Image<[u8; 3]> {
     let scale = Scale::of(&none, &Options { range: Some(range) });
     Legend::new(&mut picture, 0).draw(scale.as_ref(), marks);
     picture
+}
+
+/// The nearest and the farthest depth of an image but for half a percent of its values on either side; `None` where it has
+/// none.
+#[must_use]
+pub fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
+    scale::range(metres)
 }
 
 /// What a scale has to explain.

@@ -1,0 +1,88 @@
+//! Texture of the picture: saturated Sobel magnitude of luma.
+
+use super::assumptions::ConfidenceComparison;
+use super::plan::Plan;
+
+/// Luma of a row of the picture, 0 to 1.
+#[inline(always)]
+pub(super) fn luma(plan: &Plan, rgb: &[[u8; 4]], out: &mut [f32]) {
+    let [red, green, blue] = plan.luma;
+    for (out, &pixel) in out.iter_mut().zip(rgb) {
+        let word = u32::from_le_bytes(pixel);
+        let channel = |shift: u32| ((word >> shift) & 0xFF).cast_signed() as f32;
+        *out = red * channel(0) + green * channel(8) + blue * channel(16);
+    }
+}
+
+/// Luma of three rows around the one that is asked for. Beyond the picture's border its border goes on.
+#[derive(Debug, Default)]
+pub(super) struct Texture {
+    /// Row y at place y % 3, one more column on either side.
+    rows: [Vec<f32>; 3],
+    /// The rows that are there.
+    held: Option<(usize, usize)>,
+    /// Saturated magnitude in the row of the last [`Texture::look`].
+    pub(super) confidence: Vec<f32>,
+    /// Whether it is too little, 1 or 0.
+    pub(super) lacking: Vec<u32>,
+}
+
+impl Texture {
+    /// Forgets the picture.
+    pub(super) fn reset(&mut self, width: usize) {
+        for row in &mut self.rows {
+            row.resize(width + 2, 0.0);
+        }
+        self.held = None;
+        self.confidence.resize(width, 0.0);
+        self.lacking.resize(width, 0);
+    }
+
+    /// Looks at row `y` of the picture: fills `confidence` and `lacking`.
+    #[inline(always)]
+    pub(super) fn look(&mut self, plan: &Plan, rgb: &[[u8; 4]], y: usize) {
+        let (first, last) = (y.saturating_sub(1), (y + 1).min(plan.height - 1));
+        for row in first..=last {
+            if self.held.is_none_or(|(from, to)| row < from || row > to) {
+                self.read(plan, rgb, row);
+            }
+        }
+        self.held = Some((first, last));
+        let [above, here, below] = [first, y, last].map(|row| self.rows[row % 3].as_slice());
+        sobel(plan.sobel_gain, [above, here, below], &mut self.confidence);
+        let threshold = plan.threshold;
+        let tested = self.lacking.iter_mut().zip(&self.confidence);
+        match plan.comparison {
+            ConfidenceComparison::Complement => {
+                tested.for_each(|(lacking, &s)| *lacking = u32::from(s < 1.0 - threshold));
+            }
+            ConfidenceComparison::Strict => {
+                tested.for_each(|(lacking, &s)| *lacking = u32::from(s <= 1.0 - threshold));
+            }
+            ConfidenceComparison::Literal => {
+                tested.for_each(|(lacking, &s)| *lacking = u32::from(threshold * s < threshold));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn read(&mut self, plan: &Plan, rgb: &[[u8; 4]], y: usize) {
+        let row = self.rows[y % 3].as_mut_slice();
+        let width = plan.width;
+        luma(plan, &rgb[y * width..][..width], &mut row[1..=width]);
+        row[0] = row[1];
+        row[width + 1] = row[width];
+    }
+}
+
+/// min(1, gain · √(gx² + gy²)) with kernels (1 2 1) and (−1 0 1), of rows with one more column on either side.
+#[inline(always)]
+fn sobel(gain: f32, [above, here, below]: [&[f32]; 3], out: &mut [f32]) {
+    let columns = above.windows(3).zip(here.windows(3)).zip(below.windows(3));
+    for (out, ((a, b), c)) in out.iter_mut().zip(columns) {
+        let gx = (a[2] - a[0]) + 2.0 * (b[2] - b[0]) + (c[2] - c[0]);
+        let gy = (c[0] - a[0]) + 2.0 * (c[1] - a[1]) + (c[2] - a[2]);
+        let s = gain * (gx * gx + gy * gy).sqrt();
+        *out = if s < 1.0 { s } else { 1.0 };
+    }
+}

@@ -1,0 +1,106 @@
+use super::assumptions::{
+    Collision, ConfidenceAt, ConfidenceComparison, Depth, Direction, Luma, MaxDisparity, MaxDisparityUnit,
+    OutlierNeighbourhood, Quantizer, RangeCut, SigmaUnit,
+};
+use super::{Assumptions, Parameters};
+
+/// Parameters and assumptions for images of one width, in the single precision that pixels are computed in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plan {
+    pub(super) assumptions: Assumptions,
+    pub(super) width: usize,
+    pub(super) height: usize,
+    /// Disparity times depth, px·m, above 0.
+    pub(super) disparity_times_depth: f32,
+    /// 1 where samples move to the right, −1 to the left.
+    pub(super) side: f32,
+    /// Depths that are looked at, m: above 0, and finite.
+    pub(super) looked_at: [f32; 2],
+    /// Depths that are reported, m.
+    pub(super) reported: [f32; 2],
+    /// `minDistance` and `maxDistance`, m.
+    pub(super) range: [f32; 2],
+    pub(super) max_disparity_px: f32,
+    pub(super) clamps: bool,
+    /// 0 for neither step nor jitter.
+    pub(super) step_px: f32,
+    pub(super) floors: bool,
+    pub(super) sigma_px: f32,
+    /// The side of a patch that shares its jitter.
+    pub(super) patch_px: f64,
+    pub(super) recomputes: bool,
+    pub(super) last_wins: bool,
+    pub(super) outlier_range: usize,
+    pub(super) outlier_diamond: bool,
+    /// Of red, green and blue of 0 to 255.
+    pub(super) luma: [f32; 3],
+    pub(super) sobel_gain: f32,
+    pub(super) threshold: f32,
+    pub(super) comparison: ConfidenceComparison,
+    pub(super) confidence_at: ConfidenceAt,
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "pixels are single precision")]
+impl Plan {
+    pub(super) fn new(p: &Parameters, a: &Assumptions, width: u32, height: u32) -> Self {
+        let signed = p.disparity_times_depth(width);
+        let range = [p.min_distance_m as f32, (p.max_distance_m as f32).min(f32::MAX)];
+        let whole = [0.0, f32::MAX];
+        let (looked_at, reported) = match a.range_cut {
+            RangeCut::Before => (range, whole),
+            RangeCut::After => (whole, range),
+        };
+        let unit_px = match a.max_disparity_unit {
+            MaxDisparityUnit::Rendered => 1.0,
+            MaxDisparityUnit::Sensor => f64::from(width) / p.sensor_size_px,
+        };
+        let sigma_px = match a.sigma_unit {
+            SigmaUnit::Px => p.noise_sigma_px,
+            SigmaUnit::Steps => p.noise_sigma_px * p.noise_mean_px,
+        };
+        let luma: [f64; 3] = match a.luma {
+            Luma::Rec709 => [0.2126, 0.7152, 0.0722],
+            Luma::Rec601 => [0.299, 0.587, 0.114],
+            Luma::Mean => [1.0 / 3.0; 3],
+        };
+        Self {
+            assumptions: *a,
+            width: width as usize,
+            height: height as usize,
+            disparity_times_depth: signed.abs() as f32,
+            side: if (signed > 0.0) == (a.direction == Direction::Right) {
+                1.0
+            } else {
+                -1.0
+            },
+            looked_at,
+            reported,
+            range,
+            max_disparity_px: (p.max_disparity_px * unit_px) as f32,
+            clamps: a.max_disparity == MaxDisparity::Clamp,
+            step_px: p.noise_mean_px as f32,
+            floors: a.quantizer == Quantizer::Floor,
+            sigma_px: sigma_px as f32,
+            patch_px: p.noise_downscale_factor_px,
+            recomputes: a.depth == Depth::Recomputed,
+            last_wins: a.collision == Collision::Last,
+            outlier_range: if width as usize * height as usize > 1 {
+                p.outlier_removal_range_px as usize
+            } else {
+                0
+            },
+            outlier_diamond: a.outlier_neighbourhood == OutlierNeighbourhood::Four,
+            luma: luma.map(|weight| (weight / 255.0) as f32),
+            sobel_gain: a.sobel_gain as f32,
+            threshold: p.confidence_threshold as f32,
+            comparison: a.confidence_comparison,
+            confidence_at: a.confidence_at,
+        }
+    }
+
+    /// The patch of jitter that a column or row belongs to.
+    #[expect(clippy::cast_sign_loss, reason = "columns and rows")]
+    pub(super) fn patch(&self, place: usize) -> u32 {
+        (place as f64 / self.patch_px) as u32
+    }
+}

@@ -1,0 +1,351 @@
+//! All steps over some rows of an image.
+
+use super::assumptions::{ConfidenceAt, Invalid};
+use super::confidence::{self, Texture};
+use super::outliers::{self, Validity};
+use super::parameters::OutputMode;
+use super::plan::Plan;
+use super::sense::Output;
+use super::view;
+use super::warp::{self, Key, Row};
+use crate::Shot;
+use crate::random::Plane;
+use crate::simd::{self, Kernel};
+
+/// Some rows of the outputs.
+#[derive(Debug)]
+pub(super) struct Rows<'a> {
+    pub(super) first: usize,
+    pub(super) distance: &'a mut [f32],
+    pub(super) positions: Option<&'a mut [[f32; 4]]>,
+    pub(super) colors: Option<&'a mut [[u8; 4]]>,
+    pub(super) imager: Option<&'a mut [f32]>,
+    pub(super) view: Option<&'a mut [[u8; 4]]>,
+}
+
+impl<'a> Rows<'a> {
+    /// An image in parts of `rows` rows.
+    pub(super) fn of(output: &'a mut Output, plan: &Plan, rows: usize) -> Vec<Self> {
+        let length = rows * plan.width;
+        let mut positions = output
+            .positions
+            .as_mut()
+            .map(|image| image.pixels_mut().chunks_mut(length));
+        let mut colors = output
+            .colors
+            .as_mut()
+            .map(|image| image.pixels_mut().chunks_mut(length));
+        let mut imager = output
+            .imager
+            .as_mut()
+            .map(|image| image.pixels_mut().chunks_mut(length));
+        let mut view = output
+            .view
+            .as_mut()
+            .map(|image| image.pixels_mut().chunks_mut(length));
+        let parts = output.distance.0.pixels_mut().chunks_mut(length);
+        parts
+            .enumerate()
+            .map(|(i, distance)| Self {
+                first: i * rows,
+                distance,
+                positions: positions.as_mut().and_then(Iterator::next),
+                colors: colors.as_mut().and_then(Iterator::next),
+                imager: imager.as_mut().and_then(Iterator::next),
+                view: view.as_mut().and_then(Iterator::next),
+            })
+            .collect()
+    }
+}
+
+/// Buffers of a thread.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    row: Row,
+    texture: Texture,
+    validity: Validity,
+    ranks: Vec<u32>,
+    keys: Vec<u64>,
+    halo: Vec<f32>,
+    /// Where the samples of the tile come from.
+    sources: Vec<u32>,
+}
+
+/// Senses some rows of an image that has pixels.
+pub(super) fn sense(
+    plan: &Plan,
+    shot: &Shot<'_>,
+    jitter: &Plane,
+    mode: OutputMode,
+    rows: &mut Rows<'_>,
+    scratch: &mut Scratch,
+) {
+    let mode = rows.view.is_some().then_some(mode);
+    let sister_needs = rows.positions.is_some() || rows.colors.is_some();
+    let needs_sources = sister_needs || matches!(mode, Some(OutputMode::Confidence | OutputMode::Disparity));
+    let mut ranks = std::mem::take(&mut scratch.ranks);
+    let mut keys = std::mem::take(&mut scratch.keys);
+    if needs_sources {
+        keys.resize(plan.width, u64::NONE);
+        simd::run(Tile::new(plan, shot, jitter, mode, rows, scratch, &mut keys));
+    } else {
+        ranks.resize(plan.width, u32::NONE);
+        simd::run(Tile::new(plan, shot, jitter, mode, rows, scratch, &mut ranks));
+    }
+    (scratch.ranks, scratch.keys) = (ranks, keys);
+}
+
+struct Tile<'a, 'b, K> {
+    plan: &'a Plan,
+    shot: &'a Shot<'a>,
+    jitter: &'a Plane,
+    /// The picture that is wanted, if any.
+    mode: Option<OutputMode>,
+    rows: &'a mut Rows<'b>,
+    scratch: &'a mut Scratch,
+    landed: &'a mut [K],
+    /// The picture, where it decides on confidence or its confidence is shown.
+    textured: Option<&'a [[u8; 4]]>,
+    /// Whether something needs the columns that samples come from.
+    needs_sources: bool,
+}
+
+impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
+    fn new(
+        plan: &'a Plan,
+        shot: &'a Shot<'a>,
+        jitter: &'a Plane,
+        mode: Option<OutputMode>,
+        rows: &'a mut Rows<'b>,
+        scratch: &'a mut Scratch,
+        landed: &'a mut [K],
+    ) -> Self {
+        Self {
+            plan,
+            shot,
+            jitter,
+            mode,
+            needs_sources: rows.positions.is_some() || rows.colors.is_some(),
+            rows,
+            scratch,
+            landed,
+            textured: shot.rgb().map(|rgb| rgb.pixels()),
+        }
+    }
+}
+
+impl<K: Key> Kernel for Tile<'_, '_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        let plan = self.plan;
+        let first = self.rows.first;
+        let end = first + self.rows.distance.len() / plan.width;
+        let from = first.saturating_sub(plan.outlier_range);
+        let to = (end + plan.outlier_range).min(plan.height);
+        self.scratch.row.reset(plan);
+        self.scratch.halo.resize(plan.width, 0.0);
+        if self.textured.is_some() {
+            self.scratch.texture.reset(plan.width);
+        }
+        if self.needs_sources {
+            self.scratch.sources.resize((end - first) * plan.width, 0);
+        }
+        if plan.outlier_range > 0 {
+            self.scratch.validity.reset(plan, from, to);
+        }
+        for y in from..to {
+            self.row(y, (first..end).contains(&y).then(|| y - first));
+        }
+        for place in 0..end - first {
+            self.finish(first + place, place);
+        }
+    }
+}
+
+impl<K: Key> Tile<'_, '_, K> {
+    /// Moves row `y`; it is in this place of the tile, or near it.
+    #[inline(always)]
+    fn row(&mut self, y: usize, place: Option<usize>) {
+        let (plan, scratch) = (self.plan, &mut *self.scratch);
+        let width = plan.width;
+        if let Some(rgb) = self.textured {
+            scratch.texture.look(plan, rgb, y);
+        }
+        let lacks_at = |at: ConfidenceAt| self.textured.is_some() && plan.confidence_at == at;
+        let lacking: &[u32] = if lacks_at(ConfidenceAt::Source) {
+            &scratch.texture.lacking
+        } else {
+            &[]
+        };
+        let depth = &self.shot.depth().pixels()[y * width..][..width];
+        scratch
+            .row
+            .warp(plan, self.jitter, y, depth, lacking, self.landed);
+        let out = match place {
+            Some(place) => &mut self.rows.distance[place * width..][..width],
+            None => scratch.halo.as_mut_slice(),
+        };
+        for (out, key) in out.iter_mut().zip(&*self.landed) {
+            *out = warp::depth(key.rank());
+        }
+        let [near, far] = plan.reported;
+        if near > 0.0 || far < f32::MAX {
+            for out in &mut *out {
+                *out = if (*out >= near) & (*out <= far) { *out } else { 0.0 };
+            }
+        }
+        if lacks_at(ConfidenceAt::Target) {
+            for (out, &lacks) in out.iter_mut().zip(&scratch.texture.lacking) {
+                *out = if lacks == 0 { *out } else { 0.0 };
+            }
+        }
+        if plan.outlier_range > 0 {
+            scratch.validity.set(y, out);
+        }
+        let Some(place) = place else { return };
+        let at = place * width..(place + 1) * width;
+        if self.needs_sources {
+            for (source, key) in scratch.sources[at.clone()].iter_mut().zip(&*self.landed) {
+                *source = key.column();
+            }
+        }
+        if let Some(imager) = &mut self.rows.imager
+            && let Some(rgb) = self.textured
+        {
+            confidence::luma(plan, &rgb[y * width..][..width], &mut imager[at.clone()]);
+        }
+        if let Some(view) = &mut self.rows.view {
+            let view = &mut view[at];
+            match self.mode {
+                Some(OutputMode::InputDepth) => {
+                    for (view, &z) in view.iter_mut().zip(depth) {
+                        *view = view::depth(plan, OutputMode::Grayscale, z);
+                    }
+                }
+                Some(OutputMode::Reprojected) => {
+                    for (view, &z) in view.iter_mut().zip(&*out) {
+                        *view = view::depth(plan, OutputMode::Grayscale, z);
+                    }
+                }
+                Some(mode @ (OutputMode::Confidence | OutputMode::Disparity)) => {
+                    for (x, (view, key)) in view.iter_mut().zip(&*self.landed).enumerate() {
+                        *view = Self::landed(plan, scratch, self.textured.is_some(), mode, x, *key);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The picture of what landed in column `x` of the row that was moved last.
+    fn landed(
+        plan: &Plan,
+        scratch: &Scratch,
+        is_textured: bool,
+        mode: OutputMode,
+        x: usize,
+        key: K,
+    ) -> [u8; 4] {
+        if key.rank() == u32::NONE {
+            return view::BLACK;
+        }
+        let source = key.column() as usize;
+        let d = scratch.row.disparity[source];
+        if mode == OutputMode::Disparity {
+            return view::disparity(plan, d);
+        }
+        let at = match plan.confidence_at {
+            ConfidenceAt::Source => source,
+            ConfidenceAt::Target => x,
+        };
+        // Without a picture everything is certain.
+        let confidence = if is_textured {
+            scratch.texture.confidence[at]
+        } else {
+            1.0
+        };
+        view::confidence(plan, confidence, d)
+    }
+
+    /// Removes the outliers of row `y`, and makes the outputs that need the result.
+    #[inline(always)]
+    fn finish(&mut self, y: usize, place: usize) {
+        let (plan, scratch) = (self.plan, &mut *self.scratch);
+        let width = plan.width;
+        let at = place * width..(place + 1) * width;
+        let distance = &mut self.rows.distance[at.clone()];
+        let mut sources = self.needs_sources.then(|| &mut scratch.sources[at.clone()]);
+        if plan.outlier_range > 0 {
+            let lone = scratch.validity.lone(plan, y);
+            for x in outliers::columns(lone.missing) {
+                // An image of one column has nothing on either side.
+                let near = if x > 0 { x - 1 } else { (x + 1).min(width - 1) };
+                distance[x] = distance[near];
+                if let Some(sources) = &mut sources {
+                    sources[x] = sources[near];
+                }
+            }
+            for x in outliers::columns(lone.measured) {
+                distance[x] = 0.0;
+            }
+        }
+        let image_at = y * width..(y + 1) * width;
+        let invalid = plan.assumptions.invalid;
+        if let Some(positions) = &mut self.rows.positions
+            && let (Some(input), Some(sources)) = (self.shot.positions(), &sources)
+        {
+            let input = &input.pixels()[image_at.clone()];
+            let missing = |x: usize| match invalid {
+                Invalid::Zero => [0.0; 4],
+                Invalid::Nan => [f32::NAN; 4],
+                Invalid::Input => input[x],
+            };
+            gather(&mut positions[at.clone()], input, distance, sources, missing);
+        }
+        if let Some(colors) = &mut self.rows.colors
+            && let (Some(input), Some(sources)) = (self.textured, &sources)
+        {
+            let input = &input[image_at.clone()];
+            let missing = |x: usize| match invalid {
+                Invalid::Zero | Invalid::Nan => [0; 4],
+                Invalid::Input => input[x],
+            };
+            gather(&mut colors[at.clone()], input, distance, sources, missing);
+        }
+        if let Some(view) = &mut self.rows.view {
+            let view = &mut view[at];
+            match self.mode {
+                Some(OutputMode::Color) => {
+                    if let Some(rgb) = self.textured {
+                        view.copy_from_slice(&rgb[image_at]);
+                    }
+                }
+                Some(mode @ (OutputMode::Sawtooth | OutputMode::Grayscale | OutputMode::Rainbow)) => {
+                    for (view, &z) in view.iter_mut().zip(&*distance) {
+                        *view = view::depth(plan, mode, z);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// What was moved to each pixel, and what stands where nothing was measured.
+fn gather<T: Copy>(
+    out: &mut [T],
+    input: &[T],
+    distance: &[f32],
+    sources: &[u32],
+    missing: impl Fn(usize) -> T,
+) {
+    for (x, ((out, &z), &source)) in out.iter_mut().zip(distance).zip(sources).enumerate() {
+        *out = if z > 0.0 {
+            input[source as usize]
+        } else {
+            missing(x)
+        };
+    }
+}
