@@ -67,9 +67,8 @@ pub(crate) fn number_table(table: &Table) -> String {
     drawn.add_rows(&table.rows);
     let last = table.header.len().saturating_sub(1);
     for column in drawn.column_iter_mut().take(last) {
-        column
-            .set_cell_alignment(CellAlignment::Right)
-            .set_padding((0, 1));
+        column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((0, 1));
     }
     format!("{}\n{}\n", table.title, drawn.trim_fmt())
 }

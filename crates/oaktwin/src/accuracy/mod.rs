@@ -222,16 +222,14 @@ impl Bench {
         let theirs = measured
             .map(|(_, curve)| curve.points.as_slice())
             .unwrap_or_default();
-        let all: Vec<f64> = own
-            .iter()
-            .copied()
-            .chain(theirs.iter().map(|point| point.distance_m))
-            .collect();
-        let rows = self.rows(&all, watch)?;
-        let (own, theirs) = rows.split_at(own.len());
-        self.report.distances = own.to_vec();
-        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, theirs));
-        let verdicts = || own.iter().map(|row| row.verdict);
+        let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
+        let (before, all) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let captures = self.report.captures;
+        let effort = |quality: bool| Effort { captures, quality };
+        self.report.distances = self.rows(&own, effort(true), &|done, _| watch(done, all))?;
+        let theirs = self.rows(&theirs, effort(false), &|done, _| watch(before + done, all))?;
+        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
+        let verdicts = || self.report.distances.iter().map(|row| row.verdict);
         self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
             && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
         Ok(Measurement { bench: self })
