@@ -1,11 +1,19 @@
 //! What the program understands.
 
+mod accuracy;
+#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod sensor;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
+
+pub(crate) use accuracy::AccuracyArgs;
+#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
 #[derive(Parser, Debug)]
@@ -15,7 +23,7 @@ use oaktwin::{render, scene};
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check), 2 error.\n\
+#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy), 2 error.\n\
     A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -40,8 +48,10 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
-    /// Render what perfect cameras see of a scene: depth, colour, normals, labels
+    /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
+    /// Measure a model's depth as the vendor measures its cameras, and compare
+    Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
@@ -212,10 +222,20 @@ pub(crate) struct AssetArgs {
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
+    mut_arg("engine", |arg| arg.hide_possible_values(true).help(
+        "The model of the errors: single-view, as Isaac Sim has it (the default), or stereo-noise, as an OAK errs"
+    )),
+    mut_arg("isaac", |arg| arg.help(
+        "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
+    )),
     after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. One camera writes \
     flat into the folder, several into a folder each.\n\n\
     Annotators: rgb, distance_to_image_plane, distance_to_camera, normals, instance_id_segmentation, \
     semantic_segmentation, bounding_box_2d_tight, bounding_box_2d_loose, pointcloud, camera_params.\n\n\
+    Of a depth sensor's camera also what the sensor reports: depth_sensor_distance (metres, 0 where nothing was \
+    measured), depth_sensor_point_cloud_position (camera's frame, USD's axes, metres), depth_sensor_point_cloud_color, \
+    depth_sensor_imager, depth_sensor_output_visualization (the view that rgbDepthOutputMode chooses). Its parameters \
+    are those of the scene's render product or of the model; --param sets others, --sweep tries several.\n\n\
     A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {\"time\": t, \"position\": [x, y, z], \
     \"orientation\": [qx, qy, qz, qw]}; its poses are those of the model's body (x forward, y left, z up), or of the \
     scene's own camera (x right, y down, z forward), metres."
@@ -251,6 +271,14 @@ pub(crate) struct RenderArgs {
     /// How a scene camera's apertures are read: square pixels without offsets as Isaac Sim does, or as OpenUSD defines
     #[arg(long, value_enum, default_value_t = Projection::Isaac)]
     pub(crate) projection: Projection,
+
+    #[command(flatten)]
+    pub(crate) sensor: SensorArgs,
+
+    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
+    /// of all; a second one makes a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    pub(crate) sweep: Vec<String>,
 
     /// Put this OAK into the scene instead of using its cameras
     #[arg(long, help_heading = "An OAK of ours")]
@@ -325,7 +353,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// The point cloud (added to the annotators) also as PLY
+    /// Point clouds also as PLY: that of depth_sensor_point_cloud_position, else pointcloud, which is added to the
+    /// annotators
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

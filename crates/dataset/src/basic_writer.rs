@@ -20,7 +20,17 @@ use crate::{Options, Shot, json, normals};
 /// | `distance_to_image_plane_preview_0000.png` | a picture for people, see [`preview`](oaktwin_image::preview) |
 /// | `pointcloud_0000.ply` | the point cloud with its normals and colours, scene units |
 ///
-/// and the first three for `distance_to_camera` too.
+/// and the first three for `distance_to_camera` and `depth_sensor_distance` too. What a depth sensor reports, for which
+/// `BasicWriter` has no files, has the names of Isaac Sim 6's annotators:
+///
+/// | file | what |
+/// |---|---|
+/// | `depth_sensor_distance_0000.npy` | `float32` (H, W), metres, 0 where nothing was measured |
+/// | `depth_sensor_point_cloud_position_0000.npy` | `float32` (H, W, 4), see [`Frame`](oaktwin_image::annotation::Frame) |
+/// | `depth_sensor_point_cloud_color_0000.npy` | `uint8` (H, W, 4) |
+/// | `depth_sensor_imager_0000.npy` | `float32` (H, W) |
+/// | `depth_sensor_output_visualization_0000.png` | RGBA |
+/// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours where those are there |
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BasicWriter {
     options: Options,
@@ -102,6 +112,7 @@ impl BasicWriter {
         if let Some(cloud) = &frame.pointcloud {
             files.push_cloud(cloud);
         }
+        files.push_depth_sensor();
         if let Some(params) = shot.camera_params {
             files.push(Annotator::CameraParams, "camera_params", "json", move || {
                 Ok(json::encode(params))
@@ -120,7 +131,7 @@ mod tests {
     use oaktwin_image::annotation::{
         Box2d, Boxes2d, Frame, Labels, PointCloud, Segmentation, SemanticSegmentation,
     };
-    use oaktwin_image::{Image, RangeDepth, ZDepth, npy};
+    use oaktwin_image::{Image, RangeDepth, ZDepth, npy, ply};
 
     fn frame() -> Frame {
         let depth = Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap();
@@ -159,6 +170,13 @@ mod tests {
                 semantic: vec![2],
                 instance: vec![1],
             }),
+            depth_sensor_distance: Some(ZDepth(Image::new(2, 1, vec![0.0, 1.25]).unwrap())),
+            depth_sensor_point_cloud_position: Some(
+                Image::new(2, 1, vec![[0.0; 4], [0.5, 0.25, -1.25, 1.0]]).unwrap(),
+            ),
+            depth_sensor_point_cloud_color: Some(Image::new(2, 1, vec![[0; 4], [7, 8, 9, 255]]).unwrap()),
+            depth_sensor_imager: Some(Image::filled(2, 1, 0.5)),
+            depth_sensor_output_visualization: Some(Image::filled(2, 1, [4, 5, 6, 255])),
         }
     }
 
@@ -197,6 +215,11 @@ mod tests {
                 "pointcloud_normals_0012.npy",
                 "pointcloud_semantic_0012.npy",
                 "pointcloud_instance_0012.npy",
+                "depth_sensor_distance_0012.npy",
+                "depth_sensor_point_cloud_position_0012.npy",
+                "depth_sensor_point_cloud_color_0012.npy",
+                "depth_sensor_imager_0012.npy",
+                "depth_sensor_output_visualization_0012.png",
             ]
         );
         assert_eq!(paths(Options::default(), None, &Frame::default()), [""; 0]);
@@ -249,6 +272,10 @@ mod tests {
                 "distance_to_camera_0012.exr",
                 "distance_to_camera_preview_0012.png",
                 "pointcloud_0012.ply",
+                "depth_sensor_distance_millimetres_0012.png",
+                "depth_sensor_distance_0012.exr",
+                "depth_sensor_distance_preview_0012.png",
+                "depth_sensor_point_cloud_0012.ply",
             ]
         );
         let shot = Shot {
@@ -298,12 +325,48 @@ mod tests {
         );
         let semantic = png::decode::<[u8; 4]>(&bytes("semantic_segmentation_0000.png")).unwrap();
         assert_eq!(semantic.pixels(), [[255, 25, 25, 255], [0; 4]]);
-        let depth = npy::decode(&bytes("distance_to_image_plane_0000.npy")).unwrap();
-        assert_eq!(depth.shape, [1, 2]);
+        for (name, shape) in [
+            ("distance_to_image_plane", &[1, 2][..]),
+            ("depth_sensor_distance", &[1, 2]),
+            ("depth_sensor_point_cloud_position", &[1, 2, 4]),
+            ("depth_sensor_point_cloud_color", &[1, 2, 4]),
+            ("depth_sensor_imager", &[1, 2]),
+        ] {
+            let array = npy::decode(&bytes(&format!("{name}_0000.npy"))).unwrap();
+            assert_eq!(array.shape, shape, "{name}");
+        }
         assert_eq!(
             writer.metadata().bytes().unwrap(),
             br#"{"name": "BasicWriter", "version": "0.0.2", "replicator_global_seed:": 0}"#
         );
+    }
+
+    #[test]
+    fn a_cloud_has_what_was_measured() {
+        let frame = frame();
+        let shot = Shot {
+            frame: &frame,
+            camera_params: None,
+            number: 0,
+            render_product: None,
+        };
+        let options = Options {
+            extras: Extras {
+                ply: true,
+                ..Extras::default()
+            },
+            ..Options::default()
+        };
+        let files = BasicWriter::new(options).files(&shot);
+        let cloud = files
+            .iter()
+            .find(|file| file.path() == "depth_sensor_point_cloud_0000.ply");
+        let expected = ply::encode(&ply::Cloud {
+            points: &[[0.5, 0.25, -1.25]],
+            normals: None,
+            rgb: Some(&[[7, 8, 9, 255]]),
+        });
+        assert_eq!(cloud.unwrap().bytes().unwrap(), expected.unwrap());
     }
 
     #[test]

@@ -53,6 +53,43 @@ impl<'a> Files<'a> {
         }
     }
 
+    /// What a depth sensor reports.
+    pub(crate) fn push_depth_sensor(&mut self) {
+        let frame = self.shot.frame;
+        if let Some(distance) = &frame.depth_sensor_distance {
+            self.push_depth(Annotator::DepthSensorDistance, &distance.0);
+        }
+        let colors = frame.depth_sensor_point_cloud_color.as_ref();
+        if let Some(positions) = &frame.depth_sensor_point_cloud_position {
+            let annotator = Annotator::DepthSensorPointCloudPosition;
+            self.push(annotator, annotator.name(), "npy", move || {
+                cloud::organized(positions)
+            });
+            if self.options.extras.ply {
+                self.push(annotator, "depth_sensor_point_cloud", "ply", move || {
+                    cloud::measured(positions, colors)
+                });
+            }
+        }
+        if let Some(colors) = colors {
+            let annotator = Annotator::DepthSensorPointCloudColor;
+            self.push(annotator, annotator.name(), "npy", move || {
+                cloud::organized(colors)
+            });
+        }
+        if let Some(imager) = &frame.depth_sensor_imager {
+            let annotator = Annotator::DepthSensorImager;
+            self.push(annotator, annotator.name(), "npy", move || {
+                let shape = [imager.height() as usize, imager.width() as usize];
+                Ok(npy::encode(&shape, imager.pixels())?)
+            });
+        }
+        if let Some(view) = &frame.depth_sensor_output_visualization {
+            let annotator = Annotator::DepthSensorOutputVisualization;
+            self.push(annotator, annotator.name(), "png", move || Ok(png::encode(view)?));
+        }
+    }
+
     pub(crate) fn push_ids(
         &mut self,
         annotator: Annotator,

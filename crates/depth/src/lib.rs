@@ -8,9 +8,12 @@
 //! nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on the seed, the camera's
 //! name, the frame and the pixel, never on threads, tiles, batch order or call history.
 
+pub mod align;
 mod choice;
 mod error;
 pub mod filter;
+pub mod measure;
+pub mod preset;
 pub mod random;
 mod sensor;
 mod shot;

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::{Image, RangeDepth, ZDepth};
 
-/// Which annotation. The names are Replicator's.
+/// Which annotation. The names are Replicator's, those of Isaac Sim 6 for what a depth sensor reports; the last one is a
+/// render variable of ovrtx, named likewise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Annotator {
     /// `rgb`
@@ -27,11 +28,21 @@ pub enum Annotator {
     Pointcloud,
     /// `camera_params`
     CameraParams,
+    /// `depth_sensor_distance`
+    DepthSensorDistance,
+    /// `depth_sensor_point_cloud_position`
+    DepthSensorPointCloudPosition,
+    /// `depth_sensor_point_cloud_color`
+    DepthSensorPointCloudColor,
+    /// `depth_sensor_imager`
+    DepthSensorImager,
+    /// `depth_sensor_output_visualization`
+    DepthSensorOutputVisualization,
 }
 
 impl Annotator {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 15] = [
         Self::Rgb,
         Self::DistanceToImagePlane,
         Self::DistanceToCamera,
@@ -42,6 +53,11 @@ impl Annotator {
         Self::BoundingBox2dLoose,
         Self::Pointcloud,
         Self::CameraParams,
+        Self::DepthSensorDistance,
+        Self::DepthSensorPointCloudPosition,
+        Self::DepthSensorPointCloudColor,
+        Self::DepthSensorImager,
+        Self::DepthSensorOutputVisualization,
     ];
 
     /// Replicator's name.
@@ -58,7 +74,25 @@ impl Annotator {
             Self::BoundingBox2dLoose => "bounding_box_2d_loose",
             Self::Pointcloud => "pointcloud",
             Self::CameraParams => "camera_params",
+            Self::DepthSensorDistance => "depth_sensor_distance",
+            Self::DepthSensorPointCloudPosition => "depth_sensor_point_cloud_position",
+            Self::DepthSensorPointCloudColor => "depth_sensor_point_cloud_color",
+            Self::DepthSensorImager => "depth_sensor_imager",
+            Self::DepthSensorOutputVisualization => "depth_sensor_output_visualization",
         }
+    }
+
+    /// Whether a depth sensor reports it; all else is ground truth.
+    #[must_use]
+    pub const fn is_of_depth_sensor(self) -> bool {
+        matches!(
+            self,
+            Self::DepthSensorDistance
+                | Self::DepthSensorPointCloudPosition
+                | Self::DepthSensorPointCloudColor
+                | Self::DepthSensorImager
+                | Self::DepthSensorOutputVisualization
+        )
     }
 }
 
@@ -83,6 +117,17 @@ pub struct Frame {
     pub bounding_box_2d_loose: Option<Boxes2d>,
     /// Where each pixel's ray ends.
     pub pointcloud: Option<PointCloud>,
+    /// What the depth sensor measured: metres along the optical axis, 0 where nothing was.
+    pub depth_sensor_distance: Option<ZDepth>,
+    /// The point that each measurement is of, in the camera's frame with USD's axes (x right, y up, z backward), metres,
+    /// and 1; all 0 where nothing was measured.
+    pub depth_sensor_point_cloud_position: Option<Image<[f32; 4]>>,
+    /// The colour of that point, sRGB; all 0 where nothing was measured.
+    pub depth_sensor_point_cloud_color: Option<Image<[u8; 4]>>,
+    /// What the sensor's imager sees: luminance of the colour image, 0 to 1.
+    pub depth_sensor_imager: Option<Image<f32>>,
+    /// The view that `rgbDepthOutputMode` chooses, sRGB.
+    pub depth_sensor_output_visualization: Option<Image<[u8; 4]>>,
 }
 
 /// An image of ids and the prim paths behind them. 0 is the background; ids are given in the order of the scene, so

@@ -54,15 +54,34 @@ pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
     Ok(out.into_inner())
 }
 
-/// The depth in a file: its channel `Z`, else Blender's `V`, else `Y`, else `R`, else its only one.
+/// Names of a depth channel, the surest first, in small letters: `OpenEXR`'s own `Z`, Blender's `V` (and its layer
+/// `Depth`), annotators'; a luminance; the first of three channels that are alike.
+const DEPTH_NAMES: [&str; 7] = [
+    "z",
+    "v",
+    "depth",
+    "distance_to_image_plane",
+    "distance_to_camera",
+    "y",
+    "r",
+];
+
+/// The depth in a file: its channel `Z`, else `V`, `depth`, `distance_to_image_plane`, `distance_to_camera`, `Y`, in
+/// whichever layer (`View Layer.Depth.Z`) and in letters of either size; else `R`, where `G` and `B` equal it; else its
+/// only channel.
 ///
 /// # Errors
 /// Bytes that are no `OpenEXR` file of scan lines or tiles, or one of several channels of other names.
 pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
     let mut channels = channels(bytes)?;
-    let index = ["Z", "V", "Y", "R"]
+    let is_named = |given: &str, name: &str| {
+        let last = given.rsplit('.').next().unwrap_or(given);
+        last.eq_ignore_ascii_case(name)
+    };
+    let find = |name: &str| channels.names.iter().position(|given| is_named(given, name));
+    let index = DEPTH_NAMES
         .iter()
-        .find_map(|name| channels.names.iter().position(|given| given == name))
+        .find_map(|name| find(name))
         .or((channels.names.len() == 1).then_some(0))
         .ok_or_else(|| {
             CodecError::new(
@@ -72,6 +91,21 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
                 "name the channel Z",
             )
         })?;
+    let others = [find("g"), find("b")];
+    if is_named(&channels.names[index], "r") {
+        for other in others.into_iter().flatten() {
+            let same = |(a, b): (f32, f32)| a.to_bits() == b.to_bits();
+            let (red, other) = (&channels.samples[index], &channels.samples[other]);
+            if !red.values_as_f32().zip(other.values_as_f32()).all(same) {
+                return Err(CodecError::new(
+                    FORMAT,
+                    "channels",
+                    "R, G and B differ: a picture in colours, not a depth",
+                    "save the depth, in a channel named Z",
+                ));
+            }
+        }
+    }
     let pixels = match channels.samples.swap_remove(index) {
         FlatSamples::F32(values) => values,
         other => other.values_as_f32().collect(),
@@ -189,7 +223,45 @@ mod tests {
             .unwrap();
         let image = decode_rgb(file.get_ref()).unwrap();
         assert_eq!(image.pixels(), [[0.0, 0.5, 2.0], [1.0, 0.5, 2.0]]);
-        assert_eq!(decode(file.get_ref()).unwrap().pixels(), [0.0, 1.0]);
+        let error = decode(file.get_ref()).unwrap_err().to_string();
+        assert!(error.contains("R, G and B differ"), "{error}");
+    }
+
+    #[test]
+    fn depth_by_its_name_in_any_layer() {
+        for (names, expected) in [
+            (["A", "Z"], 2.0),
+            (["Depth", "mask"], 1.0),
+            (["Y", "View Layer.Depth.Z"], 2.0),
+            (["distance_to_camera", "A"], 1.0),
+        ] {
+            let mut file = Cursor::new(Vec::new());
+            let channels = ::exr::prelude::SpecificChannels::build()
+                .with_channel(names[0])
+                .with_channel(names[1])
+                .with_pixel_fn(|_| (::exr::prelude::f16::from_f32(1.0), 2f32));
+            ExrImage::from_channels((1, 1), channels)
+                .write()
+                .non_parallel()
+                .to_buffered(&mut file)
+                .unwrap();
+            assert_eq!(decode(file.get_ref()).unwrap().pixels(), [expected], "{names:?}");
+        }
+    }
+
+    #[test]
+    fn three_channels_that_are_alike_are_one() {
+        let mut file = Cursor::new(Vec::new());
+        let pixels = |position: Vec2<usize>| {
+            let z = 1.5 + position.0 as f32;
+            (z, z, z)
+        };
+        ExrImage::from_channels((2, 1), ::exr::prelude::SpecificChannels::rgb(pixels))
+            .write()
+            .non_parallel()
+            .to_buffered(&mut file)
+            .unwrap();
+        assert_eq!(decode(file.get_ref()).unwrap().pixels(), [1.5, 2.5]);
     }
 
     #[test]

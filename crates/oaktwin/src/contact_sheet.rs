@@ -14,10 +14,10 @@ pub struct Column {
     pub depth: ZDepth,
 }
 
-const PAPER: [u8; 3] = [24, 24, 24];
-const INK: [u8; 3] = [235, 235, 235];
+pub(crate) const PAPER: [u8; 3] = [24, 24, 24];
+pub(crate) const INK: [u8; 3] = [235, 235, 235];
 /// Around every picture, px.
-const GAP: u32 = 8;
+pub(crate) const GAP: u32 = 8;
 /// Of the titles, px.
 const TITLE: u32 = 14;
 
@@ -89,7 +89,7 @@ fn halved(depth: &ZDepth) -> ZDepth {
     ZDepth(Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(0, 0, 0.0)))
 }
 
-fn paste(sheet: &mut Image<[u8; 3]>, picture: &Image<[u8; 3]>, left: u32, top: u32) {
+pub(crate) fn paste(sheet: &mut Image<[u8; 3]>, picture: &Image<[u8; 3]>, left: u32, top: u32) {
     let width = sheet.width() as usize;
     for (row, y) in picture.rows().zip(top as usize..) {
         let start = y * width + left as usize;

@@ -3,6 +3,7 @@
 pub mod asset;
 pub mod body;
 pub mod check;
+pub mod depth_sensor;
 mod lens;
 pub mod materialx;
 mod nvidia;

@@ -8,3 +8,5 @@ pub(crate) const PRODUCT_NAMESPACE: &str = "omni:rtx:post:depthSensor:";
 pub(crate) const CAMERA_SCHEMA: &str = "OmniSensorGenericDepthSensorSingleViewAPI";
 /// Where its attributes are.
 pub(crate) const CAMERA_NAMESPACE: &str = "omni:sensor:depthSensor:";
+/// An `int` in Isaac Sim 5.x, a range in pixels; a `bool` in 6.x.
+pub(crate) const OUTLIER_REMOVAL: &str = "outlierRemovalEnabled";

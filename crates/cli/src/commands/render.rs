@@ -1,5 +1,6 @@
 mod asked;
 mod report;
+mod sensors;
 
 use std::ops::ControlFlow;
 
@@ -17,6 +18,7 @@ use crate::context::{Context, Exit, Result};
 use crate::interrupt;
 use crate::progress::Progress;
 use report::Report;
+use sensors::Sensors;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let annotators = asked::annotators(args)?;
@@ -36,18 +38,22 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         None => own_cameras(&scene, args, size, &path)?,
     };
     findings.extend(more);
+    let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
+    findings.append(&mut sensors.findings);
     if let Some(finding) = findings
         .iter()
         .find(|finding| args.strict && finding.level >= Level::Warning)
     {
         return Err(format!("{}: {finding}", args.scene.display()).into());
     }
-    check_memory(&cameras, &annotators)?;
+    check_memory(&cameras, &annotators, &sensors)?;
     interrupt::watch()?;
     let mut folder = OutputFolder::prepare(&args.output)?;
     let renderer = Renderer::new(scene.scene);
     let options = FrameOptions {
         annotators: &annotators,
+        sensors: &sensors.own,
+        sweep: sensors.swept.as_ref(),
         backend: args.backend.into(),
         extras: asked::extras(args),
         strict: args.strict,
@@ -73,6 +79,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         args,
         &annotators,
         &cameras,
+        &sensors.own,
         written,
         frames,
         findings,
@@ -160,8 +167,10 @@ fn own_cameras(
 }
 
 /// Refuses images that this machine has no memory for, where it says how much it has.
-fn check_memory(cameras: &[PlacedCamera], annotators: &[Annotator]) -> Result<()> {
-    let needs = |camera: &&PlacedCamera| render::frame_bytes(camera.camera.intrinsics.size, annotators);
+fn check_memory(cameras: &[PlacedCamera], annotators: &[Annotator], sensors: &Sensors) -> Result<()> {
+    let mut made = render::scene_annotators(annotators, !sensors.own.is_empty());
+    made.extend(annotators.iter().filter(|one| one.is_of_depth_sensor()));
+    let needs = |camera: &&PlacedCamera| render::frame_bytes(camera.camera.intrinsics.size, &made);
     let Some(largest) = cameras.iter().max_by_key(needs) else {
         return Ok(());
     };

@@ -1,6 +1,7 @@
+use super::Pixel;
 use oaktwin_image::Image;
 
-/// Drops what is nearer or farther than a range.
+/// `ThresholdFilter`: drops what is nearer or farther than a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Threshold {
     /// `minRange`, mm.
@@ -9,11 +10,20 @@ pub struct Threshold {
     pub max_range: u16,
 }
 
+impl Default for Threshold {
+    fn default() -> Self {
+        Self {
+            min_range: 0,
+            max_range: u16::MAX,
+        }
+    }
+}
+
 impl Threshold {
-    pub(super) fn run(&self, image: &mut Image<u16>) {
-        for value in image.pixels_mut() {
-            if *value < self.min_range || *value > self.max_range {
-                *value = 0;
+    pub(super) fn run<P: Pixel>(&self, image: &mut Image<P>) {
+        for pixel in image.pixels_mut() {
+            if !(self.min_range..=self.max_range).contains(&(*pixel).into()) {
+                *pixel = P::default();
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::CodecError;
 const GROWTH_DIGITS: usize = 21;
 
 /// No header of ours is longer than 300 bytes; `NumPy` itself refuses to parse more than 10 000.
-const LONGEST_HEADER: usize = 10_000;
+pub(super) const LONGEST_HEADER: usize = 10_000;
 
 const REMEDY: &str = "save it again with numpy.save";
 
@@ -54,6 +54,7 @@ pub(super) fn encode(descr: &str, shape: &[usize]) -> Vec<u8> {
 pub(super) struct Header {
     pub descr: String,
     pub shape: Vec<usize>,
+    pub is_fortran: bool,
     /// Where the data begin.
     pub end: usize,
 }
@@ -103,16 +104,12 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Header, CodecError> {
     let (Some(descr), Some(fortran), Some(shape)) = (descr, fortran, shape) else {
         return Err(broken("descr, fortran_order and shape are not all there"));
     };
-    // Of one axis, both orders are the same.
-    if fortran && shape.len() > 1 {
-        return Err(CodecError::new(
-            FORMAT,
-            "fortran_order",
-            "columns come first",
-            "save numpy.ascontiguousarray(a) instead",
-        ));
-    }
-    Ok(Header { descr, shape, end })
+    Ok(Header {
+        descr,
+        shape,
+        is_fortran: fortran,
+        end,
+    })
 }
 
 /// Just as much of Python's literals as headers have.
@@ -246,12 +243,6 @@ mod tests {
         assert_eq!(
             says(b"PK"),
             "NPY: byte 0: no NumPy array begins here; give a .npy file"
-        );
-        assert_eq!(
-            says(&file(
-                "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 2), }"
-            )),
-            "NPY: fortran_order: columns come first; save numpy.ascontiguousarray(a) instead"
         );
         assert_eq!(
             says(&file("{'descr': '<f4', 'fortran_order': no}")),

@@ -4,11 +4,13 @@
 //! axis to grow): little endian, C order. Source: NumPy's documentation of `numpy.lib.format`.
 
 mod header;
+mod layout;
 mod read;
 mod write;
 
+pub use layout::{Layout, Number};
 pub use read::{Array, Values, decode};
-pub use write::{Element, Field, encode, encode_records};
+pub use write::{Element, Field, begin, encode, encode_records, put};
 
 const FORMAT: &str = "NPY";
 

@@ -1,11 +1,11 @@
-use super::{FORMAT, header};
-use crate::bytes::Scalar;
+use super::FORMAT;
+use super::layout::{Layout, to_c_order};
 use crate::{CodecError, Image};
 
 /// An array as a file holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Array {
-    /// The lengths of its axes: rows, columns and, where there are three, channels.
+    /// The lengths of its axes: rows, columns, channels; before them, where there are many images, their number.
     pub shape: Vec<usize>,
     /// Its values in C order.
     pub values: Values,
@@ -18,64 +18,54 @@ pub enum Values {
     U8(Vec<u8>),
     /// `uint16`
     U16(Vec<u16>),
-    /// `float32`
+    /// `float32`, or `float16`
     F32(Vec<f32>),
     /// `float64`
     F64(Vec<f64>),
 }
 
-/// Reads an array of two or three axes of `uint8`, `uint16`, `float32` or `float64`, of either byte order.
+/// Reads an array of two to four axes of `uint8`, `uint16`, `float16`, `float32` or `float64`, of either byte order and
+/// either order of axes.
 ///
 /// # Errors
 /// Bytes that are not such an array, or are not exactly as long as its shape says.
 pub fn decode(bytes: &[u8]) -> Result<Array, CodecError> {
-    let header = header::decode(bytes)?;
-    let data = &bytes[header.end..];
-    let expected =
-        header::item_size(&header.descr).and_then(|size| header::elements(&header.shape)?.checked_mul(size));
-    let values = match header.descr.as_str() {
-        "|u1" | "<u1" | ">u1" => Values::U8(data.to_vec()),
-        "<u2" => Values::U16(u16::get_le(data)),
-        ">u2" => Values::U16(u16::get_be(data)),
-        "<f4" => Values::F32(f32::get_le(data)),
-        ">f4" => Values::F32(f32::get_be(data)),
-        "<f8" => Values::F64(f64::get_le(data)),
-        ">f8" => Values::F64(f64::get_be(data)),
-        other => {
-            return Err(CodecError::new(
-                FORMAT,
-                "descr",
-                format!("'{other}' is none of uint8, uint16, float32 and float64"),
-                "convert it with a.astype(numpy.float32)",
-            ));
-        }
-    };
-    if !matches!(header.shape.len(), 2 | 3) {
+    let layout = Layout::parse(bytes)?;
+    let data = bytes.get(layout.data_offset..).unwrap_or_default();
+    if !matches!(layout.shape.len(), 2..=4) {
         return Err(CodecError::new(
             FORMAT,
             "shape",
-            format!("{} axes, an image has 2 or 3", header.shape.len()),
+            format!(
+                "{} axes, an image has 2 or 3, many have 4 at most",
+                layout.shape.len()
+            ),
             "save rows × columns, or rows × columns × channels",
         ));
     }
-    if expected != Some(data.len()) {
-        return Err(CodecError::new(
-            FORMAT,
-            "data",
-            format!(
-                "{} bytes, {:?} of {} needs {}",
-                data.len(),
-                header.shape,
-                header.descr,
-                expected.map_or_else(|| "more than there is memory".into(), |n| n.to_string()),
-            ),
-            "the file is cut off or damaged: copy it again",
-        ));
+    if layout.data_bytes() != Some(data.len()) {
+        return Err(layout.wrong_length(data.len() as u64));
+    }
+    let mut values = layout.number.values(data);
+    if layout.is_fortran {
+        values = values.to_c_order(&layout.shape);
     }
     Ok(Array {
-        shape: header.shape,
+        shape: layout.shape,
         values,
     })
+}
+
+impl Values {
+    /// From Fortran's order of an array of this shape, which they fill.
+    pub(super) fn to_c_order(&self, shape: &[usize]) -> Self {
+        match self {
+            Self::U8(values) => Self::U8(to_c_order(shape, values)),
+            Self::U16(values) => Self::U16(to_c_order(shape, values)),
+            Self::F32(values) => Self::F32(to_c_order(shape, values)),
+            Self::F64(values) => Self::F64(to_c_order(shape, values)),
+        }
+    }
 }
 
 impl Array {
@@ -116,7 +106,7 @@ impl Array {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::npy::encode;
+    use crate::npy::{encode, header};
     use proptest::prelude::*;
 
     #[test]
@@ -125,7 +115,7 @@ mod tests {
         file.pop();
         assert_eq!(
             decode(&file).unwrap_err().to_string(),
-            "NPY: data: 15 bytes, [2, 2] of <f4 needs 16; the file is cut off or damaged: copy it again"
+            "NPY: data: 15 bytes, [2, 2] of 4 bytes each needs 16; the file is cut off or damaged: copy it again"
         );
         let says = |bytes: Vec<u8>| decode(&bytes).unwrap_err().to_string();
         assert!(says(encode(&[2, 2], &[1i32, 2, 3, 4]).unwrap()).contains("'<i4' is none of"));
@@ -151,6 +141,20 @@ mod tests {
         assert_eq!(decode(&little).unwrap(), decode(&big).unwrap());
         let image = decode(&big).unwrap().into_f32_image().unwrap();
         assert_eq!((image.width(), image.pixels()), (2, &[1.5f32, -2.0][..]));
+    }
+
+    /// `numpy.save` of `asfortranarray([[1, 2, 3], [4, 5, 6]])` in `float16`.
+    #[test]
+    fn halves_and_columns_first() {
+        let mut file = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+        let dict = "{'descr': '<f2', 'fortran_order': True, 'shape': (2, 3), }";
+        file.extend(format!("{dict:<117}\n").bytes());
+        for half in [0x3C00u16, 0x4400, 0x4000, 0x4500, 0x4200, 0x4600] {
+            file.extend(half.to_le_bytes());
+        }
+        let image = decode(&file).unwrap().into_f32_image().unwrap();
+        assert_eq!((image.width(), image.height()), (3, 2));
+        assert_eq!(image.pixels(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
     }
 
     proptest! {

@@ -40,10 +40,22 @@ pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, Code
             "give the values' own shape",
         ));
     }
-    let mut out = header::encode(&format!("'{}'", T::DESCR), shape);
+    let mut out = begin::<T>(shape);
     out.reserve_exact(size_of_val(values));
-    T::put_le(values, &mut out);
+    put(values, &mut out);
     Ok(out)
+}
+
+/// The beginning of a file of `shape`, for one that is written in parts: its numbers follow, in C order, as [`put`]
+/// appends them.
+#[must_use]
+pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
+    header::encode(&format!("'{}'", T::DESCR), shape)
+}
+
+/// Appends numbers as files hold them.
+pub fn put<T: Element>(values: &[T], out: &mut Vec<u8>) {
+    T::put_le(values, out);
 }
 
 /// One field of a structured type.

@@ -1,5 +1,5 @@
 use super::scale::{Scale, step};
-use super::{INK, NONE, text_height};
+use super::{INK, Marks, NONE, text_height};
 use crate::Image;
 use crate::colormap::turbo;
 use crate::text::{self, Style};
@@ -18,12 +18,12 @@ impl<'a> Legend<'a> {
         Self { picture, top, unit }
     }
 
-    pub(super) fn draw(&mut self, scale: Option<&Scale>, any_missing: bool, beyond: [bool; 2]) {
+    pub(super) fn draw(&mut self, scale: Option<&Scale>, marks: Marks) {
         let unit = self.unit;
         let (left, mut right) = (unit, self.picture.width().saturating_sub(unit));
         let (bar_top, bar_bottom) = (self.top + unit * 2 / 3, self.top + unit * 5 / 3);
         let text_top = self.top + unit * 9 / 4;
-        if any_missing {
+        if marks.missing {
             let label = "no value";
             let (label_width, swatch) = (self.width(label), unit * 3 / 2);
             // The bar keeps at least half of the picture.
@@ -64,8 +64,8 @@ impl<'a> Legend<'a> {
             format!("{sign}{} m", label(metres))
         };
         let (near, far) = (
-            mark(beyond[0], "< ", scale.near),
-            mark(beyond[1], "> ", scale.far),
+            mark(marks.nearer, "< ", scale.near),
+            mark(marks.farther, "> ", scale.far),
         );
         try_to_write(self, &near, left);
         let far_column = right.saturating_sub(self.width(&far));

@@ -9,7 +9,7 @@ use legend::Legend;
 use scale::{Scale, is_value, step};
 
 /// Where there is no value: a grey that turbo does not have.
-const NONE: [u8; 3] = [96, 96, 96];
+pub const NONE: [u8; 3] = [96, 96, 96];
 
 /// Behind the scale.
 const PAPER: [u8; 3] = [24, 24, 24];
@@ -49,33 +49,81 @@ impl RangeDepth {
 pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
     let scale = Scale::of(metres, options);
     let (width, height) = (metres.width(), metres.height());
-    let mut pixels =
-        Vec::with_capacity(width as usize * height.saturating_add(legend_height(width)) as usize);
-    let mut missing = 0usize;
-    let mut beyond = [false; 2];
-    if let Some(scale) = &scale {
+    let legend_height = legend_height(width);
+    let capacity = width as usize * height.saturating_add(legend_height) as usize;
+    let (mut pixels, marks) = paint(metres, scale.as_ref(), capacity);
+    pixels.resize(pixels.len() + width as usize * legend_height as usize, PAPER);
+    let Some(mut picture) = Image::new(width, height.saturating_add(legend_height), pixels) else {
+        return Image::filled(0, 0, PAPER);
+    };
+    Legend::new(&mut picture, height).draw(scale.as_ref(), marks);
+    picture
+}
+
+/// As [`depth`] paints it, without the scale: for several pictures that share one, which [`legend`] draws.
+#[must_use]
+pub fn colors(metres: &Image<f32>, range: (f32, f32)) -> (Image<[u8; 3]>, Marks) {
+    let scale = Scale::of(metres, &Options { range: Some(range) });
+    let (pixels, marks) = paint(metres, scale.as_ref(), metres.pixels().len());
+    let picture = Image::new(metres.width(), metres.height(), pixels);
+    (picture.unwrap_or_else(|| Image::filled(0, 0, PAPER)), marks)
+}
+
+/// The scale of pictures that [`colors`] paints, [`legend_height`] rows.
+#[must_use]
+pub fn legend(width: u32, range: (f32, f32), marks: Marks) -> Image<[u8; 3]> {
+    let mut picture = Image::filled(width, legend_height(width), PAPER);
+    let none = Image::filled(0, 0, 0.0);
+    let scale = Scale::of(&none, &Options { range: Some(range) });
+    Legend::new(&mut picture, 0).draw(scale.as_ref(), marks);
+    picture
+}
+
+/// The nearest and the farthest depth of an image but for half a percent of its values on either side; `None` where it has
+/// none.
+#[must_use]
+pub fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
+    scale::range(metres)
+}
+
+/// What a scale has to explain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    /// Pixels without a value.
+    pub missing: bool,
+    /// Depths nearer than the scale.
+    pub nearer: bool,
+    /// Depths beyond it.
+    pub farther: bool,
+}
+
+impl std::ops::BitOrAssign for Marks {
+    fn bitor_assign(&mut self, other: Self) {
+        self.missing |= other.missing;
+        self.nearer |= other.nearer;
+        self.farther |= other.farther;
+    }
+}
+
+/// The pixels, with room for as many as `capacity`.
+fn paint(metres: &Image<f32>, scale: Option<&Scale>, capacity: usize) -> (Vec<[u8; 3]>, Marks) {
+    let mut pixels = Vec::with_capacity(capacity);
+    let mut marks = Marks::default();
+    if let Some(scale) = scale {
         let turbo = turbo();
         for &z in metres.pixels() {
             let valid = is_value(z);
-            missing += usize::from(!valid);
-            beyond[0] |= valid & (z < scale.near);
-            beyond[1] |= valid & (z > scale.far);
+            marks.missing |= !valid;
+            marks.nearer |= valid & (z < scale.near);
+            marks.farther |= valid & (z > scale.far);
             let color = turbo[step(scale.place(z))];
             pixels.push(if valid { color } else { NONE });
         }
     } else {
-        missing = metres.pixels().len();
-        pixels.resize(missing, NONE);
+        marks.missing = !metres.pixels().is_empty();
+        pixels.resize(metres.pixels().len(), NONE);
     }
-    pixels.resize(
-        pixels.len() + width as usize * legend_height(width) as usize,
-        PAPER,
-    );
-    let Some(mut picture) = Image::new(width, height.saturating_add(legend_height(width)), pixels) else {
-        return Image::filled(0, 0, PAPER);
-    };
-    Legend::new(&mut picture, height).draw(scale.as_ref(), missing > 0, beyond);
-    picture
+    (pixels, marks)
 }
 
 /// Rows that [`depth`] adds to an image of so many columns.
@@ -119,6 +167,28 @@ mod tests {
         for x in 5..9 {
             assert_eq!(picture.get(x, 0), Some(&NONE));
         }
+    }
+
+    #[test]
+    fn pictures_that_share_a_scale() {
+        let mut image = ramp(300, 1.0, 3.0);
+        image.pixels_mut()[5] = 0.0;
+        let options = Options {
+            range: Some((1.0, 2.5)),
+        };
+        let whole = depth(&image, &options);
+        let (picture, marks) = colors(&image, (1.0, 2.5));
+        let expected = Marks {
+            missing: true,
+            nearer: false,
+            farther: true,
+        };
+        assert_eq!(marks, expected);
+        let legend = legend(300, (1.0, 2.5), marks);
+        assert_eq!([picture.pixels(), legend.pixels()].concat(), whole.pixels());
+        let mut all = Marks::default();
+        all |= marks;
+        assert_eq!(all, marks);
     }
 
     #[test]

@@ -85,7 +85,7 @@ pub(super) fn step(place: f32) -> usize {
 }
 
 /// The nearest and farthest depths but for half a percent on either side.
-fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
+pub(super) fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
     let stride = (metres.pixels().len() / SAMPLES).max(1);
     // Not a divisor of common widths, so that every column is looked at.
     let stride = if stride > 1 { stride | 1 } else { 1 };

@@ -4,6 +4,7 @@ use oaktwin_render::{Clip, View};
 
 use super::limits::SizeError;
 use crate::camera::{Camera, RigidTransform, UsdOptics};
+use crate::usd::depth_sensor::DepthSensor;
 use crate::usd::optics::OpticsError;
 
 /// A camera in a scene: what it sees, and where it stands unless a path of poses moves it.
@@ -24,6 +25,22 @@ pub struct PlacedCamera {
     pub world_from_mount: RigidTransform,
     /// What the camera's prim says, or would say.
     pub attributes: CameraAttributes,
+    /// The depth sensor whose camera it is.
+    pub depth_sensor: Option<DepthSensorSource>,
+}
+
+/// Where a depth sensor's parameters are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DepthSensorSource {
+    /// In the twin: the name of the sensor's prim.
+    Twin(String),
+    /// In the stage.
+    Stage {
+        /// The name of the camera's prim.
+        camera: String,
+        /// What the stage says.
+        sensor: Box<DepthSensor>,
+    },
 }
 
 /// The attributes of a camera prim that renderers pass on without using them.

@@ -9,19 +9,28 @@ use oaktwin_render::{AnnotateOptions, Backend, Renderer, View};
 use rayon::prelude::*;
 
 use super::camera::PlacedCamera;
+use super::depth_sensor::{self, scene_annotators};
 use super::output_folder::OutputFolder;
+use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::camera::RigidTransform;
 use crate::dataset::{self, BasicWriter, CameraParams, DatasetError, Extras, Shot};
 use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::annotation::{Annotator, Frame};
+use crate::image::{Image, png};
+use crate::sensor::Sensor;
 
 /// What to render, and into which files.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameOptions<'a> {
-    /// What to render.
+    /// What to write.
     pub annotators: &'a [Annotator],
+    /// The depth sensor of each camera that has one, as [`depth_sensors`](super::depth_sensors) makes them: fresh ones.
+    /// Without one a camera has none of a depth sensor's annotations.
+    pub sensors: &'a [Option<Sensor>],
+    /// The sensors of a sweep, fresh ones: a sheet for each frame of each depth sensor's camera.
+    pub sweep: Option<&'a SweptSensors>,
     /// How to find what a pixel sees.
     pub backend: Backend,
     /// What is written beside the files of Replicator's `BasicWriter`.
@@ -83,10 +92,11 @@ struct Rendered<'a> {
     number: usize,
     view: View,
     frame: Frame,
+    sheet: Option<Image<[u8; 3]>>,
 }
 
 /// Renders a frame for each pose of `path`, or the one where the cameras stand where `path` is empty, with every camera,
-/// and writes it. `watch` is asked before each image and after it; where it breaks, what is rendered then is dropped.
+/// lets the cameras' depth sensors look at it, and writes it. `watch` is asked before each image and after it; where it breaks, what is rendered then is dropped.
 ///
 /// The files are those of Replicator's `BasicWriter`: one camera's in the folder itself, those of several in folders by
 /// camera and annotator.
@@ -109,7 +119,12 @@ pub fn write_frames(
     let jobs = poses
         .iter()
         .enumerate()
-        .flat_map(|(number, pose)| cameras.iter().map(move |camera| (number, *pose, camera)));
+        .flat_map(|(number, pose)| (0..cameras.len()).map(move |at| (number, *pose, at)));
+    let mut stations: Vec<Station<'_>> = cameras
+        .iter()
+        .enumerate()
+        .map(|(at, camera)| Station::new(camera, at, options))
+        .collect();
     let mut done = Done {
         images: 0,
         of: poses.len() as u64 * cameras.len() as u64,
@@ -121,18 +136,16 @@ pub fn write_frames(
     let (sender, receiver) = mpsc::sync_channel::<Rendered<'_>>(0);
     let (files, images) = thread::scope(|scope| {
         let writer = scope.spawn(|| write_all(receiver, folder, cameras.len() > 1, meters_per_unit, options));
-        for (number, pose, camera) in jobs {
+        let mut sweep = options.sweep.cloned();
+        for (number, pose, at) in jobs {
+            let Some(station) = stations.get_mut(at) else {
+                continue;
+            };
             if watch(done).is_break() {
                 stop = Some(Ok(()));
                 break;
             }
-            let view = camera.view(pose.unwrap_or(&camera.world_from_mount));
-            let (frame, more) = renderer.annotate(
-                &view,
-                options.annotators,
-                options.backend,
-                &AnnotateOptions::default(),
-            );
+            let (rendered, more) = station.look(renderer, (number, pose), sweep.as_mut(), options);
             done.images += 1;
             if let Some(warning) = more
                 .iter()
@@ -147,12 +160,6 @@ pub fn write_frames(
                 }
             }
             let is_interrupted = watch(done).is_break() && done.images < done.of;
-            let rendered = Rendered {
-                camera,
-                number,
-                view,
-                frame,
-            };
             if is_interrupted {
                 stop = Some(Ok(()));
                 break;
@@ -178,6 +185,58 @@ pub fn write_frames(
         findings,
         is_interrupted,
     })
+}
+
+/// A camera while frames are made: its sensor remembers those before.
+struct Station<'a> {
+    camera: &'a PlacedCamera,
+    index: usize,
+    sensor: Option<Sensor>,
+    needed: Vec<Annotator>,
+}
+
+impl<'a> Station<'a> {
+    fn new(camera: &'a PlacedCamera, index: usize, options: &FrameOptions<'_>) -> Self {
+        let is_asked = options.annotators.iter().any(|one| one.is_of_depth_sensor());
+        let sensor = options.sensors.get(index).cloned().flatten();
+        let sensor = sensor.filter(|_| is_asked);
+        let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
+        let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
+        Self {
+            camera,
+            index,
+            sensor,
+            needed,
+        }
+    }
+
+    fn look(
+        &mut self,
+        renderer: &Renderer,
+        (number, pose): (usize, Option<&RigidTransform>),
+        sweep: Option<&mut SweptSensors>,
+        options: &FrameOptions<'_>,
+    ) -> (Rendered<'a>, Vec<Finding>) {
+        let view = self.camera.view(pose.unwrap_or(&self.camera.world_from_mount));
+        let (mut frame, findings) =
+            renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
+        let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64));
+        if let Some(sensor) = &mut self.sensor {
+            depth_sensor::capture(sensor, &view, number as u64, options.annotators, &mut frame);
+        }
+        frame.rgb = frame.rgb.filter(|_| options.annotators.contains(&Annotator::Rgb));
+        frame.distance_to_image_plane = frame
+            .distance_to_image_plane
+            .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
+        let rendered = Rendered {
+            camera: self.camera,
+            number,
+            view,
+            frame,
+            sheet,
+        };
+        (rendered, findings)
+    }
 }
 
 /// Cameras that are not rasterized although somebody asked for it.
@@ -241,6 +300,18 @@ fn write_all(
             listed.par_iter().map(dataset::DatasetFile::bytes).collect();
         for (file, bytes) in listed.iter().zip(encoded) {
             put(file.path(), &bytes?)?;
+        }
+        if let Some(sheet) = &image.sheet {
+            let file = format!("sweep_{:04}.png", image.number);
+            let path = match shot.render_product {
+                Some(folder) => format!("{folder}/sweep/{file}"),
+                None => file,
+            };
+            let bytes = png::encode(sheet).map_err(|source| DatasetError::Codec {
+                path: path.clone(),
+                source,
+            })?;
+            put(&path, &bytes)?;
         }
         count += 1;
     }

@@ -44,7 +44,12 @@ fn pixel_bytes(annotator: Annotator) -> u64 {
         | Annotator::DistanceToCamera
         | Annotator::InstanceIdSegmentation
         | Annotator::SemanticSegmentation => 4,
+        Annotator::DepthSensorDistance
+        | Annotator::DepthSensorPointCloudColor
+        | Annotator::DepthSensorImager
+        | Annotator::DepthSensorOutputVisualization => 4,
         Annotator::Normals => 12,
+        Annotator::DepthSensorPointCloudPosition => 16,
         Annotator::Pointcloud => 36,
         Annotator::BoundingBox2dTight | Annotator::BoundingBox2dLoose | Annotator::CameraParams => 0,
     }
@@ -77,7 +82,7 @@ mod tests {
         assert!(check_size(ImageSize::new(u32::MAX, u32::MAX)).is_err());
         assert!(check_size(ImageSize::new(0, 5)).is_err());
         let bytes = frame_bytes(ImageSize::new(1 << 16, 1 << 15), &Annotator::ALL);
-        assert_eq!(gib(bytes), "568.0 GiB");
+        assert_eq!(gib(bytes), "824.0 GiB");
     }
 
     #[cfg(target_os = "linux")]

@@ -37,6 +37,7 @@
 mod annotators;
 mod around;
 mod camera;
+mod depth_sensor;
 mod frames;
 mod limits;
 mod names;
@@ -45,10 +46,12 @@ mod output_folder;
 mod pose;
 mod scene_camera;
 mod scene_file;
+mod sweep;
 pub mod trajectory;
 
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
-pub use camera::{CameraAttributes, CameraError, PlacedCamera};
+pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
+pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators};
 pub use frames::{Done, FrameOptions, FramesError, Written, WrittenFile, write_frames};
 pub use limits::{MAX_PIXELS, SizeError, available_bytes, check_size, frame_bytes, gib};
 pub use names::folder_names;
@@ -58,6 +61,7 @@ pub use output_folder::OutputFolder;
 pub use pose::{PoseError, look_at, pose};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
+pub use sweep::{Axis, MOST_VALUES, Sweep, SweepError, SweptSensors};
 
 /// Renders with this many threads from now on. Without effect once something was rendered.
 pub fn use_threads(threads: usize) {

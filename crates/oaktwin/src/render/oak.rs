@@ -2,7 +2,7 @@
 
 use oaktwin_render::Clip;
 
-use super::camera::{CameraAttributes, CameraError, PlacedCamera};
+use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 use super::folder_names;
 use super::limits::check_size;
 use crate::camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
@@ -190,6 +190,9 @@ fn place(
             focus_distance: candidate.focus_distance,
             f_stop: candidate.camera.spec.f_stop,
         },
+        depth_sensor: candidate
+            .is_depth
+            .then(|| DepthSensorSource::Twin(candidate.prim.to_owned())),
     })
 }
 

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use oaktwin_render::Clip;
 
-use super::camera::{CameraAttributes, CameraError, PlacedCamera};
+use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 use super::limits::check_size;
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
 use crate::camera::{ImageSize, RigidTransform};
 use crate::diagnostic::{Finding, Level, fold_name, nearest};
+use crate::usd::depth_sensor;
 use crate::usd::optics::{self, OpticsError, Projection};
 use crate::usd::stage::{RenderProduct, SceneCamera};
 
@@ -40,10 +41,14 @@ impl<'a> Candidate<'a> {
         let shows_it = |product: &&RenderProduct| {
             camera_of(scene, product).is_some_and(|shown| shown.prim.path == camera.prim.path)
         };
+        // A depth sensor's rather than another.
+        let shown_by = || scene.products.iter().filter(shows_it);
         Self {
             path: &camera.prim.path,
             camera,
-            product: scene.products.iter().find(shows_it),
+            product: shown_by()
+                .find(|product| optics::is_depth_product(product, None))
+                .or_else(|| shown_by().next()),
         }
     }
 }
@@ -254,6 +259,12 @@ fn place(
                 focus_distance: camera.prim.number("focusDistance").unwrap_or(0.0),
                 f_stop: camera.f_stop(),
             },
+            depth_sensor: depth_sensor::of_product(candidate.product, Some(camera)).map(|sensor| {
+                DepthSensorSource::Stage {
+                    camera: camera.prim.name().to_owned(),
+                    sensor: Box::new(sensor),
+                }
+            }),
         },
         findings,
     ))

@@ -1,121 +1,194 @@
 //! The sensor of a twin: from its catalog entry or calibration to a [`Sensor`] that turns ground truth into what the
 //! device would report.
 
-use oaktwin_depth::filter::Chain;
+mod configure;
+mod options;
+mod parameters;
+
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, SingleView};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 pub use oaktwin_depth::{Capture, Engine, ParameterError, Sensor, Shot, single_view};
 
+use configure::Preset;
+pub use options::{EngineKind, SensorOptions};
+pub use parameters::{single_view_parameters, stereo_noise_parameters};
+
 use crate::camera::{Intrinsics, StereoGeometry};
-use crate::catalog::{DepthKind, Role, Twin, TwinDepthSensor};
+use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
+use crate::diagnostic::{Finding, Level};
 
-/// Which model of the errors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EngineKind {
-    /// Isaac Sim's `DepthSensorDistance`.
-    SingleView,
-    /// The errors of an OAK's stereo.
-    StereoNoise,
-}
+/// How much an image's focal length, at the width of the twin's, may differ from it and still be the twin's: the
+/// rounding of single precision, in which USD holds its cameras.
+const SAME_FOCAL_LENGTH: f64 = 1e-5;
 
-impl EngineKind {
-    /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.
-    #[must_use]
-    pub fn default_for(kind: DepthKind) -> Self {
-        match kind {
-            DepthKind::Stereo => Self::StereoNoise,
-            DepthKind::Tof => Self::SingleView,
-        }
-    }
-}
-
-/// How the sensor of a twin is to be.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SensorOptions {
-    /// By default [`EngineKind::default_for`] the sensor's kind.
-    pub engine: Option<EngineKind>,
-    /// The intrinsics of the depth images where they are not the twin's: the focal length at their width is used.
-    pub image: Option<Intrinsics>,
-    /// Of the noise.
-    pub seed: u64,
-    /// Of the device's calibration bias; none has none.
-    pub device_seed: Option<u64>,
-}
-
-/// The parameters that a render product of this sensor has.
-#[must_use]
-pub fn single_view_parameters(sensor: &TwinDepthSensor) -> single_view::Parameters {
-    let spec = &sensor.spec;
-    single_view::Parameters {
-        baseline_mm: spec.baseline_mm,
-        confidence_threshold: spec.confidence_threshold,
-        focal_length_px: sensor.focal_length_px,
-        max_disparity_px: spec.max_disparity_px,
-        min_distance_m: spec.min_distance_m,
-        max_distance_m: spec.max_distance_m,
-        noise_mean_px: spec.noise_mean_px,
-        noise_sigma_px: spec.noise_sigma_px,
-        noise_downscale_factor_px: spec.noise_downscale_factor_px,
-        outlier_removal_range_px: spec.outlier_removal_range_px,
-        sensor_size_px: spec.sensor_size_px,
-        ..single_view::Parameters::ISAAC_5_1
-    }
-}
-
-/// The parameters of the stereo pair of a twin, in the mode of its cameras' used resolution; `None` where it has no
-/// pair.
-#[must_use]
-pub fn stereo_noise_parameters(twin: &Twin) -> Option<stereo_noise::Parameters> {
-    let (left, right) = (twin.camera(Role::Left)?, twin.camera(Role::Right)?);
-    let baseline = left.body_from_camera.translation - right.body_from_camera.translation;
-    let stereo = StereoGeometry {
-        focal_length_px: left.intrinsics.fx,
-        baseline_m: baseline.length(),
-    };
-    Some(stereo_noise::Parameters::new(stereo, left.intrinsics.size.width))
-}
-
-/// The sensor of a twin.
+/// The sensor of a twin; the findings are what about it is not as the twin says.
+///
+/// The order is: the twin's own parameters, the images' focal length, the preset, the range of disparities, the device's
+/// bias, then what is named.
 ///
 /// # Errors
-/// An engine that the sensor cannot have; a parameter out of its range.
+/// An engine that the sensor cannot have; a preset, filter or parameter that does not exist or is out of its range.
 pub fn sensor(
     twin: &Twin,
     sensor: &TwinDepthSensor,
     options: &SensorOptions,
-) -> Result<Sensor, ParameterError> {
+) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let kind = options
         .engine
         .unwrap_or_else(|| EngineKind::default_for(sensor.spec.kind));
-    let random = Stream::new(options.seed, &sensor.spec.prim);
+    let mut findings = Vec::new();
+    let own = own_focal_length(twin, sensor, options, &mut findings);
+    let preset = Preset::of(twin, sensor.spec.kind, options)?;
+    if let Some(preset) = &preset {
+        findings.push(preset.finding(options, kind, &sensor.spec.prim));
+    }
+    let is_extended = options.extended_disparity
+        || matches!(&preset, Some(Preset::Stereo(config)) if config.extended_disparity);
     let engine = match kind {
         EngineKind::SingleView => {
-            let mut parameters = single_view_parameters(sensor);
-            if let Some(image) = options.image {
-                let scale = parameters.sensor_size_px / f64::from(image.size.width);
-                parameters.focal_length_px = image.fx * scale;
+            let mut parameters = single_view_parameters(sensor, is_extended, options.isaac);
+            if let Some(image) = own {
+                parameters.focal_length_px =
+                    image.fx * parameters.sensor_size_px / f64::from(image.size.width);
             }
-            Engine::SingleView(SingleView::new(parameters, Assumptions::default())?)
+            single_view(parameters, options)?
         }
         EngineKind::StereoNoise => {
-            let parameters = stereo_noise_parameters(twin)
+            let mut parameters = stereo_noise_parameters(twin)
                 .filter(|_| sensor.spec.kind == DepthKind::Stereo)
                 .ok_or_else(|| ParameterError {
                     name: "engine".to_owned(),
                     what: format!("{} is no stereo sensor", sensor.spec.prim),
                     remedy: "use single-view, or the stereo sensor".to_owned(),
                 })?;
-            let mut parameters = match options.device_seed {
-                Some(seed) => parameters.of_device(seed),
-                None => parameters,
-            };
-            if let Some(image) = options.image {
-                let scale = f64::from(parameters.width_px) / f64::from(image.size.width);
-                parameters.stereo.focal_length_px = image.fx * scale;
+            if let Some(image) = own {
+                parameters.stereo.focal_length_px =
+                    image.fx * f64::from(parameters.width_px) / f64::from(image.size.width);
             }
+            if let Some(Preset::Stereo(config)) = &preset {
+                config.apply_to(&mut parameters);
+            }
+            parameters.extended_disparity = is_extended;
+            if let Some(seed) = options.device_seed {
+                parameters = parameters.of_device(seed);
+            }
+            configure::set_stereo_noise(&mut parameters, options)?;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
     };
-    Ok(Sensor::new(engine, Chain::default(), random))
+    let filters = configure::chain(options, preset.as_ref())?;
+    let name = options.name.as_deref().unwrap_or(&sensor.spec.prim);
+    Ok((
+        Sensor::new(engine, filters, Stream::new(options.seed, name)),
+        findings,
+    ))
 }
+
+/// The sensor of these parameters, those of a render product say, whose virtual camera has this name: Isaac Sim's, unless
+/// the options name another engine, whose stereo pair then has the parameters' baseline and, on an image as wide as the
+/// simulated sensor, their focal length. The findings say which of the options a render product has no use for.
+///
+/// # Errors
+/// A filter or parameter that does not exist or is out of its range.
+pub fn of_render_product(
+    prim: &str,
+    parameters: single_view::Parameters,
+    options: &SensorOptions,
+) -> Result<(Sensor, Vec<Finding>), ParameterError> {
+    let kind = options.engine.unwrap_or(EngineKind::SingleView);
+    let is_stereo = kind == EngineKind::StereoNoise;
+    let engine = if is_stereo {
+        stereo_noise(&parameters, options)?
+    } else {
+        single_view(parameters, options)?
+    };
+    let filters = configure::chain(options, None)?;
+    let name = options.name.as_deref().unwrap_or(prim);
+    let ignored = [
+        (options.preset.is_some(), "preset"),
+        (
+            options.extended_disparity && !is_stereo,
+            "extended range of disparities",
+        ),
+        (options.device_seed.is_some() && !is_stereo, "seed of a device"),
+    ];
+    let findings = ignored.iter().filter(|(given, _)| *given).map(|(_, what)| {
+        Finding::new(
+            "ignored",
+            Level::Warning,
+            prim,
+            format!("a render product has no {what}: it is left out"),
+            "set its parameters by name",
+        )
+    });
+    let findings = findings.collect();
+    Ok((
+        Sensor::new(engine, filters, Stream::new(options.seed, name)),
+        findings,
+    ))
+}
+
+/// The stereo pair that a render product's parameters describe.
+fn stereo_noise(
+    product: &single_view::Parameters,
+    options: &SensorOptions,
+) -> Result<Engine, ParameterError> {
+    product.check()?;
+    let stereo = StereoGeometry {
+        focal_length_px: product.focal_length_px,
+        baseline_m: product.baseline_mm.abs() / 1000.0,
+    };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the cast saturates, and widths out of range are refused"
+    )]
+    let width_px = product.sensor_size_px.round() as u32;
+    let mut parameters = stereo_noise::Parameters::new(stereo, width_px);
+    parameters.extended_disparity = options.extended_disparity;
+    if let Some(seed) = options.device_seed {
+        parameters = parameters.of_device(seed);
+    }
+    configure::set_stereo_noise(&mut parameters, options)?;
+    Ok(Engine::StereoNoise(StereoNoise::new(parameters)?))
+}
+
+fn single_view(
+    mut parameters: single_view::Parameters,
+    options: &SensorOptions,
+) -> Result<Engine, ParameterError> {
+    let mut assumptions = Assumptions::default();
+    configure::set_single_view(&mut parameters, &mut assumptions, options)?;
+    Ok(Engine::SingleView(SingleView::new(parameters, assumptions)?))
+}
+
+/// The images' intrinsics where their field of view is not that of the sensor's camera: said.
+fn own_focal_length(
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    options: &SensorOptions,
+    findings: &mut Vec<Finding>,
+) -> Option<Intrinsics> {
+    let image = options.image?;
+    let own = twin.camera(sensor.spec.camera)?.intrinsics;
+    let at_own_width = image.fx * f64::from(own.size.width) / f64::from(image.size.width);
+    // Written so that what is no number is not the same.
+    if (at_own_width - own.fx).abs() <= SAME_FOCAL_LENGTH * own.fx {
+        return None;
+    }
+    findings.push(Finding::new(
+        "own-focal-length",
+        Level::Note,
+        &sensor.spec.prim,
+        format!(
+            "the images' focal length is {at_own_width:.2} px at a width of {} px, the model's {:.2} px: the images' is used",
+            own.size.width, own.fx
+        ),
+        "",
+    ));
+    Some(image)
+}
+
+#[cfg(test)]
+mod tests;

@@ -44,7 +44,8 @@ impl Default for AnnotateOptions {
 impl Renderer {
     /// What these annotators say of a view; the findings are what colours had to do without.
     ///
-    /// [`Annotator::CameraParams`] says nothing about the scene and is left to whoever writes the frame.
+    /// [`Annotator::CameraParams`] says nothing about the scene and is left to whoever writes the frame; what depth
+    /// sensors report is left to them.
     #[must_use]
     pub fn annotate(
         &self,
@@ -58,7 +59,7 @@ impl Renderer {
         let depth_is_enough = annotators.iter().all(|annotator| match annotator {
             Annotator::DistanceToImagePlane | Annotator::CameraParams => true,
             Annotator::DistanceToCamera => view.clips_along_axis(),
-            _ => false,
+            other => other.is_of_depth_sensor(),
         });
         if depth_is_enough {
             if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {

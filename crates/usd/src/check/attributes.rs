@@ -3,6 +3,7 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
 use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
+use crate::nvidia::OUTLIER_REMOVAL;
 use crate::stage::Value;
 
 pub(super) const CAMERA_TYPE: Rule = Rule {
@@ -70,7 +71,6 @@ const DEPTH_TYPES: [(&str, &str); 14] = [
     ("sensorSizePixel", "float"),
     ("showDistance", "bool"),
 ];
-const OUTLIER_REMOVAL: &str = "outlierRemovalEnabled";
 
 pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     for (name, expected) in CAMERA_TYPES {

@@ -16,7 +16,7 @@ pub(super) const COMPOSITION: Rule = Rule {
     code: "composition",
     level: Level::Warning,
     what: "a reference, payload or sublayer cannot be followed",
-    remedy: "put the file where the path says, or correct the path; what it holds was not checked",
+    remedy: "put the file where the path says, or correct the path; what it holds is left out",
 };
 /// Its findings come with the stage.
 pub(super) const PACKAGE_LAYOUT: Rule = Rule {

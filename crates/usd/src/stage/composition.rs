@@ -19,7 +19,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
     use pcp::Error as E;
     let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
     let level = Level::Warning;
-    let mut remedy = "put the file where the path says, or correct the path; what it holds was not checked";
+    let mut remedy = "put the file where the path says, or correct the path; what it holds is left out";
     let (place, message) = match error {
         E::UnresolvedLayer {
             asset_path,
@@ -28,7 +28,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             ..
         } => {
             let message = if let Some(url) = url(asset_path) {
-                remedy = "download it beside the file and reference it there; what it holds was not checked";
+                remedy = "download it beside the file and reference it there; what it holds is left out";
                 format!("the {} @{url}@ is not on this machine", said(arc))
             } else {
                 format!("the {} @{asset_path}@ cannot be found", said(arc))

@@ -4,7 +4,7 @@ use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::dataset::Extras;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{self, OpenOptions};
+use oaktwin::render::{self, OpenOptions, Sweep};
 use oaktwin::scene::Up;
 
 use crate::args::RenderArgs;
@@ -22,18 +22,36 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let is_depth = |annotator: &Annotator| {
         matches!(
             annotator,
-            Annotator::DistanceToImagePlane | Annotator::DistanceToCamera
+            Annotator::DistanceToImagePlane | Annotator::DistanceToCamera | Annotator::DepthSensorDistance
         )
     };
     if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
         chosen.push(Annotator::DistanceToImagePlane);
     }
-    if args.ply {
+    if args.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
         chosen.push(Annotator::Pointcloud);
     }
     chosen.sort_unstable();
     chosen.dedup();
     Ok(chosen)
+}
+
+/// Whether a depth sensor's annotators are wanted only where there is a sensor: nobody named one.
+pub(super) fn everything(args: &RenderArgs) -> bool {
+    let named = args
+        .annotators
+        .iter()
+        .filter_map(|name| render::annotator(name.trim()).ok());
+    !named.into_iter().any(Annotator::is_of_depth_sensor)
+}
+
+/// The values that are tried; `None` where nobody asked for it.
+pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
+    if args.sweep.is_empty() {
+        return Ok(None);
+    }
+    let sweep = Sweep::parse(args.sweep.iter().map(String::as_str));
+    Ok(Some(sweep.map_err(|error| format!("--sweep: {error}"))?))
 }
 
 /// `1280x800`

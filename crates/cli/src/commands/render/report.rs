@@ -1,9 +1,12 @@
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin::camera::{LensModel, Usd};
+use oaktwin::depth::stereo_noise;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{PlacedCamera, Written};
+use oaktwin::sensor::{Engine, EngineKind, Sensor, single_view};
 use serde::Serialize;
 
 use crate::args::RenderArgs;
@@ -40,6 +43,16 @@ struct CameraReport<'a> {
     cx: f64,
     cy: f64,
     lens: &'static str,
+    /// Where it is a depth sensor's camera, and the sensor was asked for something.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    depth_sensor: Option<SensorReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct SensorReport {
+    engine: &'static str,
+    /// As `--param` takes them.
+    parameters: BTreeMap<&'static str, String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -53,6 +66,7 @@ impl<'a> Report<'a> {
         args: &'a RenderArgs,
         annotators: &[Annotator],
         cameras: &'a [PlacedCamera],
+        sensors: &[Option<Sensor>],
         written: Written,
         wanted_frames: usize,
         findings: Vec<Finding>,
@@ -68,7 +82,11 @@ impl<'a> Report<'a> {
             annotators: annotators.iter().map(|annotator| annotator.name()).collect(),
             cameras: cameras
                 .iter()
-                .map(|camera| CameraReport::new(camera, &args.output, is_flat))
+                .enumerate()
+                .map(|(at, camera)| {
+                    let sensor = sensors.get(at).and_then(Option::as_ref);
+                    CameraReport::new(camera, sensor, &args.output, is_flat)
+                })
                 .collect(),
             files: written
                 .files
@@ -115,7 +133,7 @@ impl<'a> Report<'a> {
 }
 
 impl<'a> CameraReport<'a> {
-    fn new(camera: &'a PlacedCamera, output: &Path, is_flat: bool) -> Self {
+    fn new(camera: &'a PlacedCamera, sensor: Option<&Sensor>, output: &Path, is_flat: bool) -> Self {
         let intrinsics = camera.camera.intrinsics;
         let centre = intrinsics.principal_point::<Usd>();
         Self {
@@ -131,6 +149,34 @@ impl<'a> CameraReport<'a> {
             cx: centre.x,
             cy: centre.y,
             lens: lens_name(&camera.camera.lens),
+            depth_sensor: sensor.map(SensorReport::new),
+        }
+    }
+}
+
+impl SensorReport {
+    fn new(sensor: &Sensor) -> Self {
+        match sensor.engine() {
+            Engine::SingleView(engine) => {
+                let parameters = engine.parameters();
+                let names = single_view::Parameters::NAMES.iter();
+                Self {
+                    engine: EngineKind::SingleView.as_str(),
+                    parameters: names
+                        .filter_map(|name| Some((*name, parameters.get(name)?)))
+                        .collect(),
+                }
+            }
+            Engine::StereoNoise(engine) => {
+                let parameters = engine.parameters();
+                let names = stereo_noise::NAMES.iter();
+                Self {
+                    engine: EngineKind::StereoNoise.as_str(),
+                    parameters: names
+                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
+                        .collect(),
+                }
+            }
         }
     }
 }

@@ -1,0 +1,86 @@
+use clap::{Args, ValueEnum};
+use oaktwin::sensor::{EngineKind, SensorOptions};
+
+use super::Isaac;
+
+/// Which model of the depth sensor's errors, and how it is set.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "The depth sensor")]
+pub(crate) struct SensorArgs {
+    /// The model of the errors; by default stereo-noise, single-view for time of flight
+    #[arg(long, value_enum)]
+    pub(crate) engine: Option<Engine>,
+
+    /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
+    #[arg(long, value_name = "PRESET")]
+    pub(crate) preset: Option<String>,
+
+    /// A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's
+    #[arg(long = "filter", value_name = "FILTER")]
+    pub(crate) filters: Vec<String>,
+
+    /// Set a parameter of the engine by its name; repeatable
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub(crate) parameters: Vec<(String, String)>,
+
+    /// Find disparities up to 190 px instead of 95: nearer things, the same step
+    #[arg(long)]
+    pub(crate) extended_disparity: bool,
+
+    /// The Isaac Sim whose defaults single-view has; by default 5.1
+    #[arg(long, value_enum)]
+    pub(crate) isaac: Option<Isaac>,
+
+    /// The seed of the noise
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u64,
+
+    /// Be one device of many: the seed of its calibration's error. By default it has none
+    #[arg(long, value_name = "N")]
+    pub(crate) device_seed: Option<u64>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Engine {
+    /// As Isaac Sim has it
+    SingleView,
+    /// As an OAK errs
+    StereoNoise,
+}
+
+impl SensorArgs {
+    /// As typed; the intrinsics of the images come later.
+    pub(crate) fn options(&self) -> SensorOptions {
+        SensorOptions {
+            engine: self.engine.map(Into::into),
+            preset: self.preset.clone(),
+            filters: self.filters.clone(),
+            parameters: self.parameters.clone(),
+            extended_disparity: self.extended_disparity,
+            isaac: self.isaac.map(Into::into).unwrap_or_default(),
+            image: None,
+            name: None,
+            seed: self.seed,
+            device_seed: self.device_seed,
+        }
+    }
+}
+
+impl From<Engine> for EngineKind {
+    fn from(engine: Engine) -> Self {
+        match engine {
+            Engine::SingleView => Self::SingleView,
+            Engine::StereoNoise => Self::StereoNoise,
+        }
+    }
+}
+
+/// `NAME=VALUE`
+fn assignment(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok((name.trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write NAME=VALUE, as noiseSigma=0.2".to_owned()),
+    }
+}

@@ -1,0 +1,131 @@
+//! The depth sensors of the cameras that are rendered.
+
+use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
+use oaktwin::sensor::{Engine, Sensor};
+
+use super::{Oak, asked};
+use crate::args::RenderArgs;
+use crate::context::Result;
+
+/// The sensors of the cameras, and those of a sweep.
+#[derive(Default)]
+pub(super) struct Sensors {
+    pub(super) own: Vec<Option<Sensor>>,
+    pub(super) swept: Option<SweptSensors>,
+    pub(super) findings: Vec<Finding>,
+}
+
+impl Sensors {
+    /// Those that the annotators or a sweep ask for; none where nothing does.
+    pub(super) fn new(
+        args: &RenderArgs,
+        annotators: &[Annotator],
+        cameras: &[PlacedCamera],
+        oak: Option<&Oak>,
+    ) -> Result<Self> {
+        let sweep = asked::sweep(args)?;
+        let of_sensor: Vec<Annotator> = annotators
+            .iter()
+            .copied()
+            .filter(|one| one.is_of_depth_sensor())
+            .collect();
+        if of_sensor.is_empty() && sweep.is_none() {
+            return Ok(Self::default());
+        }
+        let sensor = args.sensor.options();
+        let options = DepthSensorOptions {
+            twin: oak.map(|oak| &oak.twin),
+            sensor: &sensor,
+            isaac: args.sensor.isaac.map(Into::into),
+        };
+        let in_file = |error| format!("{}: {error}", args.scene.display());
+        let (own, mut findings) = render::depth_sensors(cameras, &options).map_err(in_file)?;
+        if sweep.is_some() || !asked::everything(args) {
+            findings.extend(without_sensor(args, cameras, &own)?);
+        }
+        findings.extend(without_output(&of_sensor, cameras, &own));
+        let swept = sweep
+            .map(|sweep| SweptSensors::new(sweep, cameras, &options))
+            .transpose()
+            .map_err(in_file)?;
+        Ok(Self { own, swept, findings })
+    }
+}
+
+/// Cameras that are no depth sensor's although somebody asked for what one reports.
+fn without_sensor(
+    args: &RenderArgs,
+    cameras: &[PlacedCamera],
+    sensors: &[Option<Sensor>],
+) -> Result<Vec<Finding>> {
+    let both = cameras.iter().zip(sensors);
+    let without = both
+        .filter(|(_, sensor)| sensor.is_none())
+        .map(|(camera, _)| camera);
+    if let (true, Some(first)) = (sensors.iter().all(Option::is_none), cameras.first()) {
+        let remedy = if args.model.is_some() {
+            "choose --camera depth"
+        } else {
+            "choose a render product with OmniSensorDepthSensorSingleViewAPI, or put an OAK into the scene with --model"
+        };
+        let more = if cameras.len() > 1 {
+            " and the others are"
+        } else {
+            " is"
+        };
+        return Err(format!(
+            "{}: {}{more} no depth sensor's camera, which depth_sensor_* and --sweep need; {remedy}",
+            args.scene.display(),
+            first.path
+        )
+        .into());
+    }
+    Ok(without
+        .map(|camera| {
+            Finding::new(
+                "no-depth-sensor",
+                Level::Note,
+                &camera.path,
+                "is no depth sensor's camera: what one reports is left out",
+                "",
+            )
+        })
+        .collect())
+}
+
+/// What an engine does not have.
+fn without_output(
+    of_sensor: &[Annotator],
+    cameras: &[PlacedCamera],
+    sensors: &[Option<Sensor>],
+) -> Vec<Finding> {
+    let missing: Vec<&str> = of_sensor
+        .iter()
+        .filter(|one| {
+            matches!(
+                one,
+                Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
+            )
+        })
+        .map(|one| one.name())
+        .collect();
+    let is_stereo = |sensor: &Option<Sensor>| {
+        sensor
+            .as_ref()
+            .is_some_and(|sensor| matches!(sensor.engine(), Engine::StereoNoise(_)))
+    };
+    let both = cameras.iter().zip(sensors);
+    both.filter(|(_, sensor)| is_stereo(sensor) && !missing.is_empty())
+        .map(|(camera, _)| {
+            Finding::new(
+                "single-view-only",
+                Level::Note,
+                &camera.path,
+                format!("stereo-noise has no {}: left out", missing.join(" and no ")),
+                "",
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,103 @@
+use oaktwin_image::{Image, ImageView};
+
+use super::simd::Level;
+use super::temporal::Memory;
+use super::{Filter, Pixel};
+
+/// Filters in their order, with what they remember of earlier frames: of one camera, for one kind of pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain<P = u16> {
+    filters: Vec<Filter>,
+    /// What each remembers; only temporal filters do.
+    memories: Vec<Memory<P>>,
+}
+
+// Not derived: that would ask for a default of the pixels.
+impl<P: Pixel> Default for Chain<P> {
+    fn default() -> Self {
+        Self::new(Vec::new())
+    }
+}
+
+impl<P: Pixel> Chain<P> {
+    /// Of filters, first to last; nothing is remembered yet. Settings are as [`Filter::check`] wants them.
+    #[must_use]
+    pub fn new(filters: Vec<Filter>) -> Self {
+        let memories = filters.iter().map(|_| Memory::default()).collect();
+        Self { filters, memories }
+    }
+
+    /// Its filters.
+    #[must_use]
+    pub fn filters(&self) -> &[Filter] {
+        &self.filters
+    }
+
+    /// Whether it does nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.filters.is_empty()
+    }
+
+    /// The size of what an image of this size becomes: [decimation](super::Decimation) changes it.
+    #[must_use]
+    pub fn size(&self, width: u32, height: u32) -> (u32, u32) {
+        self.filters
+            .iter()
+            .fold((width, height), |(width, height), filter| match filter {
+                Filter::Decimation(decimation) => decimation.size(width, height),
+                _ => (width, height),
+            })
+    }
+
+    /// Forgets all earlier frames.
+    pub fn reset(&mut self) {
+        self.memories.fill(Memory::default());
+    }
+
+    /// Filters the next image of a sequence. A change of size makes it forget the earlier ones. What needs a picture does
+    /// nothing.
+    #[must_use]
+    pub fn run(&mut self, image: Image<P>) -> Image<P> {
+        self.run_seeing(image, None)
+    }
+
+    /// Filters the next image of a sequence, of which there may be a picture.
+    #[must_use]
+    pub fn run_seeing(&mut self, image: Image<P>, rgb: Option<ImageView<'_, [u8; 4]>>) -> Image<P> {
+        self.run_some(image, rgb, |_| true)
+    }
+
+    /// As [`Chain::run_seeing`], of the filters only those that are wanted.
+    pub(crate) fn run_some(
+        &mut self,
+        mut image: Image<P>,
+        rgb: Option<ImageView<'_, [u8; 4]>>,
+        wanted: impl Fn(&Filter) -> bool,
+    ) -> Image<P> {
+        let level = Level::detect();
+        for (filter, memory) in self.filters.iter().zip(&mut self.memories) {
+            if !wanted(filter) {
+                continue;
+            }
+            match filter {
+                Filter::Median(median) => {
+                    let mut out = image.map(|_| P::default());
+                    median.run(level, &image, &mut out);
+                    image = out;
+                }
+                Filter::Spatial(spatial) => spatial.run(level, &mut image),
+                Filter::Temporal(temporal) => temporal.run(level, &mut image, memory),
+                Filter::Speckle(speckle) => speckle.run(level, &mut image),
+                Filter::Decimation(decimation) => image = decimation.run(&image),
+                Filter::Threshold(threshold) => threshold.run(&mut image),
+                Filter::Brightness(brightness) => {
+                    if let Some(rgb) = rgb {
+                        brightness.run(&mut image, rgb);
+                    }
+                }
+            }
+        }
+        image
+    }
+}

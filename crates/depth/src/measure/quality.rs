@@ -1,0 +1,238 @@
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Intrinsics, PixelPoint, Usd};
+use oaktwin_image::ImageView;
+
+use super::statistics::{mean, median_in_place};
+use super::{Plane, Region, is_valid};
+
+/// With which optics depth images were taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Optics {
+    /// Of the images; a pinhole.
+    pub intrinsics: Intrinsics,
+    /// Focal length times baseline in the pixels that disparity is counted in, px·m.
+    pub disparity_times_depth: f64,
+}
+
+/// The field's measures of a flat board, as librealsense's depth quality tool has them; the plane is fitted in inverse
+/// depth ([`Plane::fitted`]). `None` where too little was measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// The share of the region's pixels that have a value, 0 to 1; the mean over the captures.
+    pub fill_rate: f64,
+    /// Spatial noise: the root mean square of the distances of a capture's points from the plane fitted to them, m; the
+    /// mean over the captures.
+    pub plane_fit_rms_m: Option<f64>,
+    /// The same in disparity: of `f b / z − f b / z'`, where z' is the fitted plane's depth at the pixel, px.
+    pub subpixel_rms_px: Option<f64>,
+    /// Z accuracy: the median of the points' distances from the fitted plane, which is turned perpendicular first, and of
+    /// that plane's from the true distance, m; above 0 it is too far. The mean over the captures.
+    pub z_accuracy_m: Option<f64>,
+    /// The mean of |z − truth| over all points of all captures, m: what a single pixel is off, wild ones included.
+    pub mean_error_m: Option<f64>,
+    /// The median over the pixels of the standard deviation over time (of the sample), of pixels with a value in at
+    /// least two captures, m.
+    pub temporal_noise_m: Option<f64>,
+}
+
+/// Measures the images of a flat board in a region of captures of one size.
+#[must_use]
+pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics, truth_m: f64) -> Quality {
+    let mut deviations = Deviations::new(region.pixels());
+    let (mut fill, mut spatial) = (Vec::new(), Vec::new());
+    let (mut errors_m, mut count) = (0.0, 0u64);
+    let rays = rays(region, &optics.intrinsics);
+    let mut points: Vec<DVec3> = Vec::with_capacity(region.pixels());
+    for capture in captures {
+        points.clear();
+        for (row, start) in region.rows_of(*capture).zip((0..).step_by(region.columns.len())) {
+            for (&z, at) in row.iter().zip(start..) {
+                if is_valid(z) {
+                    points.push(rays[at] * f64::from(z));
+                    deviations.add(at, f64::from(z));
+                    errors_m += (f64::from(z) - truth_m).abs();
+                    count += 1;
+                }
+            }
+        }
+        fill.push(points.len() as f64 / region.pixels() as f64);
+        spatial.extend(Spatial::new(&points, optics.disparity_times_depth, truth_m));
+    }
+    Quality {
+        fill_rate: mean(fill).filter(|rate| rate.is_finite()).unwrap_or(0.0),
+        plane_fit_rms_m: mean(spatial.iter().map(|one| one.rms_m)),
+        subpixel_rms_px: mean(spatial.iter().map(|one| one.rms_px)),
+        z_accuracy_m: mean(spatial.iter().map(|one| one.z_accuracy_m)),
+        mean_error_m: (count > 0).then(|| errors_m / count as f64),
+        temporal_noise_m: deviations.median(),
+    }
+}
+
+/// The points at depth 1 that the region's pixels see, row by row.
+fn rays(region: &Region, intrinsics: &Intrinsics) -> Vec<DVec3> {
+    let pixel = |x: u32, y: u32| {
+        let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        intrinsics.normalized_from_pixel(centre).extend(1.0)
+    };
+    let (rows, columns) = (region.rows.clone(), &region.columns);
+    rows.flat_map(|y| columns.clone().map(move |x| pixel(x, y)))
+        .collect()
+}
+
+/// One capture's.
+struct Spatial {
+    rms_m: f64,
+    rms_px: f64,
+    z_accuracy_m: f64,
+}
+
+impl Spatial {
+    fn new(points: &[DVec3], disparity_times_depth: f64, truth_m: f64) -> Option<Self> {
+        let plane = Plane::fitted(points)?;
+        let mut distances = Vec::with_capacity(points.len());
+        let (mut squares_m, mut squares_px) = (0.0, 0.0);
+        for point in points {
+            let distance = plane.signed_distance(*point);
+            squares_m += distance * distance;
+            // Along the pixel's ray, the plane is at this share of the point's depth.
+            let share = plane.distance_m / (plane.distance_m + distance);
+            let off_px = disparity_times_depth / point.z * (1.0 - 1.0 / share);
+            squares_px += off_px * off_px;
+            #[expect(clippy::cast_possible_truncation, reason = "images have no more digits")]
+            distances.push(distance as f32);
+        }
+        let count = points.len() as f64;
+        Some(Self {
+            rms_m: (squares_m / count).sqrt(),
+            rms_px: (squares_px / count).sqrt(),
+            z_accuracy_m: median_in_place(&mut distances)? + plane.distance_m - truth_m,
+        })
+    }
+}
+
+/// The deviation of each pixel over time, summed up capture by capture (Welford 1962).
+struct Deviations {
+    count: Vec<u32>,
+    mean: Vec<f64>,
+    squares: Vec<f64>,
+}
+
+impl Deviations {
+    fn new(pixels: usize) -> Self {
+        Self {
+            count: vec![0; pixels],
+            mean: vec![0.0; pixels],
+            squares: vec![0.0; pixels],
+        }
+    }
+
+    fn add(&mut self, at: usize, value: f64) {
+        self.count[at] += 1;
+        let from_old = value - self.mean[at];
+        self.mean[at] += from_old / f64::from(self.count[at]);
+        self.squares[at] += from_old * (value - self.mean[at]);
+    }
+
+    fn median(&self) -> Option<f64> {
+        let both = self
+            .count
+            .iter()
+            .zip(&self.squares)
+            .filter(|(count, _)| **count >= 2);
+        #[expect(clippy::cast_possible_truncation, reason = "images have no more digits")]
+        let mut deviations: Vec<f32> = both
+            .map(|(count, squares)| (squares / f64::from(count - 1)).sqrt() as f32)
+            .collect();
+        median_in_place(&mut deviations)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin_camera::ImageSize;
+    use oaktwin_image::Image;
+
+    fn optics() -> Optics {
+        let size = ImageSize::new(40, 20);
+        Optics {
+            intrinsics: Intrinsics::new(size, 50.0, 50.0, PixelPoint::<Usd>::new(20.0, 10.0)),
+            disparity_times_depth: 60.0,
+        }
+    }
+
+    fn board(z: impl Fn(u32, u32) -> f64) -> Image<f32> {
+        #[expect(clippy::cast_possible_truncation, reason = "a depth")]
+        let pixels = (0..800).map(|i| z(i % 40, i / 40) as f32).collect();
+        Image::new(40, 20, pixels).unwrap()
+    }
+
+    fn of(images: &[Image<f32>], truth_m: f64) -> Quality {
+        let views: Vec<ImageView<'_, f32>> = images.iter().map(ImageView::from).collect();
+        quality(&views, &Region::centred(40, 20, 0.5), &optics(), truth_m)
+    }
+
+    #[test]
+    fn a_perfect_board() {
+        let quality = of(&[board(|_, _| 4.0), board(|_, _| 4.0)], 3.5);
+        assert_eq!((quality.fill_rate, quality.temporal_noise_m), (1.0, Some(0.0)));
+        assert!(quality.plane_fit_rms_m.unwrap() < 1e-9 && quality.subpixel_rms_px.unwrap() < 1e-9);
+        assert!((quality.z_accuracy_m.unwrap() - 0.5).abs() < 1e-9);
+        assert_eq!(quality.mean_error_m, Some(0.5));
+    }
+
+    /// A tilted board is flat all the same, and its distance is that of its plane.
+    #[test]
+    fn a_tilted_board() {
+        let normal = DVec3::new(0.2, -0.1, 1.0).normalize();
+        let rays = rays(&Region::centred(40, 20, 1.0), &optics().intrinsics);
+        let image = board(|x, y| 2.0 / normal.dot(rays[(y * 40 + x) as usize]));
+        let quality = of(&[image], 2.0);
+        assert!(quality.plane_fit_rms_m.unwrap() < 1e-6, "{quality:?}");
+        assert!(quality.subpixel_rms_px.unwrap() < 1e-5, "{quality:?}");
+        assert!(quality.z_accuracy_m.unwrap().abs() < 1e-6, "{quality:?}");
+        assert_eq!(quality.temporal_noise_m, None);
+    }
+
+    /// Every other pixel half a pixel of disparity nearer or farther: the RMS is half a pixel, z²/(f b) times that in
+    /// metres.
+    #[test]
+    fn a_checkerboard_of_disparity() {
+        let off = |x: u32, y: u32| if (x + y).is_multiple_of(2) { 0.01 } else { -0.01 };
+        let quality = of(&[board(|x, y| 60.0 / (15.0 + off(x, y)))], 4.0);
+        assert!(
+            (quality.subpixel_rms_px.unwrap() - 0.01).abs() < 1e-5,
+            "{quality:?}"
+        );
+        let metres = 0.01 * 16.0 / 60.0;
+        assert!(
+            (quality.plane_fit_rms_m.unwrap() / metres - 1.0).abs() < 1e-3,
+            "{quality:?}"
+        );
+    }
+
+    #[test]
+    fn holes_and_time() {
+        // A quarter of the columns is never seen; the rest goes up and down by 1 cm.
+        let at = |z: f64| board(|x, _| if x.is_multiple_of(4) { f64::NAN } else { z });
+        let quality = of(&[at(2.01), at(1.99), at(2.01), at(1.99)], 2.0);
+        assert!((quality.fill_rate - 0.75).abs() < 1e-12);
+        let deviation = (4.0f64 / 3.0).sqrt() * 0.01;
+        assert!(
+            (quality.temporal_noise_m.unwrap() - deviation).abs() < 1e-6,
+            "{quality:?}"
+        );
+        assert!(quality.plane_fit_rms_m.unwrap() < 1e-6);
+    }
+
+    #[test]
+    fn too_little_is_none() {
+        let nothing = of(&[board(|_, _| 0.0)], 2.0);
+        assert_eq!(nothing, Quality::default());
+        assert_eq!(of(&[], 2.0), Quality::default());
+        let one = of(&[board(|x, y| if (x, y) == (20, 10) { 2.0 } else { 0.0 })], 2.0);
+        assert!(one.fill_rate > 0.0 && one.plane_fit_rms_m.is_none());
+        let row = of(&[board(|_, y| if y == 10 { 2.0 } else { 0.0 })], 2.0);
+        assert_eq!(row.plane_fit_rms_m, None);
+    }
+}

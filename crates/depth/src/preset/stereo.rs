@@ -1,0 +1,340 @@
+use super::{PresetError, TIME_OF_FLIGHT_PRESETS, is_named};
+use crate::filter::{
+    Brightness, Decimation, DecimationMode, Filter, Median, Spatial, Speckle, Temporal, Threshold,
+};
+use crate::stereo_noise::{self, Subpixel};
+
+/// The processor of a device: presets differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Platform {
+    /// Of the OAK-D series.
+    Rvc2,
+    /// Of the OAK 4 series.
+    Rvc4,
+}
+
+impl Platform {
+    /// `DepthAI`'s name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rvc2 => "RVC2",
+            Self::Rvc4 => "RVC4",
+        }
+    }
+
+    /// The names of its presets.
+    #[must_use]
+    pub fn presets(self) -> Vec<&'static str> {
+        let has = |preset: &&Preset| preset.on(self);
+        Preset::ALL
+            .iter()
+            .filter(has)
+            .map(|preset| preset.name())
+            .collect()
+    }
+}
+
+/// `StereoDepth`'s `PresetMode`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Preset {
+    /// `DEFAULT`
+    Default,
+    /// `FACE`
+    Face,
+    /// `HIGH_DETAIL`
+    HighDetail,
+    /// `ROBOTICS`
+    Robotics,
+    /// `ACCURACY`
+    Accuracy,
+    /// `DENSITY`
+    Density,
+    /// `FAST_ACCURACY`
+    FastAccuracy,
+    /// `FAST_DENSITY`
+    FastDensity,
+    /// `HIGH_ACCURACY` of `DepthAI` 2, `FAST_ACCURACY` since.
+    HighAccuracy,
+    /// `HIGH_DENSITY` of `DepthAI` 2, `FAST_DENSITY` since.
+    HighDensity,
+}
+
+impl Preset {
+    /// All.
+    pub const ALL: [Self; 10] = [
+        Self::Default,
+        Self::Face,
+        Self::HighDetail,
+        Self::Robotics,
+        Self::Accuracy,
+        Self::Density,
+        Self::FastAccuracy,
+        Self::FastDensity,
+        Self::HighAccuracy,
+        Self::HighDensity,
+    ];
+
+    /// `DepthAI`'s name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Default => "DEFAULT",
+            Self::Face => "FACE",
+            Self::HighDetail => "HIGH_DETAIL",
+            Self::Robotics => "ROBOTICS",
+            Self::Accuracy => "ACCURACY",
+            Self::Density => "DENSITY",
+            Self::FastAccuracy => "FAST_ACCURACY",
+            Self::FastDensity => "FAST_DENSITY",
+            Self::HighAccuracy => "HIGH_ACCURACY",
+            Self::HighDensity => "HIGH_DENSITY",
+        }
+    }
+
+    /// Whether a platform has it: `DepthAI` 2 knows RVC2 only.
+    #[must_use]
+    pub fn on(self, platform: Platform) -> bool {
+        platform == Platform::Rvc2 || !matches!(self, Self::HighAccuracy | Self::HighDensity)
+    }
+
+    /// By its name; case, hyphens and underscores do not matter.
+    ///
+    /// # Errors
+    /// A platform has no preset of this name.
+    pub fn find(platform: Platform, name: &str) -> Result<Self, PresetError> {
+        let place = platform.name();
+        match Self::ALL.into_iter().find(|preset| is_named(name, preset.name())) {
+            Some(preset) if preset.on(platform) => Ok(preset),
+            Some(preset) => Err(PresetError {
+                what: format!("{} is a preset of RVC2, not of {place}", preset.name()),
+                remedy: format!("use one of {}", platform.presets().join(", ")),
+            }),
+            None if TIME_OF_FLIGHT_PRESETS.iter().any(|known| is_named(name, known)) => Err(PresetError {
+                what: format!("{name} is a preset of time-of-flight sensors, not of {place}'s stereo"),
+                remedy: format!("use one of {}", platform.presets().join(", ")),
+            }),
+            None => Err(PresetError::unknown(name, place, &platform.presets())),
+        }
+    }
+}
+
+/// The filters whose order can be chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilterStage {
+    /// `DECIMATION`
+    Decimation,
+    /// `SPECKLE`
+    Speckle,
+    /// `MEDIAN`
+    Median,
+    /// `SPATIAL`
+    Spatial,
+    /// `TEMPORAL`
+    Temporal,
+}
+
+/// What of `DepthAI`'s `StereoDepthConfig` has an effect here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StereoConfig {
+    /// `enableSubpixel` and `subpixelFractionalBits`
+    pub subpixel: Subpixel,
+    /// `enableExtended`
+    pub extended_disparity: bool,
+    /// `disparityShift`, px.
+    pub disparity_shift_px: u32,
+    /// `leftRightCheckThreshold`; none where there is no such check.
+    pub left_right_check_threshold: Option<u32>,
+    /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: what is above it is kept. That of `DepthAI` 2 is 255 less this.
+    pub confidence_threshold: u8,
+    /// `filteringOrder`
+    pub filtering_order: [FilterStage; 5],
+    /// `median`
+    pub median: Option<Median>,
+    /// `spatialFilter`
+    pub spatial: Option<Spatial>,
+    /// `temporalFilter`
+    pub temporal: Option<Temporal>,
+    /// `speckleFilter`
+    pub speckle: Option<Speckle>,
+    /// `decimationFilter`; a factor of 1 does nothing.
+    pub decimation: Decimation,
+    /// `thresholdFilter`
+    pub threshold: Threshold,
+    /// `brightnessFilter`
+    pub brightness: Brightness,
+}
+
+/// Those of `DepthAI` 3.
+impl Default for StereoConfig {
+    fn default() -> Self {
+        Self {
+            subpixel: Subpixel::Bits5,
+            extended_disparity: false,
+            disparity_shift_px: 0,
+            left_right_check_threshold: Some(10),
+            confidence_threshold: 55,
+            filtering_order: [
+                FilterStage::Median,
+                FilterStage::Decimation,
+                FilterStage::Speckle,
+                FilterStage::Spatial,
+                FilterStage::Temporal,
+            ],
+            median: None,
+            spatial: None,
+            temporal: None,
+            speckle: None,
+            decimation: Decimation::default(),
+            threshold: Threshold::default(),
+            brightness: Brightness::default(),
+        }
+    }
+}
+
+impl StereoConfig {
+    /// What a preset configures.
+    ///
+    /// # Errors
+    /// The platform has no preset of this name.
+    pub fn preset(platform: Platform, name: &str) -> Result<Self, PresetError> {
+        let preset = Preset::find(platform, name)?;
+        Ok(match platform {
+            Platform::Rvc2 => Self::rvc2(preset),
+            Platform::Rvc4 => Self::rvc4(preset),
+        })
+    }
+
+    fn rvc2(preset: Preset) -> Self {
+        let accuracy = Self {
+            left_right_check_threshold: Some(5),
+            ..Self::default()
+        };
+        let density = Self {
+            confidence_threshold: 15,
+            ..Self::default()
+        };
+        match preset {
+            Preset::Accuracy | Preset::FastAccuracy | Preset::HighAccuracy => accuracy,
+            Preset::Density | Preset::FastDensity | Preset::HighDensity => density,
+            Preset::Default => Self {
+                subpixel: Subpixel::Bits3,
+                median: Some(Median::Kernel7x7),
+                ..density.filtered()
+            },
+            Preset::Face => Self {
+                extended_disparity: true,
+                threshold: Threshold {
+                    min_range: 30,
+                    max_range: 3000,
+                },
+                ..density.filtered()
+            },
+            Preset::HighDetail => Self {
+                extended_disparity: true,
+                ..accuracy.filtered()
+            },
+            Preset::Robotics => Self {
+                subpixel: Subpixel::Bits3,
+                median: Some(Median::Kernel7x7),
+                spatial: Some(Spatial {
+                    delta: 20,
+                    ..Spatial::default()
+                }),
+                temporal: None,
+                threshold: Threshold {
+                    min_range: 0,
+                    max_range: 10_000,
+                },
+                ..density.filtered()
+            },
+        }
+    }
+
+    /// With the filters that RVC2's presets for a purpose share.
+    fn filtered(self) -> Self {
+        Self {
+            filtering_order: [
+                FilterStage::Decimation,
+                FilterStage::Median,
+                FilterStage::Speckle,
+                FilterStage::Spatial,
+                FilterStage::Temporal,
+            ],
+            decimation: Decimation {
+                factor: 2,
+                mode: DecimationMode::PixelSkipping,
+            },
+            spatial: Some(Spatial {
+                hole_filling_radius: 1,
+                ..Spatial::default()
+            }),
+            temporal: Some(Temporal {
+                alpha: 0.5,
+                ..Temporal::default()
+            }),
+            speckle: Some(Speckle {
+                speckle_range: 200,
+                ..Speckle::default()
+            }),
+            threshold: Threshold {
+                min_range: 0,
+                max_range: 15_000,
+            },
+            ..self
+        }
+    }
+
+    fn rvc4(preset: Preset) -> Self {
+        let extended = Self {
+            extended_disparity: true,
+            ..Self::default()
+        };
+        match preset {
+            Preset::Default | Preset::Density | Preset::FastDensity | Preset::HighDensity => Self {
+                left_right_check_threshold: Some(4),
+                confidence_threshold: 20,
+                median: Some(Median::Kernel5x5),
+                speckle: Some(Speckle {
+                    speckle_range: 200,
+                    ..Speckle::default()
+                }),
+                brightness: Brightness {
+                    min_brightness: -1,
+                    max_brightness: 256,
+                },
+                ..extended
+            },
+            _ => Self {
+                confidence_threshold: 97,
+                ..extended
+            },
+        }
+    }
+
+    /// The filters that do something, in their order: brightness first, on what the matcher found, and threshold last,
+    /// on depth.
+    #[must_use]
+    pub fn filters(&self) -> Vec<Filter> {
+        let brightness = (self.brightness.min_brightness >= 0 || self.brightness.max_brightness <= 255)
+            .then_some(Filter::Brightness(self.brightness));
+        let threshold = (self.threshold != Threshold::default()).then_some(Filter::Threshold(self.threshold));
+        let ordered = self.filtering_order.iter().filter_map(|stage| match stage {
+            FilterStage::Decimation => {
+                (self.decimation.factor > 1).then_some(Filter::Decimation(self.decimation))
+            }
+            FilterStage::Speckle => self.speckle.map(Filter::Speckle),
+            FilterStage::Median => self.median.map(Filter::Median),
+            FilterStage::Spatial => self.spatial.map(Filter::Spatial),
+            FilterStage::Temporal => self.temporal.map(Filter::Temporal),
+        });
+        brightness.into_iter().chain(ordered).chain(threshold).collect()
+    }
+
+    /// Configures an engine: the step and range of its disparities.
+    pub fn apply_to(&self, parameters: &mut stereo_noise::Parameters) {
+        parameters.subpixel = self.subpixel;
+        parameters.extended_disparity = self.extended_disparity;
+        parameters.disparity_shift_px = self.disparity_shift_px;
+    }
+}

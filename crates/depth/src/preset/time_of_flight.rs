@@ -1,0 +1,62 @@
+use super::{PresetError, is_named};
+use crate::filter::{Filter, Median, PersistencyMode, Spatial, Speckle, Temporal};
+
+/// The presets of time-of-flight sensors: for 0.2 to 2 m, 0.2 to 5 m, 1 to 6 m.
+pub const TIME_OF_FLIGHT_PRESETS: [&str; 3] = ["TOF_LOW_RANGE", "TOF_MID_RANGE", "TOF_HIGH_RANGE"];
+
+/// The filters of a preset, in their order, for depth in millimetres. The presets' confidence threshold belongs to the
+/// sensor, not to its filters.
+///
+/// # Errors
+/// No preset of this name.
+pub fn time_of_flight_filters(name: &str) -> Result<Vec<Filter>, PresetError> {
+    let number = TIME_OF_FLIGHT_PRESETS
+        .iter()
+        .position(|known| is_named(name, known) || is_named(name, known.trim_start_matches("TOF_")));
+    let temporal = |alpha, delta, persistency_mode| {
+        Filter::Temporal(Temporal {
+            alpha,
+            delta,
+            persistency_mode,
+        })
+    };
+    let speckle = |speckle_range, difference_threshold| {
+        Filter::Speckle(Speckle {
+            speckle_range,
+            difference_threshold,
+        })
+    };
+    let spatial = |delta, hole_filling_radius, num_iterations| {
+        Filter::Spatial(Spatial {
+            alpha: 0.5,
+            delta,
+            hole_filling_radius,
+            num_iterations,
+        })
+    };
+    Ok(match number {
+        Some(0) => vec![
+            temporal(0.2, 60, PersistencyMode::Valid1InLast8),
+            speckle(14, 11),
+            spatial(20, 0, 2),
+        ],
+        Some(1) => vec![
+            temporal(0.1, 40, PersistencyMode::Valid1InLast5),
+            speckle(6, 130),
+            spatial(20, 2, 1),
+        ],
+        Some(_) => vec![
+            temporal(0.2, 60, PersistencyMode::Indefinitely),
+            speckle(4, 130),
+            spatial(50, 0, 2),
+            Filter::Median(Median::Kernel5x5),
+        ],
+        None => {
+            return Err(PresetError::unknown(
+                name,
+                "a time-of-flight sensor",
+                &TIME_OF_FLIGHT_PRESETS,
+            ));
+        }
+    })
+}

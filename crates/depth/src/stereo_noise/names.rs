@@ -1,0 +1,264 @@
+//! Parameters by name, for command lines and presets.
+
+use std::fmt::Display;
+use std::str::FromStr;
+
+use oaktwin_diagnostic::{fold_name, nearest};
+
+use super::parameters::{DepthRounding, Parameters, Subpixel};
+use crate::ParameterError;
+
+/// One parameter: its name, how to read and to change it, and what it may be.
+struct Named {
+    name: &'static str,
+    get: fn(&Parameters) -> String,
+    set: fn(&mut Parameters, &str) -> Option<()>,
+    values: &'static str,
+}
+
+/// A parameter that is a field of a type that reads as text.
+macro_rules! field {
+    ($name:literal, $($field:ident).+, $values:literal) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$($field).+),
+            set: |p, value| put(&mut p.$($field).+, value),
+            values: $values,
+        }
+    };
+}
+
+const FLAG: &str = "give true or false";
+
+/// A switch.
+macro_rules! flag {
+    ($name:literal, $field:ident) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$field),
+            set: |p, value| flag(value).map(|value| p.$field = value),
+            values: FLAG,
+        }
+    };
+}
+
+const TABLE: [Named; 19] = [
+    field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
+    field!("baseline", stereo.baseline_m, "give metres, 0.075"),
+    field!("width", width_px, "give whole pixels, 1280"),
+    Named {
+        name: "subpixel",
+        get: |p| text(&(p.subpixel != Subpixel::Off)),
+        set: |p, value| {
+            match (flag(value)?, p.subpixel) {
+                (false, _) => p.subpixel = Subpixel::Off,
+                (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
+                (true, _) => {}
+            }
+            Some(())
+        },
+        values: FLAG,
+    },
+    Named {
+        name: "subpixelFractionalBits",
+        get: |p| text(&p.subpixel.bits()),
+        set: |p, value| {
+            p.subpixel = match value.parse().ok()? {
+                0 => Subpixel::Off,
+                3 => Subpixel::Bits3,
+                4 => Subpixel::Bits4,
+                5 => Subpixel::Bits5,
+                _ => return None,
+            };
+            Some(())
+        },
+        values: "give 0, 3, 4 or 5",
+    },
+    flag!("extendedDisparity", extended_disparity),
+    field!("disparityShift", disparity_shift_px, "give whole pixels"),
+    flag!("occlusion", occlusion),
+    flag!("leftRightCheck", left_right_check),
+    field!(
+        "leftRightCheckThreshold",
+        left_right_check_threshold_px,
+        "give whole pixels, 0 to 128"
+    ),
+    field!(
+        "confidenceThreshold",
+        confidence_threshold,
+        "give a whole number, 0 (keep all) to 255"
+    ),
+    field!("numInvalidateEdgePixels", invalid_edge_px, "give whole pixels"),
+    field!("edgeDilation", edge_dilation_px, "give pixels"),
+    field!("dropout", dropout, "give a fraction, 0 to 1"),
+    field!("bias", bias_px, "give pixels"),
+    field!("pixelLocking", pixel_locking_px, "give pixels"),
+    field!("jitter", jitter_px, "give pixels"),
+    field!("window", window_px, "give an odd number of pixels, 7"),
+    Named {
+        name: "depthRounding",
+        get: |p| {
+            match p.depth_rounding {
+                DepthRounding::Nearest => "nearest",
+                DepthRounding::Truncate => "truncate",
+            }
+            .to_owned()
+        },
+        set: |p, value| {
+            p.depth_rounding = match value {
+                "nearest" => DepthRounding::Nearest,
+                "truncate" => DepthRounding::Truncate,
+                _ => return None,
+            };
+            Some(())
+        },
+        values: "give nearest or truncate",
+    },
+];
+
+/// The names of all parameters: `DepthAI`'s where it has one.
+pub const NAMES: [&str; TABLE.len()] = {
+    let mut names = [""; TABLE.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = TABLE[at].name;
+        at += 1;
+    }
+    names
+};
+
+impl Parameters {
+    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
+    ///
+    /// # Errors
+    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
+    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
+        let named = find(name)?;
+        let mut changed = *self;
+        (named.set)(&mut changed, value.trim()).ok_or_else(|| {
+            ParameterError::new(
+                named.name,
+                format!("`{value}` is none of its values"),
+                named.values,
+            )
+        })?;
+        // What was wrong before is not this value's fault.
+        match changed.check() {
+            Err(error) if error.name == named.name => Err(error),
+            _ => {
+                *self = changed;
+                Ok(())
+            }
+        }
+    }
+
+    /// One of [`NAMES`], as [`Parameters::set`] takes it.
+    ///
+    /// # Errors
+    /// No such name.
+    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
+        find(name).map(|named| (named.get)(self))
+    }
+}
+
+fn find(name: &str) -> Result<&'static Named, ParameterError> {
+    let folded = fold_name(name);
+    let found = TABLE.iter().find(|named| fold_name(named.name) == folded);
+    found.ok_or_else(|| {
+        let near = nearest(name, NAMES);
+        let remedy = if near.is_empty() {
+            format!("use one of {}", NAMES.join(", "))
+        } else {
+            format!("did you mean {}?", near.join(", "))
+        };
+        ParameterError::new(name, "stereo-noise has no such parameter", remedy)
+    })
+}
+
+fn text(value: &impl Display) -> String {
+    value.to_string()
+}
+
+fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
+    *field = value.parse().ok()?;
+    Some(())
+}
+
+fn flag(value: &str) -> Option<bool> {
+    match value {
+        "true" | "1" => Some(true),
+        "false" | "0" => Some(false),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin_camera::StereoGeometry;
+
+    fn parameters() -> Parameters {
+        let stereo = StereoGeometry {
+            focal_length_px: 800.0,
+            baseline_m: 0.075,
+        };
+        Parameters::new(stereo, 1280)
+    }
+
+    #[test]
+    fn each_name_changes_what_it_reads() {
+        let values = [
+            "572.5", "0.15", "640", "false", "4", "true", "12", "false", "false", "5", "245", "3", "2.5",
+            "0.25", "-0.22", "0.2", "0.08", "9", "truncate",
+        ];
+        for (name, value) in NAMES.iter().zip(values) {
+            let mut p = parameters();
+            assert_ne!(p.get(name).unwrap(), value, "{name}");
+            p.set(name, value).unwrap();
+            assert_eq!(p.get(name).unwrap(), value, "{name}");
+            assert_ne!(p, parameters());
+        }
+    }
+
+    #[test]
+    fn names_forgive_hyphens_and_misspelt_ones_are_suggested() {
+        let mut p = parameters();
+        p.set("subpixel-fractional-bits", "3").unwrap();
+        assert_eq!(p.subpixel, Subpixel::Bits3);
+        p.set("subpixel", "true").unwrap();
+        assert_eq!(p.subpixel, Subpixel::Bits3);
+        p.set("subpixel", "0").unwrap();
+        p.set("subpixel", "1").unwrap();
+        assert_eq!(p.subpixel, Subpixel::Bits5);
+        assert_eq!(
+            p.set("jiter", "1").unwrap_err().to_string(),
+            "jiter: stereo-noise has no such parameter; did you mean jitter?"
+        );
+        assert!(p.get("").is_err());
+    }
+
+    #[test]
+    fn wrong_values_change_nothing() {
+        let mut p = parameters();
+        let wrong = [
+            ("subpixelFractionalBits", "2"),
+            ("subpixel", "maybe"),
+            ("confidenceThreshold", "256"),
+            ("window", "8"),
+            ("baseline", "75"),
+            ("jitter", "NaN"),
+            ("jitter", "inf"),
+            ("jitter", "-0.1"),
+            ("dropout", ""),
+            ("disparityShift", "-1"),
+            ("depthRounding", "up"),
+        ];
+        for (name, value) in wrong {
+            assert_eq!(p.set(name, value).unwrap_err().name, name, "{name}={value}");
+        }
+        assert_eq!(p, parameters());
+        p.stereo.baseline_m = 0.0;
+        p.set("jitter", "0.1").unwrap();
+        assert!(p.check().is_err());
+    }
+}

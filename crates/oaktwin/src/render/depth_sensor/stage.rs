@@ -1,0 +1,154 @@
+//! A stage's depth sensor: from its attributes to a sensor.
+
+use super::DepthSensorError;
+use crate::depth::single_view::Parameters;
+use crate::diagnostic::{Finding, Level, nearest};
+use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
+use crate::usd::asset::IsaacVersion;
+use crate::usd::depth_sensor::DepthSensor;
+use crate::usd::stage::{Attribute, Value};
+
+/// The schema's attributes that shape what the sensor reports, with their types.
+const SHAPING: [(&str, &str); 12] = [
+    ("baselineMM", "float"),
+    ("confidenceThreshold", "float"),
+    ("focalLengthPixel", "float"),
+    ("maxDisparityPixel", "float"),
+    ("maxDistance", "float"),
+    ("minDistance", "float"),
+    ("noiseDownscaleFactorPixel", "float"),
+    ("noiseMean", "float"),
+    ("noiseSigma", "float"),
+    ("outlierRemovalEnabled", "int (Isaac Sim 5.1) or bool (6)"),
+    ("rgbDepthOutputMode", "int"),
+    ("sensorSizePixel", "float"),
+];
+
+/// The sensor that a stage describes, its noise keyed by `name`.
+pub(super) fn sensor(
+    stage: &DepthSensor,
+    name: &str,
+    options: &SensorOptions,
+    isaac: Option<IsaacVersion>,
+) -> Result<(Sensor, Vec<Finding>), DepthSensorError> {
+    let (parameters, mut findings) = parameters(stage, isaac)?;
+    let (sensor, more) =
+        sensor::of_render_product(name, parameters, options).map_err(|error| at(stage, error))?;
+    findings.extend(more);
+    Ok((sensor, findings))
+}
+
+fn at(stage: &DepthSensor, error: ParameterError) -> DepthSensorError {
+    DepthSensorError {
+        place: stage.prim().path.clone(),
+        error,
+    }
+}
+
+/// What the stage says, and the schema's defaults for what it does not.
+fn parameters(
+    stage: &DepthSensor,
+    isaac: Option<IsaacVersion>,
+) -> Result<(Parameters, Vec<Finding>), DepthSensorError> {
+    let isaac = isaac.or_else(|| stage.isaac()).unwrap_or_default();
+    let (defaults, isaac_name) = match isaac {
+        IsaacVersion::V5_1 => (Parameters::ISAAC_5_1, "5.1"),
+        IsaacVersion::V6 => (Parameters::ISAAC_6, "6"),
+    };
+    let mut parameters = defaults;
+    let mut findings = Vec::new();
+    let mut authored = Vec::new();
+    for (name, attribute) in stage.attributes() {
+        let Some((name, expected)) = SHAPING.iter().find(|(known, _)| *known == name) else {
+            findings.extend(unknown(stage, name));
+            continue;
+        };
+        // Declared, or blocked.
+        let Some(value) = &attribute.value else { continue };
+        let wrong = |what: String, remedy: String| {
+            let name = stage.full_name(name);
+            at(stage, ParameterError { name, what, remedy })
+        };
+        let text = text(name, value, attribute).ok_or_else(|| {
+            wrong(
+                format!("is of type {}", attribute.type_name),
+                format!("author it as {expected}"),
+            )
+        })?;
+        parameters
+            .set(name, &text)
+            .map_err(|error| wrong(error.what, error.remedy))?;
+        if attribute.animated {
+            findings.push(animated(stage, name, &text));
+        }
+        authored.push(*name);
+    }
+    let missing: Vec<&str> = SHAPING
+        .iter()
+        .map(|(name, _)| *name)
+        .filter(|name| !authored.contains(name) && *name != "rgbDepthOutputMode")
+        .collect();
+    if !missing.is_empty() {
+        findings.push(Finding::new(
+            "depth-sensor-default",
+            Level::Note,
+            &stage.prim().path,
+            format!(
+                "not authored, so the default of Isaac Sim {isaac_name}: {}",
+                missing.join(", ")
+            ),
+            "",
+        ));
+    }
+    Ok((parameters, findings))
+}
+
+/// As a person would have typed it: single precision in as few digits as tell it apart, so that 0.1 is 0.1. `None` for
+/// another type than the attribute may have.
+fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
+    match (name, value) {
+        ("outlierRemovalEnabled", Value::Bool(on)) => Some(u8::from(*on).to_string()),
+        ("outlierRemovalEnabled" | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
+        ("outlierRemovalEnabled" | "rgbDepthOutputMode", _) => None,
+        (_, Value::Int(int)) => Some(int.to_string()),
+        #[expect(clippy::cast_possible_truncation, reason = "it was one")]
+        (_, Value::Float(float)) if attribute.type_name == "float" => Some((*float as f32).to_string()),
+        (_, Value::Float(float)) => Some(float.to_string()),
+        _ => None,
+    }
+}
+
+/// A finding, but for the schema's switches: whoever asks for the sensor's output has switched it on.
+fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
+    if Parameters::NAMES.contains(&name) {
+        return None;
+    }
+    let known = SHAPING.iter().map(|(known, _)| *known);
+    let remedy = match nearest(name, known).first() {
+        Some(near) => format!("write {near}, or remove it"),
+        None => "remove it".to_owned(),
+    };
+    Some(Finding::new(
+        "depth-attribute-unknown",
+        Level::Warning,
+        &stage.prim().path,
+        format!(
+            "{} is no attribute that is known, and has no effect",
+            stage.full_name(name)
+        ),
+        remedy,
+    ))
+}
+
+fn animated(stage: &DepthSensor, name: &str, text: &str) -> Finding {
+    Finding::new(
+        "depth-attribute-animated",
+        Level::Warning,
+        &stage.prim().path,
+        format!(
+            "{} has time samples: {text} holds for all frames",
+            stage.full_name(name)
+        ),
+        "author one value",
+    )
+}

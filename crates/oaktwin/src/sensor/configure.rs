@@ -1,0 +1,187 @@
+//! What options make of an engine: preset, filters and parameters by name.
+
+use oaktwin_depth::filter::{self, Chain, Filter};
+use oaktwin_depth::preset::{Platform, StereoConfig, time_of_flight_filters};
+use oaktwin_depth::single_view::{self, Assumptions};
+use oaktwin_depth::{ParameterError, stereo_noise};
+
+use super::{EngineKind, SensorOptions};
+use crate::catalog::{DepthKind, Twin};
+use crate::diagnostic::{Finding, Level, fold_name, nearest};
+
+/// What a preset is.
+pub(super) enum Preset {
+    Stereo(Box<StereoConfig>),
+    /// Of a time-of-flight sensor: its filters, on millimetres.
+    Filters(Vec<Filter>),
+}
+
+impl Preset {
+    /// The one that the options name.
+    pub(super) fn of(
+        twin: &Twin,
+        kind: DepthKind,
+        options: &SensorOptions,
+    ) -> Result<Option<Self>, ParameterError> {
+        let Some(name) = &options.preset else {
+            return Ok(None);
+        };
+        let preset = match kind {
+            DepthKind::Stereo => StereoConfig::preset(platform(twin)?, name)
+                .map(Box::new)
+                .map(Self::Stereo),
+            DepthKind::Tof => time_of_flight_filters(name).map(Self::Filters),
+        };
+        preset.map(Some).map_err(|error| ParameterError {
+            name: "preset".to_owned(),
+            what: error.what,
+            remedy: error.remedy,
+        })
+    }
+
+    fn filters(&self) -> Vec<Filter> {
+        match self {
+            Self::Stereo(config) => config.filters(),
+            Self::Filters(filters) => filters.clone(),
+        }
+    }
+
+    /// What it changes, for people.
+    pub(super) fn finding(&self, options: &SensorOptions, engine: EngineKind, prim: &str) -> Finding {
+        let mut changes = Vec::new();
+        if let (Self::Stereo(config), EngineKind::StereoNoise) = (self, engine) {
+            changes.push(format!("{} subpixel bits", config.subpixel.bits()));
+            if config.disparity_shift_px > 0 {
+                changes.push(format!("disparities from {} px", config.disparity_shift_px));
+            }
+        }
+        if let Self::Stereo(config) = self {
+            changes.push(format!(
+                "{} disparity",
+                if config.extended_disparity || options.extended_disparity {
+                    "extended"
+                } else {
+                    "standard"
+                }
+            ));
+        }
+        let filters = self.filters();
+        let names: Vec<&str> = filters.iter().map(Filter::name).collect();
+        changes.push(match (&names[..], &options.filters[..]) {
+            (_, [_, ..]) => "the filters that are named instead of its own".to_owned(),
+            ([], _) => "no filters".to_owned(),
+            (names, _) => format!("the filters {}", names.join(", ")),
+        });
+        let preset = options.preset.as_deref().unwrap_or_default();
+        let message = format!("preset {}: {}", preset.to_uppercase(), changes.join(", "));
+        Finding::new("preset", Level::Note, prim, message, "")
+    }
+}
+
+/// The processor of a device.
+fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
+    let generation = &twin.device.generation;
+    [Platform::Rvc2, Platform::Rvc4]
+        .into_iter()
+        .find(|platform| fold_name(platform.name()) == fold_name(generation))
+        .ok_or_else(|| ParameterError {
+            name: "preset".to_owned(),
+            what: format!(
+                "{} is of {generation}, which has no presets here",
+                twin.device.name
+            ),
+            remedy: "name filters with --filter".to_owned(),
+        })
+}
+
+/// The named filters, or the preset's.
+pub(super) fn chain(options: &SensorOptions, preset: Option<&Preset>) -> Result<Chain, ParameterError> {
+    if options.filters.is_empty() {
+        return Ok(Chain::new(preset.map(Preset::filters).unwrap_or_default()));
+    }
+    let filters = options.filters.iter().map(|text| filter::parse(text));
+    Ok(Chain::new(filters.collect::<Result<_, _>>()?))
+}
+
+/// Sets what is named, of an engine with these two kinds of parameters.
+pub(super) fn set_single_view(
+    parameters: &mut single_view::Parameters,
+    assumptions: &mut Assumptions,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    let own = single_view_names();
+    for (given, value) in &options.parameters {
+        let name = resolve(given, &own, &stereo_noise::NAMES, EngineKind::SingleView)?;
+        if Assumptions::NAMES.contains(&name) {
+            assumptions.set(name, value)?;
+        } else {
+            parameters.set(name, value)?;
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn set_stereo_noise(
+    parameters: &mut stereo_noise::Parameters,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    let others = single_view_names();
+    for (given, value) in &options.parameters {
+        let name = resolve(given, &stereo_noise::NAMES, &others, EngineKind::StereoNoise)?;
+        parameters.set(name, value)?;
+    }
+    Ok(())
+}
+
+fn single_view_names() -> Vec<&'static str> {
+    let also = ["outlierRemovalRange"];
+    [single_view::Parameters::NAMES, &also, Assumptions::NAMES].concat()
+}
+
+/// The engine's own name for what somebody wrote.
+fn resolve<'a>(
+    given: &str,
+    own: &[&'a str],
+    others: &[&'a str],
+    engine: EngineKind,
+) -> Result<&'a str, ParameterError> {
+    let find = |names: &[&'a str]| {
+        names
+            .iter()
+            .copied()
+            .find(|name| fold_name(name) == fold_name(given))
+    };
+    if let Some(name) = find(own) {
+        return Ok(name);
+    }
+    let (what, remedy) = match find(others) {
+        Some(name) => {
+            let other = match engine {
+                EngineKind::SingleView => EngineKind::StereoNoise,
+                EngineKind::StereoNoise => EngineKind::SingleView,
+            };
+            (
+                format!(
+                    "{} has no {name}: it is a parameter of {}",
+                    engine.as_str(),
+                    other.as_str()
+                ),
+                format!("leave it out, or choose the engine {}", other.as_str()),
+            )
+        }
+        None => {
+            let near = nearest(given, own.iter().copied());
+            let remedy = if near.is_empty() {
+                format!("there are {}", own.join(", "))
+            } else {
+                format!("did you mean {}?", near.join(" or "))
+            };
+            (format!("{} has no such parameter", engine.as_str()), remedy)
+        }
+    };
+    Err(ParameterError {
+        name: given.to_owned(),
+        what,
+        remedy,
+    })
+}

@@ -1,0 +1,57 @@
+use crate::camera::Intrinsics;
+use crate::catalog::DepthKind;
+use crate::usd::asset::IsaacVersion;
+
+/// Which model of the errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EngineKind {
+    /// Isaac Sim's `DepthSensorDistance`.
+    SingleView,
+    /// The errors of an OAK's stereo.
+    StereoNoise,
+}
+
+impl EngineKind {
+    /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.
+    #[must_use]
+    pub fn default_for(kind: DepthKind) -> Self {
+        match kind {
+            DepthKind::Stereo => Self::StereoNoise,
+            DepthKind::Tof => Self::SingleView,
+        }
+    }
+
+    /// As people name it: `stereo-noise`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::SingleView => "single-view",
+            Self::StereoNoise => "stereo-noise",
+        }
+    }
+}
+
+/// How the sensor of a twin is to be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SensorOptions {
+    /// By default [`EngineKind::default_for`] the sensor's kind.
+    pub engine: Option<EngineKind>,
+    /// A preset of `DepthAI`'s for the device's platform, by name: the mode of the matcher, and its filters.
+    pub preset: Option<String>,
+    /// Filters as text, first to last; where there are any, they take the place of the preset's.
+    pub filters: Vec<String>,
+    /// Values for the engine's parameters by name, in this order, after everything else.
+    pub parameters: Vec<(String, String)>,
+    /// The extended range of disparities: 190 px, or what the catalog says of the extended mode.
+    pub extended_disparity: bool,
+    /// The Isaac Sim whose defaults `single_view` has for what the twin does not say.
+    pub isaac: IsaacVersion,
+    /// The intrinsics of the depth images where they are not the twin's: the focal length at their width is used.
+    pub image: Option<Intrinsics>,
+    /// The camera's name, which tells its noise from other cameras'; by default the sensor's prim.
+    pub name: Option<String>,
+    /// Of the noise.
+    pub seed: u64,
+    /// Of the device's calibration bias; none has none.
+    pub device_seed: Option<u64>,
+}

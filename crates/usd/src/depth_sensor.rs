@@ -1,0 +1,111 @@
+//! The depth sensor of a stage: the attributes of NVIDIA's schemas on a render product or its camera, as authored.
+
+use crate::asset::IsaacVersion;
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
+use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
+
+/// What a stage says about a depth sensor; what it does not say has the schema's defaults.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DepthSensor {
+    prim: Prim,
+    namespace: &'static str,
+}
+
+/// The depth sensor of a render product: Kit's schema on the product, or ovrtx's on the camera. The former wins, as
+/// Isaac Sim reads no other.
+#[must_use]
+pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
+    let of = |prim: &Prim, schema: &str, namespace| {
+        prim.has_api(schema).then(|| DepthSensor {
+            prim: prim.clone(),
+            namespace,
+        })
+    };
+    product
+        .and_then(|product| of(&product.prim, PRODUCT_SCHEMA, PRODUCT_NAMESPACE))
+        .or_else(|| camera.and_then(|camera| of(&camera.prim, CAMERA_SCHEMA, CAMERA_NAMESPACE)))
+}
+
+impl DepthSensor {
+    /// The prim that says it.
+    #[must_use]
+    pub fn prim(&self) -> &Prim {
+        &self.prim
+    }
+
+    /// Its authored attributes by their names in the schema, `baselineMM`.
+    pub fn attributes(&self) -> impl Iterator<Item = (&str, &Attribute)> {
+        self.prim.in_namespace(self.namespace)
+    }
+
+    /// The whole name of an attribute, `omni:rtx:post:depthSensor:baselineMM`.
+    #[must_use]
+    pub fn full_name(&self, name: &str) -> String {
+        format!("{}{name}", self.namespace)
+    }
+
+    /// The Isaac Sim that it is written for, where that can be seen: `outlierRemovalEnabled` is an `int` in 5.x and a
+    /// `bool` in 6.x, and ovrtx's schema is as new as 6.
+    #[must_use]
+    pub fn isaac(&self) -> Option<IsaacVersion> {
+        if self.namespace == CAMERA_NAMESPACE {
+            return Some(IsaacVersion::V6);
+        }
+        let (_, outlier_removal) = self.attributes().find(|(name, _)| *name == OUTLIER_REMOVAL)?;
+        match outlier_removal.type_name.as_str() {
+            "bool" => Some(IsaacVersion::V6),
+            "int" => Some(IsaacVersion::V5_1),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stage::Value;
+
+    fn attribute(type_name: &str, value: Value) -> Attribute {
+        Attribute {
+            type_name: type_name.to_owned(),
+            value: Some(value),
+            animated: false,
+        }
+    }
+
+    #[test]
+    fn the_product_before_the_camera() {
+        let mut product = RenderProduct::default();
+        let mut camera = SceneCamera::default();
+        assert!(of_product(Some(&product), Some(&camera)).is_none());
+        camera.prim.api_schemas.push(CAMERA_SCHEMA.to_owned());
+        let baseline = attribute("float", Value::Float(20.0));
+        let name = format!("{CAMERA_NAMESPACE}baselineMM");
+        camera.prim.attributes.insert(name.clone(), baseline.clone());
+        let sensor = of_product(Some(&product), Some(&camera)).unwrap();
+        assert_eq!(
+            sensor.attributes().collect::<Vec<_>>(),
+            [("baselineMM", &baseline)]
+        );
+        assert_eq!(sensor.full_name("baselineMM"), name);
+        assert_eq!(sensor.isaac(), Some(IsaacVersion::V6));
+        product.prim.api_schemas.push(PRODUCT_SCHEMA.to_owned());
+        let sensor = of_product(Some(&product), Some(&camera)).unwrap();
+        assert_eq!((sensor.attributes().count(), sensor.isaac()), (0, None));
+    }
+
+    #[test]
+    fn the_type_of_one_attribute_says_the_version() {
+        for (type_name, value, isaac) in [
+            ("int", Value::Int(3), Some(IsaacVersion::V5_1)),
+            ("bool", Value::Bool(true), Some(IsaacVersion::V6)),
+            ("float", Value::Float(1.0), None),
+        ] {
+            let mut product = RenderProduct::default();
+            product.prim.api_schemas.push(PRODUCT_SCHEMA.to_owned());
+            let name = format!("{PRODUCT_NAMESPACE}{OUTLIER_REMOVAL}");
+            product.prim.attributes.insert(name, attribute(type_name, value));
+            assert_eq!(of_product(Some(&product), None).unwrap().isaac(), isaac);
+        }
+    }
+}
