@@ -1,6 +1,6 @@
 //! What the program understands.
 
-#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod sense;
 mod sensor;
 
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
-#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
@@ -48,6 +48,8 @@ pub(crate) enum Command {
     Asset(AssetArgs),
     /// Render what perfect cameras see of a scene, depth, colour, normals, labels, and what depth sensors make of it
     Render(Box<RenderArgs>),
+    /// Make of depth images from anywhere what a model's depth sensor would report
+    Sense(Box<SenseArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
