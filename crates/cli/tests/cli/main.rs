@@ -8,3 +8,5 @@ mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod sense;
+mod sense_bad_input;
