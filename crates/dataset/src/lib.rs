@@ -1,4 +1,4 @@
-//! Writers of data sets: the layout of Replicator's `BasicWriter`, and pictures for people.
+//! Writers of data sets: the layout of Replicator's `BasicWriter`, and pictures and figures for people.
 //!
 //! A writer says which files a frame consists of; each [`DatasetFile`] is encoded when it is asked for its bytes, on any
 //! thread. Nothing is written here: whoever opens files does so whole or not at all.
@@ -22,6 +22,7 @@ mod basic_writer;
 mod boxes;
 mod camera_params;
 mod cloud;
+pub mod figure;
 mod file;
 mod json;
 mod listing;

@@ -7,6 +7,7 @@ pub mod annotation;
 mod bytes;
 pub mod colormap;
 mod depth;
+pub mod draw;
 mod error;
 pub mod exr;
 mod half;

@@ -1,6 +1,7 @@
 //! `cargo xtask bench`: this project beside a peer, in one run, as ratios.
 
 mod assets;
+mod depth;
 mod load;
 mod render;
 
@@ -11,6 +12,8 @@ pub(crate) enum Bench {
     /// Depth frames, against Embree, Open3D and Mitsuba; `--help` lists what more it takes
     #[command(disable_help_flag = true)]
     Render(render::Args),
+    /// The sensor models and DepthAI's filters, against NumPy and DepthAI
+    Depth(depth::Args),
     /// Opening USD stages, against OpenUSD in Python; then what colour costs beside depth
     Load(load::Args),
 }
@@ -19,6 +22,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
     match bench {
         Bench::Assets(args) => assets::run(args),
         Bench::Render(args) => render::run(args),
+        Bench::Depth(args) => depth::run(args),
         Bench::Load(args) => load::run(args),
     }
 }

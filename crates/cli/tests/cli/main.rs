@@ -8,5 +8,6 @@ mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_sensor;
 mod sense;
 mod sense_bad_input;

@@ -321,7 +321,7 @@ fn a_folder_of_ours_gains_what_render_would_have_written() {
         assert!(fs::read(ours).unwrap() == fs::read(renders).unwrap(), "{name}");
     }
     // Range is z by the rays of the folder's camera, but for rounding.
-    render("range", "distance_to_camera,camera_params");
+    render("range", "rgb,distance_to_camera,camera_params");
     program.good(&["sense", "range", "--model", "oak-d-pro-poe"]);
     program.good(&["sense", "truth", "--model", "oak-d-pro-poe", "-o", "z"]);
     let (a, b) = (

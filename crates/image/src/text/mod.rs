@@ -3,6 +3,7 @@
 mod glyphs;
 
 use crate::Image;
+use crate::draw::{self, Paint};
 
 /// What text looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,76 +27,32 @@ pub fn width(text: &str, height: f32) -> f32 {
 /// Draws a line of text whose capitals have their upper left corner at (`x`, `y`), px. What lies outside the image is
 /// cut off; a character that the font does not have is a box.
 pub fn draw(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: Style) {
+    draw_along(image, text, style, |right, down| [x + right, y + down]);
+}
+
+/// Draws a line of text that reads upwards: (`x`, `y`) is where the first letter's upper left corner is, which lies to
+/// the lower left.
+pub fn draw_upwards(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: Style) {
+    draw_along(image, text, style, |right, down| [x + down, y - right]);
+}
+
+/// Draws text of which `place` says where what is so far to the right and down lies.
+fn draw_along(image: &mut Image<[u8; 3]>, text: &str, style: Style, place: impl Fn(f32, f32) -> [f32; 2]) {
     let scale = style.height / f32::from(glyphs::CAPITAL);
     // Half a stroke, px: never thinner than what a pixel can show.
     let radius = (scale * 0.8).max(0.6);
-    let mut left = x;
+    let mut left = 0.0;
     for c in text.chars() {
         let glyph = glyphs::glyph(c);
-        let at = |[px, py]: [f32; 2]| [left + px * scale, y + py * scale];
+        let at = |[px, py]: [f32; 2]| place(left + px * scale, py * scale);
         let segments: Vec<[[f32; 2]; 2]> = glyph
             .strokes()
             .iter()
             .flat_map(|stroke| stroke.windows(2).map(|ends| [at(ends[0]), at(ends[1])]))
             .collect();
-        draw_segments(image, &segments, radius, style.color);
+        draw::segments(image, &segments, radius, &Paint::new(style.color));
         left += f32::from(glyph.advance()) * scale;
     }
-}
-
-/// Draws all segments as one shape, so that where they meet nothing is painted twice.
-fn draw_segments(image: &mut Image<[u8; 3]>, segments: &[[[f32; 2]; 2]], radius: f32, color: [u8; 3]) {
-    let extent = |axis: usize| {
-        let coordinates = segments.iter().flatten().map(|point| point[axis]);
-        let (low, high) = coordinates.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), c| {
-            (low.min(c), high.max(c))
-        });
-        (low - radius - 1.0, high + radius + 1.0)
-    };
-    // Saturating: outside the image, or nothing at all, is an empty range.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "saturates"
-    )]
-    let pixels = |(low, high): (f32, f32), end: u32| (low as u32)..(high.ceil() as u32).min(end);
-    let (columns, rows) = (
-        pixels(extent(0), image.width()),
-        pixels(extent(1), image.height()),
-    );
-    let width = image.width() as usize;
-    for row in rows {
-        for column in columns.clone() {
-            let centre = [column as f32 + 0.5, row as f32 + 0.5];
-            let distance = segments
-                .iter()
-                .map(|segment| squared_distance(centre, *segment))
-                .fold(f32::INFINITY, f32::min)
-                .sqrt();
-            let coverage = (radius - distance + 0.5).clamp(0.0, 1.0);
-            if coverage > 0.0 {
-                let pixel = &mut image.pixels_mut()[row as usize * width + column as usize];
-                for (channel, ink) in pixel.iter_mut().zip(color) {
-                    let (paper, ink) = (f32::from(*channel), f32::from(ink));
-                    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
-                    let mixed = (paper + (ink - paper) * coverage + 0.5) as u8;
-                    *channel = mixed;
-                }
-            }
-        }
-    }
-}
-
-fn squared_distance([x, y]: [f32; 2], [[ax, ay], [bx, by]]: [[f32; 2]; 2]) -> f32 {
-    let (dx, dy) = (bx - ax, by - ay);
-    let length = dx * dx + dy * dy;
-    let along = if length > 0.0 {
-        (((x - ax) * dx + (y - ay) * dy) / length).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    let (ex, ey) = (x - ax - along * dx, y - ay - along * dy);
-    ex * ex + ey * ey
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@ mod noise;
 mod pictures;
 mod surfaces;
 
+pub(crate) use noise::white as white_noise;
+
 use crate::camera::RigidTransform;
 use crate::camera::math::{DMat3, DVec3};
 use crate::image::{CodecError, Image, png};

@@ -1,7 +1,7 @@
 //! Noise that is the same on every computer: whole numbers, sums and products only.
 
 /// A number of 0 to 1 for a place and a kind of noise.
-pub(super) fn white(x: i32, y: i32, kind: u32) -> f32 {
+pub(crate) fn white(x: i32, y: i32, kind: u32) -> f32 {
     let mut h = x
         .cast_unsigned()
         .wrapping_mul(0x9E37_79B1)

@@ -1,0 +1,137 @@
+//! The board that is measured, as the camera sees it.
+
+use std::sync::Arc;
+
+use oaktwin_render::{Backend, Clip, Renderer, View};
+
+use crate::camera::math::DAffine3;
+use crate::camera::{Camera, Intrinsics, LensModel, PixelPoint, RigidTransform, Usd};
+use crate::demo_room::white_noise;
+use crate::image::annotation::Annotator;
+use crate::image::{Image, ZDepth};
+use crate::render::AnnotateOptions;
+use crate::scene::{
+    Attribute, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture, TextureSource,
+    TextureUse, Up,
+};
+
+/// The side of a square of the pattern in the image, px, at every distance: coarse enough to be seen, fine enough that
+/// every window of a matcher has several.
+const GRAIN_PX: f64 = 3.0;
+
+/// Squares on a side of the pattern, which repeats.
+const SQUARES: u16 = 256;
+
+/// What the camera sees of a board.
+pub(super) struct Sight {
+    pub(super) depth: ZDepth,
+    pub(super) rgb: Image<[u8; 4]>,
+}
+
+/// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that fills the image and goes
+/// on beyond it.
+pub(super) fn look(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
+    let view = View {
+        camera: Camera::new(intrinsics, LensModel::Pinhole),
+        world_from_camera: RigidTransform::IDENTITY,
+        clip: Clip::default(),
+    };
+    let renderer = Renderer::new(scene(&intrinsics, distance_m));
+    let wanted = [Annotator::Rgb, Annotator::DistanceToImagePlane];
+    let (frame, _) = renderer.annotate(&view, &wanted, Backend::Auto, &AnnotateOptions::default());
+    Some(Sight {
+        depth: frame.distance_to_image_plane?,
+        rgb: frame.rgb?,
+    })
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a mesh is float32")]
+fn scene(intrinsics: &Intrinsics, distance_m: f64) -> Scene {
+    let size = intrinsics.size;
+    let beyond = 8.0;
+    let [left, right] = [-beyond, f64::from(size.width) + beyond];
+    let [top, bottom] = [-beyond, f64::from(size.height) + beyond];
+    // Counter-clockwise for the camera, whose y points down.
+    let corners = [[left, top], [left, bottom], [right, bottom], [right, top]];
+    let position = |[x, y]: [f64; 2]| {
+        let point = intrinsics.normalized_from_pixel(PixelPoint::<Usd>::new(x, y)) * distance_m;
+        [point.x as f32, point.y as f32, distance_m as f32]
+    };
+    let uv = |pixel: [f64; 2]| pixel.map(|c| (c / (GRAIN_PX * f64::from(SQUARES))) as f32);
+    let mesh = Mesh {
+        positions: corners.map(position).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        uvs: Some(Attribute::Vertex(corners.map(uv).to_vec())),
+        materials: vec![MaterialSpan {
+            end: 2,
+            material: Some(0),
+        }],
+        double_sided: true,
+        ..Mesh::default()
+    };
+    Scene {
+        meshes: vec![mesh],
+        instances: vec![Instance {
+            mesh: 0,
+            path: "/Board".to_owned(),
+            world_from_mesh: DAffine3::IDENTITY,
+            labels: Vec::new(),
+        }],
+        materials: vec![Material {
+            name: "board".to_owned(),
+            base_color_texture: Some(TextureUse::new(0)),
+            roughness: 1.0,
+            ..Material::default()
+        }],
+        textures: vec![Texture {
+            source: TextureSource::Pixels(Arc::new(pattern())),
+            color_space: crate::scene::ColorSpace::Srgb,
+        }],
+        lights: vec![Light {
+            path: "/Sky".to_owned(),
+            kind: LightKind::Dome { texture: None },
+            radiance: [1.0; 3],
+            normalize: false,
+            world_from_light: DAffine3::IDENTITY,
+        }],
+        up: Up::Y,
+        ..Scene::default()
+    }
+}
+
+/// Squares of random grey.
+fn pattern() -> Image<[u8; 4]> {
+    let squares = (0..SQUARES).flat_map(|y| (0..SQUARES).map(move |x| (x, y)));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    let grey = squares.map(|(x, y)| (white_noise(i32::from(x), i32::from(y), 77) * 255.0) as u8);
+    let mut image = Image::filled(u32::from(SQUARES), u32::from(SQUARES), [255; 4]);
+    for (pixel, grey) in image.pixels_mut().iter_mut().zip(grey) {
+        *pixel = [grey, grey, grey, 255];
+    }
+    image
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::ImageSize;
+
+    #[test]
+    fn the_board_is_flat_textured_and_everywhere() {
+        let size = ImageSize::new(96, 64);
+        let intrinsics = Intrinsics::new(size, 805.0, 805.0, PixelPoint::<Usd>::new(150.0, -40.0));
+        for distance in [0.2, 1.7, 12.0, 65.0] {
+            let sight = look(intrinsics, distance).unwrap();
+            let off = sight
+                .depth
+                .0
+                .pixels()
+                .iter()
+                .map(|z| (f64::from(*z) / distance - 1.0).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-6);
+            let grey = sight.rgb.pixels().iter().map(|pixel| pixel[1]);
+            let (dark, bright) = (grey.clone().filter(|g| *g < 90), grey.filter(|g| *g > 150));
+            assert!(dark.count() > 1000 && bright.count() > 1000, "{distance}");
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! At which distances to measure.
+
+use super::AccuracyError;
+
+/// Where a depth image in whole millimetres ends.
+pub const FARTHEST_M: f64 = 65.535;
+
+/// As many distances as fit on a page.
+const MOST: u32 = 24;
+
+/// Distances as people type them, apart by commas: numbers of metres, and ranges `FROM:TO:STEP`.
+///
+/// # Errors
+/// What is no distance, and more than 10 000 of them.
+pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
+    let wrong = |part: &str, what: &str| AccuracyError::Distances {
+        text: part.to_owned(),
+        what: what.to_owned(),
+    };
+    let mut distances = Vec::new();
+    for part in text.split(',').map(str::trim) {
+        let numbers = part
+            .split(':')
+            .map(|number| number.trim().parse::<f64>())
+            .collect::<Result<Vec<f64>, _>>()
+            .map_err(|_| wrong(part, "is no number"))?;
+        match numbers[..] {
+            [distance] => distances.push(check(distance).map_err(|what| wrong(part, what))?),
+            [from, to, step] => {
+                for end in [from, to] {
+                    check(end).map_err(|what| wrong(part, what))?;
+                }
+                let steps = (to - from) / step;
+                if !(step > 0.0 && (0.0..10_000.0).contains(&steps)) {
+                    return Err(wrong(part, "goes nowhere, or in too many steps"));
+                }
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "below 10 000"
+                )]
+                let last = (steps + 1e-9) as u32;
+                distances.extend((0..=last).map(|i| tidy(from + f64::from(i) * step)));
+            }
+            _ => return Err(wrong(part, "is neither a distance nor a range")),
+        }
+    }
+    if distances.len() > 10_000 {
+        return Err(wrong(text, "are too many"));
+    }
+    distances.sort_by(f64::total_cmp);
+    distances.dedup();
+    Ok(distances)
+}
+
+/// Whether something can be measured so far away.
+pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
+    match distance_m {
+        z if !z.is_finite() => Err("is no finite number"),
+        z if z <= 0.0 => Err("is not above 0"),
+        z if z > FARTHEST_M => Err("is farther than 65.535 m, where a depth image in millimetres ends"),
+        z => Ok(z),
+    }
+}
+
+/// Round distances from the nearest to the farthest, both included where the nearest is rounded up to 0.1 m.
+pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
+    let from = (nearest_m * 10.0 - 1e-6).ceil().max(1.0) / 10.0;
+    let to = farthest_m.clamp(from, FARTHEST_M);
+    let steps = [0.1, 0.25, 0.5, 1.0, 2.5, 5.0];
+    let step = steps
+        .into_iter()
+        .find(|step| (to - from) / step < f64::from(MOST - 2))
+        .unwrap_or(5.0);
+    let mut distances = vec![from];
+    let first = (from / step + 1e-9).floor() + 1.0;
+    let inner = (0..MOST).map(|i| tidy((first + f64::from(i)) * step));
+    distances.extend(inner.take_while(|z| *z < to - 1e-9));
+    if to > from {
+        distances.push(to);
+    }
+    distances
+}
+
+/// Without the last digits, which multiplication left.
+fn tidy(metres: f64) -> f64 {
+    (metres * 1e6).round() / 1e6
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_and_ranges() {
+        assert_eq!(parse("2, 1,0.5,2").unwrap(), [0.5, 1.0, 2.0]);
+        assert_eq!(parse("0.1:0.4:0.1,9").unwrap(), [0.1, 0.2, 0.3, 0.4, 9.0]);
+        assert_eq!(parse("1:1:0.5").unwrap(), [1.0]);
+    }
+
+    #[test]
+    fn what_is_no_distance() {
+        for text in [
+            "",
+            "0",
+            "-1",
+            "nan",
+            "inf",
+            "1,,2",
+            "x",
+            "1:2",
+            "2:1:1",
+            "1:2:0",
+            "1:2:-1",
+            "1:2:nan",
+            "1:60:1e-6",
+            "66",
+            "1:1e9:1e8",
+            "1;2",
+            "1:2:3:4",
+        ] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn defaults_are_round() {
+        let stereo = between(0.636, 10.5);
+        assert_eq!(
+            (stereo.first(), stereo.get(1), stereo.last()),
+            (Some(&0.7), Some(&1.0), Some(&10.5))
+        );
+        assert_eq!(stereo.len(), 21);
+        assert_eq!(between(0.2, 5.0)[..3], [0.2, 0.25, 0.5]);
+        assert_eq!(between(2.0, 2.0), [2.0]);
+        assert_eq!(between(3.0, 2.0), [3.0]);
+        assert!(between(0.0, 1e9).len() <= MOST as usize);
+    }
+}

@@ -1,0 +1,155 @@
+//! What is timed, by name.
+
+use std::error::Error;
+
+use oaktwin_camera::StereoGeometry;
+use oaktwin_depth::Shot;
+use oaktwin_depth::filter::{self, Chain};
+use oaktwin_depth::random::Stream;
+use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
+use oaktwin_depth::stereo_noise::{self, StereoNoise};
+use oaktwin_image::{Image, millimetres};
+
+/// A frame's worth of work: the frame's number in.
+type Work<'a> = Box<dyn FnMut(u64) -> Result<(), Box<dyn Error>> + Send + 'a>;
+
+/// Something to time.
+pub(crate) struct Case<'a> {
+    pub(crate) name: String,
+    /// Pixels of a frame.
+    pub(crate) pixels: usize,
+    /// What must be read and written at least, bytes a frame.
+    pub(crate) bytes: usize,
+    pub(crate) work: Work<'a>,
+}
+
+/// The filters, as text, each with what a preset would set.
+const FILTERS: [&str; 9] = [
+    "median:kernel=3x3",
+    "median:kernel=5x5",
+    "median:kernel=7x7",
+    "spatial:alpha=0.5,delta=20,holeFillingRadius=2,numIterations=1",
+    "temporal:alpha=0.4,delta=20,persistencyMode=VALID_2_IN_LAST_4",
+    "speckle:speckleRange=50,differenceThreshold=2",
+    "decimation:decimationFactor=2,decimationMode=PIXEL_SKIPPING",
+    "decimation:decimationFactor=2,decimationMode=NON_ZERO_MEDIAN",
+    "threshold:minRange=600,maxRange=12000",
+];
+
+/// Images, rows, columns: a batch of a learner's environments.
+const BATCH: [usize; 3] = [4096, 60, 106];
+
+/// The sheet's `OAK-D Pro`.
+fn sheet() -> Parameters {
+    Parameters {
+        baseline_mm: 75.0,
+        focal_length_px: 805.0,
+        max_disparity_px: 95.0,
+        min_distance_m: 0.6,
+        max_distance_m: 12.0,
+        noise_mean_px: 0.25,
+        noise_sigma_px: 0.2,
+        noise_downscale_factor_px: 2.0,
+        confidence_threshold: 0.8,
+        ..Parameters::ISAAC_5_1
+    }
+}
+
+/// All of them, of one depth image and its picture.
+pub(crate) fn all<'a>(
+    depth: &'a Image<f32>,
+    rgb: &'a Image<[u8; 4]>,
+) -> Result<Vec<Case<'a>>, Box<dyn Error>> {
+    let (width, height) = (depth.width(), depth.height());
+    let pixels = depth.pixels().len();
+    let shape = [1, height as usize, width as usize];
+    let random = Stream::new(7, "Camera_pseudo_depth");
+    let mut cases = Vec::new();
+
+    let fine = Parameters {
+        noise_downscale_factor_px: 1.0,
+        ..sheet()
+    };
+    for (name, parameters) in [("single_view", sheet()), ("single_view, jitter by pixel", fine)] {
+        let engine = SingleView::new(parameters, Assumptions::default())?;
+        let mut out = vec![0.0; pixels];
+        cases.push(Case {
+            name: name.to_owned(),
+            pixels,
+            bytes: 8 * pixels,
+            work: Box::new(move |frame| {
+                Ok(engine.sense_batch(depth.pixels(), shape, frame, 0, &random, &mut out)?)
+            }),
+        });
+    }
+    let engine = SingleView::new(sheet(), Assumptions::default())?;
+    cases.push(Case {
+        name: "single_view, with a picture".to_owned(),
+        pixels,
+        bytes: 12 * pixels,
+        work: Box::new(move |frame| {
+            let mut shot = Shot::new(depth.into()).with_rgb(rgb.into())?;
+            shot.frame = frame;
+            std::hint::black_box(engine.sense(&shot, &random, Wanted::default()));
+            Ok(())
+        }),
+    });
+
+    let stereo = StereoGeometry {
+        focal_length_px: 805.0,
+        baseline_m: 0.075,
+    };
+    let engine = StereoNoise::new(stereo_noise::Parameters::new(stereo, width))?;
+    let mut out = vec![0.0; pixels];
+    let sensor = engine.clone();
+    cases.push(Case {
+        name: "stereo_noise".to_owned(),
+        pixels,
+        bytes: 8 * pixels,
+        work: Box::new(move |frame| {
+            Ok(sensor.sense_batch(depth.pixels(), shape, frame, 0, &random, &mut out)?)
+        }),
+    });
+    let batch_pixels = BATCH.iter().product();
+    let (small, _) = crate::room::see(106, 60);
+    let batch: Vec<f32> = small
+        .pixels()
+        .iter()
+        .copied()
+        .cycle()
+        .take(batch_pixels)
+        .collect();
+    let mut out = vec![0.0; batch_pixels];
+    let sensor = engine.clone();
+    cases.push(Case {
+        name: "stereo_noise, 4096 × 60 × 106".to_owned(),
+        pixels: batch_pixels,
+        bytes: 8 * batch_pixels,
+        work: Box::new(move |frame| Ok(sensor.sense_batch(&batch, BATCH, frame, 0, &random, &mut out)?)),
+    });
+
+    // What the sensor's own noise makes of it, a few frames in turns.
+    let frames: Vec<Image<u16>> = (0..4)
+        .map(|frame| {
+            let mut shot = Shot::new(depth.into());
+            shot.frame = frame;
+            millimetres::from_metres(&engine.sense(&shot, &random).0)
+        })
+        .collect();
+    for text in FILTERS {
+        let mut chain = Chain::new(vec![filter::parse(text)?]);
+        let frames = frames.clone();
+        cases.push(Case {
+            name: text.to_owned(),
+            pixels,
+            bytes: 4 * pixels,
+            work: Box::new(move |frame| {
+                #[expect(clippy::cast_possible_truncation, reason = "an index into four")]
+                let image = frames[frame as usize % frames.len()].clone();
+                std::hint::black_box(chain.run(image));
+                Ok(())
+            }),
+        });
+    }
+    Ok(cases)
+}

@@ -1,0 +1,69 @@
+//! How long the sensor models and filters take, for `cargo xtask bench depth`.
+//!
+//! `depth-bench make FOLDER` writes the images that everybody works on: `depth.npy` (metres), `rgb.npy`,
+//! `millimetres.npy` (four noisy frames). `depth-bench run FRAMES THREADS [NAME]` times each case (or those whose name
+//! has NAME in it) and prints a JSON object each.
+
+#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+
+mod bandwidth;
+mod cases;
+mod make;
+mod room;
+
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+
+use oaktwin_testkit::process;
+use serde_json::json;
+
+const WIDTH: u32 = 1280;
+const HEIGHT: u32 = 800;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words[..] {
+        ["make", folder] => make::images(Path::new(folder)),
+        ["run", frames, threads] => run(frames.parse()?, threads.parse()?, ""),
+        ["run", frames, threads, name] => run(frames.parse()?, threads.parse()?, name),
+        _ => Err("usage: depth-bench make FOLDER | run FRAMES THREADS [NAME]".into()),
+    }
+}
+
+fn run(frames: u64, threads: usize, name: &str) -> Result<(), Box<dyn Error>> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let bandwidth = bandwidth::copying(threads);
+    println!("{}", json!({ "bytes_a_second": bandwidth, "threads": threads }));
+    let (depth, rgb) = room::see(WIDTH, HEIGHT);
+    for mut case in cases::all(&depth, &rgb)? {
+        if !case.name.contains(name) {
+            continue;
+        }
+        let mut times = Vec::new();
+        // The first is the warm-up.
+        for frame in 0..=frames {
+            let (start, cpu) = (Instant::now(), process::cpu_s());
+            let done = pool.install(|| (case.work)(frame).map_err(|error| error.to_string()));
+            let time = (start.elapsed().as_secs_f64(), process::cpu_s() - cpu);
+            done?;
+            if frame > 0 {
+                times.push(time);
+            }
+        }
+        let (walls, cpus): (Vec<f64>, Vec<f64>) = times.into_iter().unzip();
+        println!(
+            "{}",
+            json!({
+                "case": case.name,
+                "threads": threads,
+                "pixels": case.pixels,
+                "bytes": case.bytes,
+                "wall_s": walls,
+                "cpu_s": cpus,
+            })
+        );
+    }
+    Ok(())
+}

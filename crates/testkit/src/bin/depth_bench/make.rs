@@ -1,0 +1,44 @@
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use oaktwin_camera::StereoGeometry;
+use oaktwin_depth::Shot;
+use oaktwin_depth::random::Stream;
+use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
+use oaktwin_image::{millimetres, npy};
+
+use crate::{HEIGHT, WIDTH, room};
+
+/// The images that everybody works on.
+pub(crate) fn images(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let (depth, rgb) = room::see(WIDTH, HEIGHT);
+    let (rows, columns) = (HEIGHT as usize, WIDTH as usize);
+    let channels: Vec<u8> = rgb.pixels().iter().flatten().copied().collect();
+    fs::create_dir_all(folder)?;
+    fs::write(
+        folder.join("depth.npy"),
+        npy::encode(&[rows, columns], depth.pixels())?,
+    )?;
+    fs::write(
+        folder.join("rgb.npy"),
+        npy::encode(&[rows, columns, 4], &channels)?,
+    )?;
+    let stereo = StereoGeometry {
+        focal_length_px: 805.0,
+        baseline_m: 0.075,
+    };
+    let engine = StereoNoise::new(Parameters::new(stereo, WIDTH))?;
+    let mut frames = Vec::new();
+    for frame in 0..4 {
+        let mut shot = Shot::new((&depth).into());
+        shot.frame = frame;
+        let sensed = engine.sense(&shot, &Stream::new(7, "Camera_pseudo_depth"));
+        frames.extend(millimetres::from_metres(&sensed.0).into_pixels());
+    }
+    fs::write(
+        folder.join("millimetres.npy"),
+        npy::encode(&[4, rows, columns], &frames)?,
+    )?;
+    Ok(())
+}
