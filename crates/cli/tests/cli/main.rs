@@ -9,3 +9,5 @@ mod program;
 mod render;
 mod render_bad_input;
 mod render_sensor;
+mod sense;
+mod sense_bad_input;
