@@ -1,5 +1,6 @@
 //! What the program understands.
 
+mod accuracy;
 #[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
 mod sensor;
 
@@ -10,6 +11,7 @@ use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
+pub(crate) use accuracy::AccuracyArgs;
 #[allow(unused_imports, reason = "the commands that take it come next")]
 pub(crate) use sensor::SensorArgs;
 
@@ -21,7 +23,7 @@ pub(crate) use sensor::SensorArgs;
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check), 2 error.\n\
+#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy), 2 error.\n\
     A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -48,6 +50,8 @@ pub(crate) enum Command {
     Asset(AssetArgs),
     /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
+    /// Measure a model's depth as the vendor measures its cameras, and compare
+    Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell

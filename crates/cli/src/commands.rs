@@ -1,5 +1,6 @@
 //! One file a command.
 
+pub(crate) mod accuracy;
 pub(crate) mod asset;
 pub(crate) mod calibration;
 pub(crate) mod check;

@@ -78,17 +78,8 @@ pub(super) fn marks(figure: &Figure) -> Marks {
     };
     page.text([frame[0], 36.0], TITLE, INK, Anchor::Left, &figure.title);
     page.text([frame[0], 60.0], TEXT, PALE_INK, Anchor::Left, &figure.subtitle);
-    let [under, over]: [Vec<&Layer>; 2] = [true, false].map(|is_under| {
-        let layers = figure.layers.iter();
-        layers
-            .filter(|layer| matches!(layer.shape, Shape::Steps(_)) == is_under)
-            .collect()
-    });
-    for layer in under {
-        page.layer(layer);
-    }
     page.axes();
-    for layer in over {
+    for layer in &figure.layers {
         page.layer(layer);
     }
     page.frame();

@@ -14,8 +14,8 @@ pub struct Optics {
     pub disparity_times_depth: f64,
 }
 
-/// The field's measures of a flat board, as librealsense's depth quality tool defines them. `None` where too little was
-/// measured.
+/// The field's measures of a flat board, as librealsense's depth quality tool has them; the plane is fitted in inverse
+/// depth ([`Plane::fitted`]). `None` where too little was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
     /// The share of the region's pixels that have a value, 0 to 1; the mean over the captures.

@@ -8,6 +8,7 @@ mod normal;
 mod philox;
 mod row;
 
+pub(crate) use normal::box_muller;
 pub use normal::standard_normal;
 pub use philox::philox4x32_10;
 

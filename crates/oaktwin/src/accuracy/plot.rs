@@ -128,7 +128,7 @@ fn subtitle(report: &Report) -> String {
         )
     };
     format!(
-        "{}, {} px at {}x{}, {} x {} px region, {} captures; {method}",
+        "{}, {} px at {}x{}, region {}x{} px, {} captures, {method}",
         report.engine,
         (report.focal_length_px * 10.0).round() / 10.0,
         report.image_width_px,
