@@ -1,7 +1,7 @@
 //! What the program understands.
 
 mod accuracy;
-#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod sense;
 mod sensor;
 
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
-#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
@@ -52,6 +52,8 @@ pub(crate) enum Command {
     Render(Box<RenderArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
+    /// Make of depth images from anywhere what a model's depth sensor would report
+    Sense(Box<SenseArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
