@@ -26,7 +26,10 @@ fn measured(file: &str) -> Option<Vec<(f64, f64)>> {
 
 /// As the vendor measures: a board at right angles, a region in the middle, its median, the mean of ten captures.
 fn error_percent(sensor: &StereoNoise, distance_m: f64) -> f64 {
-    #[expect(clippy::cast_possible_truncation, reason = "depth images are single precision")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "depth images are single precision"
+    )]
     let board = Image::filled(sensor.parameters().width_px, 24, distance_m as f32);
     let width = board.width() as usize;
     let random = Stream::new(1, "left");
