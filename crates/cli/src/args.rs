@@ -355,8 +355,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// Point clouds also as PLY: that of depth_sensor_point_cloud_position, else pointcloud, which is added to the
-    /// annotators
+    /// Point clouds also as PLY: the depth sensor's where its positions are asked for, else the scene's (added to the
+    /// annotators)
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

@@ -79,8 +79,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let report = Report::new(
         args,
         &annotators,
-        &cameras,
-        &sensors.own,
+        (&cameras, &sensors.own),
         written,
         frames,
         findings,

@@ -71,7 +71,7 @@ pub(super) fn resample<T: Copy>(
 /// The point that each pixel sees, in the camera's frame with USD's axes (x right, y up, z backward), metres, and 1; all
 /// 0 where there is none.
 #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
-pub(super) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
+pub(crate) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
     let mut positions = Image::filled(z.width(), z.height(), [0f32; 4]);
     let columns = (z.width() as usize).max(1);
     let rows = positions.pixels_mut().par_chunks_mut(columns);

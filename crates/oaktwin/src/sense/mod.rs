@@ -25,6 +25,7 @@ mod writer;
 
 use std::path::PathBuf;
 
+pub(crate) use geometry::positions;
 pub use options::{AlignTo, CloudFrame, FieldOfView, InputKind, SenseOptions};
 pub use plan::STANDARD_INPUT;
 pub use run::{Done, Output, Sensed, SensedFile, sense};
