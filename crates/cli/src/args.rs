@@ -48,7 +48,7 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
-    /// Render what perfect cameras see of a scene, depth, colour, normals, labels, and what depth sensors make of it
+    /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
@@ -222,8 +222,8 @@ pub(crate) struct AssetArgs {
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("engine", |arg| arg.help(
-        "The model of the errors; by default single-view, as Isaac Sim has it. stereo-noise is nearer to a real OAK"
+    mut_arg("engine", |arg| arg.hide_possible_values(true).help(
+        "The model of the errors: single-view, as Isaac Sim has it (the default), or stereo-noise, as an OAK errs"
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
@@ -263,14 +263,6 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) annotators: Vec<String>,
 
-    #[command(flatten)]
-    pub(crate) sensor: SensorArgs,
-
-    /// Sense each frame once for each of these values of a parameter, and write one picture of all; a second one makes
-    /// a table
-    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
-    pub(crate) sweep: Vec<String>,
-
     /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
     /// keep their aperture
     #[arg(long, value_name = "WxH")]
@@ -279,6 +271,14 @@ pub(crate) struct RenderArgs {
     /// How a scene camera's apertures are read: square pixels without offsets as Isaac Sim does, or as OpenUSD defines
     #[arg(long, value_enum, default_value_t = Projection::Isaac)]
     pub(crate) projection: Projection,
+
+    #[command(flatten)]
+    pub(crate) sensor: SensorArgs,
+
+    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
+    /// of all; a second one makes a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    pub(crate) sweep: Vec<String>,
 
     /// Put this OAK into the scene instead of using its cameras
     #[arg(long, help_heading = "An OAK of ours")]

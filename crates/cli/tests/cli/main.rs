@@ -9,3 +9,4 @@ mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_sensor;

@@ -8,6 +8,7 @@ mod normal;
 mod philox;
 mod row;
 
+pub(crate) use normal::box_muller;
 pub use normal::standard_normal;
 pub use philox::philox4x32_10;
 
@@ -23,6 +24,8 @@ pub enum Stage {
     Dropout = 2,
     /// Errors of an image sensor.
     Exposure = 3,
+    /// The grain of a rendered picture.
+    Grain = 4,
 }
 
 /// The random numbers of one camera.

@@ -11,7 +11,7 @@ pub fn standard_normal(a: u32, b: u32) -> [f64; 2] {
 /// Within 1e-6 of the exact transform (3e-4 in the innermost 0.1 sigma), up to 6.66 sigma away; the same bits on every
 /// machine, as every step is an operation that IEEE 754 rounds exactly.
 #[inline(always)]
-pub(super) fn box_muller(a: u32, b: u32) -> [f32; 2] {
+pub(crate) fn box_muller(a: u32, b: u32) -> [f32; 2] {
     let radius = (-2.0 * ln(uniform(a))).sqrt();
     let [cosine, sine] = cosine_sine(b);
     [radius * cosine, radius * sine]

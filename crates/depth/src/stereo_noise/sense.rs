@@ -1,48 +1,317 @@
-use std::f64::consts::TAU;
+//! All steps of an image, a strip of a few rows after the other, in memory that stays near the processor.
 
-use oaktwin_image::Image;
+use oaktwin_image::ImageView;
+use rayon::prelude::*;
 
 use super::StereoNoise;
+use super::dilation::Dilation;
+use super::field::Field;
+use super::rows::{Disparities, Dropout, Measure, Textured};
+use super::scale::Scale;
+use super::shadow::{NEARER, Shadow};
+use super::texture::{GAIN, Texture};
+use super::window::{WindowSum, field_width};
 use crate::Shot;
-use crate::random::{Stage, Stream, standard_normal};
+use crate::random::{Plane, Stage, Stream};
+use crate::simd::{self, Level};
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "fixed-point disparities"
-)]
-pub(super) fn disparity(sensor: &StereoNoise, shot: &Shot<'_>, random: &Stream) -> Image<u16> {
-    let (p, depth) = (sensor.parameters(), shot.depth());
-    let (width, height) = (depth.width(), depth.height());
-    let jitter = random.plane(Stage::Jitter, shot.frame, shot.item);
-    let image_px = f64::from(width) / f64::from(p.width_px);
-    let step = p.subpixel.step_px();
-    let shift = f64::from(p.disparity_shift_px);
-    let mut out = Image::filled(width, height, 0u16);
-    for (y, row) in depth.rows().enumerate() {
-        // Where the nearest of all to the right lies in the right image.
-        let mut taken = f64::INFINITY;
-        for (x, &z) in row.iter().enumerate().rev() {
-            let z = f64::from(z);
-            if !(z > 0.0 && z.is_finite()) {
-                continue;
-            }
-            let d = p.stereo.disparity(z);
-            let right = x as f64 - d * image_px;
-            let is_hidden = right >= taken;
-            taken = taken.min(right);
-            if is_hidden || right < 0.0 {
-                continue;
-            }
-            let biased = d + p.bias_px;
-            let [a, b, ..] = jitter.words(x as u32, y as u32);
-            let noisy =
-                biased - p.pixel_locking_px * (TAU * biased).sin() + p.jitter_px * standard_normal(a, b)[0];
-            let fixed = ((noisy - shift) / step).round();
-            if fixed >= 1.0 && noisy <= f64::from(p.max_disparity_px()) {
-                out.pixels_mut()[y * width as usize + x] = fixed as u16;
+/// Rows that one thread works on. The first has to sum up the windows of the rows before.
+const BAND: usize = 64;
+
+/// Rows are padded to multiples of this, so that loops have no ends. The padding has no surface.
+const PADDING: usize = 64;
+
+/// Rows are taken together up to so many pixels: loops of a few pixels are slow.
+const STRIP: usize = 1280;
+
+/// One image to be sensed.
+pub(super) struct Job<'a> {
+    sensor: &'a StereoNoise,
+    scale: Scale,
+    depth: ImageView<'a, f32>,
+    picture: Option<ImageView<'a, [u8; 4]>>,
+    jitter: Plane,
+    dropout: Plane,
+    level: Level,
+}
+
+/// Memory of one thread. All rows of a strip, `stride` pixels apart.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    stride: usize,
+    /// Of each pixel.
+    columns: Vec<f32>,
+    disparities: Vec<f32>,
+    sums: Vec<u32>,
+    fixed: Vec<u16>,
+    shadow: Shadow,
+    jitter: WindowSum,
+    field: Field,
+    hidden: Vec<usize>,
+    texture: Texture,
+    texture_sums: Vec<u32>,
+    dropout: Vec<u8>,
+    dilation: Dilation,
+    dilated: Vec<f32>,
+    widened: Vec<f32>,
+}
+
+impl<'a> Job<'a> {
+    pub(super) fn new(sensor: &'a StereoNoise, shot: &Shot<'a>, random: &Stream) -> Self {
+        let p = sensor.parameters();
+        Self {
+            sensor,
+            scale: Scale::new(p, shot.depth().width()),
+            depth: shot.depth(),
+            picture: shot.rgb().filter(|_| p.confidence_threshold > 0),
+            jitter: random.plane(Stage::Jitter, shot.frame, shot.item),
+            dropout: random.plane(Stage::Dropout, shot.frame, shot.item),
+            level: Level::detect(),
+        }
+    }
+
+    #[cfg(test)]
+    pub(super) fn at(mut self, level: Level) -> Self {
+        self.level = level;
+        self
+    }
+
+    fn width(&self) -> usize {
+        self.depth.width() as usize
+    }
+
+    /// The depth of a row; none beyond the border.
+    fn depth_row(&self, y: usize) -> Option<&'a [f32]> {
+        self.depth.pixels().get(y * self.width()..(y + 1) * self.width())
+    }
+
+    /// Every row on all threads, each made of its disparities by `finish`.
+    pub(super) fn image<T: Send>(&self, out: &mut [T], finish: impl Fn(&[u16], &mut [T]) + Sync) {
+        let band = BAND * self.width();
+        out.par_chunks_mut(band.max(1)).enumerate().for_each_init(
+            Scratch::default,
+            |scratch, (index, out)| {
+                self.rows(scratch, index * BAND, out, &finish);
+            },
+        );
+    }
+
+    /// The rows from `first` that `out` has room for.
+    pub(super) fn rows<T>(
+        &self,
+        s: &mut Scratch,
+        first: usize,
+        out: &mut [T],
+        finish: impl Fn(&[u16], &mut [T]),
+    ) {
+        if out.is_empty() {
+            return;
+        }
+        let width = self.width();
+        s.begin(self, first);
+        let together = (STRIP / s.stride).max(1);
+        for (strip, out) in out.chunks_mut(together * width).enumerate() {
+            s.strip(self, first + strip * together, out.len() / width);
+            for (fixed, out) in s.fixed.chunks_exact(s.stride).zip(out.chunks_exact_mut(width)) {
+                finish(fixed.get(..width).unwrap_or_default(), out);
             }
         }
     }
-    out
+}
+
+impl Scratch {
+    /// Ready for row `first`.
+    fn begin(&mut self, job: &Job<'_>, first: usize) {
+        let (width, scale) = (job.width(), &job.scale);
+        self.stride = width.next_multiple_of(PADDING);
+        self.jitter.reset(self.stride, scale.window);
+        self.field
+            .reset(field_width(self.stride, scale.window), scale.numbers);
+        if job.picture.is_some() {
+            self.texture.reset(width, scale.window);
+            self.texture_sums.resize(width, 0);
+        }
+        for row in first..first + scale.window - 1 {
+            let numbers = self
+                .field
+                .row(job.level, &job.jitter, counter(row), scale.numbers);
+            simd::run_at(job.level, self.jitter.slide(numbers, &mut []));
+            if let Some(picture) = &job.picture {
+                self.texture.slide(job.level, picture, row, scale.window, &mut []);
+            }
+        }
+        if scale.dilation > 0 {
+            self.dilation.reset(self.stride, scale.dilation);
+            for row in 0..2 * scale.dilation {
+                self.dilate(job, (first + row).checked_sub(scale.dilation));
+            }
+        }
+    }
+
+    /// The measured disparities of the next rows.
+    fn strip(&mut self, job: &Job<'_>, first: usize, rows: usize) {
+        let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
+        self.make_room(rows);
+        for (y, row) in (first..).zip(self.disparities.chunks_exact_mut(stride)) {
+            to_disparities(job, y, row);
+        }
+        if scale.dilation > 0 {
+            self.widen(job, first);
+        } else if p.occlusion {
+            self.hide(NEARER, scale, job.level, |_| true);
+            self.drop_hidden();
+        }
+        if job.picture.is_some() {
+            self.drop_plain(job, first);
+        }
+        if scale.dropout > 0 {
+            self.drop_at_random(job, first);
+        }
+        for (y, sums) in (first..).zip(self.sums.chunks_exact_mut(stride)) {
+            let row = counter(y + scale.window - 1);
+            let numbers = self.field.row(job.level, &job.jitter, row, scale.numbers);
+            simd::run_at(job.level, self.jitter.slide(numbers, sums));
+        }
+        let measure = Measure {
+            scale,
+            band_px: if p.occlusion { scale.image_px } else { 0.0 },
+            columns: &self.columns,
+            disparities: &self.disparities,
+            sums: &self.sums,
+            out: &mut self.fixed,
+        };
+        simd::run_at(job.level, measure);
+        if scale.invalid_edge > 0 {
+            for row in self.fixed.chunks_exact_mut(stride) {
+                row[..scale.invalid_edge.min(stride)].fill(0);
+            }
+        }
+    }
+
+    fn make_room(&mut self, rows: usize) {
+        let pixels = rows * self.stride;
+        if self.columns.len() != pixels {
+            self.columns.clear();
+            for _ in 0..rows {
+                self.columns.extend((0..self.stride).map(|x| x as f32));
+            }
+        }
+        self.disparities.resize(pixels, 0.0);
+        self.sums.resize(pixels, 0);
+        self.fixed.resize(pixels, 0);
+    }
+
+    /// Finds what is hidden, if it is to be hidden: pixels of the strip.
+    fn hide(&mut self, nearer: f32, scale: &Scale, level: Level, is_lost: impl Fn(usize) -> bool) {
+        let (stride, image_px) = (self.stride, scale.image_px);
+        self.shadow
+            .place(level, (&self.columns, &self.disparities), stride, image_px);
+        for (row, disparities) in self.disparities.chunks_exact(stride).enumerate() {
+            let hidden = &mut self.hidden;
+            self.shadow.of_row(row, disparities, image_px, nearer, |x| {
+                let pixel = row * stride + x;
+                if is_lost(pixel) {
+                    hidden.push(pixel);
+                }
+            });
+        }
+    }
+
+    fn drop_hidden(&mut self) {
+        for pixel in self.hidden.drain(..) {
+            if let Some(d) = self.disparities.get_mut(pixel) {
+                *d = 0.0;
+            }
+        }
+    }
+
+    /// A row enters the window of the dilation.
+    fn dilate(&mut self, job: &Job<'_>, y: Option<usize>) {
+        let inside = y.filter(|&y| job.depth_row(y).is_some());
+        self.dilated.resize(self.stride, 0.0);
+        if let Some(y) = inside {
+            to_disparities(job, y, &mut self.dilated);
+        }
+        self.dilation
+            .push(job.level, inside.map(|_| self.dilated.as_slice()));
+    }
+
+    /// Widens the near sides of edges, and drops what is hidden then.
+    fn widen(&mut self, job: &Job<'_>, first: usize) {
+        let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
+        self.widened.resize(self.disparities.len(), 0.0);
+        for start in (0..self.disparities.len()).step_by(stride) {
+            self.dilate(job, Some(first + start / stride + scale.dilation));
+            let row = start..start + stride;
+            self.dilation
+                .widen(job.level, &self.disparities[row.clone()], &mut self.widened[row]);
+        }
+        let widened = std::mem::take(&mut self.widened);
+        if p.occlusion {
+            // What is widened over the shadow is seen by both.
+            let narrow = self.disparities.clone();
+            self.hide(NEARER, scale, job.level, |pixel| {
+                narrow.get(pixel) == widened.get(pixel)
+            });
+        }
+        self.widened = std::mem::replace(&mut self.disparities, widened);
+        // What the other direction of matching reports is as wide: it takes the place of what is beside the shadow.
+        if p.occlusion && p.left_right_check {
+            let threshold = p.left_right_check_threshold_px as f32 * scale.image_px;
+            self.hide(threshold.max(NEARER), scale, job.level, |_| true);
+        }
+        self.drop_hidden();
+    }
+
+    /// Drops what has too little texture.
+    fn drop_plain(&mut self, job: &Job<'_>, first: usize) {
+        let Some(picture) = &job.picture else { return };
+        let side = job.scale.window;
+        let area = counter(side * side);
+        for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
+            self.texture
+                .slide(job.level, picture, y + side - 1, side, &mut self.texture_sums);
+            let textured = Textured {
+                least: u32::from(job.sensor.parameters().confidence_threshold) * area,
+                gain: GAIN,
+                sums: &self.texture_sums,
+                disparities,
+            };
+            simd::run_at(job.level, textured);
+        }
+    }
+
+    fn drop_at_random(&mut self, job: &Job<'_>, first: usize) {
+        self.dropout.resize(2 * self.stride, 0);
+        for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
+            job.dropout.bytes(counter(y), &mut self.dropout);
+            let dropout = Dropout {
+                limit: job.scale.dropout,
+                bytes: &self.dropout,
+                disparities,
+            };
+            simd::run_at(job.level, dropout);
+        }
+    }
+}
+
+/// A row's number for the generator, a window's area.
+#[expect(clippy::cast_possible_truncation, reason = "images have less than 2³² rows")]
+fn counter(row: usize) -> u32 {
+    row as u32
+}
+
+/// A row of disparities; the padding has no surface.
+fn to_disparities(job: &Job<'_>, y: usize, out: &mut [f32]) {
+    let depth = job.depth_row(y).unwrap_or_default();
+    let (inside, padding) = out.split_at_mut(depth.len().min(out.len()));
+    inside.copy_from_slice(depth);
+    padding.fill(0.0);
+    simd::run_at(
+        job.level,
+        Disparities {
+            px_m: job.scale.px_m,
+            depth: out,
+        },
+    );
 }

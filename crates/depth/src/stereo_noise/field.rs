@@ -1,0 +1,147 @@
+//! The field of independent random numbers that the windows of the jitter add up.
+
+use crate::random::{Plane, box_muller};
+use crate::simd::{self, Kernel, Level};
+
+/// What a pixel of the field holds: small whole numbers, so that sums are exact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Numbers {
+    /// Random bytes: many make a normal sum.
+    Bytes,
+    /// Normal numbers in steps of 1/1024, and [`OFFSET`].
+    Normals,
+}
+
+/// Bytes from which on their sum is taken for normal: its excess kurtosis is −1.2 / 16.
+const NORMAL_BYTES: usize = 16;
+
+/// Steps a standard deviation.
+const STEPS: f32 = 1024.0;
+
+/// Normal numbers lie within 4.9 standard deviations: nothing is below 0, four of a column fit 16 bits.
+const OFFSET: f32 = 8192.0;
+
+/// 2²³: adding it rounds to a whole number, in the lowest bits.
+const ONE_A_STEP: f32 = 8_388_608.0;
+
+/// Normal numbers are made in groups of as many words and twice as many pixels.
+const GROUP: usize = 32;
+
+impl Numbers {
+    /// Those for a window so wide.
+    pub(super) fn under(side: usize) -> Self {
+        if side * side < NORMAL_BYTES {
+            Self::Normals
+        } else {
+            Self::Bytes
+        }
+    }
+
+    pub(super) fn mean(self) -> f64 {
+        match self {
+            Self::Bytes => 127.5,
+            Self::Normals => f64::from(OFFSET),
+        }
+    }
+
+    pub(super) fn variance(self) -> f64 {
+        match self {
+            Self::Bytes => (65536.0 - 1.0) / 12.0,
+            Self::Normals => f64::from(STEPS) * f64::from(STEPS),
+        }
+    }
+}
+
+/// Memory for one row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Field {
+    bytes: Vec<u8>,
+    words: Vec<u32>,
+    row: Vec<u16>,
+}
+
+impl Field {
+    pub(super) fn reset(&mut self, width: usize, numbers: Numbers) {
+        self.row.resize(width, 0);
+        match numbers {
+            Numbers::Bytes => self.bytes.resize(width, 0),
+            Numbers::Normals => {
+                self.words.resize(width.div_ceil(2 * GROUP) * GROUP, 0);
+            }
+        }
+    }
+
+    /// A row of the field.
+    ///
+    /// Of normal numbers each word of the row makes two: of 32 words, word i makes pixels i and 32 + i of 64. The upper
+    /// 16 bits are the radius, the lower the angle.
+    pub(super) fn row(&mut self, level: Level, plane: &Plane, row: u32, numbers: Numbers) -> &[u16] {
+        match numbers {
+            Numbers::Bytes => {
+                plane.bytes(row, &mut self.bytes);
+                let widen = Widen {
+                    bytes: &self.bytes,
+                    out: &mut self.row,
+                };
+                simd::run_at(level, widen);
+            }
+            Numbers::Normals => {
+                plane.row_words(row, &mut self.words);
+                let normals = Normals {
+                    words: &self.words,
+                    out: &mut self.row,
+                };
+                simd::run_at(level, normals);
+            }
+        }
+        &self.row
+    }
+}
+
+struct Widen<'a> {
+    bytes: &'a [u8],
+    out: &'a mut [u16],
+}
+
+impl Kernel for Widen<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (out, &byte) in self.out.iter_mut().zip(self.bytes) {
+            *out = u16::from(byte);
+        }
+    }
+}
+
+struct Normals<'a> {
+    words: &'a [u32],
+    out: &'a mut [u16],
+}
+
+impl Kernel for Normals<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (out, words) in self.out.chunks_mut(2 * GROUP).zip(self.words.chunks_exact(GROUP)) {
+            let mut group = [0u16; 2 * GROUP];
+            let (cosines, sines) = group.split_at_mut(GROUP);
+            for ((cosine, sine), &word) in cosines.iter_mut().zip(sines).zip(words) {
+                // The middle of what the 16 bits stand for.
+                let numbers = box_muller(word & 0xFFFF_0000 | 0x8000, word << 16);
+                [*cosine, *sine] = numbers.map(fixed);
+            }
+            if let Some(group) = group.get(..out.len()) {
+                out.copy_from_slice(group);
+            }
+        }
+    }
+}
+
+/// In steps, halves to even.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "the number is in the low 16 bits")]
+fn fixed(normal: f32) -> u16 {
+    (normal * STEPS + OFFSET + ONE_A_STEP).to_bits() as u16
+}

@@ -1,0 +1,114 @@
+//! The steps of one row: loops that are compiled for each instruction set.
+
+use super::scale::Scale;
+use super::sine::sin_of_turns;
+use crate::simd::Kernel;
+
+/// Nearer than any range reaches: what is farther left is out of every image, and it stays finite.
+const LARGEST_PX: f32 = 8192.0;
+
+/// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds,
+/// halves to even.
+const ONE_A_STEP: f32 = 8_388_608.0;
+
+/// Depth becomes disparity, in its place; 0 where there is no surface.
+pub(super) struct Disparities<'a> {
+    pub(super) px_m: f32,
+    pub(super) depth: &'a mut [f32],
+}
+
+impl Kernel for Disparities<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for place in self.depth {
+            let z = *place;
+            let d = self.px_m / z;
+            let finite = if d < LARGEST_PX { d } else { LARGEST_PX };
+            // False for a NaN.
+            let surface = (z > 0.0) & (z < f32::INFINITY);
+            *place = if surface { finite } else { 0.0 };
+        }
+    }
+}
+
+/// Pixels that are lost at random: of each the low bytes of a row, then the high ones.
+pub(super) struct Dropout<'a> {
+    pub(super) limit: u32,
+    pub(super) bytes: &'a [u8],
+    pub(super) disparities: &'a mut [f32],
+}
+
+impl Kernel for Dropout<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let (low, high) = self.bytes.split_at(self.disparities.len().min(self.bytes.len()));
+        for ((d, &low), &high) in self.disparities.iter_mut().zip(low).zip(high) {
+            let number = u32::from(low) + 256 * u32::from(high);
+            *d = if number < self.limit { 0.0 } else { *d };
+        }
+    }
+}
+
+/// Pixels whose window has too little texture are lost.
+pub(super) struct Textured<'a> {
+    /// What a window's sum must reach.
+    pub(super) least: u32,
+    pub(super) gain: u32,
+    pub(super) sums: &'a [u32],
+    pub(super) disparities: &'a mut [f32],
+}
+
+impl Kernel for Textured<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (d, &sum) in self.disparities.iter_mut().zip(self.sums) {
+            *d = if sum.wrapping_mul(self.gain) < self.least {
+                0.0
+            } else {
+                *d
+            };
+        }
+    }
+}
+
+/// Disparities become measured ones: the systematic error, the jitter, steps, the range. Disparity 0 is no surface.
+pub(super) struct Measure<'a> {
+    pub(super) scale: &'a Scale,
+    /// Image px a matcher pixel where the left band is lost, else 0.
+    pub(super) band_px: f32,
+    /// Of each pixel.
+    pub(super) columns: &'a [f32],
+    pub(super) disparities: &'a [f32],
+    /// Of random numbers under the window.
+    pub(super) sums: &'a [u32],
+    pub(super) out: &'a mut [u16],
+}
+
+impl Kernel for Measure<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[expect(clippy::cast_possible_wrap, reason = "sums are below 2³¹, values fit 16 bits")]
+    fn run(self) {
+        let s = self.scale;
+        let beyond = s.max_fixed as i32 as f32 + 1.0;
+        let pixels = self.columns.iter().zip(self.disparities).zip(self.sums);
+        for (out, ((&x, &d), &sum)) in self.out.iter_mut().zip(pixels) {
+            let biased = d + s.bias;
+            let locked = biased - s.locking * sin_of_turns(biased);
+            let jitter = (sum as i32 as f32 - s.jitter_mean) * s.jitter;
+            let steps = (locked + jitter - s.shift) * s.steps;
+            let positive = if steps > 0.0 { steps } else { 0.0 };
+            let bounded = if positive < beyond { positive } else { beyond };
+            let fixed = (bounded + ONE_A_STEP).to_bits() & 0xFFFF;
+            let seen = (d > 0.0) & (x - d * self.band_px >= 0.0) & (fixed <= s.max_fixed);
+            *out = if seen { fixed as u16 } else { 0 };
+        }
+    }
+}

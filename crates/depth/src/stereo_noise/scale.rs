@@ -1,0 +1,64 @@
+//! What the rows need, in single precision and the pixels of one image.
+
+use super::field::Numbers;
+use super::parameters::Parameters;
+use super::window::MAX_SIDE;
+
+/// The parameters, ready for images of one width. "Image px" are the image's own, all else is matcher pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Scale {
+    /// Disparity times depth, px·m.
+    pub(super) px_m: f32,
+    /// Image px a matcher pixel.
+    pub(super) image_px: f32,
+    pub(super) bias: f32,
+    pub(super) locking: f32,
+    /// Jitter of a window's sum: its sum, less [`jitter_mean`](Self::jitter_mean), times this.
+    pub(super) jitter: f32,
+    pub(super) jitter_mean: f32,
+    /// What the window adds up.
+    pub(super) numbers: Numbers,
+    pub(super) shift: f32,
+    /// Steps a pixel.
+    pub(super) steps: f32,
+    /// The largest value that is found.
+    pub(super) max_fixed: u32,
+    /// The side of the matching window, image px.
+    pub(super) window: usize,
+    /// By how much near things grow on every side, image px.
+    pub(super) dilation: usize,
+    /// Lost columns on the left, image px.
+    pub(super) invalid_edge: usize,
+    /// A pixel whose 16 random bits are less is lost.
+    pub(super) dropout: u32,
+}
+
+impl Scale {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "checked parameters; rows are single precision"
+    )]
+    pub(super) fn new(p: &Parameters, image_width: u32) -> Self {
+        let image_px = f64::from(image_width) / f64::from(p.width_px);
+        let window = ((f64::from(p.window_px) * image_px).round() as usize).clamp(1, MAX_SIDE);
+        let numbers = Numbers::under(window);
+        let count = (window * window) as f64;
+        Self {
+            px_m: (p.stereo.focal_length_px * p.stereo.baseline_m) as f32,
+            image_px: image_px as f32,
+            bias: p.bias_px as f32,
+            locking: p.pixel_locking_px as f32,
+            jitter: (p.jitter_px / (count * numbers.variance()).sqrt()) as f32,
+            jitter_mean: (count * numbers.mean()) as f32,
+            numbers,
+            shift: p.disparity_shift_px as f32,
+            steps: (1u32 << p.subpixel.bits()) as f32,
+            max_fixed: p.max_fixed_disparity(),
+            window,
+            dilation: ((p.edge_dilation_px * image_px).round() as usize).min(MAX_SIDE / 2),
+            invalid_edge: (f64::from(p.invalid_edge_px) * image_px).round() as usize,
+            dropout: (p.dropout * 65536.0).round() as u32,
+        }
+    }
+}

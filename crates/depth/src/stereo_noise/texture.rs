@@ -1,0 +1,87 @@
+//! How sure the matcher is, from a picture.
+//!
+//! An estimate, as the device's own measure is not published: the mean absolute difference of a pixel's luma (0 to 255)
+//! and that of the next pixel on its right over the matching window, times [`GAIN`], at most 255. Only texture along
+//! the row tells disparities apart. The threshold of 55 that `DepthAI` has by default asks for 1.7 grey levels.
+
+use oaktwin_image::ImageView;
+
+use super::window::{WindowSum, field_width};
+use crate::simd::{self, Kernel, Level};
+
+/// Confidence a grey level.
+pub(super) const GAIN: u32 = 32;
+
+/// Differences of a picture's rows under a window that slides down.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Texture {
+    window: WindowSum,
+    luma: Vec<u16>,
+    field: Vec<u16>,
+}
+
+impl Texture {
+    pub(super) fn reset(&mut self, width: usize, side: usize) {
+        self.window.reset(width, side);
+        self.luma.resize(width, 0);
+        self.field.resize(field_width(width, side), 0);
+    }
+
+    /// Row `row` of the field enters: the picture's row half a window above, at its border the last one. Then the sums
+    /// under the windows that end there.
+    pub(super) fn slide(
+        &mut self,
+        level: Level,
+        picture: &ImageView<'_, [u8; 4]>,
+        row: usize,
+        side: usize,
+        out: &mut [u32],
+    ) {
+        let (width, half) = (self.luma.len(), side / 2);
+        let last = (picture.height() as usize).saturating_sub(1);
+        let y = row.saturating_sub(half).min(last);
+        let Some(pixels) = picture.pixels().get(y * width..(y + 1) * width) else {
+            return;
+        };
+        let Some(inside) = self.field.get_mut(half..half + width) else {
+            return;
+        };
+        simd::run_at(
+            level,
+            Differences {
+                pixels,
+                luma: &mut self.luma,
+                out: inside,
+            },
+        );
+        let (first, last) = (inside.first().copied(), inside.last().copied());
+        self.field[..half].fill(first.unwrap_or(0));
+        self.field[half + width..].fill(last.unwrap_or(0));
+        simd::run_at(level, self.window.slide(&self.field, out));
+    }
+}
+
+/// A row's luma, and how it differs from the pixel on the right; the last pixel as the one before.
+struct Differences<'a> {
+    pixels: &'a [[u8; 4]],
+    luma: &'a mut [u16],
+    out: &'a mut [u16],
+}
+
+impl Kernel for Differences<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (luma, [r, g, b, _]) in self.luma.iter_mut().zip(self.pixels) {
+            *luma = (77 * u16::from(*r) + 150 * u16::from(*g) + 29 * u16::from(*b)) >> 8;
+        }
+        let next = self.luma.get(1..).unwrap_or_default();
+        for ((out, a), b) in self.out.iter_mut().zip(self.luma.iter()).zip(next) {
+            *out = a.abs_diff(*b);
+        }
+        if let [.., before, last] = self.out {
+            *last = *before;
+        }
+    }
+}

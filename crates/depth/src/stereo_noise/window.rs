@@ -1,0 +1,138 @@
+//! Sums over a square window that slides down an image of small whole numbers, exactly.
+
+use crate::simd::Kernel;
+
+/// The last `side` rows of a field, `side − 1` columns wider than the image, and what each column of them sums to.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WindowSum {
+    side: usize,
+    rows: Vec<u16>,
+    next: usize,
+    columns: Vec<u16>,
+}
+
+/// The largest side: the sum of a column of bytes fits 16 bits.
+pub(super) const MAX_SIDE: usize = 255;
+
+impl WindowSum {
+    /// Empties it, for sums of an image `width` columns wide. What a field's column holds must fit `u16 / side`.
+    pub(super) fn reset(&mut self, width: usize, side: usize) {
+        let field = field_width(width, side);
+        self.side = side;
+        self.next = 0;
+        self.rows.clear();
+        self.rows.resize(field * side, 0);
+        self.columns.clear();
+        self.columns.resize(field, 0);
+    }
+
+    /// The next row of the field enters, `side` rows later it leaves. Then the sums: of pixel x those of columns x to
+    /// x + side − 1. No `out`, no sums.
+    pub(super) fn slide<'a>(&'a mut self, row: &'a [u16], out: &'a mut [u32]) -> Slide<'a> {
+        let start = self.next * self.columns.len();
+        self.next = (self.next + 1) % self.side;
+        Slide {
+            old: self.rows.get_mut(start..).unwrap_or_default(),
+            columns: &mut self.columns,
+            row,
+            side: self.side,
+            out,
+        }
+    }
+}
+
+/// Columns of the field under the windows of an image.
+pub(super) fn field_width(width: usize, side: usize) -> usize {
+    width + side - 1
+}
+
+/// A row enters, another leaves, and columns become windows.
+pub(super) struct Slide<'a> {
+    old: &'a mut [u16],
+    columns: &'a mut [u16],
+    row: &'a [u16],
+    side: usize,
+    out: &'a mut [u32],
+}
+
+/// Sums that stay in registers.
+const BLOCK: usize = 64;
+
+impl Kernel for Slide<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for ((sum, old), &new) in self.columns.iter_mut().zip(self.old).zip(self.row) {
+            *sum = sum.wrapping_add(new).wrapping_sub(*old);
+            *old = new;
+        }
+        let mut blocks = self.out.chunks_exact_mut(BLOCK);
+        let mut start = 0;
+        for block in &mut blocks {
+            let mut sums = [0u32; BLOCK];
+            for first in start..start + self.side {
+                let Some(columns) = self.columns.get(first..first + BLOCK) else {
+                    break;
+                };
+                for (sum, &column) in sums.iter_mut().zip(columns) {
+                    *sum = sum.wrapping_add(u32::from(column));
+                }
+            }
+            block.copy_from_slice(&sums);
+            start += BLOCK;
+        }
+        for (x, out) in blocks.into_remainder().iter_mut().enumerate() {
+            let window = self.columns.get(start + x..).unwrap_or_default();
+            *out = window
+                .iter()
+                .take(self.side)
+                .map(|&column| u32::from(column))
+                .sum();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::philox4x32_10;
+    use crate::simd::{self, Level};
+    use proptest::prelude::*;
+
+    #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
+    fn random_byte(seed: u32, row: usize, column: usize) -> u16 {
+        u16::from(philox4x32_10([row as u32, column as u32, 0, 0], [seed, 0])[0].to_le_bytes()[0])
+    }
+
+    proptest! {
+        #[test]
+        fn sums_are_exact(
+            (width, side) in (1usize..200, 1usize..20),
+            seed: u32,
+        ) {
+            let columns = field_width(width, side);
+            let rows: Vec<Vec<u16>> =
+                (0..side + 5).map(|row| (0..columns).map(|column| random_byte(seed, row, column)).collect()).collect();
+            for level in Level::available() {
+                let mut window = WindowSum::default();
+                window.reset(width, side);
+                for (y, row) in rows.iter().enumerate() {
+                    let mut out = vec![0; width];
+                    simd::run_at(level, window.slide(row, &mut out));
+                    if y + 1 < side {
+                        continue;
+                    }
+                    for (x, &sum) in out.iter().enumerate() {
+                        let expected: u32 = rows[y + 1 - side..=y]
+                            .iter()
+                            .flat_map(|row| &row[x..x + side])
+                            .map(|&value| u32::from(value))
+                            .sum();
+                        prop_assert_eq!(sum, expected);
+                    }
+                }
+            }
+        }
+    }
+}
