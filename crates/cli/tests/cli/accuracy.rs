@@ -6,7 +6,7 @@ use crate::program::Program;
 
 const QUIET: [&str; 6] = [
     "--param",
-    "bias=-0.2",
+    "bias=-0.1",
     "--param",
     "jitter=0",
     "--distances",
