@@ -378,6 +378,14 @@ fn every_output() {
     let ply = fs::read(program.path("out/depth_sensor_point_cloud_7.ply")).unwrap();
     let text = String::from_utf8_lossy(&ply);
     assert!(text.contains("property float x") && text.contains("property uchar red"));
+    // x is forward: the thing at 1 m, the wall at 2 m.
+    let data = &ply[text.find("end_header\n").unwrap() + 11..];
+    assert!(!data.is_empty() && data.len().is_multiple_of(15));
+    for point in data.chunks_exact(15) {
+        let x = f32::from_le_bytes(point[..4].try_into().unwrap());
+        assert!(x == 1.0 || x == 2.0, "{x}");
+        assert_eq!(point[12..], [10, 200, 30]);
+    }
     let (shape, aligned) = read(&program, "out/depth_sensor_distance_aligned_rgb_7.npy");
     assert_eq!(shape, [54, 96]);
     assert!(aligned.iter().filter(|&&z| z > 0.0).count() > 2000);

@@ -51,6 +51,7 @@ impl Name {
     /// What comes before `depth_sensor_distance` in a result's name.
     pub(super) fn prefix(&self) -> String {
         let base = self.base.trim_end_matches("_millimetres");
+        let base = base.strip_suffix("_depth").unwrap_or(base);
         if base.is_empty() || GROUND_TRUTH.contains(&base) {
             String::new()
         } else {
@@ -102,6 +103,7 @@ mod tests {
         );
         assert_eq!(of("depth.npy"), (z, None, "X".into()));
         assert_eq!(of("left-Depth-3.png"), (z, Some(3), "left-Depth_X_3".into()));
+        assert_eq!(of("envs_depth.npy"), (z, None, "envs_X".into()));
         assert_eq!(of("room.npy"), (None, None, "room_X".into()));
         assert_eq!(of("0012.png"), (None, Some(12), "X_0012".into()));
         assert_eq!(of("depths.npy").0, None);
