@@ -7,7 +7,7 @@ import numpy as np
 
 F = np.float32
 MASK = (1 << 64) - 1
-STAGE_JITTER = 1
+STAGE_JITTER, STAGE_GRAIN = 1, 4
 
 # The schema's defaults in Isaac Sim 5.1.
 PARAMETERS = {
@@ -35,7 +35,8 @@ ASSUMPTIONS = {
     "collision": "nearest",
     "confidence-at": "source",
     "confidence-comparison": "complement",
-    "sobel-gain": 1.0,
+    "sobel-gain": 255 / 8,
+    "grain": 1.0,
     "luma": "rec709",
     "quantizer": "round",
     "sigma-unit": "px",
@@ -216,7 +217,9 @@ def single_view(
     lacking = np.zeros(z.shape, bool)
     confidence = np.ones(z.shape, F)
     if rgb is not None:
-        confidence = sobel(luma(rgb, a), a["sobel-gain"])
+        key = plane_key(seed, camera, STAGE_GRAIN)
+        grain = F(a["grain"] / 255) * normals(key, frame, item, height, width)
+        confidence = sobel(luma(rgb, a) + grain, a["sobel-gain"])
         t = F(p["confidenceThreshold"])
         lacking = ~{
             "complement": lambda: confidence >= F(1) - t,

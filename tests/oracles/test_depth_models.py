@@ -104,6 +104,7 @@ OTHERS = {
     "confidence-at": ["target"],
     "confidence-comparison": ["strict", "literal"],
     "sobel-gain": [0.25, 3.7],
+    "grain": [0, 2.5],
     "luma": ["rec601", "mean"],
     "quantizer": ["floor"],
     "sigma-unit": ["steps"],
@@ -155,7 +156,6 @@ def test_single_view_of_random_scenes(evaluator):
             "frame": int(random.integers(0, 2**40)),
             "item": int(random.integers(0, 2**32)),
         }
-        case["assumptions"] |= {"sobel-gain": float(case["assumptions"].get("sobel-gain", 1))}
         expected = depth_models.single_view(z, **numbers(case))
         expected = {name: value for name, value in expected.items() if value is not None}
         check(evaluator.single_view(z, **case), expected, (i, case["parameters"], case["assumptions"]))
@@ -164,8 +164,11 @@ def test_single_view_of_random_scenes(evaluator):
 
 
 def numbers(case):
-    """Parameters as numbers."""
-    return case | {"parameters": {name: float(value) for name, value in case["parameters"].items()}}
+    """Parameters and assumptions as numbers, where they are."""
+    assumptions = case.get("assumptions", {})
+    of = {name: float(value) if name in ("sobel-gain", "grain") else value for name, value in assumptions.items()}
+    parameters = {name: float(value) for name, value in case["parameters"].items()}
+    return case | {"parameters": parameters, "assumptions": of}
 
 
 @pytest.mark.parametrize("name, value", [(name, value) for name, values in OTHERS.items() for value in values])

@@ -15,8 +15,8 @@
 //!    [`Plane::normals`](crate::random::Plane::normals), new in every frame. With 0, d' = d.
 //! 5. A sample moves to x + round(d'), with a negative baseline to x − d'. Where several land the nearest stays; where
 //!    none does is a hole: left of near things (right with a negative baseline), and at that border of the image.
-//! 6. Confidence, where there is a picture: s = min(1, |∇Y|) of its luma Y by Sobel's kernels, the picture's border
-//!    going on beyond it. Kept is s ≥ 1 − `confidenceThreshold`. What lacks confidence still hides what is behind it.
+//! 6. Confidence, where there is a picture: s = min(1, g·|∇(Y + n)|) of its luma Y by Sobel's kernels, the picture's
+//!    border going on beyond it; n is [grain](Assumptions::grain_levels), new in every frame. Kept is s ≥ 1 − `confidenceThreshold`. What lacks confidence still hides what is behind it.
 //! 7. Outliers: with a range r above 0 a pixel that is measured while no other up to r columns and rows away is, is
 //!    removed; one that is not while all others are takes the measurement on its left, in the first column that on its
 //!    right (in an image of one column it stays). Pixels outside the image are not looked at. All pixels are judged by
@@ -31,7 +31,8 @@
 //! * the side that samples move to ([`Direction`]), and rounding to pixels ([`TargetRounding`])
 //! * which of several samples stays ([`Collision`])
 //! * confidence where a sample comes from or lands ([`ConfidenceAt`]), its comparison ([`ConfidenceComparison`]), the
-//!   gain of Sobel's magnitude ([`Assumptions::sobel_gain`]) and the weights of luma ([`Luma`])
+//!   gain g of Sobel's magnitude ([`Assumptions::sobel_gain`]), the [grain](Assumptions::grain_levels) of the picture
+//!   and the weights of luma ([`Luma`])
 //! * the rounding to steps ([`Quantizer`]) and the unit of `noiseSigma` ([`SigmaUnit`])
 //! * colour and position where nothing was measured ([`Invalid`])
 //! * the neighbours of outlier removal ([`OutlierNeighbourhood`])

@@ -245,16 +245,21 @@ fn confidence_of_a_smooth_and_of_a_textured_wall() {
             [230, 230, 230, 255]
         }
     });
-    let filled = |picture: &Image<[u8; 4]>, threshold: f64| {
+    let fill = |grain: &str, picture: &Image<[u8; 4]>, threshold: f64| {
         let parameters = Parameters {
             confidence_threshold: threshold,
             ..quiet()
         };
+        let mut assumptions = Assumptions::default();
+        assumptions.set("sobel-gain", "1").unwrap();
+        assumptions.set("grain", grain).unwrap();
         let shot = Shot::new((&depth).into()).with_rgb(picture.into()).unwrap();
-        let seen = sensor(parameters).sense(&shot, &Stream::new(1, ""), Wanted::default());
+        let sensor = SingleView::new(parameters, assumptions).unwrap();
+        let seen = sensor.sense(&shot, &Stream::new(1, ""), Wanted::default());
         let measured = seen.distance.0.pixels().iter().filter(|&&z| z > 0.0).count();
         measured as f64 / (40.0 * (640.0 - 10.0))
     };
+    let filled = |picture, threshold| fill("0", picture, threshold);
     for threshold in [0.0, 0.8, 0.99] {
         assert_eq!(filled(&smooth, threshold), 0.0);
         assert!(filled(&textured, threshold) > 0.9);
@@ -271,6 +276,16 @@ fn confidence_of_a_smooth_and_of_a_textured_wall() {
     });
     let fills = [0.8, 0.95, 0.99].map(|threshold| filled(&faint, threshold));
     assert!(fills[0] < fills[1] && fills[1] < fills[2], "{fills:?}");
+    // The grain of a picture thins a smooth wall the more, the lower the threshold is.
+    let fills = [0.0, 0.95, 0.98, 0.99, 1.0].map(|threshold| fill("1", &smooth, threshold));
+    assert!(
+        fills.is_sorted() && fills[0] == 0.0 && fills[4] == 1.0,
+        "{fills:?}"
+    );
+    assert!(
+        fills[2] > 0.1 && fills[3] < 0.9 && fills[2] < fills[3],
+        "{fills:?}"
+    );
 }
 
 #[test]
