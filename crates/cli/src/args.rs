@@ -50,10 +50,10 @@ pub(crate) enum Command {
     Asset(AssetArgs),
     /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
-    /// Measure a model's depth as the vendor measures its cameras, and compare
-    Accuracy(Box<AccuracyArgs>),
     /// Make of depth images from anywhere what a model's depth sensor would report
     Sense(Box<SenseArgs>),
+    /// Measure a model's depth as the vendor measures its cameras, and compare
+    Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell

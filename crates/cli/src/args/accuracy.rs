@@ -11,6 +11,7 @@ use super::SensorArgs;
     middle: of ten captures drop what is invalid and the top and bottom 5 %, take the median, and hold the mean of those \
     against the true distance. By default 200 devices are measured, each with the calibration error of its seed, and their \
     median counts, as the vendor's figures are those of the median device.\n\n\
+    Measured errors are CSV with the columns distance_m and depth_error_percent.\n\n\
     Ends with 1 where the error is outside the published accuracy at some distance."
 )]
 pub(crate) struct AccuracyArgs {
@@ -62,7 +63,7 @@ pub(crate) struct AccuracyArgs {
     #[arg(long, value_name = "W", help_heading = "A measured unit")]
     pub(crate) stereo_width: Option<u32>,
 
-    /// Its measured errors to lay over the curve: CSV with the columns distance_m and depth_error_percent
+    /// Its measured errors to lay over the curve: CSV with columns for the distance in metres and the error in percent
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "A measured unit")]
     pub(crate) measured: Option<PathBuf>,
 

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
 
+mod accuracy;
 mod assets;
 mod bad_input;
 mod output;
@@ -9,3 +10,5 @@ mod program;
 mod render;
 mod render_bad_input;
 mod render_sensor;
+mod sense;
+mod sense_bad_input;

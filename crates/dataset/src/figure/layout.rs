@@ -202,12 +202,17 @@ impl Page<'_> {
         let color = layer.color;
         match &layer.shape {
             Shape::Steps(steps) => {
-                for &[from, to, low, high] in steps {
+                for &[from, to, bottom, top] in steps {
                     let (from, to) = (self.x(from), self.x(to));
-                    let (low, high) = (self.y(low), self.y(high));
+                    let (low, high) = (self.y(bottom), self.y(top));
                     let corners = vec![[from, low], [from, high], [to, high], [to, low]];
                     self.area(corners, color, STEP);
-                    self.line(vec![[from, high], [to, high]], color, 1.4, true);
+                    for (edge, value) in [(low, bottom), (high, top)] {
+                        // An edge on the axis is the axis.
+                        if value != 0.0 {
+                            self.line(vec![[from, edge], [to, edge]], color, 1.4, true);
+                        }
+                    }
                 }
             }
             Shape::Area(points) => {

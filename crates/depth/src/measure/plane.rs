@@ -32,7 +32,7 @@ impl Plane {
         }
         let determinant = xx * yy - xy * xy;
         // In a row, up to rounding.
-        if !(determinant > 1e-12 * (xx + yy).powi(2)) {
+        if determinant.is_nan() || determinant <= 1e-12 * (xx + yy).powi(2) {
             return None;
         }
         let slope_x = (yy * xw - xy * yw) / determinant;

@@ -16,6 +16,8 @@ mod optics;
 mod plot;
 mod report;
 mod stand;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -152,6 +154,9 @@ impl Bench {
         check(options)?;
         let mut twin = twin.clone();
         let depth = depth_sensor(&twin, options.sensor.as_deref())?.clone();
+        let own_width_px = twin
+            .camera(depth.spec.camera)
+            .map(|camera| camera.intrinsics.size.width);
         let depth = options.optics.apply(&mut twin, &depth)?;
         let (devices, units, findings) = units(&twin, &depth, options)?;
         let intrinsics = twin
@@ -192,7 +197,7 @@ impl Bench {
             region_width_px: stand.region.columns.end - stand.region.columns.start,
             region_height_px: stand.region.rows.end - stand.region.rows.start,
             captures: options.captures,
-            not_the_vendors_method: differences(&stand, options, depth.spec.kind),
+            not_the_vendors_method: differences(&stand, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
@@ -450,7 +455,7 @@ fn default_distances(stand: &Stand, depth: &TwinDepthSensor, published: Option<&
 }
 
 /// What is not as the vendor measures.
-fn differences(stand: &Stand, options: &Options, kind: DepthKind) -> Vec<String> {
+fn differences(stand: &Stand, options: &Options, kind: DepthKind, own_width_px: Option<u32>) -> Vec<String> {
     let mut differences = Vec::new();
     let Some(unit) = stand.units.first() else {
         return differences;
@@ -469,6 +474,10 @@ fn differences(stand: &Stand, options: &Options, kind: DepthKind) -> Vec<String>
             differences.push("Isaac Sim's sensor has no subpixel bits".to_owned());
         }
         Engine::SingleView(_) => {}
+    }
+    let width = stand.intrinsics.size.width;
+    if let Some(own) = own_width_px.filter(|own| *own > width) {
+        differences.push(format!("images of {width} px instead of {own}"));
     }
     if options.captures != CAPTURES {
         differences.push(format!("{} captures instead of {CAPTURES}", options.captures));

@@ -120,7 +120,7 @@ pub struct Reading {
     pub precision_mm: Option<f64>,
     /// The signed median distance from the truth, the board's tilt taken out.
     pub z_accuracy_mm: Option<f64>,
-    /// What a pixel is off on average, without its sign.
+    /// What the median pixel is off, without its sign.
     pub pixel_error_percent: Option<f64>,
 }
 
@@ -263,7 +263,7 @@ impl Reading {
             temporal_noise_mm: millimetres(middle(&|unit| unit.quality.temporal_noise_m)),
             precision_mm: millimetres(middle(&|unit| unit.vendor.precision_m)),
             z_accuracy_mm: millimetres(middle(&|unit| unit.quality.z_accuracy_m)),
-            pixel_error_percent: middle(&|unit| Some(unit.quality.mean_error_m? / truth_m * 100.0)),
+            pixel_error_percent: middle(&|unit| Some(unit.quality.pixel_error_m? / truth_m * 100.0)),
         }
     }
 }

@@ -73,9 +73,7 @@ impl Stand {
         let sight = board::look(part.intrinsics, distance_m);
         let measure = |(unit, item): (&Unit, u32)| {
             let of = |engine: &Engine| match &sight {
-                Some(sight) => {
-                    self.measure_unit(engine, &unit.filters, item, sight, &part, distance_m, effort)
-                }
+                Some(sight) => self.measure_unit(engine, &unit.filters, item, sight, &part, effort),
                 None => Ok(Measured {
                     vendor: Vendor::default(),
                     quality: Quality::default(),
@@ -147,7 +145,6 @@ impl Stand {
         item: u32,
         sight: &Sight,
         part: &Part,
-        distance_m: f64,
         effort: Effort,
     ) -> Result<Measured, ParameterError> {
         let width = self.intrinsics.size.width;
@@ -171,7 +168,7 @@ impl Stand {
         Ok(Measured {
             vendor: vendor(&views, &region),
             quality: if effort.quality {
-                quality(&views, &region, &optics, distance_m)
+                quality(&views, &region, &optics, sight.distance_m)
             } else {
                 Quality::default()
             },
@@ -392,7 +389,7 @@ mod tests {
                     engines.map(|engine| {
                         engine.map(|engine| {
                             stand
-                                .measure_unit(&engine, &unit.filters, 0, &sight, &part, distance, effort)
+                                .measure_unit(&engine, &unit.filters, 0, &sight, &part, effort)
                                 .unwrap()
                                 .vendor
                         })

@@ -30,9 +30,14 @@ impl Name {
             .unwrap_or_default();
         let base = stem.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &stem[base.len()..];
-        let number = digits.parse().ok().filter(|_| digits.len() <= MOST_DIGITS);
+        // `frame0001` has a number, `f32` and `cam2` are names.
+        let is_apart = base.is_empty() || base.ends_with(['_', '-', '.']) || digits.len() > 2;
+        let number = digits
+            .parse()
+            .ok()
+            .filter(|_| is_apart && digits.len() <= MOST_DIGITS);
         let (base, digits) = match number {
-            Some(_) => (base.trim_end_matches(['_', '-']), digits),
+            Some(_) => (base.trim_end_matches(['_', '-', '.']), digits),
             None => (stem.as_str(), ""),
         };
         Self {
@@ -46,6 +51,7 @@ impl Name {
     /// What comes before `depth_sensor_distance` in a result's name.
     pub(super) fn prefix(&self) -> String {
         let base = self.base.trim_end_matches("_millimetres");
+        let base = base.strip_suffix("_depth").unwrap_or(base);
         if base.is_empty() || GROUND_TRUTH.contains(&base) {
             String::new()
         } else {
@@ -97,9 +103,12 @@ mod tests {
         );
         assert_eq!(of("depth.npy"), (z, None, "X".into()));
         assert_eq!(of("left-Depth-3.png"), (z, Some(3), "left-Depth_X_3".into()));
+        assert_eq!(of("envs_depth.npy"), (z, None, "envs_X".into()));
         assert_eq!(of("room.npy"), (None, None, "room_X".into()));
         assert_eq!(of("0012.png"), (None, Some(12), "X_0012".into()));
         assert_eq!(of("depths.npy").0, None);
+        assert_eq!(of("f32.npy"), (None, None, "f32_X".into()));
+        assert_eq!(of("frame0007.npy"), (None, Some(7), "frame_X_0007".into()));
         let long = "x_99999999999999999999.npy";
         assert_eq!(of(long), (None, None, "x_99999999999999999999_X".into()));
     }

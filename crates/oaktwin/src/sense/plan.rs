@@ -50,17 +50,15 @@ impl Results {
 #[derive(Debug)]
 pub(super) struct Sequence<'a> {
     pub(super) sensor: &'a TwinDepthSensor,
+    /// Whether the files say that they are this sensor's.
+    is_of_model: bool,
     /// What keys the noise, where it is not the sensor's prim.
     pub(super) name: Option<String>,
     pub(super) files: Vec<DepthFile>,
 }
 
 /// The depth sensor that the options mean.
-pub(super) fn sensor<'a>(
-    twin: &'a Twin,
-    options: &SenseOptions,
-    findings: &mut Vec<Finding>,
-) -> Result<&'a TwinDepthSensor, SenseError> {
+fn sensor<'a>(twin: &'a Twin, options: &SenseOptions) -> Result<&'a TwinDepthSensor, SenseError> {
     let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
     let model = &twin.device.name;
     let chosen = match options.kind {
@@ -81,18 +79,6 @@ pub(super) fn sensor<'a>(
                 SenseError::option(format!("{model} has no depth sensor; choose another model"))
             })?,
     };
-    if options.kind.is_none() && twin.depth_sensors.len() > 1 {
-        findings.push(Finding::new(
-            "chosen-sensor",
-            Level::Note,
-            model,
-            format!(
-                "of its depth sensors {} is taken, by {}",
-                chosen.spec.prim, chosen.spec.kind
-            ),
-            "choose with --sensor",
-        ));
-    }
     Ok(chosen)
 }
 
@@ -103,7 +89,7 @@ pub(super) fn sequences<'a>(
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
-    let chosen = sensor(twin, options, findings)?;
+    let chosen = sensor(twin, options)?;
     let mut sequences = Vec::new();
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {
@@ -143,6 +129,7 @@ pub(super) fn sequences<'a>(
             }
             Input::StandardInput { output, rgb } => sequences.push(Sequence {
                 sensor: chosen,
+                is_of_model: false,
                 name: None,
                 files: vec![DepthFile {
                     path: STANDARD_INPUT.into(),
@@ -165,11 +152,27 @@ pub(super) fn sequences<'a>(
         files.sort_by(|a, b| (a.frame, &a.path).cmp(&(b.frame, &b.path)));
         sequences.push(Sequence {
             sensor: chosen,
+            is_of_model: false,
             name: None,
             files,
         });
     }
     one_result_each(&sequences)?;
+    let is_used = sequences
+        .iter()
+        .any(|one| one.sensor == chosen && !one.is_of_model);
+    if is_used && options.kind.is_none() && twin.depth_sensors.len() > 1 {
+        findings.push(Finding::new(
+            "chosen-sensor",
+            Level::Note,
+            &twin.device.name,
+            format!(
+                "of its depth sensors {} is taken, by {}",
+                chosen.spec.prim, chosen.spec.kind
+            ),
+            "choose with --sensor",
+        ));
+    }
     Ok(sequences)
 }
 
@@ -224,6 +227,7 @@ fn folder<'a>(
         });
         sequences.push(Sequence {
             sensor: own.unwrap_or(chosen),
+            is_of_model: own.is_some(),
             name: is_named.then(|| camera.name.to_string_lossy().into_owned()),
             files: files.collect(),
         });

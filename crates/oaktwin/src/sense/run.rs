@@ -44,7 +44,7 @@ pub struct Done {
 /// What was written.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sensed {
-    /// Images that a sensor has seen.
+    /// Images whose results are whole.
     pub images: u64,
     /// Whole ones.
     pub files: Vec<SensedFile>,
@@ -101,6 +101,7 @@ pub fn sense(
         writer,
         watch,
         images: 0,
+        whole: 0,
         of: files().count() as u64,
         findings: Vec::new(),
         sensors: Vec::new(),
@@ -115,7 +116,7 @@ pub fn sense(
             Err(error) => return Err(error),
         }
     }
-    sensed.images = run.images;
+    sensed.images = run.whole;
     sensed.findings.append(&mut run.findings);
     let mut seen = Vec::new();
     sensed.findings.retain(|finding| {
@@ -136,6 +137,8 @@ struct Run<'a, 'b, 'c> {
     writer: Writer<'b>,
     watch: &'c mut dyn FnMut(Done) -> ControlFlow<()>,
     images: u64,
+    /// Of files that are finished.
+    whole: u64,
     of: u64,
     findings: Vec<Finding>,
     sensors: Vec<(String, &'static str)>,
@@ -313,6 +316,7 @@ impl<'a> Run<'a, '_, '_> {
             }
             if given.is_empty() {
                 self.writer.finish(place)?;
+                self.whole = self.images;
                 return Ok(ControlFlow::Continue(()));
             }
             let made: Vec<Result<Vec<Product>, SenseError>> = if is_sequence {

@@ -96,9 +96,9 @@ impl Source {
             let message = if bytes.is_empty() {
                 "is empty"
             } else {
-                "is no depth image: no NPY, PNG, EXR or PFM begins here"
+                "is no depth image that is known"
             };
-            return Err(FileError::new(path, message, "give one of those"));
+            return Err(FileError::new(path, message, "give an NPY, PNG, EXR or PFM file"));
         };
         let size = ImageSize::new(image.width(), image.height());
         check(path, size)?;

@@ -53,7 +53,7 @@ fn heading(report: &Report) -> String {
             }
             let conditions = match &conditions[..] {
                 [] => String::new(),
-                some => format!("; bands {}: the strictest counts", some.join(" and ")),
+                some => format!("\n  Bands are {}; the strictest counts", some.join(" and ")),
             };
             format!("Published accuracy: {source} ({}){conditions}", bands.measure)
         }
@@ -151,7 +151,7 @@ fn reading_table<'a>(
     }
     header.extend([
         "Fill\n[%]",
-        "Plane RMS\n[mm]",
+        "Subpixel\n[px]",
         "Temporal\n[mm]",
         "Band\n[%]",
         "\nVerdict",
@@ -169,7 +169,7 @@ fn reading_table<'a>(
         }
         cells.extend([
             fixed(Some(reading.fill_rate * 100.0), 1),
-            fixed(reading.plane_fit_rms_mm, 1),
+            fixed(reading.subpixel_rms_px, 3),
             fixed(reading.temporal_noise_mm, 1),
             band(row),
             verdict.as_str().to_owned(),
@@ -204,10 +204,7 @@ fn verdict(report: &Report) -> String {
     let judged = inside.len() + outside.len();
     let mut text = match (inside.len(), outside.len()) {
         (0, 0) => "No verdict: no distance has both a measurement and a published accuracy.\n".to_owned(),
-        (_, 0) => format!(
-            "Inside the published accuracy at {}.\n",
-            count(judged, "distance")
-        ),
+        (_, 0) => format!("Inside the published accuracy at {}.\n", all_of(judged)),
         (_, out) => {
             let places: Vec<String> = outside.iter().take(8).map(|row| distance(row)).collect();
             let more = if out > places.len() { ", …" } else { "" };
