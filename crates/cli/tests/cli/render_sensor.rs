@@ -474,7 +474,10 @@ fn sensing_what_was_rendered_gives_the_same_bytes() {
             bytes
         });
         // The few pixels of a small image may land on the same places in both frames.
-        assert!(engine[0] == "single-view" || rendered[0] != rendered[1], "{engine:?}");
+        assert!(
+            engine[0] == "single-view" || rendered[0] != rendered[1],
+            "{engine:?}"
+        );
         program.good(&[&["sense", "out", "--model", "oak-d-pro-poe"], &sensor[..]].concat());
         for (file, rendered) in files.iter().zip(rendered) {
             assert!(

@@ -10,7 +10,7 @@ use crate::image::text::{self, Style};
 
 /// All pictures of a row together, px, and the widest of them.
 const ROW: u32 = 1640;
-const WIDEST: u32 = 560;
+const WIDEST: u32 = 640;
 /// Height of capitals, px.
 const TITLE: u32 = 14;
 /// From the top of a line of text to what it is about.
