@@ -1,7 +1,7 @@
 //! What the program understands.
 
 mod accuracy;
-#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod sense;
 mod sensor;
 
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
-#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
@@ -50,6 +50,8 @@ pub(crate) enum Command {
     Asset(AssetArgs),
     /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
+    /// Make of depth images from anywhere what a model's depth sensor would report
+    Sense(Box<SenseArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
@@ -353,8 +355,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// Point clouds also as PLY: that of depth_sensor_point_cloud_position, else pointcloud, which is added to the
-    /// annotators
+    /// Point clouds also as PLY: the depth sensor's where its positions are asked for, else the scene's (added to the
+    /// annotators)
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

@@ -10,4 +10,5 @@ pub(crate) mod export;
 pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod render;
+pub(crate) mod sense;
 pub(crate) mod show;

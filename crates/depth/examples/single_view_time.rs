@@ -13,6 +13,9 @@ use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_image::Image;
 
+/// What it is, changes of parameters, what is looked at, what is made of it.
+type Case<'a> = (&'a str, &'a [(&'a str, &'a str)], Shot<'a>, Wanted);
+
 const WIDTH: u16 = 1280;
 const HEIGHT: u16 = 800;
 
@@ -82,10 +85,10 @@ fn run() -> Result<(), Box<dyn Error>> {
         std::hint::black_box(&mut copy);
     });
     time("normals", pixels, || {
-        (0..height).for_each(|y| plane.normals(y, &mut row))
+        (0..height).for_each(|y| plane.normals(y, &mut row));
     });
     time("bytes", pixels, || {
-        (0..height).for_each(|y| plane.bytes(y, &mut bytes))
+        (0..height).for_each(|y| plane.bytes(y, &mut bytes));
     });
 
     let mut base = Parameters::ISAAC_5_1;
@@ -111,7 +114,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         view: true,
     };
     let only = std::env::args().nth(1);
-    let cases: [(&str, &[(&str, &str)], Shot<'_>, Wanted); 8] = [
+    let cases: [Case<'_>; 8] = [
         ("OAK-D Pro", &[], shot, Wanted::default()),
         (
             "noiseDownscaleFactorPixel 1",

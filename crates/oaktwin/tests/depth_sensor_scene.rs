@@ -1,6 +1,11 @@
 //! The example scene, and every effect that Isaac Sim's depth sensor has on it.
 
-#![expect(clippy::unwrap_used, reason = "a test")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a test"
+)]
 
 use std::ops::Range;
 use std::path::Path;

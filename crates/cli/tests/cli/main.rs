@@ -10,3 +10,5 @@ mod program;
 mod render;
 mod render_bad_input;
 mod render_sensor;
+mod sense;
+mod sense_bad_input;

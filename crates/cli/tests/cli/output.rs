@@ -19,6 +19,7 @@ fn help_of_every_command() {
         &["calibration", "export"],
         &["asset"],
         &["render"],
+        &["sense"],
         &["accuracy"],
         &["check"],
     ] {

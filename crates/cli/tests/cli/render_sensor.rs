@@ -409,7 +409,7 @@ fn two_frames(program: &Program, more: &[&str]) -> [Vec<f32>; 2] {
         "--resolution",
         "160x100",
         "--annotators",
-        "rgb,distance_to_image_plane,depth_sensor_distance",
+        "rgb,distance_to_image_plane,camera_params,depth_sensor_distance",
     ];
     program.good(&[&fixed[..], more].concat());
     ["0000", "0001"].map(|number| array(program, &format!("out/depth_sensor_distance_{number}.npy")).1)
@@ -452,6 +452,35 @@ fn the_files_hold_what_the_sensor_saw() {
             shot.frame = frame as u64;
             let sensed = sensor.capture(&shot, Wanted::default()).distance.0;
             assert!(sensed.pixels() == rendered, "{name}, frame {frame}");
+        }
+    }
+}
+
+/// `sense` on what was rendered: the very bytes, also of the filters that remember earlier frames.
+#[test]
+fn sensing_what_was_rendered_gives_the_same_bytes() {
+    for engine in [
+        &["single-view"][..],
+        &["stereo-noise"],
+        &["stereo-noise", "--preset", "robotics", "--filter", "temporal"],
+    ] {
+        let program = program();
+        let sensor = [&["--seed", "9", "--engine"], engine].concat();
+        two_frames(&program, &sensor);
+        let files = ["0000", "0001"].map(|number| format!("out/depth_sensor_distance_{number}.npy"));
+        let rendered = files.each_ref().map(|file| {
+            let bytes = fs::read(program.path(file)).unwrap();
+            fs::remove_file(program.path(file)).unwrap();
+            bytes
+        });
+        // The few pixels of a small image may land on the same places in both frames.
+        assert!(engine[0] == "single-view" || rendered[0] != rendered[1], "{engine:?}");
+        program.good(&[&["sense", "out", "--model", "oak-d-pro-poe"], &sensor[..]].concat());
+        for (file, rendered) in files.iter().zip(rendered) {
+            assert!(
+                fs::read(program.path(file)).unwrap() == rendered,
+                "{engine:?}, {file}"
+            );
         }
     }
 }

@@ -61,6 +61,7 @@ pub(super) fn depth(rank: u32) -> f32 {
 }
 
 /// Samples of a row: where they go, and with what.
+#[derive(Clone, Copy)]
 struct Samples<'a> {
     disparity: &'a [f32],
     reported: &'a [f32],

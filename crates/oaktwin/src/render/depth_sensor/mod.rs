@@ -144,7 +144,7 @@ mod tests {
         }
         let stereo = SensorOptions {
             engine: Some(EngineKind::StereoNoise),
-            ..sensor
+            ..sensor.clone()
         };
         let options = DepthSensorOptions {
             sensor: &stereo,
