@@ -320,9 +320,13 @@ const STEP: f32 = 0.22;
 const SPREAD: f32 = 0.30;
 const DOT: f32 = 4.4;
 
-/// Far outside is as good as farther.
+/// Far outside is as good as farther; an axis without length has one place.
 fn limited(part: f64) -> f64 {
-    part.clamp(-50.0, 50.0)
+    if part.is_nan() {
+        0.0
+    } else {
+        part.clamp(-50.0, 50.0)
+    }
 }
 
 /// The longest runs of points that are finite.
