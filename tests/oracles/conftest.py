@@ -13,6 +13,7 @@ NEEDS = {
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),
     "test_dataset.py": ("cv2",),
+    "test_filters.py": ("cv2", "depthai"),
     "test_importers.py": ("trimesh",),
     "test_render.py": ("open3d", "libusb_package"),
 }

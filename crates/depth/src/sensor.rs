@@ -1,10 +1,10 @@
-use oaktwin_image::{Image, ZDepth, millimetres};
+use oaktwin_image::{Image, ImageView, ZDepth, millimetres};
 
 use crate::Shot;
-use crate::filter::Chain;
+use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::single_view::{self, SingleView};
-use crate::stereo_noise::StereoNoise;
+use crate::stereo_noise::{self, StereoNoise};
 
 /// How a depth image becomes a measured one.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +16,21 @@ pub enum Engine {
 }
 
 /// An engine with its filters: looks at one image after the other, and may remember earlier ones.
+///
+/// # Where filters run
+/// * On stereo, as on the device, on fixed-point disparity. The disparities that can be found are spread over 0 to 8192
+///   first, as `DepthAI`'s `getMaxDisparity` says, unless no filter changes them or the last that does is a median:
+///   `delta` and `differenceThreshold` are in these units. Filters of depth ([`Filter::is_of_depth`]) run after all others,
+///   on millimetres.
+/// * On all else in their order on depth, whole millimetres.
+///
+/// Decimation is where it stands in the chain, and what follows works on the smaller image. Its values are as they were:
+/// disparities of the matcher's full width, hence the same depths. A picture, for the brightness filter, is looked at where
+/// the pixel was.
+///
+/// A [temporal filter](crate::filter::Temporal) remembers each pixel's last value and in which of the last 8 frames it had
+/// one, so frames are given in order and each camera has a `Sensor` of its own; without one, what is reported depends on
+/// the shot alone. An image of another size begins anew.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
     engine: Engine,
@@ -26,7 +41,7 @@ pub struct Sensor {
 /// What a sensor reports of one shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capture {
-    /// Metres, 0 where nothing was measured.
+    /// Metres, 0 where nothing was measured. Smaller than the shot where a filter decimates: [`Chain::size`].
     pub distance: ZDepth,
     /// What Isaac Sim's sensor has beside it.
     pub single_view: Option<single_view::Output>,
@@ -55,30 +70,87 @@ impl Sensor {
         &self.filters
     }
 
-    /// What it reports of the next shot. [`SingleView`]'s sister outputs are made where they are `wanted`.
+    /// Forgets all earlier frames.
+    pub fn reset(&mut self) {
+        self.filters.reset();
+    }
+
+    /// What it reports of the next shot. [`SingleView`]'s sister outputs are made where they are `wanted`; they are not
+    /// filtered.
     #[must_use]
     pub fn capture(&mut self, shot: &Shot<'_>, wanted: single_view::Wanted) -> Capture {
         match &self.engine {
             Engine::SingleView(engine) => {
                 let output = engine.sense(shot, &self.random, wanted);
-                let distance = if self.filters.is_empty() {
-                    output.distance.clone()
-                } else {
-                    let filtered: Image<u16> = self.filters.run(millimetres::from_metres(&output.distance.0));
-                    ZDepth(millimetres::to_metres(&filtered))
-                };
+                let distance = self.filters.run_on_metres(&output.distance, shot.rgb(), |_| true);
                 Capture {
-                    distance,
+                    distance: distance.unwrap_or_else(|| output.distance.clone()),
                     single_view: Some(output),
                 }
             }
             Engine::StereoNoise(engine) => {
-                let disparity = self.filters.run(engine.disparity(shot, &self.random));
+                let depth = if self.filters.filters().iter().all(Filter::is_of_depth) {
+                    engine.sense(shot, &self.random)
+                } else {
+                    let mut disparity = engine.disparity(shot, &self.random);
+                    let scale = rescale(self.filters.filters(), engine.parameters(), &mut disparity);
+                    let is_of_disparity = |filter: &Filter| !filter.is_of_depth();
+                    let filtered = self.filters.run_some(disparity, shot.rgb(), is_of_disparity);
+                    engine.depth(&filtered, scale)
+                };
+                let distance = self
+                    .filters
+                    .run_on_metres(&depth, shot.rgb(), Filter::is_of_depth);
                 Capture {
-                    distance: engine.depth(&disparity, 1.0),
+                    distance: distance.unwrap_or(depth),
                     single_view: None,
                 }
             }
         }
     }
 }
+
+/// What the disparities that can be found are spread over where filters change them: 13 bits, by `DepthAI`'s
+/// `StereoDepthConfig::getMaxDisparity`.
+const FILTERED_RANGE: f64 = 8192.0;
+
+/// Spreads disparities for the filters, and says by what. How the device rounds is not published: to the nearest.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "disparities of 16 bits; saturates"
+)]
+fn rescale(filters: &[Filter], parameters: &stereo_noise::Parameters, disparity: &mut Image<u16>) -> f64 {
+    let changes = |filter: &&Filter| !filter.is_of_depth() && !filter.needs_rgb();
+    match filters.iter().rfind(changes) {
+        None | Some(Filter::Median(_)) => 1.0,
+        Some(_) => {
+            let most = parameters.max_disparity_px() << parameters.subpixel.bits();
+            let scale = FILTERED_RANGE / f64::from(most);
+            for fixed in disparity.pixels_mut() {
+                let spread = (f64::from(*fixed) * scale + 0.5) as u16;
+                *fixed = spread.max(u16::from(*fixed > 0));
+            }
+            scale
+        }
+    }
+}
+
+impl Chain {
+    /// Runs those that are wanted on millimetres; none where there are none.
+    fn run_on_metres(
+        &mut self,
+        depth: &ZDepth,
+        rgb: Option<ImageView<'_, [u8; 4]>>,
+        wanted: impl Fn(&Filter) -> bool,
+    ) -> Option<ZDepth> {
+        if !self.filters().iter().any(&wanted) {
+            return None;
+        }
+        let filtered = self.run_some(millimetres::from_metres(&depth.0), rgb, wanted);
+        Some(ZDepth(millimetres::to_metres(&filtered)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,5 +1,6 @@
 use oaktwin_image::{Image, ImageView};
 
+use super::simd::Level;
 use super::temporal::Memory;
 use super::{Filter, Pixel};
 
@@ -74,15 +75,20 @@ impl<P: Pixel> Chain<P> {
         rgb: Option<ImageView<'_, [u8; 4]>>,
         wanted: impl Fn(&Filter) -> bool,
     ) -> Image<P> {
+        let level = Level::detect();
         for (filter, memory) in self.filters.iter().zip(&mut self.memories) {
             if !wanted(filter) {
                 continue;
             }
             match filter {
-                Filter::Median(median) => image = median.run(&image),
-                Filter::Spatial(spatial) => spatial.run(&mut image),
-                Filter::Temporal(temporal) => temporal.run(&mut image, memory),
-                Filter::Speckle(speckle) => speckle.run(&mut image),
+                Filter::Median(median) => {
+                    let mut out = image.map(|_| P::default());
+                    median.run(level, &image, &mut out);
+                    image = out;
+                }
+                Filter::Spatial(spatial) => spatial.run(level, &mut image),
+                Filter::Temporal(temporal) => temporal.run(level, &mut image, memory),
+                Filter::Speckle(speckle) => speckle.run(level, &mut image),
                 Filter::Decimation(decimation) => image = decimation.run(&image),
                 Filter::Threshold(threshold) => threshold.run(&mut image),
                 Filter::Brightness(brightness) => {

@@ -11,6 +11,7 @@ mod chain;
 mod decimation;
 mod median;
 mod pixel;
+mod simd;
 mod spatial;
 mod speckle;
 mod temporal;

@@ -1,54 +1,93 @@
 use std::fmt::Debug;
 
 /// A pixel of a disparity or depth image: `u8` without subpixels, `u16` else. 0 is no value.
-pub trait Pixel:
-    sealed::Sealed + Copy + Ord + Default + Debug + Send + Sync + Into<u16> + Into<i32> + Into<f32>
-{
-    /// What a value becomes in a comparison of speckles: OpenCV looks at 16-bit images as at signed ones.
-    #[doc(hidden)]
-    fn for_speckles(self) -> i32;
+pub trait Pixel: sealed::Pixel {}
 
-    /// The lower bits of a number.
-    #[doc(hidden)]
-    fn cut(value: i32) -> Self;
-}
+impl Pixel for u8 {}
+impl Pixel for u16 {}
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for u8 {}
-    impl Sealed for u16 {}
-}
+pub(super) mod sealed {
+    use super::Debug;
 
-impl Pixel for u8 {
-    #[inline(always)]
-    fn for_speckles(self) -> i32 {
-        i32::from(self)
+    /// The arithmetic of filters.
+    pub trait Pixel:
+        Copy + Ord + Default + Debug + Send + Sync + From<u8> + Into<u16> + Into<i32> + Into<f32> + 'static
+    {
+        /// The largest.
+        const MAX: Self;
+
+        /// How far apart two are.
+        #[must_use]
+        fn distance(self, other: Self) -> Self;
+
+        /// How far apart OpenCV's `filterSpeckles` takes two to be: 16-bit images are handed to it as signed ones.
+        #[must_use]
+        fn speckle_distance(self, other: Self) -> Self;
+
+        /// The next, or the same where there is none.
+        #[must_use]
+        fn next(self) -> Self;
+
+        /// The lower bits of a number.
+        #[must_use]
+        fn cut(value: i32) -> Self;
     }
 
-    #[inline(always)]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the lower bits are wanted"
-    )]
-    fn cut(value: i32) -> Self {
-        value as Self
-    }
-}
+    impl Pixel for u8 {
+        const MAX: Self = Self::MAX;
 
-impl Pixel for u16 {
-    #[inline(always)]
-    fn for_speckles(self) -> i32 {
-        i32::from(self.cast_signed())
+        #[inline(always)]
+        fn distance(self, other: Self) -> Self {
+            self.abs_diff(other)
+        }
+
+        #[inline(always)]
+        fn speckle_distance(self, other: Self) -> Self {
+            self.abs_diff(other)
+        }
+
+        #[inline(always)]
+        fn next(self) -> Self {
+            self.saturating_add(1)
+        }
+
+        #[inline(always)]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the lower bits are wanted"
+        )]
+        fn cut(value: i32) -> Self {
+            value as Self
+        }
     }
 
-    #[inline(always)]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the lower bits are wanted"
-    )]
-    fn cut(value: i32) -> Self {
-        value as Self
+    impl Pixel for u16 {
+        const MAX: Self = Self::MAX;
+
+        #[inline(always)]
+        fn distance(self, other: Self) -> Self {
+            self.abs_diff(other)
+        }
+
+        #[inline(always)]
+        fn speckle_distance(self, other: Self) -> Self {
+            (self ^ 0x8000).abs_diff(other ^ 0x8000)
+        }
+
+        #[inline(always)]
+        fn next(self) -> Self {
+            self.saturating_add(1)
+        }
+
+        #[inline(always)]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the lower bits are wanted"
+        )]
+        fn cut(value: i32) -> Self {
+            value as Self
+        }
     }
 }

@@ -1,12 +1,19 @@
-use super::Pixel;
 use oaktwin_image::Image;
+use rayon::prelude::*;
+
+use super::Pixel;
+use super::simd::{self, Level, Weight};
 
 /// `SpatialFilter`: smooths along rows and columns, both ways, and stops at edges.
+///
+/// As `DepthAI` does it: to the right a hole is 0, to the left 1 is a hole too; the last pixel of a row only begins the way
+/// back; downwards holes are no edges, so that they mix with what is nearer to 0 than `delta`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spatial {
     /// `alpha`, 0 to 1: the weight of the pixel itself; 1 smooths nothing.
     pub alpha: f32,
-    /// `delta`: the step that is an edge. In pixel values; `DepthAI` keeps 8 bits of it.
+    /// `delta`: along a row a larger step is an edge, along a column one that is not smaller. In pixel values; `DepthAI`
+    /// keeps 8 bits of it.
     pub delta: u8,
     /// `holeFillingRadius`: holes along a row are filled for one pixel less than this, each way.
     pub hole_filling_radius: u8,
@@ -25,93 +32,149 @@ impl Default for Spatial {
     }
 }
 
+/// Rows that are filtered together: a way along a row is a chain of steps that wait for each other.
+const LANES: usize = 32;
+
+/// Columns that a thread takes at a time.
+const STRIP: usize = 256;
+
+/// What the loops need.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Settings<P> {
+    weight: Weight,
+    delta: P,
+    radius: P,
+}
+
 impl Spatial {
     /// More iterations are an error.
     pub const MAX_ITERATIONS: u32 = 100;
 
-    pub(super) fn run<P: Pixel>(&self, image: &mut Image<P>) {
-        let (width, height) = (image.width() as usize, image.height() as usize);
-        for _ in 0..self.num_iterations {
-            for row in image.pixels_mut().chunks_exact_mut(width.max(1)) {
-                self.along(row);
-            }
-            let pixels = image.pixels_mut();
-            for y in 1..height {
-                let (above, row) = pixels[(y - 1) * width..(y + 1) * width].split_at_mut(width);
-                for (&mut above, pixel) in above.iter_mut().zip(row) {
-                    if self.is_below(above, *pixel) {
-                        *pixel = self.mix(*pixel, above);
-                    }
-                }
-            }
-            for y in (1..height).rev() {
-                let (row, below) = pixels[(y - 1) * width..(y + 1) * width].split_at_mut(width);
-                for (pixel, &mut below) in row.iter_mut().zip(below) {
-                    let zero = P::default();
-                    if *pixel != zero && below != zero && self.is_below(*pixel, below) {
-                        *pixel = self.mix(*pixel, below);
-                    }
-                }
-            }
-        }
-    }
-
-    fn along<P: Pixel>(&self, row: &mut [P]) {
-        let (zero, one) = (P::default(), P::cut(1));
-        let radius = u32::from(self.hole_filling_radius);
-        let (Some(&first), Some(&last)) = (row.first(), row.last()) else {
-            return;
+    pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
+        let settings = Settings {
+            weight: Weight::new(self.alpha),
+            delta: P::from(self.delta),
+            radius: P::from(self.hole_filling_radius),
         };
-        let end = row.len() - 1;
-        let (mut before, mut filled) = (first, 0);
-        for pixel in row.iter_mut().take(end).skip(1) {
-            if before != zero {
-                if *pixel != zero {
-                    filled = 0;
-                    let step = step(*pixel, before);
-                    if step >= 1 && step <= i32::from(self.delta) {
-                        *pixel = self.mix(*pixel, before);
-                    }
-                } else if radius > 0 {
-                    filled += 1;
-                    if filled < radius {
-                        *pixel = before;
-                    }
-                }
-            }
-            before = *pixel;
+        let width = image.width() as usize;
+        if width == 0 {
+            return;
         }
-        let (mut before, mut filled) = (last, 0);
-        for pixel in row[..end].iter_mut().rev() {
-            if before != zero {
-                // 1 is taken for a hole on the way back.
-                if *pixel > one {
-                    filled = 0;
-                    if step(*pixel, before) <= i32::from(self.delta) {
-                        *pixel = self.mix(*pixel, before);
+        for _ in 0..self.num_iterations {
+            image.pixels_mut().par_chunks_mut(LANES * width).for_each_init(
+                || vec![P::default(); LANES * width],
+                |tile, rows| simd::spatial_along(level, &settings, rows, tile),
+            );
+            strips(image.pixels_mut(), width)
+                .into_par_iter()
+                .for_each(|mut strip| {
+                    for y in 1..strip.len() {
+                        if let [above, row] = &mut strip[y - 1..=y] {
+                            simd::spatial_down(level, &settings, above, row);
+                        }
                     }
-                } else if radius > 0 {
-                    filled += 1;
-                    if filled < radius {
-                        *pixel = before;
+                    for y in (1..strip.len()).rev() {
+                        if let [row, below] = &mut strip[y - 1..=y] {
+                            simd::spatial_up(level, &settings, below, row);
+                        }
                     }
-                }
-            }
-            before = *pixel;
+                });
         }
-    }
-
-    fn is_below<P: Pixel>(&self, a: P, b: P) -> bool {
-        step(a, b) < i32::from(self.delta)
-    }
-
-    #[expect(clippy::cast_possible_truncation, reason = "DepthAI cuts off too")]
-    fn mix<P: Pixel>(&self, pixel: P, before: P) -> P {
-        let mixed = Into::<f32>::into(pixel) * self.alpha + Into::<f32>::into(before) * (1.0 - self.alpha);
-        P::cut((mixed + 0.5) as i32)
     }
 }
 
-fn step<P: Pixel>(a: P, b: P) -> i32 {
-    (Into::<i32>::into(a) - Into::<i32>::into(b)).abs()
+/// The image as groups of columns, each a list of pieces of rows.
+fn strips<P>(pixels: &mut [P], width: usize) -> Vec<Vec<&mut [P]>> {
+    let height = pixels.len() / width;
+    let mut strips: Vec<Vec<&mut [P]>> = (0..width.div_ceil(STRIP))
+        .map(|_| Vec::with_capacity(height))
+        .collect();
+    for row in pixels.chunks_exact_mut(width) {
+        for (strip, piece) in strips.iter_mut().zip(row.chunks_mut(STRIP)) {
+            strip.push(piece);
+        }
+    }
+    strips
+}
+
+/// Both ways along up to [`LANES`] rows, with a tile of [`LANES`] whole rows to work in.
+#[inline(always)]
+pub(super) fn along<P: Pixel>(settings: &Settings<P>, rows: &mut [P], tile: &mut [P]) {
+    let width = tile.len() / LANES;
+    let (tile, _) = tile.as_chunks_mut::<LANES>();
+    for (lane, row) in rows.chunks_exact(width).enumerate() {
+        for (column, &pixel) in tile.iter_mut().zip(row) {
+            column[lane] = pixel;
+        }
+    }
+    let (zero, one) = (P::default(), P::from(1));
+    if let [first, inner @ .., _] = &mut *tile {
+        let (mut before, mut filled) = (*first, [zero; LANES]);
+        for column in inner {
+            step(settings, column, &before, &mut filled, zero, one);
+            before = *column;
+        }
+    }
+    if let [inner @ .., last] = &mut *tile {
+        let (mut before, mut filled) = (*last, [zero; LANES]);
+        for column in inner.iter_mut().rev() {
+            step(settings, column, &before, &mut filled, one, zero);
+            before = *column;
+        }
+    }
+    for (lane, row) in rows.chunks_exact_mut(width).enumerate() {
+        for (column, pixel) in tile.iter().zip(row) {
+            *pixel = column[lane];
+        }
+    }
+}
+
+/// One step along the rows. A pixel up to `hole` is one; a difference of less than `least` mixes nothing.
+#[inline(always)]
+fn step<P: Pixel>(
+    settings: &Settings<P>,
+    column: &mut [P; LANES],
+    before: &[P; LANES],
+    filled: &mut [P; LANES],
+    hole: P,
+    least: P,
+) {
+    let zero = P::default();
+    for lane in 0..LANES {
+        let (pixel, before, count) = (column[lane], before[lane], filled[lane]);
+        let (begun, is_hole) = (before != zero, pixel <= hole);
+        let distance = pixel.distance(before);
+        let mixed = settings.weight.mix_rounded(pixel, before);
+        let is_mixed = begun & !is_hole & (distance >= least) & (distance <= settings.delta);
+        let longer = count.next();
+        let is_filled = begun & is_hole & (longer < settings.radius);
+        let counted = if is_hole { longer } else { zero };
+        filled[lane] = if begun { counted } else { count };
+        let kept = if is_filled { before } else { pixel };
+        column[lane] = if is_mixed { mixed } else { kept };
+    }
+}
+
+/// Downwards, from one row to the next.
+#[inline(always)]
+pub(super) fn down<P: Pixel>(settings: &Settings<P>, above: &[P], row: &mut [P]) {
+    for (&above, pixel) in above.iter().zip(row) {
+        let mixed = settings.weight.mix_rounded(*pixel, above);
+        *pixel = if pixel.distance(above) < settings.delta {
+            mixed
+        } else {
+            *pixel
+        };
+    }
+}
+
+/// Upwards, from one row to the next.
+#[inline(always)]
+pub(super) fn up<P: Pixel>(settings: &Settings<P>, below: &[P], row: &mut [P]) {
+    let zero = P::default();
+    for (&below, pixel) in below.iter().zip(row) {
+        let mixed = settings.weight.mix_rounded(*pixel, below);
+        let is_mixed = (*pixel != zero) & (below != zero) & (pixel.distance(below) < settings.delta);
+        *pixel = if is_mixed { mixed } else { *pixel };
+    }
 }

@@ -1,5 +1,8 @@
-use super::Pixel;
 use oaktwin_image::Image;
+use rayon::prelude::*;
+
+use super::Pixel;
+use super::simd::{self, Level, Weight};
 
 /// `TemporalFilter`: smooths a pixel over the frames, and keeps a value that is gone for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +96,9 @@ impl PersistencyMode {
     }
 }
 
+/// Pixels that a thread takes at a time.
+const PART: usize = 1 << 14;
+
 /// What a temporal filter remembers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Memory<P> {
@@ -106,9 +112,21 @@ pub(super) struct Memory<P> {
     phase: u32,
 }
 
+/// What the loop needs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Settings<P> {
+    weight: Weight,
+    delta: P,
+    /// Of the frame.
+    bit: u8,
+    /// Of the frames that count.
+    recent: u8,
+    /// How many of them must have had a value.
+    wanted: u32,
+}
+
 impl Temporal {
-    #[expect(clippy::cast_possible_truncation, reason = "DepthAI cuts off too")]
-    pub(super) fn run<P: Pixel>(&self, image: &mut Image<P>, memory: &mut Memory<P>) {
+    pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>, memory: &mut Memory<P>) {
         if (memory.width, memory.height) != (image.width(), image.height()) {
             *memory = Memory {
                 width: image.width(),
@@ -119,30 +137,46 @@ impl Temporal {
             };
         }
         let (frames, wanted) = self.persistency_mode.rule();
-        let recent = u8::try_from((1u32 << frames) - 1).unwrap_or(u8::MAX);
-        let (bit, zero) = (1u8 << memory.phase, P::default());
-        let pixels = image.pixels_mut().iter_mut();
-        for ((pixel, last), history) in pixels.zip(&mut memory.last).zip(&mut memory.history) {
-            if *pixel == zero {
-                // The phase's own bit is that of eight frames ago here: it counts as the oldest.
-                let lately = history.rotate_right(memory.phase).reverse_bits() & recent;
-                if *last != zero && lately.count_ones() >= wanted {
-                    *pixel = *last;
-                }
-                *history &= !bit;
-                continue;
-            }
-            let step = (Into::<i32>::into(*pixel) - Into::<i32>::into(*last)).abs();
-            if *last != zero && step < i32::from(self.delta) {
-                *history |= bit;
-                let mixed =
-                    self.alpha * Into::<f32>::into(*pixel) + (1.0 - self.alpha) * Into::<f32>::into(*last);
-                *pixel = P::cut(mixed as i32);
-            } else {
-                *history = bit;
-            }
-            *last = *pixel;
-        }
+        // Behind the phase's own bit, which is still that of eight frames ago, lies the frame before this one.
+        let recent = u8::try_from(0xff00u32 >> frames & 0xff).unwrap_or_default();
+        let settings = Settings {
+            weight: Weight::new(self.alpha),
+            delta: P::from(self.delta),
+            bit: 1 << memory.phase,
+            recent: recent.rotate_left(memory.phase),
+            wanted,
+        };
+        let pixels = image.pixels_mut().par_chunks_mut(PART);
+        let memories = memory
+            .last
+            .par_chunks_mut(PART)
+            .zip(memory.history.par_chunks_mut(PART));
+        pixels.zip(memories).for_each(|(pixels, (last, history))| {
+            simd::temporal(level, &settings, pixels, last, history);
+        });
         memory.phase = (memory.phase + 1) % 8;
+    }
+}
+
+/// One frame.
+#[inline(always)]
+pub(super) fn update<P: Pixel>(settings: &Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]) {
+    let zero = P::default();
+    for ((pixel, last), history) in pixels.iter_mut().zip(last).zip(history) {
+        let (new, old, past) = (*pixel, *last, *history);
+        let (is_new, was) = (new != zero, old != zero);
+        let is_mixed = is_new & was & (new.distance(old) < settings.delta);
+        let is_kept = !is_new & ((past & settings.recent).count_ones() >= settings.wanted);
+        let mixed = settings.weight.mix_truncated(new, old);
+        let value = if is_mixed { mixed } else { new };
+        *last = if is_new { value } else { old };
+        // Where there was none, what is kept is 0.
+        *pixel = if is_kept { old } else { value };
+        let begun = if is_mixed {
+            past | settings.bit
+        } else {
+            settings.bit
+        };
+        *history = if is_new { begun } else { past & !settings.bit };
     }
 }

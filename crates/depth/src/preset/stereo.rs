@@ -331,10 +331,15 @@ impl StereoConfig {
         brightness.into_iter().chain(ordered).chain(threshold).collect()
     }
 
-    /// Configures an engine: the step and range of its disparities.
+    /// Configures an engine: the step and range of its disparities, the left-right check, the confidence.
     pub fn apply_to(&self, parameters: &mut stereo_noise::Parameters) {
         parameters.subpixel = self.subpixel;
         parameters.extended_disparity = self.extended_disparity;
         parameters.disparity_shift_px = self.disparity_shift_px;
+        parameters.left_right_check = self.left_right_check_threshold.is_some();
+        if let Some(threshold) = self.left_right_check_threshold {
+            parameters.left_right_check_threshold_px = threshold;
+        }
+        parameters.confidence_threshold = self.confidence_threshold;
     }
 }

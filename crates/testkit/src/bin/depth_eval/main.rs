@@ -2,6 +2,7 @@
 //! answer a line on standard output, `{"error": …}` where there is none. Images are NPY files, named in the request.
 
 mod files;
+mod filters;
 mod single_view;
 mod stereo_noise;
 
@@ -14,6 +15,8 @@ use serde_json::{Value, json};
 #[derive(Deserialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 enum Request {
+    /// Filters of disparity and depth.
+    Filters(filters::Request),
     /// Isaac Sim's sensor.
     SingleView(single_view::Request),
     /// The errors of an OAK's stereo.
@@ -22,6 +25,7 @@ enum Request {
 
 fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
     match serde_json::from_str(line)? {
+        Request::Filters(request) => request.answer(),
         Request::SingleView(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
     }

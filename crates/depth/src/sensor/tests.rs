@@ -1,0 +1,163 @@
+use oaktwin_camera::StereoGeometry;
+
+use super::*;
+use crate::filter::parse;
+use crate::single_view::{Assumptions, Wanted};
+
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 20;
+
+/// A wall at 2 m with a nearer thing before it.
+fn scene() -> Image<f32> {
+    let mut depth = Image::filled(WIDTH, HEIGHT, 2.0);
+    for row in depth.pixels_mut().chunks_exact_mut(WIDTH as usize) {
+        row[30..40].fill(1.0);
+    }
+    depth
+}
+
+fn parameters() -> stereo_noise::Parameters {
+    let stereo = StereoGeometry {
+        focal_length_px: 800.0,
+        baseline_m: 0.075,
+    };
+    stereo_noise::Parameters::new(stereo, 1280)
+}
+
+fn sensor(engine: Engine, filters: &[&str]) -> Sensor {
+    let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
+    Sensor::new(engine, Chain::new(filters), Stream::new(1, "camera"))
+}
+
+fn stereo(filters: &[&str]) -> Sensor {
+    sensor(
+        Engine::StereoNoise(StereoNoise::new(parameters()).unwrap()),
+        filters,
+    )
+}
+
+fn single(filters: &[&str]) -> Sensor {
+    let single = SingleView::new(single_view::Parameters::ISAAC_5_1, Assumptions::default());
+    sensor(Engine::SingleView(single.unwrap()), filters)
+}
+
+fn frame(sensor: &mut Sensor, number: u64) -> ZDepth {
+    let depth = scene();
+    let mut shot = Shot::new((&depth).into());
+    shot.frame = number;
+    sensor.capture(&shot, Wanted::default()).distance
+}
+
+#[test]
+fn disparities_are_spread_for_all_but_a_median_at_the_end() {
+    let scale = |filters: &[&str]| {
+        let filters: Vec<Filter> = filters.iter().map(|text| parse(text).unwrap()).collect();
+        let mut disparity = Image::filled(3, 1, 0u16);
+        disparity.pixels_mut().copy_from_slice(&[0, 1, 3040]);
+        let scale = rescale(&filters, &parameters(), &mut disparity);
+        (scale, disparity.into_pixels())
+    };
+    let (as_it_was, spread) = ((1.0, vec![0, 1, 3040]), (8192.0 / 3040.0, vec![0, 3, 8192]));
+    assert_eq!(scale(&[]), as_it_was);
+    assert_eq!(scale(&["median"]), as_it_was);
+    assert_eq!(scale(&["threshold:max=500", "brightness"]), as_it_was);
+    assert_eq!(scale(&["speckle", "spatial", "median"]), as_it_was);
+    assert_eq!(scale(&["speckle", "median", "threshold:max=500"]), as_it_was);
+    for filters in [
+        &["spatial"][..],
+        &["temporal"],
+        &["speckle"],
+        &["decimation:factor=2"],
+        &["median", "spatial"],
+        &["spatial", "threshold:max=9"],
+    ] {
+        assert_eq!(scale(filters), spread, "{filters:?}");
+    }
+}
+
+#[test]
+fn a_filter_that_changes_nothing_changes_depth_by_less_than_a_step() {
+    let plain = frame(&mut stereo(&[]), 0);
+    let filtered = frame(&mut stereo(&["spatial:alpha=1,radius=0", "decimation"]), 0);
+    for (a, b) in plain.0.pixels().iter().zip(filtered.0.pixels()) {
+        assert_eq!(*a == 0.0, *b == 0.0);
+        // Half of 1/2.69 of a step of 1/32 px, and of 1 mm twice.
+        assert!((a - b).abs() <= 0.0021 + a * a / 60.0 * 0.006, "{a} {b}");
+    }
+}
+
+#[test]
+fn thresholds_are_millimetres_wherever_they_stand() {
+    for filters in [
+        &["threshold:min=500,max=1500"][..],
+        &["threshold:min=500,max=1500", "median"],
+        &["median", "threshold:min=500,max=1500"],
+    ] {
+        for mut sensor in [stereo(filters), single(filters)] {
+            let distance = frame(&mut sensor, 0);
+            let seen: Vec<f32> = distance.0.pixels().iter().copied().filter(|&z| z > 0.0).collect();
+            assert!(!seen.is_empty());
+            assert!(seen.iter().all(|z| (0.5..=1.5).contains(z)), "{filters:?}");
+        }
+    }
+}
+
+#[test]
+fn decimation_changes_the_size_and_not_the_depth() {
+    let filters = ["decimation:factor=2"];
+    for (mut small, mut whole) in [(stereo(&filters), stereo(&[])), (single(&filters), single(&[]))] {
+        let (small, whole) = (frame(&mut small, 0).0, frame(&mut whole, 0).0);
+        assert_eq!((small.width(), small.height()), (WIDTH / 2, HEIGHT / 2));
+        for y in 0..HEIGHT / 2 {
+            for x in 0..WIDTH / 2 {
+                let (a, b) = (small.get(x, y).unwrap(), whole.get(2 * x, 2 * y).unwrap());
+                assert!((a - b).abs() < 0.003, "({x}, {y}): {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn frames_depend_on_earlier_ones_with_a_temporal_filter_only() {
+    for filters in [&[][..], &["median", "spatial", "speckle"], &["temporal"]] {
+        for make in [stereo, single] {
+            let mut in_order = make(filters);
+            let first = frame(&mut in_order, 0);
+            let second = frame(&mut in_order, 1);
+            let mut alone = make(filters);
+            let same = frame(&mut alone, 1) == second;
+            let remembers = filters.contains(&"temporal");
+            // Every frame has noise of its own.
+            assert!(first != second);
+            assert!(same || remembers, "{filters:?}");
+            in_order.reset();
+            assert_eq!(frame(&mut in_order, 1), frame(&mut make(filters), 1));
+        }
+    }
+    let mut remembering = stereo(&["temporal:delta=255,alpha=0.1"]);
+    let _ = frame(&mut remembering, 0);
+    assert_ne!(
+        frame(&mut remembering, 1),
+        frame(&mut stereo(&["temporal:delta=255,alpha=0.1"]), 1)
+    );
+}
+
+#[test]
+fn brightness_looks_at_the_picture() {
+    let depth = scene();
+    let mut rgb = Image::filled(WIDTH, HEIGHT, [100u8, 100, 100, 255]);
+    rgb.pixels_mut()[..WIDTH as usize].fill([0, 0, 0, 255]);
+    let shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
+    for filters in [
+        &["brightness:min=50"][..],
+        &["decimation:factor=2", "brightness:min=50"],
+    ] {
+        let mut p = parameters();
+        p.confidence_threshold = 0;
+        let mut sensor = sensor(Engine::StereoNoise(StereoNoise::new(p).unwrap()), filters);
+        let distance = sensor.capture(&shot, Wanted::default()).distance.0;
+        let mut rows = distance.rows();
+        assert!(rows.next().unwrap().iter().all(|&z| z == 0.0));
+        assert!(rows.next().unwrap().iter().any(|&z| z > 0.0));
+    }
+}
