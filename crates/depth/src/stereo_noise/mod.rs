@@ -58,7 +58,6 @@ mod tests;
 mod texture;
 mod window;
 
-pub use batch::BatchError;
 pub use names::NAMES;
 pub use parameters::{DEVICE_BIAS_SIGMA_PX, DepthRounding, Parameters, Subpixel};
 

@@ -231,10 +231,6 @@ impl Kernel for Places<'_> {
     type Output = ();
 
     #[inline(always)]
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "what is beyond all is beyond the image"
-    )]
     fn run(self) {
         let rows = self
             .columns

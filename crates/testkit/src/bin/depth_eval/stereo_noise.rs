@@ -6,7 +6,7 @@ use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::Shot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
-use oaktwin_image::{Image, npy};
+use oaktwin_image::npy;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
@@ -43,15 +43,15 @@ impl Request {
         let random = Stream::new(self.seed, &self.camera);
         let array = npy::decode(&fs::read(&self.depth)?)?;
         if let (&[count, height, width], npy::Values::F32(depth)) = (array.shape.as_slice(), &array.values) {
-            let shape = (count.try_into()?, height.try_into()?, width.try_into()?);
+            let shape = [count, height, width];
             let mut out = vec![0.0f32; depth.len()];
-            sensor.sense_batch(depth, shape, self.frame, &random, &mut out)?;
+            sensor.sense_batch(depth, shape, self.frame, self.item, &random, &mut out)?;
             let distance = self.distance.as_ref().ok_or("a batch has a distance")?;
             fs::write(distance, npy::encode(&array.shape, &out)?)?;
             return Ok(json!({}));
         }
         let depth = array.into_f32_image()?;
-        let rgb = self.rgb.as_ref().map(read_picture).transpose()?;
+        let rgb = self.rgb.as_deref().map(files::read_u8x4).transpose()?;
         let mut shot = Shot::new((&depth).into());
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into())?;
@@ -80,13 +80,4 @@ impl Request {
         }
         Ok(StereoNoise::new(parameters)?)
     }
-}
-
-fn read_picture(path: &PathBuf) -> Result<Image<[u8; 4]>, Box<dyn Error>> {
-    let array = npy::decode(&fs::read(path)?)?;
-    let (&[height, width, 4], npy::Values::U8(values)) = (array.shape.as_slice(), &array.values) else {
-        return Err("a picture is of rows, columns and 4 of uint8".into());
-    };
-    let pixels = values.as_chunks::<4>().0.to_vec();
-    Image::new(width.try_into()?, height.try_into()?, pixels).ok_or_else(|| "too large".into())
 }
