@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::path::Path;
-use std::process::ExitCode;
 
 use oaktwin::catalog::{Catalog, Device, Twin};
 use oaktwin::diagnostic::Finding;
@@ -31,12 +30,6 @@ impl Exit {
             // As a shell reports a program that Ctrl-C ended.
             Self::Interrupted => 130,
         }
-    }
-}
-
-impl From<Exit> for ExitCode {
-    fn from(exit: Exit) -> Self {
-        Self::from(exit.code())
     }
 }
 

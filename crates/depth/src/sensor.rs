@@ -1,3 +1,5 @@
+mod batch;
+
 use oaktwin_image::{Image, ImageView, ZDepth, millimetres};
 
 use crate::Shot;
@@ -68,6 +70,13 @@ impl Sensor {
     #[must_use]
     pub fn filters(&self) -> &Chain {
         &self.filters
+    }
+
+    /// Whether what it reports depends on earlier frames.
+    #[must_use]
+    pub fn remembers(&self) -> bool {
+        let is_temporal = |filter: &Filter| matches!(filter, Filter::Temporal(_));
+        self.filters.filters().iter().any(is_temporal)
     }
 
     /// Forgets all earlier frames.

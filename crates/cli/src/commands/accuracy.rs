@@ -1,9 +1,10 @@
 mod text;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Mutex;
 
-use oaktwin::accuracy::{self, Bench, MeasuredOptics, Measurement, Options, measured};
+use oaktwin::accuracy::{self, Bench, MeasuredOptics, Measurement, Options, Watch, measured};
 use oaktwin::files;
 use oaktwin::image::png;
 use oaktwin::render;
@@ -37,6 +38,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         if let Ok(mut progress) = progress.lock() {
             progress.at(done, of);
         }
+        ControlFlow::Continue(())
     };
     let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), &watch)?;
     if let Some(plot) = &plot {
@@ -106,7 +108,7 @@ impl<'a> Plot<'a> {
         Ok(Self { file, is_svg })
     }
 
-    fn draw(&self, measurement: &Measurement, watch: &(dyn Fn(u64, u64) + Sync)) -> Result<()> {
+    fn draw(&self, measurement: &Measurement, watch: Watch<'_>) -> Result<()> {
         let figure = measurement.figure(watch)?;
         let bytes = if self.is_svg {
             figure.svg().into_bytes()

@@ -69,6 +69,12 @@ impl Align {
         }
     }
 
+    /// The camera that is to see.
+    #[must_use]
+    pub fn target(&self) -> &Camera {
+        &self.target
+    }
+
     /// The depth that the target sees: metres along its axis, 0 where nothing was measured. What is not finite and above
     /// 0 in `depth` is no sample.
     ///

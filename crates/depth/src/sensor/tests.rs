@@ -161,3 +161,61 @@ fn brightness_looks_at_the_picture() {
         assert!(rows.next().unwrap().iter().any(|&z| z > 0.0));
     }
 }
+
+#[test]
+fn a_batch_is_its_images_one_by_one() {
+    let rgb = Image::filled(WIDTH, HEIGHT, [40, 90, 160, 255u8]);
+    let pixels = (WIDTH * HEIGHT) as usize;
+    let depth: Vec<f32> = [1.0, 1.5, 2.5]
+        .iter()
+        .flat_map(|scale| scene().map(|z| z * scale).into_pixels())
+        .collect();
+    let pictures = rgb.pixels().repeat(3);
+    let shape = [3, HEIGHT as usize, WIDTH as usize];
+    let cases: [&[&str]; 3] = [
+        &[],
+        &["temporal", "median:size=3"],
+        &["decimation:factor=2", "threshold:max=4000"],
+    ];
+    for filters in cases {
+        for sensor in [stereo(filters), single(filters)] {
+            for pictures in [None, Some(&pictures[..])] {
+                let (width, height) = sensor.filters().size(WIDTH, HEIGHT);
+                let one = (width * height) as usize;
+                let mut out = vec![-1.0; 3 * one];
+                sensor
+                    .sense_batch(&depth, pictures, shape, 9, 5, &mut out)
+                    .unwrap();
+                for (i, out) in out.chunks_exact(one).enumerate() {
+                    let image = Image::new(WIDTH, HEIGHT, depth[i * pixels..][..pixels].to_vec()).unwrap();
+                    let mut shot = Shot::new((&image).into());
+                    (shot.frame, shot.item) = (9, 5 + i as u32);
+                    if pictures.is_some() {
+                        shot = shot.with_rgb((&rgb).into()).unwrap();
+                    }
+                    let alone = sensor.clone().capture(&shot, Wanted::default()).distance;
+                    assert_eq!(out, alone.0.pixels(), "{filters:?} {i}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_batch_that_does_not_fit() {
+    let sensor = stereo(&["decimation:factor=2"]);
+    let mut out = [7.0; 6];
+    for (depth, shape) in [(12, [1, 3, 4]), (11, [1, 3, 4]), (12, [2, 3, 4])] {
+        let error = sensor.sense_batch(&vec![1.0; depth], None, shape, 0, 0, &mut out);
+        assert!(error.unwrap_err().to_string().contains("C-contiguous"));
+    }
+    let rgb = [[0u8; 4]; 3];
+    assert!(
+        sensor
+            .sense_batch(&[1.0; 12], Some(&rgb), [1, 3, 4], 0, 0, &mut out)
+            .is_err()
+    );
+    assert_eq!(out, [7.0; 6]);
+    assert!(!sensor.remembers() && stereo(&["temporal"]).remembers());
+    sensor.sense_batch(&[], None, [0, 3, 4], 0, 0, &mut []).unwrap();
+}

@@ -19,6 +19,7 @@ mod stand;
 #[cfg(test)]
 mod tests;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -39,6 +40,9 @@ use crate::files::FileError;
 use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
 use measured::Curve;
 use stand::{Effort, Stand, Unit};
+
+/// Hears how many of how many distances are done, on any thread; to break ends the measurement.
+pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);
 
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;
@@ -124,6 +128,9 @@ pub enum AccuracyError {
         /// What was given.
         value: String,
     },
+    /// Whoever watched wanted no more.
+    #[error("interrupted; nothing was measured")]
+    Interrupted,
     /// A number of devices or captures, or a region, that cannot be.
     #[error("{option}: {what}; {remedy}")]
     Option {
@@ -212,15 +219,14 @@ impl Bench {
         Ok((bench, findings))
     }
 
-    /// Measures, and lays somebody's measurements (from a file of this name) over the curve. `watch` hears how many of how
-    /// many distances are done, on any thread.
+    /// Measures, and lays somebody's measurements (from a file of this name) over the curve.
     ///
     /// # Errors
-    /// A parameter of the sensor.
+    /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
     pub fn measure(
         mut self,
         measured: Option<(&Path, &Curve)>,
-        watch: &(dyn Fn(u64, u64) + Sync),
+        watch: Watch<'_>,
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
         let own: Vec<f64> = self.report.distances.iter().map(|row| row.distance_m).collect();
@@ -240,18 +246,16 @@ impl Bench {
         Ok(Measurement { bench: self })
     }
 
-    fn rows(
-        &self,
-        distances: &[f64],
-        effort: Effort,
-        watch: &(dyn Fn(u64, u64) + Sync),
-    ) -> Result<Vec<Row>, AccuracyError> {
+    fn rows(&self, distances: &[f64], effort: Effort, watch: Watch<'_>) -> Result<Vec<Row>, AccuracyError> {
         let done = AtomicU64::new(0);
         distances
             .par_iter()
             .map(|&distance_m| {
                 let units = self.stand.measure(distance_m, effort)?;
-                watch(done.fetch_add(1, Ordering::Relaxed) + 1, distances.len() as u64);
+                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                if watch(done, distances.len() as u64).is_break() {
+                    return Err(AccuracyError::Interrupted);
+                }
                 let row = Row::new(distance_m, &units, self.report.published.as_ref());
                 Ok(row.with_single_view(self.stand.jitter_times_depth(), self.report.carries_depth))
             })
@@ -307,8 +311,8 @@ impl Measurement {
     /// each instead of several, whose noise the median over the devices averages out.
     ///
     /// # Errors
-    /// A parameter of the sensor.
-    pub fn figure(&self, watch: &(dyn Fn(u64, u64) + Sync)) -> Result<Figure, AccuracyError> {
+    /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
+    pub fn figure(&self, watch: Watch<'_>) -> Result<Figure, AccuracyError> {
         let report = &self.bench.report;
         let points = report.measured.iter().flat_map(|measured| &measured.points);
         let places =

@@ -1,3 +1,4 @@
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use super::*;
@@ -11,7 +12,7 @@ fn bench(model: &str, options: &Options) -> Bench {
 
 fn measured(model: &str, options: &Options) -> Report {
     bench(model, options)
-        .measure(None, &|_, _| {})
+        .measure(None, &|_, _| ControlFlow::Continue(()))
         .unwrap()
         .report()
         .clone()
@@ -44,7 +45,7 @@ fn r_squared_of(file: &str, parameters: &[(&str, &str)], optics: MeasuredOptics,
         ..Options::default()
     };
     let measurement = bench("oak-d-pro-poe", &options)
-        .measure(Some((&path, &curve)), &|_, _| {})
+        .measure(Some((&path, &curve)), &|_, _| ControlFlow::Continue(()))
         .unwrap();
     let comparison = measurement.report().measured.clone().unwrap();
     assert_eq!(measurement.report().devices, Devices::AsGiven);

@@ -15,6 +15,20 @@ use crate::files::{self, FileError};
 /// The largest `camera_params` file.
 const MOST_BYTES: u64 = 1 << 20;
 
+/// The camera of depth images of this size: as they say, else the sensor's `own` with its field of view.
+///
+/// # Errors
+/// No field of view.
+pub fn image_camera(
+    size: ImageSize,
+    asked: FieldOfView,
+    own: Intrinsics,
+) -> Result<(Camera, Vec<Finding>), SenseError> {
+    let mut findings = Vec::new();
+    let images = of_images(size, asked, None, own, &mut findings)?;
+    Ok((images.camera, findings))
+}
+
 /// The camera of images of this size: as options or `camera_params` say, else the sensor's own with its field of view.
 pub(super) fn of_images(
     size: ImageSize,

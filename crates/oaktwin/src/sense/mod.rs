@@ -25,9 +25,11 @@ mod writer;
 
 use std::path::PathBuf;
 
+pub use camera::image_camera;
 pub(crate) use geometry::positions;
 pub use options::{AlignTo, CloudFrame, FieldOfView, InputKind, SenseOptions};
-pub use plan::STANDARD_INPUT;
+pub use plan::{STANDARD_INPUT, depth_sensor};
+pub use rig::align_to;
 pub use run::{Done, Output, Sensed, SensedFile, sense};
 
 use crate::files::FileError;

@@ -57,11 +57,14 @@ pub(super) struct Sequence<'a> {
     pub(super) files: Vec<DepthFile>,
 }
 
-/// The depth sensor that the options mean.
-fn sensor<'a>(twin: &'a Twin, options: &SenseOptions) -> Result<&'a TwinDepthSensor, SenseError> {
+/// The depth sensor of a kind; by default that of time of flight where there is one.
+///
+/// # Errors
+/// The device has none such.
+pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSensor, SenseError> {
     let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
     let model = &twin.device.name;
-    let chosen = match options.kind {
+    let chosen = match kind {
         Some(kind) => of(kind).ok_or_else(|| {
             let has: Vec<&str> = twin
                 .depth_sensors
@@ -89,7 +92,7 @@ pub(super) fn sequences<'a>(
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
-    let chosen = sensor(twin, options)?;
+    let chosen = depth_sensor(twin, options.kind)?;
     let mut sequences = Vec::new();
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {

@@ -1,14 +1,33 @@
 //! Into another camera of the device.
 
+use super::product::reported;
 use super::{AlignTo, SenseError};
 use crate::camera::math::{DMat3, DVec3};
-use crate::camera::{Camera, LensModel, RigidTransform};
+use crate::camera::{Camera, ImageSize, LensModel, RigidTransform};
 use crate::catalog::{Twin, TwinCamera, TwinDepthSensor};
 use crate::depth::align::Align;
 use crate::depth::single_view::Direction;
 use crate::render::check_size;
-use crate::sensor::Engine;
+use crate::sensor::{Engine, Sensor};
 use crate::usd::asset::LensChoice;
+
+/// From the images that a sensor reports of those of a camera to the camera that is asked for.
+///
+/// # Errors
+/// The device has no such camera, or its image cannot be.
+pub fn align_to(
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    look: &Sensor,
+    images: &Camera,
+    to: &AlignTo,
+    lens: LensChoice,
+) -> Result<Align, SenseError> {
+    let size = images.intrinsics.size;
+    let (width, height) = look.filters().size(size.width, size.height);
+    let smaller = reported(images, ImageSize::new(width, height));
+    aligner(twin, sensor, smaller, shift_m(look.engine(), images), to, lens)
+}
 
 /// From the image that a sensor reports to the camera that is asked for: as that camera sees, its lens included.
 pub(super) fn aligner(
