@@ -1,0 +1,142 @@
+"""The accuracy of a twin, as the vendor measures the camera's."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _oaktwin
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_COLUMNS = (
+    "distance_m",
+    "error_percent",
+    "fill_rate",
+    "plane_fit_rms_mm",
+    "subpixel_rms_px",
+    "temporal_noise_mm",
+    "precision_mm",
+    "z_accuracy_mm",
+    "pixel_error_percent",
+)
+
+
+class Accuracy:
+    """What was measured, near to far.
+
+    report: everything, as `oaktwin accuracy --json` prints it; units are in the names.
+    """
+
+    def __init__(self, report: dict[str, Any]) -> None:
+        self.report = report
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """One dictionary a distance: "distance_m", "error_percent" (None where nothing was measured), "fill_rate", ...,
+        "bands" (the published accuracy there) and "verdict"."""
+        rows: list[dict[str, Any]] = self.report["distances"]
+        return rows
+
+    @property
+    def is_good(self) -> bool:
+        """Whether no distance lies outside its band and something was measured."""
+        return bool(self.report["is_good"])
+
+    def to_numpy(self) -> npt.NDArray[Any]:
+        """A structured array, a row a distance: the numbers of `rows` as float64, NaN where nothing was measured."""
+        table = np.full(len(self.rows), np.nan, dtype=[(name, np.float64) for name in _COLUMNS])
+        for place, row in zip(table, self.rows):
+            for name in _COLUMNS:
+                if row.get(name) is not None:
+                    place[name] = row[name]
+        return table
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Error over distance with the published bands, on Matplotlib's `ax`, or axes of a new figure.
+
+        Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
+        """
+        if ax is None:
+            try:
+                import matplotlib.pyplot as plt
+            except ImportError as error:
+                raise ImportError("plots need Matplotlib; install it: pip install matplotlib") from error
+            _, ax = plt.subplots()
+        table = self.to_numpy()
+        ax.plot(table["distance_m"], table["error_percent"], marker="o", label=f"{self.report['engine']}")
+        limits = [(row["distance_m"], row["bands"][0]["error_percent"]) for row in self.rows if row["bands"]]
+        if limits:
+            distances, errors = zip(*limits)
+            ax.fill_between(distances, 0.0, errors, step="pre", alpha=0.2, label="published")
+        ax.set_xlabel("distance [m]")
+        ax.set_ylabel("depth error [%]")
+        ax.set_title(f"{self.report['model']} {self.report['sensor']}")
+        ax.legend()
+        return ax
+
+    def __repr__(self) -> str:
+        verdict = "within the published accuracy" if self.is_good else "NOT within the published accuracy"
+        return f"<oaktwin.Accuracy {self.report['model']}: {len(self.rows)} distances, {verdict}>"
+
+    def _repr_html_(self) -> str:
+        def cell(value: object) -> str:
+            shown = "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+            return f"<td>{html.escape(shown)}</td>"
+
+        names = (*_COLUMNS, "verdict")
+        head = "".join(f"<th>{name}</th>" for name in names)
+        body = "".join("<tr>" + "".join(cell(row.get(name)) for name in names) + "</tr>" for row in self.rows)
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def accuracy(
+    device: _oaktwin.Device,
+    *,
+    sensor: str | None = None,
+    distances: Sequence[float] | str | None = None,
+    devices: int | None = None,
+    captures: int = 10,
+    region: float = 0.05,
+    engine: str | None = None,
+    preset: str | None = None,
+    filters: Sequence[str] = (),
+    parameters: Mapping[str, object] | None = None,
+    seed: int = 0,
+    device_seed: int | None = None,
+    extended_disparity: bool = False,
+    isaac: str = "5.1",
+) -> Accuracy:
+    """Measures a twin as the vendor measures the camera: a textured board at each distance, of many devices the median.
+
+    sensor: "stereo", "tof" or a prim; by default the device's own.
+    distances: true ones, metres, or the program's text "0.5:4:0.5"; by default about twenty.
+    devices: how many; by default 200 where they differ and `device_seed` chooses none.
+    captures: images of each board, 1 to 1000.
+    region: the side of the region that is measured, as a share of the image's, above 0, up to 1.
+    The others are those of `DepthSensor`.
+
+    Ctrl-C ends it. Raises `oaktwin.Error` for what cannot be measured.
+    """
+    report = _oaktwin.accuracy(
+        device,
+        sensor=sensor,
+        distances=distances,
+        devices=devices,
+        captures=captures,
+        region=region,
+        engine=engine,
+        preset=preset,
+        filters=filters,
+        parameters=parameters,
+        seed=seed,
+        device_seed=device_seed,
+        extended_disparity=extended_disparity,
+        isaac=isaac,
+    )
+    return Accuracy(report)

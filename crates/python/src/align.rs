@@ -1,0 +1,94 @@
+use oaktwin::camera::ImageSize;
+use oaktwin::catalog::Role;
+use oaktwin::depth::align::{Align, Fill};
+use oaktwin::image::ImageView;
+use pyo3::prelude::*;
+
+use crate::camera::Camera;
+use crate::choice::choose;
+use crate::error::{error, wrong};
+use crate::images::{Depth, Out, Shape};
+use crate::pose::one_pose;
+use crate::threads;
+
+pub(crate) fn role(name: &str) -> PyResult<Role> {
+    let all = [Role::Rgb, Role::Left, Role::Right, Role::Tof].map(|role| (role.as_str(), role));
+    choose("camera", name, &all)
+}
+
+pub(crate) fn fill(name: &str) -> PyResult<Fill> {
+    choose(
+        "fill",
+        name,
+        &[("footprint", Fill::Footprint), ("nearest", Fill::Nearest)],
+    )
+}
+
+/// Images as another camera sees them.
+pub(crate) fn aligned<'py>(
+    py: Python<'py>,
+    align: &Align,
+    depth: &Depth<'py>,
+    shape: Shape,
+    out: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let target = align.target().intrinsics.size;
+    let out_shape = shape.sized(ImageSize::new(target.width, target.height));
+    let (result, mut out) = Out::of(py, out, out_shape, depth)?;
+    let values = depth.slice()?;
+    let mut room = out.slice()?;
+    room.check_apart(values)?;
+    let (pixels, out_pixels) = (shape.pixels(), out_shape.pixels());
+    for item in 0..shape.count() {
+        py.check_signals()?;
+        let one = values.part(item * pixels, pixels);
+        threads::run(py, || {
+            let metres = one.metres();
+            let view = ImageView::new(shape.size.width, shape.size.height, &metres[..])
+                .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
+            let seen = align.align(view).map_err(error)?;
+            room.fill(item * out_pixels, out_pixels, |room| {
+                room.copy_from_slice(seen.0.pixels());
+                Ok::<(), PyErr>(())
+            })
+        })??;
+    }
+    Ok(result)
+}
+
+/// Depth of one camera as another sees it: the nearest sample in each of its pixels.
+///
+/// depth: (H, W) or (N, H, W) of the source camera's size, float32 metres or uint16 millimetres along its axis; what is not
+///     finite and above 0 is no sample.
+/// source, target: the cameras.
+/// target_from_source: (4, 4), metres; by default the places of both on their device say it.
+/// fill: "footprint" (default): a sample goes into all pixels that it covers; "nearest": into the one it falls into.
+/// out: as of a DepthSensor's call.
+///
+/// Returns an array of depth's kind, (H, W) or (N, H, W) of the target's size, 0 where nothing was measured.
+///
+/// Raises oaktwin.Error where depth has not the source's size.
+#[pyfunction]
+#[pyo3(signature = (depth, source, target, *, target_from_source = None, fill = "footprint", out = None))]
+pub(crate) fn align<'py>(
+    py: Python<'py>,
+    depth: &Bound<'py, PyAny>,
+    source: &Camera,
+    target: &Camera,
+    target_from_source: Option<&Bound<'py, PyAny>>,
+    fill: &str,
+    out: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let (depth, shape) = Depth::read("depth", depth)?;
+    let target_from_source = match target_from_source {
+        Some(pose) => one_pose("target_from_source", pose)?,
+        None => target.body_from_camera.inverse() * source.body_from_camera,
+    };
+    let align = Align::new(
+        source.camera,
+        target.camera,
+        target_from_source,
+        self::fill(fill)?,
+    );
+    aligned(py, &align, &depth, shape, out)
+}

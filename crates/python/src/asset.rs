@@ -1,0 +1,65 @@
+use std::path::Path;
+
+use oaktwin::camera::ApertureOffsets;
+use oaktwin::catalog::Twin;
+use oaktwin::diagnostic::Finding;
+use oaktwin::usd::asset::{AssetOptions, Format, LensChoice, Target, asset};
+use pyo3::PyResult;
+
+use crate::choice::choose;
+use crate::error::{error, wrong};
+use crate::settings::ISAAC;
+
+/// What Python says of an asset.
+pub(crate) struct AssetSettings<'a> {
+    pub(crate) isaac: &'a str,
+    pub(crate) target: &'a str,
+    pub(crate) aperture_offsets: &'a str,
+    pub(crate) extended_disparity: bool,
+    pub(crate) legacy_distortion: bool,
+    pub(crate) rigid_body: bool,
+    pub(crate) body: bool,
+}
+
+impl AssetSettings<'_> {
+    pub(crate) fn options(&self, lens: LensChoice) -> PyResult<AssetOptions> {
+        let targets = [("isaac", Target::Isaac), ("ovrtx", Target::Ovrtx)];
+        let offsets = [
+            ("usd", ApertureOffsets::OpenUsd),
+            ("document", ApertureOffsets::Document),
+            ("zero", ApertureOffsets::Zero),
+        ];
+        Ok(AssetOptions {
+            isaac: choose("isaac", self.isaac, &ISAAC)?,
+            target: choose("target", self.target, &targets)?,
+            lens,
+            aperture_offsets: choose("aperture_offsets", self.aperture_offsets, &offsets)?,
+            extended_disparity: self.extended_disparity,
+            legacy_distortion: self.legacy_distortion,
+            rigid_body: self.rigid_body,
+            body: self.body,
+        })
+    }
+}
+
+/// By the extension.
+pub(crate) fn format(path: &Path) -> PyResult<Format> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    let all = [Format::Usda, Format::Usd, Format::Usdz];
+    all.into_iter()
+        .find(|format| format.extension() == extension)
+        .ok_or_else(|| {
+            let is = format!(".{extension} is no USD format");
+            wrong(path.display(), is, "use .usda, .usd or .usdz")
+        })
+}
+
+/// The file's content.
+pub(crate) fn bytes(
+    twin: &Twin,
+    options: &AssetOptions,
+    format: Format,
+) -> PyResult<(Vec<u8>, Vec<Finding>)> {
+    let made = asset(twin, options).map_err(error)?;
+    Ok((made.bytes(format).map_err(error)?, made.findings))
+}

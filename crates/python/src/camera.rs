@@ -1,0 +1,279 @@
+use numpy::{PyArray1, PyArray2};
+use oaktwin::camera::{
+    self, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
+};
+use oaktwin::render::{Clip, PlacedCamera, check_size};
+use pyo3::prelude::*;
+
+use crate::choice::choose;
+use crate::error::{error, wrong};
+use crate::pose::{matrix, numbers, one_pose, rows};
+
+/// A camera: intrinsics, lens, and its place on a device.
+///
+/// Its own frame is OpenCV's: x right, y down, z forward; metres. Pixel coordinates are OpenCV's: the centre of the first
+/// pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
+///
+/// size: (width, height) of the image, px.
+/// K: camera matrix (3, 3), px; or give hfov_deg.
+/// hfov_deg: horizontal field of view of an ideal centred camera, degrees above 0 and below 180.
+/// distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
+///     "fisheye"; none by default.
+/// lens: "pinhole", "opencv" or "fisheye"; by default "opencv" where there is distortion.
+/// body_from_camera: (4, 4), the camera's place on its device; by default the identity.
+/// near, far: what is nearer or farther, metres, is not rendered.
+/// name: what messages call it.
+///
+/// Raises oaktwin.Error for an image without pixels, a K or field of view that is no camera's, too many coefficients.
+#[pyclass(frozen, module = "oaktwin")]
+#[derive(Clone, Debug)]
+pub(crate) struct Camera {
+    pub(crate) name: String,
+    pub(crate) camera: camera::Camera,
+    pub(crate) clip: Clip,
+    pub(crate) body_from_camera: RigidTransform,
+}
+
+impl Camera {
+    /// One that an asset would have.
+    pub(crate) fn placed(name: &str, placed: &PlacedCamera) -> Self {
+        Self {
+            name: name.to_owned(),
+            camera: placed.camera,
+            clip: placed.clip,
+            body_from_camera: placed.mount_from_camera,
+        }
+    }
+
+    fn with(&self, intrinsics: Intrinsics) -> PyResult<Self> {
+        check_size(intrinsics.size).map_err(error)?;
+        Ok(Self {
+            camera: camera::Camera::new(intrinsics, self.camera.lens),
+            ..self.clone()
+        })
+    }
+}
+
+fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f64>) -> PyResult<Intrinsics> {
+    match (k, hfov_deg) {
+        (Some(k), None) => {
+            let (shape, array) = numbers("K", k)?;
+            let values = array.as_slice().map_err(error)?;
+            let (rows, _) = values.as_chunks::<3>();
+            let ([3, 3], [a, b, c]) = (&shape[..], rows) else {
+                return Err(wrong(
+                    "K",
+                    format_args!("has shape {shape:?}"),
+                    "give a 3x3 camera matrix",
+                ));
+            };
+            let made = Intrinsics::from_opencv_matrix(size, [*a, *b, *c]);
+            let is_camera = values.iter().all(|number| number.is_finite())
+                && made.fx > 0.0
+                && made.fy > 0.0
+                && a[1] == 0.0
+                && b[0] == 0.0
+                && *c == [0.0, 0.0, 1.0];
+            if is_camera {
+                Ok(made)
+            } else {
+                Err(wrong(
+                    "K",
+                    "is no camera matrix",
+                    "give [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], px",
+                ))
+            }
+        }
+        (None, Some(hfov)) if hfov > 0.0 && hfov < 180.0 => {
+            Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
+        }
+        (None, Some(hfov)) => {
+            let is = format!("{hfov} is no field of view");
+            Err(wrong("hfov_deg", is, "give degrees between 0 and 180"))
+        }
+        _ => Err(wrong(
+            "K, hfov_deg",
+            "one of both says what the camera sees",
+            "give one",
+        )),
+    }
+}
+
+#[pymethods]
+impl Camera {
+    #[new]
+    #[pyo3(signature = (size, *, K = None, hfov_deg = None, distortion = None, lens = None, body_from_camera = None,
+        near = 0.01, far = 1e7, name = "camera"))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(non_snake_case, reason = "what the camera matrix is called")]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn new(
+        size: (u32, u32),
+        K: Option<Bound<'_, PyAny>>,
+        hfov_deg: Option<f64>,
+        distortion: Option<Vec<f64>>,
+        lens: Option<&str>,
+        body_from_camera: Option<Bound<'_, PyAny>>,
+        near: f64,
+        far: f64,
+        name: &str,
+    ) -> PyResult<Self> {
+        let size = ImageSize::new(size.0, size.1);
+        check_size(size).map_err(error)?;
+        let intrinsics = intrinsics(size, K.as_ref(), hfov_deg)?;
+        let default = if distortion.is_some() { "opencv" } else { "pinhole" };
+        let coefficients = distortion.unwrap_or_default();
+        let names = [("pinhole", 0u8), ("opencv", 1), ("fisheye", 2)];
+        let lens = match choose("lens", lens.unwrap_or(default), &names)? {
+            0 if coefficients.is_empty() => LensModel::Pinhole,
+            0 => {
+                return Err(wrong(
+                    "distortion",
+                    "a pinhole has none",
+                    "leave it out, or the lens",
+                ));
+            }
+            1 => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
+            _ => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
+        };
+        if !(near > 0.0 && far > near) {
+            let is = format!("{near} to {far} m is no range");
+            return Err(wrong("near, far", is, "give metres, near above 0 and below far"));
+        }
+        let body_from_camera = match &body_from_camera {
+            Some(pose) => one_pose("body_from_camera", pose)?,
+            None => RigidTransform::IDENTITY,
+        };
+        Ok(Self {
+            name: name.to_owned(),
+            camera: camera::Camera::new(intrinsics, lens),
+            clip: Clip {
+                near_m: near,
+                far_m: far,
+            },
+            body_from_camera,
+        })
+    }
+
+    /// What messages call it: the role on its device.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Camera matrix (3, 3), px: [[fx, 0, cx], [0, fy, cy], [0, 0, 1]].
+    #[getter(K)]
+    fn k<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.camera.intrinsics.opencv_matrix())
+    }
+
+    /// The lens model: "pinhole", "opencv" or "fisheye".
+    #[getter]
+    fn lens(&self) -> &'static str {
+        match self.camera.lens {
+            LensModel::Pinhole => "pinhole",
+            LensModel::OpenCvPinhole(_) => "opencv",
+            LensModel::OpenCvFisheye(_) => "fisheye",
+            LensModel::FTheta(_) => "f-theta",
+        }
+    }
+
+    /// The lens's coefficients in OpenCV's order: (14,) of "opencv", (4,) of "fisheye", (0,) of "pinhole".
+    #[getter]
+    fn distortion<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        match &self.camera.lens {
+            LensModel::OpenCvPinhole(lens) => PyArray1::from_slice(py, &lens.coefficients),
+            LensModel::OpenCvFisheye(lens) => PyArray1::from_slice(py, &lens.k),
+            LensModel::Pinhole | LensModel::FTheta(_) => PyArray1::from_slice(py, &[]),
+        }
+    }
+
+    /// (width, height) of the image, px.
+    #[getter]
+    fn size(&self) -> (u32, u32) {
+        let size = self.camera.intrinsics.size;
+        (size.width, size.height)
+    }
+
+    /// Columns of the image, px.
+    #[getter]
+    fn width(&self) -> u32 {
+        self.size().0
+    }
+
+    /// Rows of the image, px.
+    #[getter]
+    fn height(&self) -> u32 {
+        self.size().1
+    }
+
+    /// Horizontal field of view of the ideal pinhole, degrees.
+    #[getter]
+    fn hfov_deg(&self) -> f64 {
+        self.camera.intrinsics.hfov().to_degrees()
+    }
+
+    /// Vertical field of view of the ideal pinhole, degrees.
+    #[getter]
+    fn vfov_deg(&self) -> f64 {
+        self.camera.intrinsics.vfov().to_degrees()
+    }
+
+    /// What is rendered: (nearest, farthest), metres.
+    #[getter]
+    fn clip(&self) -> (f64, f64) {
+        (self.clip.near_m, self.clip.far_m)
+    }
+
+    /// (4, 4): from the camera's frame (x right, y down, z forward) to the device's body (x forward, y left, z up, its origin
+    /// midway between left and right), metres.
+    #[getter]
+    fn body_from_camera<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        rows(py, &self.body_from_camera)
+    }
+
+    /// The same camera at another image size, as DepthAI computes it.
+    ///
+    /// width, height: px.
+    /// keep_aspect_ratio: scale to cover the size and cut off what is too much; else each axis by itself.
+    ///
+    /// Raises oaktwin.Error for an image without pixels.
+    #[pyo3(signature = (width, height, *, keep_aspect_ratio = true))]
+    fn resized(&self, width: u32, height: u32, keep_aspect_ratio: bool) -> PyResult<Self> {
+        let size = ImageSize::new(width, height);
+        check_size(size).map_err(error)?;
+        self.with(self.camera.intrinsics.resized(size, keep_aspect_ratio))
+    }
+
+    /// The camera of a part of the image: width x height pixels from (x, y) on, the upper left corner of the part.
+    ///
+    /// Raises oaktwin.Error for an image without pixels, or a corner that is no place.
+    #[pyo3(signature = (x, y, width, height))]
+    fn cropped(&self, x: f64, y: f64, width: u32, height: u32) -> PyResult<Self> {
+        if !(x.is_finite() && y.is_finite()) {
+            return Err(wrong(
+                "x, y",
+                format_args!("({x}, {y}) is no place"),
+                "give pixels",
+            ));
+        }
+        let corner = PixelPoint::<OpenCv>::new(x, y);
+        self.with(
+            self.camera
+                .intrinsics
+                .cropped(corner, ImageSize::new(width, height)),
+        )
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<oaktwin.Camera {}: {}, fx {:.2} px, {:.2}° x {:.2}°, {}>",
+            self.name,
+            self.camera.intrinsics.size,
+            self.camera.intrinsics.fx,
+            self.hfov_deg(),
+            self.vfov_deg(),
+            self.lens()
+        )
+    }
+}

@@ -1,0 +1,361 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use numpy::PyArray2;
+use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
+use oaktwin::camera::{RectifiedIntrinsics, RigidTransform, stereo_rectify_to};
+use oaktwin::catalog::{self, Catalog, Origin, Role, Twin};
+use oaktwin::diagnostic::{self, nearest};
+use oaktwin::render::{OakOptions, check_lens, oak_cameras};
+use oaktwin::report::DeviceReport;
+use oaktwin::usd::asset::LensChoice;
+use oaktwin::{sense, unit};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::asset::{self, AssetSettings};
+use crate::camera::Camera;
+use crate::choice::choose;
+use crate::error::{error, reading, writing, wrong};
+use crate::export::export;
+use crate::finding::{self, Finding};
+use crate::json;
+use crate::pose::rows;
+use crate::rectification::Rectification;
+use crate::settings::kind;
+
+const LENSES: [(&str, LensChoice); 2] = [("pinhole", LensChoice::Pinhole), ("fisheye", LensChoice::Fisheye)];
+
+/// The names of all models, as `Device` takes them.
+#[pyfunction]
+pub(crate) fn models() -> Vec<String> {
+    let devices = Catalog::builtin().devices().iter();
+    devices.map(|device| device.name.clone()).collect()
+}
+
+/// A digital twin of a Luxonis OAK: a model of the catalog, nominal, or one unit of it by its calibration.
+///
+/// model: the name; case, spaces, hyphens and underscores do not matter: "OAK4-D", "oak-d-pro-poe". See `models()`.
+/// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
+///
+/// Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, its origin midway
+/// between the left and right optical centres. Metres.
+///
+/// Raises oaktwin.Error for a name that is no model's, with the nearest ones, or a lens that the model has not.
+#[pyclass(frozen, module = "oaktwin")]
+#[derive(Debug)]
+pub(crate) struct Device {
+    pub(crate) twin: Arc<Twin>,
+    pub(crate) lens: LensChoice,
+    calibration: Option<Calibrated>,
+    findings: Vec<diagnostic::Finding>,
+}
+
+#[derive(Debug)]
+struct Calibrated {
+    raw: Raw,
+    calibration: Calibration,
+}
+
+fn entry(name: &str) -> PyResult<&'static catalog::Device> {
+    Catalog::builtin().device(name).map_err(error)
+}
+
+impl Device {
+    fn new(
+        twin: Twin,
+        lens: &str,
+        calibration: Option<Calibrated>,
+        findings: Vec<diagnostic::Finding>,
+    ) -> PyResult<Self> {
+        let lens = choose("lens", lens, &LENSES)?;
+        check_lens(&twin, lens).map_err(error)?;
+        Ok(Self {
+            twin: Arc::new(twin),
+            lens,
+            calibration,
+            findings,
+        })
+    }
+
+    /// The camera of a role, prim or depth sensor.
+    fn placed(&self, name: &str) -> PyResult<Camera> {
+        let names = [name.to_owned()];
+        let options = OakOptions {
+            cameras: &names,
+            lens: self.lens,
+            size: None,
+        };
+        let (placed, _) = oak_cameras(&self.twin, &RigidTransform::IDENTITY, &options).map_err(error)?;
+        let first = placed
+            .first()
+            .ok_or_else(|| wrong(name, "is no camera", "see cameras"))?;
+        Ok(Camera::placed(name, first))
+    }
+
+    fn body_from(&self, name: &str) -> PyResult<RigidTransform> {
+        let twin = &self.twin;
+        let mut all = vec![("body", RigidTransform::IDENTITY), ("imu", twin.body_from_imu)];
+        for camera in &twin.cameras {
+            all.push((camera.spec.role.as_str(), camera.body_from_camera));
+        }
+        let names = || all.iter().map(|(name, _)| *name);
+        let found = all.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
+        found.map(|(_, pose)| *pose).ok_or_else(|| {
+            let is = format!("there is no `{name}`");
+            let remedy = match nearest(name, names())[..] {
+                [] => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
+                [near, ..] => format!("did you mean {near}?"),
+            };
+            wrong(&twin.device.name, is, remedy)
+        })
+    }
+
+    fn exported<'py>(
+        &self,
+        py: Python<'py>,
+        format: oaktwin::calibration::export::Format,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        if let Some(own) = &self.calibration {
+            return export(py, &own.raw, &own.calibration, format);
+        }
+        let raw = nominal_calibration(&self.twin);
+        let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
+        export(py, &raw, &calibration, format)
+    }
+}
+
+#[pymethods]
+impl Device {
+    #[new]
+    #[pyo3(signature = (model, *, lens = "pinhole"))]
+    fn py_new(model: &str, lens: &str) -> PyResult<Self> {
+        let twin = Catalog::builtin().nominal(entry(model)?);
+        Self::new(twin, lens, None, Vec::new())
+    }
+
+    /// The twin of the unit that a DepthAI calibration (JSON) is of.
+    ///
+    /// path: the file.
+    /// model: which model the unit is; by default the file's product name says it.
+    /// force: use the calibration in spite of errors found in it, which become findings.
+    /// lens: as of `Device`; a calibrated camera has its own lens whatever is asked.
+    ///
+    /// What is odd in the file is in `findings`. Raises FileNotFoundError and other OSErrors for what cannot be read,
+    /// oaktwin.Error for what is no calibration or not one of this model.
+    #[staticmethod]
+    #[pyo3(signature = (path, model = None, *, force = false, lens = "pinhole"))]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn from_calibration(path: PathBuf, model: Option<&str>, force: bool, lens: &str) -> PyResult<Self> {
+        let failed = |error: unit::UnitError| reading(&path, &error);
+        let (raw, calibration, _) = unit::read_calibration(&path).map_err(failed)?;
+        let device = match model {
+            Some(model) => entry(model)?,
+            None => {
+                let product = &calibration.board.product_name;
+                Catalog::builtin().device(product).map_err(|unknown| {
+                    let place = format!("{}: productName", path.display());
+                    wrong(place, unknown, "say model=, which unit it is")
+                })?
+            }
+        };
+        let (twin, findings) = unit::open(Catalog::builtin(), device, &path, force).map_err(failed)?;
+        Self::new(twin, lens, Some(Calibrated { raw, calibration }), findings)
+    }
+
+    /// What people call the model.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.twin.device.name
+    }
+
+    /// "nominal", or the calibration file's name.
+    #[getter]
+    fn origin(&self) -> &str {
+        match &self.twin.origin {
+            Origin::Nominal => "nominal",
+            Origin::Calibration { file_name, .. } => file_name,
+        }
+    }
+
+    /// What is odd in the calibration.
+    #[getter]
+    fn findings(&self) -> Vec<Finding> {
+        finding::list(&self.findings)
+    }
+
+    /// The cameras by role: "rgb", "left", "right", "tof".
+    #[getter]
+    fn cameras(&self) -> PyResult<BTreeMap<&'static str, Camera>> {
+        let roles = self.twin.cameras.iter().map(|camera| camera.spec.role.as_str());
+        roles.map(|role| Ok((role, self.placed(role)?))).collect()
+    }
+
+    /// The camera that a depth sensor's images are of: the rectified pinhole at the place of the camera it stands for, with
+    /// the depth sensor's clipping range.
+    ///
+    /// sensor: "stereo" or "tof"; by default time of flight where the device has it.
+    #[pyo3(signature = (sensor = None))]
+    fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
+        let sensor = sense::depth_sensor(&self.twin, kind(sensor)?).map_err(error)?;
+        self.placed(&sensor.spec.prim)
+    }
+
+    /// The parameters of the depth sensors by kind ("stereo", "tof"): the names are the catalog's, units in them.
+    #[getter]
+    fn depth_sensors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let sensors = PyDict::new(py);
+        for sensor in &self.twin.depth_sensors {
+            let spec = json::to_python(py, &sensor.spec)?;
+            spec.set_item("focal_length_px", sensor.focal_length_px)?;
+            sensors.set_item(sensor.spec.kind.as_str(), spec)?;
+        }
+        Ok(sensors)
+    }
+
+    /// (4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+    ///
+    /// source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
+    ///
+    /// Raises oaktwin.Error for a part that the device has not.
+    fn extrinsics<'py>(
+        &self,
+        py: Python<'py>,
+        source: &str,
+        target: &str,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        rows(py, &(self.body_from(target)?.inverse() * self.body_from(source)?))
+    }
+
+    /// The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
+    ///
+    /// intrinsics: of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
+    ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
+    ///
+    /// Raises oaktwin.Error for a device without a pair, or whose cameras cannot be rectified.
+    #[pyo3(signature = (*, intrinsics = "zero-disparity"))]
+    fn rectification(&self, intrinsics: &str) -> PyResult<Rectification> {
+        let all = [
+            ("zero-disparity", RectifiedIntrinsics::ZeroDisparity),
+            ("free-disparity", RectifiedIntrinsics::FreeDisparity),
+            ("left-camera", RectifiedIntrinsics::LeftCamera),
+        ];
+        let choice = choose("intrinsics", intrinsics, &all)?;
+        if [Role::Left, Role::Right]
+            .iter()
+            .any(|role| self.twin.camera(*role).is_none())
+        {
+            return Err(wrong(self.name(), "it has no stereo pair", "use another model"));
+        }
+        let (left, right) = (self.placed("left")?, self.placed("right")?);
+        let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
+        let rectification = stereo_rectify_to(&left.camera, &right.camera, &right_from_left, choice);
+        Ok(Rectification {
+            left: left.camera,
+            right: right.camera,
+            rectification: rectification
+                .map_err(|error| wrong(self.name(), error, "calibrate the stereo pair again"))?,
+        })
+    }
+
+    /// Writes the USD asset for Isaac Sim and Omniverse.
+    ///
+    /// path: the file: .usd or .usda for text, .usdz for a package.
+    /// isaac: the Isaac Sim that it is for, "5.1" or "6".
+    /// target: "isaac", or "ovrtx" (experimental).
+    /// aperture_offsets: how a calibrated principal point is written: "usd", "document" or "zero".
+    /// extended_disparity: the depth sensor's extended mode.
+    /// legacy_distortion: the old distortion attributes too.
+    /// rigid_body: with mass and collider.
+    /// body: with the visible body.
+    ///
+    /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model cannot have or another
+    /// extension, OSError for what cannot be written; no part of a file is left behind.
+    #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "usd", extended_disparity = false,
+        legacy_distortion = false, rigid_body = false, body = true))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::fn_params_excessive_bools, reason = "options of Python")]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn write_usd(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        isaac: &str,
+        target: &str,
+        aperture_offsets: &str,
+        extended_disparity: bool,
+        legacy_distortion: bool,
+        rigid_body: bool,
+        body: bool,
+    ) -> PyResult<()> {
+        let settings = AssetSettings {
+            isaac,
+            target,
+            aperture_offsets,
+            extended_disparity,
+            legacy_distortion,
+            rigid_body,
+            body,
+        };
+        let options = settings.options(self.lens)?;
+        let format = asset::format(&path)?;
+        let twin = &self.twin;
+        let (bytes, findings) = py.detach(|| asset::bytes(twin, &options, format))?;
+        py.detach(|| oaktwin::files::write(&path, &bytes))
+            .map_err(|error| writing(&path, &error))?;
+        finding::warn(py, &findings)
+    }
+
+    /// ROS's camera_info YAML: a mapping from file names to texts, one a camera.
+    ///
+    /// Warns with oaktwin.FindingWarning of what the format cannot say.
+    fn to_ros<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.exported(py, oaktwin::calibration::export::Format::Ros)
+    }
+
+    /// OpenCV's FileStorage YAML: a mapping from file names to texts, one a camera and "stereo.yml".
+    fn to_opencv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.exported(py, oaktwin::calibration::export::Format::OpenCv)
+    }
+
+    /// Kalibr's camchain: a mapping from a file name to its text.
+    ///
+    /// Warns with oaktwin.FindingWarning of what the format cannot say.
+    fn to_kalibr<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.exported(py, oaktwin::calibration::export::Format::Kalibr)
+    }
+
+    /// DepthAI's calibration JSON: a mapping from a file name to its text; of a nominal device that of the ideal unit.
+    fn to_depthai<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.exported(py, oaktwin::calibration::export::Format::DepthAi)
+    }
+
+    /// Everything known about the device, each number with its source: what `oaktwin show --json` prints.
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let report = DeviceReport::new(Catalog::builtin(), &self.twin, self.lens, self.findings.clone());
+        json::to_python(py, &report)
+    }
+
+    fn __repr__(&self) -> String {
+        let roles: Vec<&str> = self
+            .twin
+            .cameras
+            .iter()
+            .map(|camera| camera.spec.role.as_str())
+            .collect();
+        let sensors: Vec<&str> = self
+            .twin
+            .depth_sensors
+            .iter()
+            .map(|sensor| sensor.spec.kind.as_str())
+            .collect();
+        format!(
+            "<oaktwin.Device {} ({}): cameras {}; depth {}>",
+            self.name(),
+            self.origin(),
+            roles.join(", "),
+            sensors.join(", ")
+        )
+    }
+}

@@ -1,0 +1,57 @@
+use std::ffi::CString;
+
+use oaktwin::diagnostic::{self, Level};
+use pyo3::prelude::*;
+
+use crate::error::FindingWarning;
+
+/// Something odd in an input or a result that holds nevertheless; str() is the program's line about it.
+///
+/// code: a short stable name for machines, "own-focal-length".
+/// level: "note", "warning" or "error".
+/// place: where: a field's or a prim's path.
+/// message: what is odd.
+/// remedy: what to do about it; empty where there is nothing to do.
+#[pyclass(frozen, module = "oaktwin", get_all)]
+#[derive(Debug)]
+pub(crate) struct Finding {
+    code: &'static str,
+    level: String,
+    place: String,
+    message: String,
+    remedy: String,
+    line: String,
+}
+
+#[pymethods]
+impl Finding {
+    fn __str__(&self) -> &str {
+        &self.line
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<oaktwin.Finding {}>", self.line)
+    }
+}
+
+/// As a list for Python.
+pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
+    let one = |finding: &diagnostic::Finding| Finding {
+        code: finding.code,
+        level: finding.level.to_string(),
+        place: finding.place.clone(),
+        message: finding.message.clone(),
+        remedy: finding.remedy.clone(),
+        line: finding.to_string(),
+    };
+    findings.iter().map(one).collect()
+}
+
+/// Those that are more than notes, as Python's warnings.
+pub(crate) fn warn(py: Python<'_>, findings: &[diagnostic::Finding]) -> PyResult<()> {
+    for finding in findings.iter().filter(|finding| finding.level > Level::Note) {
+        let text = CString::new(finding.to_string().replace('\0', " "))?;
+        PyErr::warn(py, &py.get_type::<FindingWarning>(), &text, 1)?;
+    }
+    Ok(())
+}

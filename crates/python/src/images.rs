@@ -1,0 +1,345 @@
+//! Images and batches of images of Python.
+
+use std::borrow::Cow;
+
+use numpy::{
+    Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods,
+};
+use oaktwin::camera::ImageSize;
+use oaktwin::image::{Image, millimetres};
+use oaktwin::render::check_size;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+
+use crate::array::{contiguous, is_like, view, writable, zeros};
+use crate::error::{error, wrong};
+
+/// The rows and columns of one image, or of each of a batch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Shape {
+    /// `None` of one image.
+    pub(crate) batch: Option<usize>,
+    pub(crate) size: ImageSize,
+}
+
+impl Shape {
+    /// (H, W) or (N, H, W).
+    fn of(name: &str, shape: &[usize]) -> PyResult<Self> {
+        let (batch, height, width) = match *shape {
+            [height, width] => (None, height, width),
+            [count, height, width] => (Some(count), height, width),
+            _ => {
+                let is = format!("has shape {shape:?}");
+                return Err(wrong(name, is, "give one image (H, W), or a batch (N, H, W)"));
+            }
+        };
+        let side = |length: usize| u32::try_from(length).unwrap_or(u32::MAX);
+        let size = ImageSize::new(side(width), side(height));
+        check_size(size).map_err(|found| error(format!("{name}: {found}")))?;
+        Ok(Self { batch, size })
+    }
+
+    pub(crate) fn count(self) -> usize {
+        self.batch.unwrap_or(1)
+    }
+
+    pub(crate) fn pixels(self) -> usize {
+        self.size.width as usize * self.size.height as usize
+    }
+
+    /// With images of another size.
+    pub(crate) fn sized(self, size: ImageSize) -> Self {
+        Self { size, ..self }
+    }
+
+    pub(crate) fn dims(self) -> Vec<usize> {
+        let rows = [self.size.height as usize, self.size.width as usize];
+        self.batch.into_iter().chain(rows).collect()
+    }
+
+    pub(crate) fn of_batch(self) -> [usize; 3] {
+        [self.count(), self.size.height as usize, self.size.width as usize]
+    }
+}
+
+/// Depth images: metres, or whole millimetres.
+pub(crate) enum Depth<'py> {
+    Metres(PyReadonlyArrayDyn<'py, f32>),
+    Millimetres(PyReadonlyArrayDyn<'py, u16>),
+}
+
+/// Numbers of depth images, on loan.
+#[derive(Clone, Copy)]
+pub(crate) enum DepthSlice<'a> {
+    Metres(&'a [f32]),
+    Millimetres(&'a [u16]),
+}
+
+impl<'py> Depth<'py> {
+    /// (H, W) or (N, H, W); float32 or uint16.
+    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
+        let array = view(name, object)?;
+        let depth = if is_like::<f32>(&array) {
+            Self::Metres(contiguous(name, &array)?)
+        } else if is_like::<u16>(&array) {
+            Self::Millimetres(contiguous(name, &array)?)
+        } else {
+            return Err(PyTypeError::new_err(format!(
+                "{name}: its numbers are {}; give float32 metres or uint16 millimetres",
+                array.dtype()
+            )));
+        };
+        Ok((depth, Shape::of(name, array.shape())?))
+    }
+
+    pub(crate) fn slice(&self) -> PyResult<DepthSlice<'_>> {
+        Ok(match self {
+            Self::Metres(array) => DepthSlice::Metres(array.as_slice().map_err(error)?),
+            Self::Millimetres(array) => DepthSlice::Millimetres(array.as_slice().map_err(error)?),
+        })
+    }
+}
+
+impl<'a> DepthSlice<'a> {
+    /// In metres: as it is where it is so.
+    pub(crate) fn metres(self) -> Cow<'a, [f32]> {
+        match self {
+            Self::Metres(metres) => Cow::Borrowed(metres),
+            Self::Millimetres(values) => Cow::Owned(to_metres(values)),
+        }
+    }
+
+    /// The part that begins at a pixel.
+    pub(crate) fn part(self, from: usize, pixels: usize) -> Self {
+        match self {
+            Self::Metres(values) => Self::Metres(part(values, from, pixels)),
+            Self::Millimetres(values) => Self::Millimetres(part(values, from, pixels)),
+        }
+    }
+
+    fn range(self) -> (usize, usize) {
+        match self {
+            Self::Metres(values) => bytes(values),
+            Self::Millimetres(values) => bytes(values),
+        }
+    }
+}
+
+/// As much as is there of a part.
+pub(crate) fn part<T>(values: &[T], from: usize, length: usize) -> &[T] {
+    values
+        .get(from..)
+        .map_or(&[], |rest| rest.get(..length).unwrap_or(rest))
+}
+
+fn bytes<T>(values: &[T]) -> (usize, usize) {
+    let range = values.as_ptr_range();
+    (range.start as usize, range.end as usize)
+}
+
+/// Images of any kind that filters take.
+pub(crate) enum Numbers<'py> {
+    U8(PyReadonlyArrayDyn<'py, u8>),
+    U16(PyReadonlyArrayDyn<'py, u16>),
+    F32(PyReadonlyArrayDyn<'py, f32>),
+}
+
+/// Such images, on loan.
+pub(crate) enum NumbersSlice<'a> {
+    U8(&'a [u8]),
+    U16(&'a [u16]),
+    F32(&'a [f32]),
+}
+
+impl<'py> Numbers<'py> {
+    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
+        let array = view(name, object)?;
+        let numbers = if is_like::<u16>(&array) {
+            Self::U16(contiguous(name, &array)?)
+        } else if is_like::<u8>(&array) {
+            Self::U8(contiguous(name, &array)?)
+        } else if is_like::<f32>(&array) {
+            Self::F32(contiguous(name, &array)?)
+        } else {
+            return Err(PyTypeError::new_err(format!(
+                "{name}: its numbers are {}; give uint16, uint8 or float32 metres",
+                array.dtype()
+            )));
+        };
+        Ok((numbers, Shape::of(name, array.shape())?))
+    }
+
+    pub(crate) fn slice(&self) -> PyResult<NumbersSlice<'_>> {
+        Ok(match self {
+            Self::U8(array) => NumbersSlice::U8(array.as_slice().map_err(error)?),
+            Self::U16(array) => NumbersSlice::U16(array.as_slice().map_err(error)?),
+            Self::F32(array) => NumbersSlice::F32(array.as_slice().map_err(error)?),
+        })
+    }
+}
+
+/// Whole millimetres of metres; 0 where there is no value.
+pub(crate) fn from_metres(metres: Vec<f32>) -> Vec<u16> {
+    // One row is as good as any shape.
+    let columns = u32::try_from(metres.len()).unwrap_or(0);
+    Image::new(columns, 1, metres).map_or_else(Vec::new, |row| millimetres::from_metres(&row).into_pixels())
+}
+
+/// Metres of whole millimetres.
+pub(crate) fn to_metres(values: &[u16]) -> Vec<f32> {
+    values.iter().map(|&mm| f32::from(mm) / 1000.0).collect()
+}
+
+/// Where measured depth goes: metres, or whole millimetres.
+pub(crate) enum Out<'py> {
+    Metres(PyReadwriteArrayDyn<'py, f32>),
+    Millimetres(PyReadwriteArrayDyn<'py, u16>),
+}
+
+/// Room for measured depth, on loan.
+pub(crate) enum OutSlice<'a> {
+    Metres(&'a mut [f32]),
+    Millimetres(&'a mut [u16]),
+}
+
+impl<'py> Out<'py> {
+    /// Room of a shape: what somebody gave, or an array of the kind that `depth` is. What to return, and its numbers.
+    pub(crate) fn of(
+        py: Python<'py>,
+        given: Option<Bound<'py, PyAny>>,
+        shape: Shape,
+        depth: &Depth<'_>,
+    ) -> PyResult<(Bound<'py, PyAny>, Self)> {
+        let Some(given) = given else {
+            return match depth {
+                Depth::Metres(_) => made(py, shape, Self::Metres),
+                Depth::Millimetres(_) => made(py, shape, Self::Millimetres),
+            };
+        };
+        let array = view("out", &given)?;
+        if array.shape() != shape.dims() {
+            let is = format!("has shape {:?}", array.shape());
+            return Err(wrong(
+                "out",
+                is,
+                format_args!("give one of shape {:?}", shape.dims()),
+            ));
+        }
+        let out = if crate::array::is_of::<f32>(&array) {
+            Self::Metres(writable("out", &array)?)
+        } else if crate::array::is_of::<u16>(&array) {
+            Self::Millimetres(writable("out", &array)?)
+        } else {
+            return Err(PyTypeError::new_err(format!(
+                "out: its numbers are {}; give float32 for metres or uint16 for millimetres",
+                array.dtype()
+            )));
+        };
+        Ok((given, out))
+    }
+
+    pub(crate) fn slice(&mut self) -> PyResult<OutSlice<'_>> {
+        Ok(match self {
+            Self::Metres(array) => OutSlice::Metres(array.as_slice_mut().map_err(error)?),
+            Self::Millimetres(array) => OutSlice::Millimetres(array.as_slice_mut().map_err(error)?),
+        })
+    }
+}
+
+fn made<'py, T: Element>(
+    py: Python<'py>,
+    shape: Shape,
+    out: impl FnOnce(PyReadwriteArrayDyn<'py, T>) -> Out<'py>,
+) -> PyResult<(Bound<'py, PyAny>, Out<'py>)> {
+    let array: Bound<'py, PyArrayDyn<T>> = zeros(py, &shape.dims())?;
+    let writable = array.try_readwrite().map_err(error)?;
+    Ok((array.into_any(), out(writable)))
+}
+
+impl OutSlice<'_> {
+    /// Refuses to write to what is read.
+    pub(crate) fn check_apart(&self, depth: DepthSlice<'_>) -> PyResult<()> {
+        let (start, end) = match self {
+            Self::Metres(values) => bytes(values),
+            Self::Millimetres(values) => bytes(values),
+        };
+        let (first, last) = depth.range();
+        if start < last && first < end {
+            return Err(wrong(
+                "out",
+                "is the memory of the depth itself",
+                "give an array of its own",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Writes a part, from a pixel on, that `make` fills with metres.
+    pub(crate) fn fill<E>(
+        &mut self,
+        from: usize,
+        pixels: usize,
+        make: impl FnOnce(&mut [f32]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        match self {
+            Self::Metres(values) => {
+                let rest = values.get_mut(from..).unwrap_or_default();
+                let length = pixels.min(rest.len());
+                make(rest.get_mut(..length).unwrap_or_default())
+            }
+            Self::Millimetres(values) => {
+                let mut metres = vec![0.0; pixels];
+                make(&mut metres)?;
+                let rest = values.get_mut(from..).unwrap_or_default();
+                rest.iter_mut()
+                    .zip(from_metres(metres))
+                    .for_each(|(out, mm)| *out = mm);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Pictures of depth images: (..., H, W, 4) as they are, (..., H, W, 3) copied.
+pub(crate) struct Pictures<'py> {
+    array: PyReadonlyArrayDyn<'py, u8>,
+    channels: usize,
+}
+
+impl<'py> Pictures<'py> {
+    pub(crate) fn read(object: &Bound<'py, PyAny>, shape: Shape) -> PyResult<Self> {
+        let array: Bound<'py, PyUntypedArray> = view("rgb", object)?;
+        if !is_like::<u8>(&array) {
+            return Err(PyTypeError::new_err(format!(
+                "rgb: its numbers are {}; give uint8, sRGB",
+                array.dtype()
+            )));
+        }
+        let channels = array.shape().last().copied().unwrap_or(0);
+        let wanted = shape.dims();
+        let is_of_depth = array
+            .shape()
+            .split_last()
+            .is_some_and(|(_, rows)| *rows == wanted);
+        if !(is_of_depth && (channels == 3 || channels == 4)) {
+            let is = format!("has shape {:?}, the depth {wanted:?}", array.shape());
+            return Err(wrong("rgb", is, "give the depth's shape with 3 or 4 channels"));
+        }
+        Ok(Self {
+            array: contiguous("rgb", &array)?,
+            channels,
+        })
+    }
+
+    /// Red, green, blue and whatever.
+    pub(crate) fn rgba(&self) -> PyResult<Cow<'_, [[u8; 4]]>> {
+        let values = self.array.as_slice().map_err(error)?;
+        Ok(if self.channels == 4 {
+            Cow::Borrowed(values.as_chunks().0)
+        } else {
+            let (pixels, _) = values.as_chunks::<3>();
+            pixels.iter().map(|&[r, g, b]| [r, g, b, 255]).collect()
+        })
+    }
+}

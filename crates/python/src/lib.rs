@@ -1,0 +1,74 @@
+//! The native half of the Python package `oaktwin`: NumPy arrays in and out, exceptions for errors, no mathematics.
+//!
+//! The interpreter is released while pixels are worked on, and asked between images whether somebody pressed Ctrl-C.
+//! Bad input is an exception, never a panic. Docstrings are what Python's users read; `_oaktwin.pyi` has the types.
+
+#![expect(
+    clippy::doc_markdown,
+    reason = "docstrings are Python's, which has no Markdown"
+)]
+
+mod accuracy;
+mod align;
+mod array;
+mod asset;
+mod camera;
+mod choice;
+mod device;
+mod error;
+mod export;
+mod filter;
+mod finding;
+mod frames;
+mod images;
+mod json;
+mod pose;
+mod rectification;
+mod scene;
+mod sensor;
+mod settings;
+mod threads;
+
+use std::ffi::OsString;
+
+use pyo3::prelude::*;
+
+/// The native half of oaktwin; use the package `oaktwin`.
+#[pymodule(gil_used = true)]
+mod _oaktwin {
+    #[pymodule_export]
+    use super::align::align;
+    #[pymodule_export]
+    use super::camera::Camera;
+    #[pymodule_export]
+    use super::device::{Device, models};
+    #[pymodule_export]
+    use super::error::{Error, FindingWarning};
+    #[pymodule_export]
+    use super::filter::Filter;
+    #[pymodule_export]
+    use super::finding::Finding;
+    #[pymodule_export]
+    use super::main;
+    #[pymodule_export]
+    use super::pose::look_at;
+    #[pymodule_export]
+    use super::rectification::Rectification;
+    #[pymodule_export]
+    use super::scene::Scene;
+    #[pymodule_export]
+    use super::sensor::DepthSensor;
+    #[pymodule_export]
+    use crate::accuracy::accuracy;
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "Python's name for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}
+
+/// Runs the program `oaktwin` in this process and returns its exit code.
+///
+/// arguments: what follows the program's name.
+#[pyo3::pyfunction]
+fn main(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
+    py.detach(|| oaktwin_cli::main([OsString::from("oaktwin")].into_iter().chain(arguments)))
+}

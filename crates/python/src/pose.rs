@@ -1,0 +1,138 @@
+//! 4×4 matrices of Python and the rigid transforms that they are.
+
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
+use oaktwin::camera::math::{DMat3, DQuat, DVec3};
+use oaktwin::camera::{Axes, RigidTransform};
+use oaktwin::render;
+use pyo3::prelude::*;
+
+use crate::array::contiguous;
+use crate::choice::choose;
+use crate::error::{error, wrong};
+
+/// How far from a rotation a matrix may be: single precision is well within.
+const TOLERANCE: f64 = 1e-4;
+
+/// Rows of numbers as an array.
+pub(crate) fn matrix<'py, const R: usize, const C: usize>(
+    py: Python<'py>,
+    rows: &[[f64; C]; R],
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    PyArray1::from_slice(py, rows.as_flattened()).reshape([R, C])
+}
+
+/// A transform as an array.
+pub(crate) fn rows<'py>(py: Python<'py>, transform: &RigidTransform) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    matrix(py, &transform.rows())
+}
+
+/// Whatever NumPy makes an array of numbers of.
+pub(crate) fn numbers<'py>(
+    name: &str,
+    object: &Bound<'py, PyAny>,
+) -> PyResult<(Vec<usize>, PyReadonlyArrayDyn<'py, f64>)> {
+    let array = object
+        .py()
+        .import("numpy")?
+        .call_method1("array", (object, "float64"))
+        .map_err(|cause| wrong(name, format_args!("is no array of numbers ({cause})"), "give one"))?;
+    let array = contiguous::<f64>(name, array.cast::<PyUntypedArray>()?)?;
+    Ok((array.shape().to_vec(), array))
+}
+
+/// One pose (4, 4) or several (N, 4, 4), and whether it is several.
+pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<RigidTransform>, bool)> {
+    let (shape, array) = numbers(name, object)?;
+    let is_batch = match shape[..] {
+        [4, 4] => false,
+        [_, 4, 4] => true,
+        _ => {
+            let shape = format!("has shape {shape:?}");
+            return Err(wrong(name, shape, "give a 4x4 matrix, or N of them (N, 4, 4)"));
+        }
+    };
+    let values = array.as_slice().map_err(error)?;
+    let (matrices, _) = values.as_chunks::<16>();
+    let poses = matrices.iter().map(|matrix| pose(name, matrix));
+    Ok((poses.collect::<PyResult<_>>()?, is_batch))
+}
+
+/// A 4×4 matrix.
+pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidTransform> {
+    match poses(name, object)? {
+        (poses, false) => match poses[..] {
+            [pose] => Ok(pose),
+            _ => Err(wrong(name, "is empty", "give a 4x4 matrix")),
+        },
+        _ => Err(wrong(name, "is several poses", "give one 4x4 matrix")),
+    }
+}
+
+fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
+    if matrix.iter().any(|number| !number.is_finite()) {
+        return Err(wrong(
+            name,
+            "has numbers that are not finite",
+            "give a rigid transform",
+        ));
+    }
+    let (rows, _) = matrix.as_chunks::<4>();
+    let [a, b, c, last] = rows else {
+        return Err(wrong(name, "has not four rows", "give a 4x4 matrix"));
+    };
+    if last
+        .iter()
+        .zip([0.0, 0.0, 0.0, 1.0])
+        .any(|(x, wanted)| (x - wanted).abs() > TOLERANCE)
+    {
+        let remedy = "give column vectors' matrix: the translation is its last column (transpose USD's)";
+        return Err(wrong(
+            name,
+            format_args!("its last row is {last:?}, not [0, 0, 0, 1]"),
+            remedy,
+        ));
+    }
+    let mut pose = RigidTransform::from_rows([*a, *b, *c, [0.0, 0.0, 0.0, 1.0]]);
+    let off = pose.orthonormality_error();
+    if off > TOLERANCE || pose.rotation.determinant() < 0.0 {
+        let is = format!(
+            "its 3x3 part is no rotation (off by {off:.2}, determinant {:.3})",
+            pose.rotation.determinant()
+        );
+        return Err(wrong(
+            name,
+            is,
+            "give an orthonormal matrix of determinant 1, without scale",
+        ));
+    }
+    // Rounded to single precision somewhere: made good.
+    if off > 1e-12 {
+        pose.rotation = DMat3::from_quat(DQuat::from_mat3(&pose.rotation).normalize());
+    }
+    Ok(pose)
+}
+
+/// The pose at a place in the world that looks at another: a (4, 4) float64 matrix, world_from_camera.
+///
+/// eye: where it stands, metres in the world.
+/// target: what it looks at.
+/// up: the direction, in the world, that is to be up in the image.
+/// frame: "camera" (default) for a camera's axes, OpenCV's: x right, y down, z forward; "body" for a device's: x forward,
+///     y left, z up. A camera of a device that stands so is at `look_at(..., frame="body") @ camera.body_from_camera`.
+///
+/// Raises oaktwin.Error where eye and target are one place, or the view is along up.
+#[pyfunction]
+#[pyo3(signature = (eye, target, up = [0.0, 0.0, 1.0], *, frame = "camera"))]
+pub(crate) fn look_at<'py>(
+    py: Python<'py>,
+    eye: [f64; 3],
+    target: [f64; 3],
+    up: [f64; 3],
+    frame: &str,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let axes = choose("frame", frame, &[("camera", Axes::OpenCv), ("body", Axes::Ros)])?;
+    let world_from_body =
+        render::look_at(DVec3::from(eye), DVec3::from(target), DVec3::from(up)).map_err(error)?;
+    let body_from_frame = RigidTransform::new(Axes::Ros.rotation_from(axes), DVec3::ZERO);
+    rows(py, &(world_from_body * body_from_frame))
+}

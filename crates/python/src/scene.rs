@@ -1,0 +1,306 @@
+use std::path::{Path, PathBuf};
+
+use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use oaktwin::camera::math::DAffine3;
+use oaktwin::diagnostic;
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::{
+    AnnotateOptions, Backend, OpenOptions, Renderer, SceneFile, annotator, available_bytes, frame_bytes, gib,
+};
+use oaktwin::scene::{self, Instance, Label, Mesh, Up};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::array::{contiguous, view};
+use crate::camera::Camera;
+use crate::choice::choose;
+use crate::error::{error, reading, wrong};
+use crate::finding::{self, Finding};
+use crate::frames::Frames;
+use crate::pose::poses;
+use crate::threads;
+
+const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
+
+/// Triangles to be rendered on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
+///
+/// The world's axes are the file's own; its unit is the metre, whatever the file's was. Safe to use from many threads.
+#[pyclass(frozen, module = "oaktwin")]
+pub(crate) struct Scene {
+    renderer: Renderer,
+    origin: String,
+    findings: Vec<diagnostic::Finding>,
+}
+
+#[pymethods]
+impl Scene {
+    /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
+    ///
+    /// time: the time code of a USD stage; by default the default values, and the first samples.
+    /// subdivide: how often a USD stage's subdivision meshes are refined.
+    /// up: which axis of a mesh file points up, "y" or "z"; by default what its format says.
+    /// scale: how many metres one unit of a mesh file is; by default 1.
+    ///
+    /// What is missing in it or not supported is in `findings`. Raises FileNotFoundError and other OSErrors for what cannot be
+    /// read, oaktwin.Error for what is no scene, or an option that its kind does not have.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None))]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn open(
+        py: Python<'_>,
+        path: PathBuf,
+        time: Option<f64>,
+        subdivide: u32,
+        up: Option<&str>,
+        scale: Option<f64>,
+    ) -> PyResult<Self> {
+        let options = OpenOptions {
+            time,
+            subdivide,
+            up: up.map(|up| choose("up", up, &UP)).transpose()?,
+            scale,
+        };
+        let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
+        let file = opened.map_err(|error| reading(&path, &error))?;
+        let name = path.file_name().unwrap_or(Path::new("").as_os_str());
+        Ok(Self {
+            renderer: Renderer::new(file.scene),
+            origin: name.to_string_lossy().into_owned(),
+            findings: file.findings,
+        })
+    }
+
+    /// A scene of one mesh.
+    ///
+    /// vertices: (V, 3) numbers, metres in the world.
+    /// faces: (F, 3) whole numbers: three vertices each, counter-clockwise seen from outside. Depth sees both sides.
+    /// up: which axis of the world points up, "z" (default) or "y".
+    /// label: the semantic class, if it has one.
+    ///
+    /// Raises oaktwin.Error for other shapes, vertices that are not finite, and faces of vertices that are not there.
+    #[staticmethod]
+    #[pyo3(signature = (vertices, faces, *, up = "z", label = None))]
+    fn from_triangles(
+        vertices: &Bound<'_, PyAny>,
+        faces: &Bound<'_, PyAny>,
+        up: &str,
+        label: Option<String>,
+    ) -> PyResult<Self> {
+        let up = choose("up", up, &UP)?;
+        let positions = triples::<f32>("vertices", vertices, "float32")?;
+        let faces = triples::<i64>("faces", faces, "int64")?;
+        if positions.as_flattened().iter().any(|number| !number.is_finite()) {
+            return Err(wrong("vertices", "some are not finite", "leave those out"));
+        }
+        let count = u32::try_from(positions.len())
+            .map_err(|_| wrong("vertices", "are too many", "give fewer than 2^32"))?;
+        let corner = |index: i64| {
+            u32::try_from(index)
+                .ok()
+                .filter(|index| *index < count)
+                .ok_or_else(|| {
+                    let is = format!("{index} is none of the {count} vertices");
+                    wrong("faces", is, "count vertices from 0")
+                })
+        };
+        let triangle = |[a, b, c]: &[i64; 3]| Ok([corner(*a)?, corner(*b)?, corner(*c)?]);
+        let mesh = Mesh {
+            triangles: faces.iter().map(triangle).collect::<PyResult<_>>()?,
+            positions,
+            ..Mesh::default()
+        };
+        let path = "/World/Mesh";
+        let labels = label.map(|name| Label {
+            prim: path.to_owned(),
+            taxonomy: "class".to_owned(),
+            name,
+        });
+        let scene = scene::Scene {
+            meshes: vec![mesh],
+            instances: vec![Instance {
+                mesh: 0,
+                path: path.to_owned(),
+                world_from_mesh: DAffine3::IDENTITY,
+                labels: labels.into_iter().collect(),
+            }],
+            up,
+            ..scene::Scene::default()
+        };
+        Ok(Self {
+            renderer: Renderer::new(scene),
+            origin: "from triangles".to_owned(),
+            findings: Vec::new(),
+        })
+    }
+
+    /// What a camera sees.
+    ///
+    /// camera: a device's (`device.cameras["left"]`, `device.depth_camera()`) or your own.
+    /// world_from_camera: where it stands: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
+    ///     forward), metres. See `look_at`.
+    /// annotators: Replicator's names: "distance_to_image_plane" (z, the default), "distance_to_camera", "rgb", "normals",
+    ///     "instance_id_segmentation", "semantic_segmentation", "bounding_box_2d_tight", "bounding_box_2d_loose",
+    ///     "pointcloud".
+    /// backend: "auto" (default), "raster" or "ray"; all see the same.
+    /// smooth_edges: whether outlines are smooth in the colours.
+    ///
+    /// Returns a dictionary by name. Of one pose images are (H, W) or (H, W, C), of a batch (N, H, W) or (N, H, W, C):
+    /// distances float32 metres, inf for a miss; "rgb" uint8 with coverage as its fourth channel; "normals" float32 in the
+    /// world's axes, 0 for a miss; segmentations uint32, 0 for the background, with what ids mean in
+    /// "instance_id_segmentation_prim_paths" and "semantic_segmentation_labels". Boxes (structured, as Replicator's) and
+    /// "pointcloud" ((P, 3) float32 in the world) are one array of one pose, a list of arrays of a batch.
+    ///
+    /// Raises oaktwin.Error for poses that are none, names that are no annotator's, images that do not fit into the memory.
+    #[pyo3(signature = (camera, world_from_camera, *, annotators = None, backend = "auto", smooth_edges = true))]
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        camera: &Camera,
+        world_from_camera: &Bound<'py, PyAny>,
+        annotators: Option<Vec<String>>,
+        backend: &str,
+        smooth_edges: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let backends = [
+            ("auto", Backend::Auto),
+            ("raster", Backend::Raster),
+            ("ray", Backend::Ray),
+        ];
+        let backend = choose("backend", backend, &backends)?;
+        let asked = match annotators {
+            Some(names) => names
+                .iter()
+                .map(|name| scene_annotator(name))
+                .collect::<PyResult<_>>()?,
+            None => vec![Annotator::DistanceToImagePlane],
+        };
+        let (poses, is_batch) = poses("world_from_camera", world_from_camera)?;
+        check_memory(camera, &asked, poses.len())?;
+        let options = AnnotateOptions {
+            smooth_edges,
+            ..AnnotateOptions::default()
+        };
+        let mut frames = Frames::new(camera.camera.intrinsics.size, is_batch.then_some(poses.len()));
+        for (number, world_from_camera) in poses.iter().enumerate() {
+            py.check_signals()?;
+            let view = oaktwin::render::View {
+                camera: camera.camera,
+                world_from_camera: *world_from_camera,
+                clip: camera.clip,
+            };
+            let (frame, findings) =
+                threads::run(py, || self.renderer.annotate(&view, &asked, backend, &options))?;
+            if number == 0 {
+                finding::warn(py, &findings)?;
+            }
+            frames.put(py, number, frame)?;
+        }
+        frames.finish(py, &asked)
+    }
+
+    /// What is missing in the file or was left out.
+    #[getter]
+    fn findings(&self) -> Vec<Finding> {
+        finding::list(&self.findings)
+    }
+
+    /// The axis of the world that points up, "y" or "z".
+    #[getter]
+    fn up(&self) -> &'static str {
+        match self.renderer.scene().up {
+            Up::Y => "y",
+            Up::Z => "z",
+        }
+    }
+
+    /// How many triangles are rendered: those of every instance.
+    #[getter]
+    fn triangle_count(&self) -> usize {
+        let scene = self.renderer.scene();
+        let of = |instance: &Instance| {
+            let mesh = scene.meshes.get(instance.mesh as usize);
+            mesh.map_or(0, |mesh| mesh.triangles.len())
+        };
+        scene.instances.iter().map(of).sum()
+    }
+
+    /// The corners of the box around everything, (2, 3) metres in the world; None where there is nothing.
+    #[getter]
+    fn bounds(&self) -> Option<[[f64; 3]; 2]> {
+        let bounds = self.renderer.scene().bounds()?;
+        Some([bounds.low.to_array(), bounds.high.to_array()])
+    }
+
+    fn __repr__(&self) -> String {
+        let scene = self.renderer.scene();
+        format!(
+            "<oaktwin.Scene {}: {} meshes, {} instances, {} triangles, {} lights, {} up>",
+            self.origin,
+            scene.meshes.len(),
+            scene.instances.len(),
+            self.triangle_count(),
+            scene.lights.len(),
+            self.up()
+        )
+    }
+}
+
+/// One that a scene has something to say to.
+fn scene_annotator(name: &str) -> PyResult<Annotator> {
+    let found = annotator(name).map_err(error)?;
+    if found == Annotator::CameraParams {
+        return Err(wrong(
+            name,
+            "is no image",
+            "see the camera: its K, distortion and size",
+        ));
+    }
+    if found.is_of_depth_sensor() {
+        let remedy = "give distance_to_image_plane to a DepthSensor";
+        return Err(wrong(name, "is what a sensor makes of a scene's depth", remedy));
+    }
+    Ok(found)
+}
+
+fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyResult<()> {
+    let needed = frame_bytes(camera.camera.intrinsics.size, annotators).saturating_mul(count.max(1) as u64);
+    match available_bytes() {
+        Some(available) if needed > available => {
+            let is = format!("needs {} of memory, and {} are free", gib(needed), gib(available));
+            Err(wrong(
+                &camera.name,
+                is,
+                "render fewer poses at once, or smaller images",
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// An array (N, 3).
+fn triples<T: numpy::Element + Copy>(
+    name: &str,
+    object: &Bound<'_, PyAny>,
+    dtype: &str,
+) -> PyResult<Vec<[T; 3]>> {
+    let array = view(name, object)?;
+    let kind = array.getattr("dtype")?.getattr("kind")?.extract::<String>()?;
+    let fits = if dtype.starts_with("int") { "iu" } else { "fiu" };
+    if !fits.contains(&kind) || array.ndim() != 2 || array.shape().last() != Some(&3) {
+        let is = format!(
+            "has shape {:?} and type {}",
+            array.shape(),
+            array.getattr("dtype")?
+        );
+        let numbers = if dtype.starts_with("int") {
+            "whole numbers"
+        } else {
+            "numbers"
+        };
+        return Err(wrong(name, is, format_args!("give {numbers} (N, 3)")));
+    }
+    let cast = array.call_method1("astype", (dtype,))?;
+    let array = contiguous::<T>(name, cast.cast::<PyUntypedArray>()?)?;
+    let (rows, _) = array.as_slice().map_err(error)?.as_chunks::<3>();
+    Ok(rows.to_vec())
+}

@@ -1,0 +1,425 @@
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin::camera::{self, ImageSize};
+use oaktwin::catalog::{Twin, TwinDepthSensor};
+use oaktwin::diagnostic;
+use oaktwin::image::ImageView;
+use oaktwin::sense::{self, AlignTo, FieldOfView};
+use oaktwin::sensor::{self, Engine, Sensor, SensorOptions, Shot, single_view};
+use oaktwin::usd::asset::LensChoice;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::align::{aligned, fill, role};
+use crate::device::Device;
+use crate::error::{error, wrong};
+use crate::finding::{self, Finding};
+use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape, part};
+use crate::settings::{Settings, kind};
+use crate::threads;
+
+/// Pixels of a batch between two looks at the signals.
+const PIXELS_AT_ONCE: usize = 1 << 23;
+
+/// The depth sensor of a device: exact depth in, what the device would have measured out.
+///
+/// device: whose.
+/// sensor: which of its depth sensors, "stereo" or "tof"; by default time of flight where it has it.
+/// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo) or "single-view" (Isaac Sim's
+///     DepthSensorDistance; the default of time of flight).
+/// preset: one of DepthAI's for the device's platform: "default", "face", "robotics", ...: the mode and the filters.
+/// filters: filters as text, first to last, "spatial:alpha=0.5,delta=20"; they take the place of the preset's.
+/// parameters: values of the engine's parameters by name, a mapping; after everything else.
+/// seed: of the noise: the same seed, name, frame and item have the same noise.
+/// device_seed: of the device's calibration error; None has none.
+/// extended_disparity: find disparities up to 190 px instead of 95: nearer things.
+/// isaac: whose defaults "single-view" has, "5.1" or "6".
+/// fx: the images' focal length at their width, px; or hfov_deg: their horizontal field of view, degrees. By default they
+///     have the model's field of view, whatever their size.
+/// name: the camera's name, which tells its noise from other cameras'; by default the sensor's prim.
+///
+/// Raises oaktwin.Error for an engine, preset, filter or parameter that does not exist or is out of its range, with the
+/// nearest names.
+///
+/// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other.
+#[pyclass(frozen, module = "oaktwin")]
+pub(crate) struct DepthSensor {
+    twin: Arc<Twin>,
+    depth: TwinDepthSensor,
+    options: SensorOptions,
+    field_of_view: FieldOfView,
+    lens: LensChoice,
+    eye: Mutex<Eye>,
+}
+
+/// What images of one size are looked at with.
+#[derive(Clone)]
+struct Eye {
+    camera: camera::Camera,
+    sensor: Arc<Sensor>,
+    findings: Vec<diagnostic::Finding>,
+}
+
+impl DepthSensor {
+    fn eye(
+        twin: &Twin,
+        depth: &TwinDepthSensor,
+        options: &SensorOptions,
+        field_of_view: FieldOfView,
+        size: Option<ImageSize>,
+    ) -> PyResult<Eye> {
+        let own = twin.camera(depth.spec.camera).ok_or_else(|| {
+            wrong(
+                &depth.spec.prim,
+                "its camera is not known",
+                "choose another model",
+            )
+        })?;
+        let size = size.unwrap_or(own.intrinsics.size);
+        let (camera, mut findings) =
+            sense::image_camera(size, field_of_view, own.intrinsics).map_err(error)?;
+        let options = SensorOptions {
+            image: Some(camera.intrinsics),
+            ..options.clone()
+        };
+        let (sensor, more) = sensor::sensor(twin, depth, &options).map_err(error)?;
+        findings.extend(more);
+        Ok(Eye {
+            camera,
+            sensor: Arc::new(sensor),
+            findings,
+        })
+    }
+
+    /// The eye for a size; another size than before forgets all frames.
+    fn look<'a>(&self, eye: &'a mut Eye, size: ImageSize) -> PyResult<&'a mut Eye> {
+        if eye.camera.intrinsics.size != size {
+            *eye = Self::eye(
+                &self.twin,
+                &self.depth,
+                &self.options,
+                self.field_of_view,
+                Some(size),
+            )?;
+        }
+        Ok(eye)
+    }
+
+    /// What is there of the images of a size.
+    fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<Eye> {
+        py.detach(|| {
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            let size = size.unwrap_or(eye.camera.intrinsics.size);
+            Ok(self.look(&mut eye, size)?.clone())
+        })
+    }
+
+    fn image(
+        &self,
+        py: Python<'_>,
+        depth: DepthSlice<'_>,
+        rgb: Option<&[[u8; 4]]>,
+        size: ImageSize,
+        frame: u64,
+        out: &mut OutSlice<'_>,
+    ) -> PyResult<()> {
+        py.detach(|| {
+            // Held while a sensor that remembers looks, and taken before the pool's threads are: they never wait for it.
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            let sensor = &mut self.look(&mut eye, size)?.sensor;
+            let metres = depth.metres();
+            let view = |pixels| {
+                ImageView::new(size.width, size.height, pixels)
+                    .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))
+            };
+            let mut shot = Shot::new(view(&metres)?);
+            shot.frame = frame;
+            if let Some(rgb) = rgb {
+                let rgb = ImageView::new(size.width, size.height, rgb);
+                if let Some(rgb) = rgb {
+                    shot = shot.with_rgb(rgb).map_err(error)?;
+                }
+            }
+            let wanted = single_view::Wanted::default();
+            let distance = if sensor.remembers() {
+                let sensor = Arc::make_mut(sensor);
+                threads::install(|| sensor.capture(&shot, wanted).distance)?
+            } else {
+                let mut sensor = Sensor::clone(sensor);
+                drop(eye);
+                threads::install(|| sensor.capture(&shot, wanted).distance)?
+            };
+            out.fill(0, distance.0.pixels().len(), |room| {
+                room.copy_from_slice(distance.0.pixels());
+                Ok(())
+            })
+        })
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a batch and where it goes")]
+    fn batch(
+        &self,
+        py: Python<'_>,
+        sensor: &Sensor,
+        depth: DepthSlice<'_>,
+        rgb: Option<&[[u8; 4]]>,
+        shape: Shape,
+        frame: u64,
+        out_pixels: usize,
+        out: &mut OutSlice<'_>,
+    ) -> PyResult<()> {
+        let [count, height, width] = shape.of_batch();
+        let pixels = shape.pixels();
+        let at_once = (PIXELS_AT_ONCE / pixels).max(1);
+        for first in (0..count).step_by(at_once) {
+            py.check_signals()?;
+            let many = at_once.min(count - first);
+            let depth = depth.part(first * pixels, many * pixels);
+            let rgb = rgb.map(|rgb| part(rgb, first * pixels, many * pixels));
+            let item = u32::try_from(first).map_err(|_| {
+                wrong(
+                    "depth",
+                    format_args!("has {count} images"),
+                    "give fewer than 2^32 at once",
+                )
+            })?;
+            threads::run(py, || {
+                let metres = depth.metres();
+                out.fill(first * out_pixels, many * out_pixels, |room| {
+                    sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
+                })
+            })?
+            .map_err(error)?;
+        }
+        Ok(())
+    }
+}
+
+#[pymethods]
+impl DepthSensor {
+    #[new]
+    #[pyo3(signature = (device, *, sensor = None, engine = None, preset = None, filters = Vec::new(), parameters = None,
+        seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, name = None))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    fn new(
+        device: &Device,
+        sensor: Option<&str>,
+        engine: Option<&str>,
+        preset: Option<String>,
+        filters: Vec<String>,
+        parameters: Option<Bound<'_, PyAny>>,
+        seed: u64,
+        device_seed: Option<u64>,
+        extended_disparity: bool,
+        isaac: &str,
+        fx: Option<f64>,
+        hfov_deg: Option<f64>,
+        name: Option<String>,
+    ) -> PyResult<Self> {
+        let settings = Settings {
+            engine,
+            preset,
+            filters,
+            parameters,
+            extended_disparity,
+            isaac,
+            seed,
+            device_seed,
+            name,
+        };
+        let options = settings.options()?;
+        let twin = &device.twin;
+        let depth = sense::depth_sensor(twin, kind(sensor)?).map_err(error)?.clone();
+        let field_of_view = match (fx, hfov_deg) {
+            (None, None) => FieldOfView::Known,
+            (Some(fx), None) => FieldOfView::FocalLength(fx),
+            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
+            _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
+        };
+        // By the model's own size: so what is wrong is told now.
+        let eye = Self::eye(twin, &depth, &options, field_of_view, None)?;
+        Ok(Self {
+            twin: Arc::clone(twin),
+            depth,
+            options,
+            field_of_view,
+            lens: device.lens,
+            eye: Mutex::new(eye),
+        })
+    }
+
+    /// What the sensor reports of exact depth.
+    ///
+    /// depth: one image (H, W), or a batch (N, H, W) of images of one moment, the environments of a simulator, each with
+    ///     noise of its own. float32: metres along the optical axis; uint16: whole millimetres. What is not finite and above
+    ///     0 is no surface. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU;
+    ///     it is read where it is if it is C-contiguous, else copied.
+    /// rgb: the picture or pictures that the same camera took, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4): texture for
+    ///     the confidence, brightness for filters. Three channels are copied.
+    /// frame: the number in the sequence: noise is new in every frame, and the same for the same.
+    /// out: where to write: C-contiguous, of the result's shape, float32 for metres or uint16 for millimetres, and not the
+    ///     depth itself.
+    ///
+    /// Returns `out`, or a new NumPy array of depth's kind: metres or millimetres, 0 where nothing was measured. It has
+    /// depth's shape, less where a filter decimates.
+    ///
+    /// A temporal filter remembers the (H, W) images of earlier calls; the images of a batch have no past.
+    ///
+    /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+    #[pyo3(signature = (depth, rgb = None, *, frame = 0, out = None))]
+    fn __call__<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        rgb: Option<&Bound<'py, PyAny>>,
+        frame: u64,
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (depth, shape) = Depth::read("depth", depth)?;
+        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+        let sensor = self.now(py, Some(shape.size))?.sensor;
+        let (width, height) = sensor.filters().size(shape.size.width, shape.size.height);
+        let out_shape = shape.sized(ImageSize::new(width, height));
+        let (result, mut out) = Out::of(py, out, out_shape, &depth)?;
+        let values = depth.slice()?;
+        let mut room = out.slice()?;
+        room.check_apart(values)?;
+        let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
+        let rgb = rgb.as_deref();
+        if shape.batch.is_some() {
+            self.batch(
+                py,
+                &sensor,
+                values,
+                rgb,
+                shape,
+                frame,
+                out_shape.pixels(),
+                &mut room,
+            )?;
+        } else {
+            drop(sensor);
+            self.image(py, values, rgb, shape.size, frame, &mut room)?;
+        }
+        Ok(result)
+    }
+
+    /// Forgets all earlier frames.
+    fn reset(&self, py: Python<'_>) {
+        py.detach(|| {
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::make_mut(&mut eye.sensor).reset();
+        });
+    }
+
+    /// Measured depth as another camera of the device sees it: the nearest measurement in each of its pixels.
+    ///
+    /// depth: what this sensor reported, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
+    /// to: the camera: "rgb", "left", "right", "tof".
+    /// size: (width, height) of its image, by DepthAI's rule; by default the camera's own.
+    /// fill: "footprint" (default): a sample goes into all pixels that it covers; "nearest": into the one it falls into.
+    /// out: as of a call.
+    ///
+    /// Returns metres (or millimetres) along that camera's axis, 0 where nothing was measured.
+    #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
+    fn align<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        to: &str,
+        size: Option<(u32, u32)>,
+        fill: &str,
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let to = AlignTo {
+            camera: role(to)?,
+            size: size.map(|(width, height)| ImageSize::new(width, height)),
+            fill: self::fill(fill)?,
+        };
+        let (depth, shape) = Depth::read("depth", depth)?;
+        let eye = self.now(py, None)?;
+        let seen = eye.camera.intrinsics.size;
+        let filters = eye.sensor.filters();
+        // What a decimating sensor reported is of images that are larger.
+        let of_images = if filters.size(seen.width, seen.height) == (shape.size.width, shape.size.height) {
+            seen
+        } else {
+            shape.size
+        };
+        let eye = Self::eye(
+            &self.twin,
+            &self.depth,
+            &self.options,
+            self.field_of_view,
+            Some(of_images),
+        )?;
+        let align = sense::align_to(&self.twin, &self.depth, &eye.sensor, &eye.camera, &to, self.lens);
+        let align = align.map_err(error)?;
+        aligned(py, &align, &depth, shape, out)
+    }
+
+    /// "stereo-noise" or "single-view".
+    #[getter]
+    fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
+        Ok(match self.now(py, None)?.sensor.engine() {
+            Engine::SingleView(_) => sensor::EngineKind::SingleView.as_str(),
+            Engine::StereoNoise(_) => sensor::EngineKind::StereoNoise.as_str(),
+        })
+    }
+
+    /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let parameters = PyDict::new(py);
+        match self.now(py, None)?.sensor.engine() {
+            Engine::SingleView(engine) => {
+                for name in single_view::Parameters::NAMES {
+                    parameters.set_item(name, engine.parameters().get(name))?;
+                }
+                for name in single_view::Assumptions::NAMES {
+                    parameters.set_item(name, engine.assumptions().get(name))?;
+                }
+            }
+            Engine::StereoNoise(engine) => {
+                for name in oaktwin::depth::stereo_noise::NAMES {
+                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
+                }
+            }
+        }
+        Ok(parameters)
+    }
+
+    /// The filters, as `filters=` takes them.
+    #[getter]
+    fn filters(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        let sensor = self.now(py, None)?.sensor;
+        Ok(sensor
+            .filters()
+            .filters()
+            .iter()
+            .map(ToString::to_string)
+            .collect())
+    }
+
+    /// What about the sensor is not as the device says, for images of the size that was looked at last.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> PyResult<Vec<Finding>> {
+        Ok(finding::list(&self.now(py, None)?.findings))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let filters = self.filters(py)?;
+        let filters = if filters.is_empty() {
+            "no filters".to_owned()
+        } else {
+            filters.join(" ")
+        };
+        Ok(format!(
+            "<oaktwin.DepthSensor {} {}: {}, {filters}, seed {}>",
+            self.twin.device.name,
+            self.depth.spec.prim,
+            self.engine(py)?,
+            self.options.seed
+        ))
+    }
+}

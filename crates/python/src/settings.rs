@@ -1,0 +1,77 @@
+//! How a depth sensor is to be, from Python's options.
+
+use oaktwin::catalog::DepthKind;
+use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::usd::asset::IsaacVersion;
+use pyo3::prelude::*;
+use pyo3::types::PyBool;
+
+use crate::choice::choose;
+use crate::error::wrong;
+
+pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
+
+const ENGINES: [(&str, EngineKind); 2] = [
+    (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
+    (EngineKind::SingleView.as_str(), EngineKind::SingleView),
+];
+
+/// The options that sensors and their measurements share.
+pub(crate) struct Settings<'py> {
+    pub(crate) engine: Option<&'py str>,
+    pub(crate) preset: Option<String>,
+    pub(crate) filters: Vec<String>,
+    pub(crate) parameters: Option<Bound<'py, PyAny>>,
+    pub(crate) extended_disparity: bool,
+    pub(crate) isaac: &'py str,
+    pub(crate) seed: u64,
+    pub(crate) device_seed: Option<u64>,
+    pub(crate) name: Option<String>,
+}
+
+impl Settings<'_> {
+    pub(crate) fn options(self) -> PyResult<SensorOptions> {
+        Ok(SensorOptions {
+            engine: self
+                .engine
+                .map(|name| choose("engine", name, &ENGINES))
+                .transpose()?,
+            preset: self.preset,
+            filters: self.filters,
+            parameters: match &self.parameters {
+                Some(parameters) => assignments(parameters)?,
+                None => Vec::new(),
+            },
+            extended_disparity: self.extended_disparity,
+            isaac: choose("isaac", self.isaac, &ISAAC)?,
+            image: None,
+            name: self.name,
+            seed: self.seed,
+            device_seed: self.device_seed,
+        })
+    }
+}
+
+/// A mapping from names to numbers, strings or booleans, as it is written on a command line.
+fn assignments(parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
+    let items = parameters.call_method0("items").map_err(|_| {
+        wrong(
+            "parameters",
+            "is no mapping",
+            "give a dictionary from names to values",
+        )
+    })?;
+    let assignment = |item: PyResult<Bound<'_, PyAny>>| {
+        let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
+        let text = value.str()?.to_string();
+        let is_flag = value.is_instance_of::<PyBool>();
+        Ok((name, if is_flag { text.to_lowercase() } else { text }))
+    };
+    items.try_iter()?.map(assignment).collect()
+}
+
+/// Which of a device's depth sensors.
+pub(crate) fn kind(name: Option<&str>) -> PyResult<Option<DepthKind>> {
+    let all = [DepthKind::Stereo, DepthKind::Tof].map(|kind| (kind.as_str(), kind));
+    name.map(|name| choose("sensor", name, &all)).transpose()
+}
