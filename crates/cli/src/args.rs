@@ -1,6 +1,7 @@
 //! What the program understands.
 
-#[allow(dead_code, unused_imports, reason = "the commands that take it come next")]
+mod accuracy;
+mod sense;
 mod sensor;
 
 use std::path::PathBuf;
@@ -10,7 +11,8 @@ use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
-#[allow(unused_imports, reason = "the commands that take it come next")]
+pub(crate) use accuracy::AccuracyArgs;
+pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::SensorArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
@@ -21,7 +23,7 @@ pub(crate) use sensor::SensorArgs;
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check), 2 error.\n\
+#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy), 2 error.\n\
     A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -46,8 +48,12 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
-    /// Render what perfect cameras see of a scene, depth, colour, normals, labels, and what depth sensors make of it
+    /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
     Render(Box<RenderArgs>),
+    /// Make of depth images from anywhere what a model's depth sensor would report
+    Sense(Box<SenseArgs>),
+    /// Measure a model's depth as the vendor measures its cameras, and compare
+    Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
@@ -218,8 +224,8 @@ pub(crate) struct AssetArgs {
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("engine", |arg| arg.help(
-        "The model of the errors; by default single-view, as Isaac Sim has it. stereo-noise is nearer to a real OAK"
+    mut_arg("engine", |arg| arg.hide_possible_values(true).help(
+        "The model of the errors: single-view, as Isaac Sim has it (the default), or stereo-noise, as an OAK errs"
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
@@ -259,14 +265,6 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) annotators: Vec<String>,
 
-    #[command(flatten)]
-    pub(crate) sensor: SensorArgs,
-
-    /// Sense each frame once for each of these values of a parameter, and write one picture of all; a second one makes
-    /// a table
-    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
-    pub(crate) sweep: Vec<String>,
-
     /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
     /// keep their aperture
     #[arg(long, value_name = "WxH")]
@@ -275,6 +273,14 @@ pub(crate) struct RenderArgs {
     /// How a scene camera's apertures are read: square pixels without offsets as Isaac Sim does, or as OpenUSD defines
     #[arg(long, value_enum, default_value_t = Projection::Isaac)]
     pub(crate) projection: Projection,
+
+    #[command(flatten)]
+    pub(crate) sensor: SensorArgs,
+
+    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
+    /// of all; a second one makes a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    pub(crate) sweep: Vec<String>,
 
     /// Put this OAK into the scene instead of using its cameras
     #[arg(long, help_heading = "An OAK of ours")]
@@ -349,8 +355,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) exr: bool,
 
-    /// Point clouds also as PLY: that of depth_sensor_point_cloud_position, else pointcloud, which is added to the
-    /// annotators
+    /// Point clouds also as PLY: the depth sensor's where its positions are asked for, else the scene's (added to the
+    /// annotators)
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 

@@ -1,5 +1,6 @@
 //! One file a command.
 
+pub(crate) mod accuracy;
 pub(crate) mod asset;
 pub(crate) mod calibration;
 pub(crate) mod check;
@@ -9,4 +10,5 @@ pub(crate) mod export;
 pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod render;
+pub(crate) mod sense;
 pub(crate) mod show;

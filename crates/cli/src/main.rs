@@ -8,6 +8,7 @@ mod destination;
 mod interrupt;
 mod output;
 mod progress;
+mod size;
 
 use std::process::ExitCode;
 
@@ -44,6 +45,8 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Calibration(args) => commands::calibration::run(&context, args),
         Command::Asset(args) => commands::asset::run(&context, args),
         Command::Render(args) => commands::render::run(&context, args),
+        Command::Sense(args) => commands::sense::run(&context, args),
+        Command::Accuracy(args) => commands::accuracy::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Good),
     }

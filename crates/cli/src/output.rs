@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use comfy_table::{ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
+use comfy_table::{CellAlignment, ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
 use oaktwin::catalog::Table;
 use oaktwin::diagnostic::Finding;
 use serde::Serialize;
@@ -57,6 +57,19 @@ pub(crate) fn text_table(table: &Table) -> String {
         .set_content_arrangement(ContentArrangement::Dynamic)
         .set_header(&table.header);
     drawn.add_rows(&table.rows);
+    format!("{}\n{}\n", table.title, drawn.trim_fmt())
+}
+
+/// A table of numbers for people: all columns but the last end at their right.
+pub(crate) fn number_table(table: &Table) -> String {
+    let mut drawn = comfy_table::Table::new();
+    drawn.load_style(PLAIN).set_header(&table.header);
+    drawn.add_rows(&table.rows);
+    let last = table.header.len().saturating_sub(1);
+    for column in drawn.column_iter_mut().take(last) {
+        column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((0, 1));
+    }
     format!("{}\n{}\n", table.title, drawn.trim_fmt())
 }
 

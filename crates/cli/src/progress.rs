@@ -29,6 +29,8 @@ impl Progress {
             let bar = ProgressBar::new(total);
             style.map_or(bar.clone(), |style| bar.with_style(style))
         });
+        // What there is to do may become known on the way.
+        bar.set_length(total);
         bar.set_position(done);
     }
 }

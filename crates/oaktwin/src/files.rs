@@ -4,6 +4,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use crate::image::CodecError;
+
 /// A file that could not be read or written. Reads `FILE: what is wrong; what to do`.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {message}; {remedy}", path.display())]
@@ -24,6 +26,13 @@ impl FileError {
             message: message.into(),
             remedy: remedy.into(),
         }
+    }
+
+    /// That a file's bytes are not what they should be.
+    #[must_use]
+    pub fn codec(path: &Path, error: &CodecError) -> Self {
+        let message = format!("{}: {}: {}", error.format, error.place, error.problem);
+        Self::new(path, message, error.remedy)
     }
 
     fn reading(path: &Path, error: &io::Error) -> Self {
@@ -139,6 +148,66 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     fs::rename(&temporary.path, &target).map_err(failed)
 }
 
+/// A file that is written in parts, and is there whole or not at all: beside its target until [`InParts::finish`].
+#[derive(Debug)]
+pub struct InParts {
+    path: PathBuf,
+    temporary: Temporary,
+    file: File,
+    bytes: u64,
+}
+
+impl InParts {
+    /// Begins a file.
+    ///
+    /// # Errors
+    /// It cannot be written, or is a folder.
+    pub fn create(path: &Path) -> Result<Self, FileError> {
+        if path.is_dir() {
+            return Err(FileError::new(path, "is a directory", "name a file in it"));
+        }
+        let temporary = Temporary::beside(path);
+        let file = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(&temporary.path)
+            .map_err(|e| FileError::writing(path, &e))?;
+        Ok(Self {
+            path: path.to_owned(),
+            temporary,
+            file,
+            bytes: 0,
+        })
+    }
+
+    /// Appends a part.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
+        self.bytes += bytes.len() as u64;
+        self.file
+            .write_all(bytes)
+            .map_err(|e| FileError::writing(&self.path, &e))
+    }
+
+    /// Gives the file its name; its path and length.
+    ///
+    /// # Errors
+    /// It cannot have it.
+    pub fn finish(self) -> Result<(PathBuf, u64), FileError> {
+        let Self {
+            path,
+            temporary,
+            file,
+            bytes,
+        } = self;
+        drop(file);
+        fs::rename(&temporary.path, &path).map_err(|e| FileError::writing(&path, &e))?;
+        Ok((path, bytes))
+    }
+}
+
 /// The end of a chain of symbolic links, which need not exist yet.
 fn follow(path: &Path) -> Result<PathBuf, FileError> {
     let mut target = path.to_owned();
@@ -156,6 +225,7 @@ fn follow(path: &Path) -> Result<PathBuf, FileError> {
 }
 
 /// A file that is gone when this value is, unless it was renamed away.
+#[derive(Debug)]
 struct Temporary {
     path: PathBuf,
 }
@@ -203,6 +273,22 @@ mod tests {
         write(&path, b"two").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
         assert_eq!(names(folder.path()), ["a.usd"]);
+    }
+
+    #[test]
+    fn parts_are_a_file_when_they_are_finished() {
+        let folder = folder();
+        let path = folder.path().join("a.npy");
+        let mut parts = InParts::create(&path).unwrap();
+        parts.write(b"on").unwrap();
+        drop(parts);
+        assert!(names(folder.path()).is_empty());
+        let mut parts = InParts::create(&path).unwrap();
+        parts.write(b"on").unwrap();
+        parts.write(b"e").unwrap();
+        assert_eq!(parts.finish().unwrap(), (path.clone(), 3));
+        assert_eq!(fs::read(&path).unwrap(), b"one");
+        assert_eq!(names(folder.path()), ["a.npy"]);
     }
 
     #[test]

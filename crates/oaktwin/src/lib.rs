@@ -30,6 +30,7 @@ pub mod demo_room;
 pub mod files;
 pub mod render;
 pub mod report;
+pub mod sense;
 pub mod sensor;
 pub mod unit;
 

@@ -17,12 +17,13 @@ use crate::args::{Lens, RenderArgs};
 use crate::context::{Context, Exit, Result};
 use crate::interrupt;
 use crate::progress::Progress;
+use crate::size;
 use report::Report;
 use sensors::Sensors;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let annotators = asked::annotators(args)?;
-    let size = args.resolution.as_deref().map(asked::resolution).transpose()?;
+    let size = size::parse("--resolution", args.resolution.as_deref())?;
     let path = match &args.trajectory {
         Some(file) => trajectory::read(file)?,
         None => Vec::new(),
@@ -78,8 +79,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let report = Report::new(
         args,
         &annotators,
-        &cameras,
-        &sensors.own,
+        (&cameras, &sensors.own),
         written,
         frames,
         findings,

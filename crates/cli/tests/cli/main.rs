@@ -2,9 +2,13 @@
 
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
 
+mod accuracy;
 mod assets;
 mod bad_input;
 mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_sensor;
+mod sense;
+mod sense_bad_input;

@@ -19,6 +19,8 @@ fn help_of_every_command() {
         &["calibration", "export"],
         &["asset"],
         &["render"],
+        &["sense"],
+        &["accuracy"],
         &["check"],
     ] {
         let mut arguments = command.to_vec();

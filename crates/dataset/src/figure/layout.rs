@@ -78,17 +78,8 @@ pub(super) fn marks(figure: &Figure) -> Marks {
     };
     page.text([frame[0], 36.0], TITLE, INK, Anchor::Left, &figure.title);
     page.text([frame[0], 60.0], TEXT, PALE_INK, Anchor::Left, &figure.subtitle);
-    let [under, over]: [Vec<&Layer>; 2] = [true, false].map(|is_under| {
-        let layers = figure.layers.iter();
-        layers
-            .filter(|layer| matches!(layer.shape, Shape::Steps(_)) == is_under)
-            .collect()
-    });
-    for layer in under {
-        page.layer(layer);
-    }
     page.axes();
-    for layer in over {
+    for layer in &figure.layers {
         page.layer(layer);
     }
     page.frame();
@@ -211,12 +202,17 @@ impl Page<'_> {
         let color = layer.color;
         match &layer.shape {
             Shape::Steps(steps) => {
-                for &[from, to, low, high] in steps {
+                for &[from, to, bottom, top] in steps {
                     let (from, to) = (self.x(from), self.x(to));
-                    let (low, high) = (self.y(low), self.y(high));
+                    let (low, high) = (self.y(bottom), self.y(top));
                     let corners = vec![[from, low], [from, high], [to, high], [to, low]];
                     self.area(corners, color, STEP);
-                    self.line(vec![[from, high], [to, high]], color, 1.4, true);
+                    for (edge, value) in [(low, bottom), (high, top)] {
+                        // An edge on the axis is the axis.
+                        if value != 0.0 {
+                            self.line(vec![[from, edge], [to, edge]], color, 1.4, true);
+                        }
+                    }
                 }
             }
             Shape::Area(points) => {
@@ -324,9 +320,13 @@ const STEP: f32 = 0.22;
 const SPREAD: f32 = 0.30;
 const DOT: f32 = 4.4;
 
-/// Far outside is as good as farther.
+/// Far outside is as good as farther; an axis without length has one place.
 fn limited(part: f64) -> f64 {
-    part.clamp(-50.0, 50.0)
+    if part.is_nan() {
+        0.0
+    } else {
+        part.clamp(-50.0, 50.0)
+    }
 }
 
 /// The longest runs of points that are finite.

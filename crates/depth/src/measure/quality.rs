@@ -14,8 +14,8 @@ pub struct Optics {
     pub disparity_times_depth: f64,
 }
 
-/// The field's measures of a flat board, as librealsense's depth quality tool defines them. `None` where too little was
-/// measured.
+/// The field's measures of a flat board, as librealsense's depth quality tool has them; the plane is fitted in inverse
+/// depth ([`Plane::fitted`]). `None` where too little was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
     /// The share of the region's pixels that have a value, 0 to 1; the mean over the captures.
@@ -28,8 +28,9 @@ pub struct Quality {
     /// Z accuracy: the median of the points' distances from the fitted plane, which is turned perpendicular first, and of
     /// that plane's from the true distance, m; above 0 it is too far. The mean over the captures.
     pub z_accuracy_m: Option<f64>,
-    /// The mean of |z − truth| over all points of all captures, m: what a single pixel is off, wild ones included.
-    pub mean_error_m: Option<f64>,
+    /// The median of |z − truth| over all points of all captures, m: half of the pixels are off by more. The mean would say
+    /// nothing where disparity comes close to 0.
+    pub pixel_error_m: Option<f64>,
     /// The median over the pixels of the standard deviation over time (of the sample), of pixels with a value in at
     /// least two captures, m.
     pub temporal_noise_m: Option<f64>,
@@ -40,7 +41,9 @@ pub struct Quality {
 pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics, truth_m: f64) -> Quality {
     let mut deviations = Deviations::new(region.pixels());
     let (mut fill, mut spatial) = (Vec::new(), Vec::new());
-    let (mut errors_m, mut count) = (0.0, 0u64);
+    let mut errors_m: Vec<f32> = Vec::with_capacity(region.pixels() * captures.len());
+    #[expect(clippy::cast_possible_truncation, reason = "images have no more digits")]
+    let off = |z: f32| (f64::from(z) - truth_m).abs() as f32;
     let rays = rays(region, &optics.intrinsics);
     let mut points: Vec<DVec3> = Vec::with_capacity(region.pixels());
     for capture in captures {
@@ -50,8 +53,7 @@ pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics
                 if is_valid(z) {
                     points.push(rays[at] * f64::from(z));
                     deviations.add(at, f64::from(z));
-                    errors_m += (f64::from(z) - truth_m).abs();
-                    count += 1;
+                    errors_m.push(off(z));
                 }
             }
         }
@@ -63,7 +65,7 @@ pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics
         plane_fit_rms_m: mean(spatial.iter().map(|one| one.rms_m)),
         subpixel_rms_px: mean(spatial.iter().map(|one| one.rms_px)),
         z_accuracy_m: mean(spatial.iter().map(|one| one.z_accuracy_m)),
-        mean_error_m: (count > 0).then(|| errors_m / count as f64),
+        pixel_error_m: median_in_place(&mut errors_m),
         temporal_noise_m: deviations.median(),
     }
 }
@@ -178,7 +180,7 @@ mod tests {
         assert_eq!((quality.fill_rate, quality.temporal_noise_m), (1.0, Some(0.0)));
         assert!(quality.plane_fit_rms_m.unwrap() < 1e-9 && quality.subpixel_rms_px.unwrap() < 1e-9);
         assert!((quality.z_accuracy_m.unwrap() - 0.5).abs() < 1e-9);
-        assert_eq!(quality.mean_error_m, Some(0.5));
+        assert_eq!(quality.pixel_error_m, Some(0.5));
     }
 
     /// A tilted board is flat all the same, and its distance is that of its plane.

@@ -24,6 +24,8 @@ pub enum Stage {
     Dropout = 2,
     /// Errors of an image sensor.
     Exposure = 3,
+    /// The grain of a rendered picture.
+    Grain = 4,
 }
 
 /// The random numbers of one camera.

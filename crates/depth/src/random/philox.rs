@@ -35,11 +35,14 @@ pub(super) const LANES: usize = 16;
 pub(super) fn philox_lanes(first: u32, [row, frame, item]: [u32; 3], key: [u32; 2]) -> [[u32; LANES]; 4] {
     const LOW: u64 = 0xFFFF_FFFF;
     let mut words = [
-        std::array::from_fn(|lane| u64::from(first) + lane as u64),
+        [u64::from(first); LANES],
         [u64::from(row); LANES],
         [u64::from(frame); LANES],
         [u64::from(item); LANES],
     ];
+    for (word, lane) in words[0].iter_mut().zip(0..) {
+        *word += lane;
+    }
     let mut key = key;
     for _ in 0..ROUNDS {
         #[expect(clippy::needless_range_loop, reason = "four arrays at once")]
@@ -53,8 +56,16 @@ pub(super) fn philox_lanes(first: u32, [row, frame, item]: [u32; 3], key: [u32; 
         }
         key = [key[0].wrapping_add(WEYL[0]), key[1].wrapping_add(WEYL[1])];
     }
-    #[expect(clippy::cast_possible_truncation, reason = "the lower halves")]
-    words.map(|lanes| lanes.map(|word| word as u32))
+    // Not `map`, which is a call.
+    let mut out = [[0; LANES]; 4];
+    for (out, words) in out.iter_mut().zip(&words) {
+        for (out, &word) in out.iter_mut().zip(words) {
+            #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+            let low = word as u32;
+            *out = low;
+        }
+    }
+    out
 }
 
 #[cfg(test)]

@@ -25,9 +25,14 @@ pub struct Assumptions {
     pub confidence_at: ConfidenceAt,
     /// `confidence-comparison`
     pub confidence_comparison: ConfidenceComparison,
-    /// `sobel-gain`: what Sobel's magnitude is multiplied by before it is saturated. The default is 1 for kernels of
-    /// (1 2 1) and (−1 0 1) on luma of 0 to 1: a step of a quarter of the range is full confidence.
+    /// `sobel-gain`: what Sobel's magnitude, of kernels (1 2 1) and (−1 0 1) on luma of 0 to 1, is multiplied by before it
+    /// is saturated. The default is 255/8: luma that rises by one 8-bit level a pixel is full confidence. In the vendor's
+    /// pictures smooth, plainly shaded faces are measured at thresholds that a gain of 1 would empty them at.
     pub sobel_gain: f64,
+    /// `grain`: the standard deviation of noise that is added to luma before Sobel, 8-bit levels. A path tracer's pictures
+    /// have some, which is why a lower threshold thins smooth faces gradually; those of a noise-free renderer have none,
+    /// and an evenly lit face would be dropped whole. The default is 1, an estimate; 0 adds none.
+    pub grain_levels: f64,
     /// `luma`
     pub luma: Luma,
     /// `quantizer`
@@ -199,7 +204,8 @@ impl Default for Assumptions {
             collision: Collision::default(),
             confidence_at: ConfidenceAt::default(),
             confidence_comparison: ConfidenceComparison::default(),
-            sobel_gain: 1.0,
+            sobel_gain: 255.0 / 8.0,
+            grain_levels: 1.0,
             luma: Luma::default(),
             quantizer: Quantizer::default(),
             sigma_unit: SigmaUnit::default(),
@@ -222,6 +228,7 @@ impl Assumptions {
         "confidence-at",
         "confidence-comparison",
         "sobel-gain",
+        "grain",
         "luma",
         "quantizer",
         "sigma-unit",
@@ -245,6 +252,7 @@ impl Assumptions {
             "confidence-at" => self.confidence_at = choice::parse(name, value)?,
             "confidence-comparison" => self.confidence_comparison = choice::parse(name, value)?,
             "sobel-gain" => self.sobel_gain = choice::number(name, value)?,
+            "grain" => self.grain_levels = choice::number(name, value)?,
             "luma" => self.luma = choice::parse(name, value)?,
             "quantizer" => self.quantizer = choice::parse(name, value)?,
             "sigma-unit" => self.sigma_unit = choice::parse(name, value)?,
@@ -269,6 +277,7 @@ impl Assumptions {
             "confidence-at" => self.confidence_at.name(),
             "confidence-comparison" => self.confidence_comparison.name(),
             "sobel-gain" => return Some(self.sobel_gain.to_string()),
+            "grain" => return Some(self.grain_levels.to_string()),
             "luma" => self.luma.name(),
             "quantizer" => self.quantizer.name(),
             "sigma-unit" => self.sigma_unit.name(),
@@ -280,14 +289,22 @@ impl Assumptions {
     }
 
     pub(super) fn check(&self) -> Result<(), ParameterError> {
-        if self.sobel_gain.is_finite() && self.sobel_gain > 0.0 {
-            return Ok(());
+        let (gain, grain) = (self.sobel_gain, self.grain_levels);
+        if !(gain.is_finite() && gain > 0.0) {
+            return Err(ParameterError::new(
+                "sobel-gain",
+                format!("{gain} is not above 0"),
+                "give a positive number; 31.875 is the default",
+            ));
         }
-        Err(ParameterError::new(
-            "sobel-gain",
-            format!("{} is not above 0", self.sobel_gain),
-            "give a positive number; 1 is the default",
-        ))
+        if !(0.0..=255.0).contains(&grain) {
+            return Err(ParameterError::new(
+                "grain",
+                format!("{grain} is not from 0 to 255"),
+                "give a number of 8-bit levels; 1 is the default, 0 adds none",
+            ));
+        }
+        Ok(())
     }
 }
 
@@ -344,7 +361,7 @@ mod tests {
         assumptions.set("sobel-gain", "NaN").unwrap();
         assert_eq!(
             says(assumptions.check()),
-            "sobel-gain: NaN is not above 0; give a positive number; 1 is the default"
+            "sobel-gain: NaN is not above 0; give a positive number; 31.875 is the default"
         );
     }
 }

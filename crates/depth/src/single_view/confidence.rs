@@ -2,6 +2,7 @@
 
 use super::assumptions::ConfidenceComparison;
 use super::plan::Plan;
+use crate::random::Plane;
 
 /// Luma of a row of the picture, 0 to 1.
 #[inline(always)]
@@ -21,6 +22,7 @@ pub(super) struct Texture {
     rows: [Vec<f32>; 3],
     /// The rows that are there.
     held: Option<(usize, usize)>,
+    grain: Vec<f32>,
     /// Saturated magnitude in the row of the last [`Texture::look`].
     pub(super) confidence: Vec<f32>,
     /// Whether it is too little, 1 or 0.
@@ -34,17 +36,18 @@ impl Texture {
             row.resize(width + 2, 0.0);
         }
         self.held = None;
+        self.grain.resize(width, 0.0);
         self.confidence.resize(width, 0.0);
         self.lacking.resize(width, 0);
     }
 
     /// Looks at row `y` of the picture: fills `confidence` and `lacking`.
     #[inline(always)]
-    pub(super) fn look(&mut self, plan: &Plan, rgb: &[[u8; 4]], y: usize) {
+    pub(super) fn look(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
         let (first, last) = (y.saturating_sub(1), (y + 1).min(plan.height - 1));
         for row in first..=last {
             if self.held.is_none_or(|(from, to)| row < from || row > to) {
-                self.read(plan, rgb, row);
+                self.read(plan, grain, rgb, row);
             }
         }
         self.held = Some((first, last));
@@ -66,10 +69,17 @@ impl Texture {
     }
 
     #[inline(always)]
-    fn read(&mut self, plan: &Plan, rgb: &[[u8; 4]], y: usize) {
+    #[expect(clippy::cast_possible_truncation, reason = "rows of an image")]
+    fn read(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
         let row = self.rows[y % 3].as_mut_slice();
         let width = plan.width;
         luma(plan, &rgb[y * width..][..width], &mut row[1..=width]);
+        if plan.grain > 0.0 {
+            grain.normals_here(y as u32, &mut self.grain);
+            for (luma, grain) in row[1..=width].iter_mut().zip(&self.grain) {
+                *luma += plan.grain * grain;
+            }
+        }
         row[0] = row[1];
         row[width + 1] = row[width];
     }

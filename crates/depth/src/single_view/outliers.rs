@@ -131,15 +131,9 @@ fn spread(row: &[u64], half: usize, out: &mut [u64]) {
 /// Which of up to 64 depths are measured.
 #[inline(always)]
 fn bits(pixels: &[f32]) -> u64 {
-    let mut bytes = [0u8; BITS];
-    for (byte, &z) in bytes.iter_mut().zip(pixels) {
-        *byte = u8::from(z > 0.0);
-    }
     let mut bits = 0;
-    for (i, eight) in bytes.as_chunks::<8>().0.iter().enumerate() {
-        // The product gathers the lowest bit of each byte in the highest byte.
-        let gathered = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56;
-        bits |= gathered << (8 * i);
+    for (&z, i) in pixels.iter().zip(0u64..) {
+        bits |= u64::from(z > 0.0) << i;
     }
     bits
 }

@@ -35,6 +35,8 @@ pub(super) struct Plan {
     /// Of red, green and blue of 0 to 255.
     pub(super) luma: [f32; 3],
     pub(super) sobel_gain: f32,
+    /// The standard deviation of luma's grain, of 0 to 1.
+    pub(super) grain: f32,
     pub(super) threshold: f32,
     pub(super) comparison: ConfidenceComparison,
     pub(super) confidence_at: ConfidenceAt,
@@ -92,6 +94,7 @@ impl Plan {
             outlier_diamond: a.outlier_neighbourhood == OutlierNeighbourhood::Four,
             luma: luma.map(|weight| (weight / 255.0) as f32),
             sobel_gain: a.sobel_gain as f32,
+            grain: (a.grain_levels / 255.0) as f32,
             threshold: p.confidence_threshold as f32,
             comparison: a.confidence_comparison,
             confidence_at: a.confidence_at,

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use super::SingleView;
 use super::parameters::OutputMode;
 use super::plan::Plan;
-use super::tile::{self, Rows, Scratch};
-use crate::random::{Stage, Stream};
+use super::tile::{self, Planes, Rows, Scratch};
+use crate::random::Stream;
 use crate::{BatchError, Shot};
 
 /// Which outputs to make beside the distance.
@@ -70,12 +70,12 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
     if plan.width == 0 || plan.height == 0 {
         return output;
     }
-    let jitter = random.plane(Stage::Jitter, shot.frame, shot.item);
+    let random = Planes::new(random, shot);
     let tiles = plan.height.div_ceil(4 * rayon::current_num_threads());
     let rows = tiles.clamp(*TILE_ROWS.start(), *TILE_ROWS.end());
     let mut parts = Rows::of(&mut output, &plan, rows);
     let work = |scratch: &mut Scratch, rows: &mut Rows<'_>| {
-        tile::sense(&plan, shot, &jitter, mode, rows, scratch);
+        tile::sense(&plan, shot, &random, mode, rows, scratch);
     };
     if parts.len() == 1 {
         work(&mut Scratch::default(), &mut parts[0]);
@@ -124,7 +124,7 @@ pub(super) fn batch(
             let mut shot = Shot::new(view);
             shot.frame = frame;
             shot.item = (first_item as u32).wrapping_add(i as u32);
-            let jitter = random.plane(Stage::Jitter, frame, shot.item);
+            let random = Planes::new(random, &shot);
             let height = *TILE_ROWS.end();
             for (k, distance) in out.chunks_mut(height * width).enumerate() {
                 let mut rows = Rows {
@@ -135,7 +135,7 @@ pub(super) fn batch(
                     imager: None,
                     view: None,
                 };
-                tile::sense(&plan, &shot, &jitter, OutputMode::Color, &mut rows, scratch);
+                tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);
             }
         });
     Ok(())

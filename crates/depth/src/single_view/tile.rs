@@ -9,7 +9,7 @@ use super::sense::Output;
 use super::view;
 use super::warp::{self, Key, Row};
 use crate::Shot;
-use crate::random::Plane;
+use crate::random::{Plane, Stage, Stream};
 use crate::simd::{self, Kernel};
 
 /// Some rows of the outputs.
@@ -58,6 +58,23 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// The random numbers of an image.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Planes {
+    jitter: Plane,
+    grain: Plane,
+}
+
+impl Planes {
+    pub(super) fn new(random: &Stream, shot: &Shot<'_>) -> Self {
+        let plane = |stage| random.plane(stage, shot.frame, shot.item);
+        Self {
+            jitter: plane(Stage::Jitter),
+            grain: plane(Stage::Grain),
+        }
+    }
+}
+
 /// Buffers of a thread.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
@@ -75,7 +92,7 @@ pub(super) struct Scratch {
 pub(super) fn sense(
     plan: &Plan,
     shot: &Shot<'_>,
-    jitter: &Plane,
+    random: &Planes,
     mode: OutputMode,
     rows: &mut Rows<'_>,
     scratch: &mut Scratch,
@@ -87,10 +104,10 @@ pub(super) fn sense(
     let mut keys = std::mem::take(&mut scratch.keys);
     if needs_sources {
         keys.resize(plan.width, u64::NONE);
-        simd::run(Tile::new(plan, shot, jitter, mode, rows, scratch, &mut keys));
+        simd::run(Tile::new(plan, shot, random, mode, rows, scratch, &mut keys));
     } else {
         ranks.resize(plan.width, u32::NONE);
-        simd::run(Tile::new(plan, shot, jitter, mode, rows, scratch, &mut ranks));
+        simd::run(Tile::new(plan, shot, random, mode, rows, scratch, &mut ranks));
     }
     (scratch.ranks, scratch.keys) = (ranks, keys);
 }
@@ -98,7 +115,7 @@ pub(super) fn sense(
 struct Tile<'a, 'b, K> {
     plan: &'a Plan,
     shot: &'a Shot<'a>,
-    jitter: &'a Plane,
+    random: &'a Planes,
     /// The picture that is wanted, if any.
     mode: Option<OutputMode>,
     rows: &'a mut Rows<'b>,
@@ -114,7 +131,7 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
     fn new(
         plan: &'a Plan,
         shot: &'a Shot<'a>,
-        jitter: &'a Plane,
+        random: &'a Planes,
         mode: Option<OutputMode>,
         rows: &'a mut Rows<'b>,
         scratch: &'a mut Scratch,
@@ -123,7 +140,7 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
         Self {
             plan,
             shot,
-            jitter,
+            random,
             mode,
             needs_sources: rows.positions.is_some() || rows.colors.is_some(),
             rows,
@@ -171,7 +188,7 @@ impl<K: Key> Tile<'_, '_, K> {
         let (plan, scratch) = (self.plan, &mut *self.scratch);
         let width = plan.width;
         if let Some(rgb) = self.textured {
-            scratch.texture.look(plan, rgb, y);
+            scratch.texture.look(plan, &self.random.grain, rgb, y);
         }
         let lacks_at = |at: ConfidenceAt| self.textured.is_some() && plan.confidence_at == at;
         let lacking: &[u32] = if lacks_at(ConfidenceAt::Source) {
@@ -182,7 +199,7 @@ impl<K: Key> Tile<'_, '_, K> {
         let depth = &self.shot.depth().pixels()[y * width..][..width];
         scratch
             .row
-            .warp(plan, self.jitter, y, depth, lacking, self.landed);
+            .warp(plan, &self.random.jitter, y, depth, lacking, self.landed);
         let out = match place {
             Some(place) => &mut self.rows.distance[place * width..][..width],
             None => scratch.halo.as_mut_slice(),

@@ -1,5 +1,6 @@
 //! Samples of a row get their disparity and move by it.
 
+use super::assumptions::TargetRounding;
 use super::plan::Plan;
 use crate::random::Plane;
 
@@ -59,6 +60,13 @@ pub(super) fn depth(rank: u32) -> f32 {
     }
 }
 
+/// Samples of a row: where they go, and with what.
+#[derive(Clone, Copy)]
+struct Samples<'a> {
+    disparity: &'a [f32],
+    reported: &'a [f32],
+}
+
 /// Buffers of one row.
 #[derive(Debug, Default)]
 pub(super) struct Row {
@@ -116,41 +124,19 @@ impl Row {
         } else {
             row
         };
-        let shifts = self.disparity.iter().map(|&d| plan.side * d);
+        let samples = Samples {
+            disparity: &self.disparity,
+            reported,
+        };
+        let (ranks, targets) = (&mut self.ranks, &mut self.targets);
         match plan.assumptions.target_rounding {
-            super::TargetRounding::Nearest => aim(
-                shifts.map(f32::round_ties_even),
-                reported,
-                &mut self.ranks,
-                &mut self.targets,
-            ),
-            super::TargetRounding::Floor => {
-                aim(
-                    shifts.map(f32::floor),
-                    reported,
-                    &mut self.ranks,
-                    &mut self.targets,
-                );
-            }
+            TargetRounding::Nearest => aim(f32::round_ties_even, plan.side, samples, ranks, targets),
+            TargetRounding::Floor => aim(f32::floor, plan.side, samples, ranks, targets),
         }
         for (rank, lacking) in self.ranks.iter_mut().zip(lacking) {
             *rank |= lacking;
         }
-        landed.fill(K::NONE);
-        let samples = (0u32..).zip(&self.ranks).zip(&self.targets);
-        if plan.last_wins {
-            for ((x, &rank), &target) in samples {
-                if let Some(place) = landed.get_mut(target as usize).filter(|_| rank != u32::NONE) {
-                    *place = K::new(rank, x);
-                }
-            }
-        } else {
-            for ((x, &rank), &target) in samples {
-                if let Some(place) = landed.get_mut(target as usize) {
-                    *place = K::new(rank, x).min(*place);
-                }
-            }
-        }
+        scatter(plan.last_wins, &self.ranks, &self.targets, landed);
     }
 
     /// Normal numbers for row `y`, new where it begins a row of patches.
@@ -212,20 +198,54 @@ fn recompute(plan: &Plan, disparity: &mut [f32], out: &mut [f32]) {
 /// Ranks and targets of samples that shift by so many columns; a sample that leaves the image has no rank, and its own
 /// column for a target.
 #[inline(always)]
-fn aim(shifts: impl Iterator<Item = f32>, reported: &[f32], ranks: &mut [u32], targets: &mut [u32]) {
+fn aim(round: impl Fn(f32) -> f32, side: f32, row: Samples<'_>, ranks: &mut [u32], targets: &mut [u32]) {
+    let count = ranks.len();
+    let (disparity, reported) = (&row.disparity[..count], &row.reported[..count]);
+    let targets = &mut targets[..count];
     #[expect(
         clippy::cast_possible_truncation,
         reason = "images are at most 2³² columns wide"
     )]
-    let width = ranks.len() as u32;
+    let width = count as u32;
     let limit = width as f32;
-    let columns = (0u32..width).zip(shifts).zip(reported);
-    for (((x, shift), z), (rank, target)) in columns.zip(ranks.iter_mut().zip(targets)) {
+    for x in 0..count {
+        let shift = round(side * disparity[x]);
+        // Not so where there is no sample.
         let is_near = shift.abs() <= limit;
-        #[expect(clippy::cast_possible_truncation, reason = "a whole number")]
-        let to = x.wrapping_add((if is_near { shift } else { 0.0 } as i32).cast_unsigned());
-        let lands = is_near & (to < width);
-        *rank = if lands { z.to_bits() << 1 } else { u32::NONE };
-        *target = if lands { to } else { x };
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "columns, and whole numbers up to their count"
+        )]
+        let (column, shift) = (x as u32, if is_near { shift } else { 0.0 } as i32);
+        let target = column.wrapping_add(shift.cast_unsigned());
+        let lands = is_near & (target < width);
+        ranks[x] = if lands {
+            reported[x].to_bits() << 1
+        } else {
+            u32::NONE
+        };
+        targets[x] = if lands { target } else { column };
+    }
+}
+
+/// Puts samples at their targets.
+#[inline(always)]
+fn scatter<K: Key>(last_wins: bool, ranks: &[u32], targets: &[u32], landed: &mut [K]) {
+    landed.fill(K::NONE);
+    let samples = || (0u32..).zip(ranks.iter().zip(targets));
+    if last_wins {
+        for (column, (&rank, &target)) in samples() {
+            if let Some(place) = landed.get_mut(target as usize)
+                && rank != u32::NONE
+            {
+                *place = K::new(rank, column);
+            }
+        }
+        return;
+    }
+    for (column, (&rank, &target)) in samples() {
+        if let Some(place) = landed.get_mut(target as usize) {
+            *place = K::new(rank, column).min(*place);
+        }
     }
 }

@@ -26,6 +26,8 @@ const SQUARES: u16 = 256;
 pub(super) struct Sight {
     pub(super) depth: ZDepth,
     pub(super) rgb: Image<[u8; 4]>,
+    /// The truth.
+    pub(super) distance_m: f64,
 }
 
 /// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that fills the image and goes
@@ -42,6 +44,7 @@ pub(super) fn look(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
     Some(Sight {
         depth: frame.distance_to_image_plane?,
         rgb: frame.rgb?,
+        distance_m,
     })
 }
 
@@ -129,9 +132,18 @@ mod tests {
                 .iter()
                 .map(|z| (f64::from(*z) / distance - 1.0).abs());
             assert!(off.fold(0.0, f64::max) < 1e-6);
-            let grey = sight.rgb.pixels().iter().map(|pixel| pixel[1]);
-            let (dark, bright) = (grey.clone().filter(|g| *g < 90), grey.filter(|g| *g > 150));
-            assert!(dark.count() > 1000 && bright.count() > 1000, "{distance}");
+            let grey: Vec<f64> = sight
+                .rgb
+                .pixels()
+                .iter()
+                .map(|pixel| f64::from(pixel[1]))
+                .collect();
+            let mean = grey.iter().sum::<f64>() / grey.len() as f64;
+            let variance = grey.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / grey.len() as f64;
+            assert!(
+                (80.0..180.0).contains(&mean) && variance.sqrt() > 40.0,
+                "{distance}: {mean} {variance}"
+            );
         }
     }
 }

@@ -70,7 +70,7 @@ pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
     let steps = [0.1, 0.25, 0.5, 1.0, 2.5, 5.0];
     let step = steps
         .into_iter()
-        .find(|step| (to - from) / step < f64::from(MOST - 2))
+        .find(|step| (to - from) / step < f64::from(MOST - 1))
         .unwrap_or(5.0);
     let mut distances = vec![from];
     let first = (from / step + 1e-9).floor() + 1.0;

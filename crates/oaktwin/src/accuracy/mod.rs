@@ -16,6 +16,8 @@ mod optics;
 mod plot;
 mod report;
 mod stand;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -36,7 +38,7 @@ use crate::diagnostic::{Finding, fold_name, nearest};
 use crate::files::FileError;
 use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
 use measured::Curve;
-use stand::{Stand, Unit};
+use stand::{Effort, Stand, Unit};
 
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;
@@ -49,7 +51,7 @@ pub const REGION: f64 = 0.05;
 
 /// Places along the curve of a plot.
 const CURVE_OF_ONE: u32 = 400;
-const CURVE_OF_MANY: u32 = 140;
+const CURVE_OF_MANY: u32 = 200;
 
 /// How to measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -152,6 +154,9 @@ impl Bench {
         check(options)?;
         let mut twin = twin.clone();
         let depth = depth_sensor(&twin, options.sensor.as_deref())?.clone();
+        let own_width_px = twin
+            .camera(depth.spec.camera)
+            .map(|camera| camera.intrinsics.size.width);
         let depth = options.optics.apply(&mut twin, &depth)?;
         let (devices, units, findings) = units(&twin, &depth, options)?;
         let intrinsics = twin
@@ -166,7 +171,6 @@ impl Bench {
         let region = Region::centred(size.width, size.height, options.region);
         let stand = Stand {
             intrinsics,
-            captures: options.captures,
             units,
             random: Stream::new(options.engine.seed, &depth.spec.prim),
             region,
@@ -193,7 +197,7 @@ impl Bench {
             region_width_px: stand.region.columns.end - stand.region.columns.start,
             region_height_px: stand.region.rows.end - stand.region.rows.start,
             captures: options.captures,
-            not_the_vendors_method: differences(&stand, options, depth.spec.kind),
+            not_the_vendors_method: differences(&stand, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
@@ -223,29 +227,33 @@ impl Bench {
         let theirs = measured
             .map(|(_, curve)| curve.points.as_slice())
             .unwrap_or_default();
-        let all: Vec<f64> = own
-            .iter()
-            .copied()
-            .chain(theirs.iter().map(|point| point.distance_m))
-            .collect();
-        let rows = self.rows(&all, watch)?;
-        let (own, theirs) = rows.split_at(own.len());
-        self.report.distances = own.to_vec();
-        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, theirs));
-        let verdicts = || own.iter().map(|row| row.verdict);
+        let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
+        let (before, all) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let captures = self.report.captures;
+        let effort = |quality: bool| Effort { captures, quality };
+        self.report.distances = self.rows(&own, effort(true), &|done, _| watch(done, all))?;
+        let theirs = self.rows(&theirs, effort(false), &|done, _| watch(before + done, all))?;
+        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
+        let verdicts = || self.report.distances.iter().map(|row| row.verdict);
         self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
             && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
         Ok(Measurement { bench: self })
     }
 
-    fn rows(&self, distances: &[f64], watch: &(dyn Fn(u64, u64) + Sync)) -> Result<Vec<Row>, AccuracyError> {
+    fn rows(
+        &self,
+        distances: &[f64],
+        effort: Effort,
+        watch: &(dyn Fn(u64, u64) + Sync),
+    ) -> Result<Vec<Row>, AccuracyError> {
         let done = AtomicU64::new(0);
         distances
             .par_iter()
             .map(|&distance_m| {
-                let units = self.stand.measure(distance_m)?;
+                let units = self.stand.measure(distance_m, effort)?;
                 watch(done.fetch_add(1, Ordering::Relaxed) + 1, distances.len() as u64);
-                Ok(Row::new(distance_m, &units, self.report.published.as_ref()))
+                let row = Row::new(distance_m, &units, self.report.published.as_ref());
+                Ok(row.with_single_view(self.stand.jitter_times_depth(), self.report.carries_depth))
             })
             .collect()
     }
@@ -295,7 +303,8 @@ impl Measurement {
         &self.bench.report
     }
 
-    /// The error over distance as a figure; the curve is measured anew at many places.
+    /// The error over distance as a figure. The curve is measured anew at many places; of many devices by one capture of
+    /// each instead of several, whose noise the median over the devices averages out.
     ///
     /// # Errors
     /// A parameter of the sensor.
@@ -310,8 +319,12 @@ impl Measurement {
         let step = (far - near) / f64::from(count);
         let mut distances: Vec<f64> = (0..=count).map(|i| near + step * f64::from(i)).collect();
         distances.dedup();
+        let effort = Effort {
+            captures: if many { 1 } else { report.captures },
+            quality: false,
+        };
         let rows = if near.is_finite() {
-            self.bench.rows(&distances, watch)?
+            self.bench.rows(&distances, effort, watch)?
         } else {
             Vec::new()
         };
@@ -442,7 +455,7 @@ fn default_distances(stand: &Stand, depth: &TwinDepthSensor, published: Option<&
 }
 
 /// What is not as the vendor measures.
-fn differences(stand: &Stand, options: &Options, kind: DepthKind) -> Vec<String> {
+fn differences(stand: &Stand, options: &Options, kind: DepthKind, own_width_px: Option<u32>) -> Vec<String> {
     let mut differences = Vec::new();
     let Some(unit) = stand.units.first() else {
         return differences;
@@ -461,6 +474,10 @@ fn differences(stand: &Stand, options: &Options, kind: DepthKind) -> Vec<String>
             differences.push("Isaac Sim's sensor has no subpixel bits".to_owned());
         }
         Engine::SingleView(_) => {}
+    }
+    let width = stand.intrinsics.size.width;
+    if let Some(own) = own_width_px.filter(|own| *own > width) {
+        differences.push(format!("images of {width} px instead of {own}"));
     }
     if options.captures != CAPTURES {
         differences.push(format!("{} captures instead of {CAPTURES}", options.captures));

@@ -52,7 +52,7 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         layers.push(Layer { label, color, shape });
     };
     if !spread.is_empty() {
-        add("half of the devices".to_owned(), CURVE, Shape::Area(spread));
+        add("the middle half of them".to_owned(), CURVE, Shape::Area(spread));
     }
     if range[0] < 0.0 {
         add(
@@ -128,7 +128,7 @@ fn subtitle(report: &Report) -> String {
         )
     };
     format!(
-        "{}, {} px at {}x{}, {} x {} px region, {} captures; {method}",
+        "{}, {} px at {}x{}, region {}x{} px, {} captures, {method}",
         report.engine,
         (report.focal_length_px * 10.0).round() / 10.0,
         report.image_width_px,
@@ -200,7 +200,7 @@ fn vertical(
         (low.min(value), high.max(value))
     });
     let most = if widest > 0.0 {
-        25.0 * widest
+        40.0 * widest
     } else {
         f64::INFINITY
     };

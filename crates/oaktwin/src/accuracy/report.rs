@@ -86,6 +86,13 @@ pub struct Row {
     /// disparity that it quantizes and jitters. Or the other way round where it was told to compute.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_reading: Option<Reading>,
+    /// For Isaac Sim's sensor, one sigma of the jitter of disparity in percent of the disparity: what a pixel's depth would
+    /// be off to first order.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jitter_percent_of_disparity: Option<f64>,
+    /// For Isaac Sim's sensor, the share (0 to 1) of the carried depths that computing turns into no measurement.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub invalid_if_recomputed: Option<f64>,
     /// The published accuracy here, the strictest first.
     pub bands: Vec<Band>,
     /// Whether it is kept: the strictest decides.
@@ -113,7 +120,7 @@ pub struct Reading {
     pub precision_mm: Option<f64>,
     /// The signed median distance from the truth, the board's tilt taken out.
     pub z_accuracy_mm: Option<f64>,
-    /// What a pixel is off on average, without its sign.
+    /// What the median pixel is off, without its sign.
     pub pixel_error_percent: Option<f64>,
 }
 
@@ -139,7 +146,7 @@ impl Verdict {
             Self::Inside => "inside",
             Self::Outside => "OUTSIDE",
             Self::NoBand => "no band",
-            Self::NothingMeasured => "nothing measured",
+            Self::NothingMeasured => "nothing",
         }
     }
 }
@@ -189,8 +196,25 @@ impl Row {
             verdict: verdict(&reading, &bands),
             reading,
             other_reading: (!other.is_empty()).then(|| Reading::new(&other, distance_m)),
+            jitter_percent_of_disparity: None,
+            invalid_if_recomputed: None,
             bands,
         }
+    }
+
+    /// With what the parameters of Isaac Sim's sensor say of it.
+    pub(super) fn with_single_view(
+        mut self,
+        jitter_times_depth: Option<f64>,
+        carries_depth: Option<bool>,
+    ) -> Self {
+        self.jitter_percent_of_disparity = jitter_times_depth.map(|share| share * self.distance_m * 100.0);
+        if let (Some(other), Some(carries)) = (&self.other_reading, carries_depth) {
+            let (own, other) = (self.reading.fill_rate, other.fill_rate);
+            let (carried, recomputed) = if carries { (own, other) } else { (other, own) };
+            self.invalid_if_recomputed = (carried > 0.0).then(|| (1.0 - recomputed / carried).max(0.0));
+        }
+        self
     }
 
     /// How the other reading compares.
@@ -239,7 +263,7 @@ impl Reading {
             temporal_noise_mm: millimetres(middle(&|unit| unit.quality.temporal_noise_m)),
             precision_mm: millimetres(middle(&|unit| unit.vendor.precision_m)),
             z_accuracy_mm: millimetres(middle(&|unit| unit.quality.z_accuracy_m)),
-            pixel_error_percent: middle(&|unit| Some(unit.quality.mean_error_m? / truth_m * 100.0)),
+            pixel_error_percent: middle(&|unit| Some(unit.quality.pixel_error_m? / truth_m * 100.0)),
         }
     }
 }

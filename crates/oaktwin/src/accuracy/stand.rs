@@ -14,9 +14,9 @@ use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use crate::image::{ImageView, ZDepth};
 use crate::sensor::{Engine, ParameterError, Sensor, Shot};
 
-/// What lies around the region has its say in matching windows, neighbourhoods and edges of textures, px.
-const AROUND_PX: u32 = 24;
-/// The same for filters, some of which carry values along whole rows, halving them at each pixel.
+/// What lies around the region has its say beyond windows and neighbourhoods too: in the edges of textures, px.
+const AROUND_PX: u32 = 4;
+/// Filters look farther; some carry values along whole rows, halving them at each pixel.
 const AROUND_FILTERS_PX: u32 = 72;
 
 /// Cameras of one model, to be measured one after the other.
@@ -26,8 +26,6 @@ pub(super) struct Stand {
     pub(super) intrinsics: Intrinsics,
     /// What is measured of it.
     pub(super) region: Region,
-    /// How often.
-    pub(super) captures: u32,
     /// The cameras.
     pub(super) units: Vec<Unit>,
     /// Their noise; each has its own.
@@ -45,7 +43,16 @@ pub(super) struct Unit {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured {
     pub(super) vendor: Vendor,
+    /// Nothing where it was not asked for.
     pub(super) quality: Quality,
+}
+
+/// How thoroughly to measure.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    pub(super) captures: u32,
+    /// Whether [`Measured::quality`] is wanted too.
+    pub(super) quality: bool,
 }
 
 /// One unit's, and for Isaac Sim's sensor what it would be if depth was computed from disparity, or was not.
@@ -57,12 +64,16 @@ pub(super) struct MeasuredUnit {
 
 impl Stand {
     /// Measures every unit at a distance, m.
-    pub(super) fn measure(&self, distance_m: f64) -> Result<Vec<MeasuredUnit>, ParameterError> {
+    pub(super) fn measure(
+        &self,
+        distance_m: f64,
+        effort: Effort,
+    ) -> Result<Vec<MeasuredUnit>, ParameterError> {
         let part = self.part(distance_m);
         let sight = board::look(part.intrinsics, distance_m);
         let measure = |(unit, item): (&Unit, u32)| {
             let of = |engine: &Engine| match &sight {
-                Some(sight) => self.measure_unit(engine, &unit.filters, item, sight, &part, distance_m),
+                Some(sight) => self.measure_unit(engine, &unit.filters, item, sight, &part, effort),
                 None => Ok(Measured {
                     vendor: Vendor::default(),
                     quality: Quality::default(),
@@ -111,6 +122,22 @@ impl Stand {
         }
     }
 
+    /// For Isaac Sim's sensor, one sigma of its jitter as a share of the disparity of what is 1 m away.
+    pub(super) fn jitter_times_depth(&self) -> Option<f64> {
+        match &self.units.first()?.engine {
+            Engine::SingleView(engine) => {
+                let p = engine.parameters();
+                let is_on = p.noise_mean_px > 0.0;
+                Some(if is_on {
+                    p.noise_sigma_px / self.disparity_times_depth()
+                } else {
+                    0.0
+                })
+            }
+            Engine::StereoNoise(_) => None,
+        }
+    }
+
     fn measure_unit(
         &self,
         engine: &Engine,
@@ -118,12 +145,12 @@ impl Stand {
         item: u32,
         sight: &Sight,
         part: &Part,
-        distance_m: f64,
+        effort: Effort,
     ) -> Result<Measured, ParameterError> {
         let width = self.intrinsics.size.width;
         let engine = of_part(engine, width, part.intrinsics.size.width)?;
         let mut sensor = Sensor::new(engine, filters.clone(), self.random);
-        let images: Vec<ZDepth> = (0..self.captures)
+        let images: Vec<ZDepth> = (0..effort.captures)
             .map(|frame| {
                 let shot = Shot::new((&sight.depth.0).into());
                 let mut shot = shot.with_rgb((&sight.rgb).into()).unwrap_or(shot);
@@ -140,7 +167,11 @@ impl Stand {
         };
         Ok(Measured {
             vendor: vendor(&views, &region),
-            quality: quality(&views, &region, &optics, distance_m),
+            quality: if effort.quality {
+                quality(&views, &region, &optics, sight.distance_m)
+            } else {
+                Quality::default()
+            },
         })
     }
 
@@ -148,7 +179,13 @@ impl Stand {
     fn part(&self, distance_m: f64) -> Part {
         let size = self.intrinsics.size;
         let is_filtered = self.units.iter().any(|unit| !unit.filters.is_empty());
-        let around = if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
+        let around = self
+            .units
+            .iter()
+            .map(|unit| around_px(&unit.engine))
+            .max()
+            .unwrap_or(0);
+        let around = around + if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
         let reach = |unit: &Unit| reach_px(&unit.engine, size.width, distance_m).abs();
         let reach = self
             .units
@@ -230,6 +267,23 @@ fn reach_px(engine: &Engine, width: u32, distance_m: f64) -> f64 {
     }
 }
 
+/// How far around a pixel the engine looks, px.
+fn around_px(engine: &Engine) -> u32 {
+    match engine {
+        Engine::SingleView(engine) => engine.parameters().outlier_removal_range_px,
+        Engine::StereoNoise(engine) => {
+            let p = engine.parameters();
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "saturates"
+            )]
+            let dilation = p.edge_dilation_px.ceil() as u32;
+            dilation.saturating_add(p.window_px).min(1024)
+        }
+    }
+}
+
 /// Disparity times depth in the pixels that the engine counts disparity in, px·m.
 fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
     match engine {
@@ -301,7 +355,6 @@ mod tests {
         Stand {
             intrinsics,
             region: Region::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
-            captures: 3,
             units: vec![Unit {
                 engine: sensor.engine().clone(),
                 filters: Chain::default(),
@@ -313,6 +366,10 @@ mod tests {
     /// What a part of the image says is what the whole image says.
     #[test]
     fn a_part_is_enough() {
+        let effort = Effort {
+            captures: 3,
+            quality: false,
+        };
         for (model, quiet) in [
             ("oak4-d", [("jitter", "0")]),
             ("oak-d-tof", [("noiseSigma", "0")]),
@@ -332,7 +389,7 @@ mod tests {
                     engines.map(|engine| {
                         engine.map(|engine| {
                             stand
-                                .measure_unit(&engine, &unit.filters, 0, &sight, &part, distance)
+                                .measure_unit(&engine, &unit.filters, 0, &sight, &part, effort)
                                 .unwrap()
                                 .vendor
                         })

@@ -82,7 +82,7 @@ mod tests {
         assert!(check_size(ImageSize::new(u32::MAX, u32::MAX)).is_err());
         assert!(check_size(ImageSize::new(0, 5)).is_err());
         let bytes = frame_bytes(ImageSize::new(1 << 16, 1 << 15), &Annotator::ALL);
-        assert_eq!(gib(bytes), "568.0 GiB");
+        assert_eq!(gib(bytes), "824.0 GiB");
     }
 
     #[cfg(target_os = "linux")]

@@ -7,14 +7,14 @@ mod parameters;
 
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, SingleView};
-use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::stereo_noise::{self, StereoNoise};
 pub use oaktwin_depth::{Capture, Engine, ParameterError, Sensor, Shot, single_view};
 
 use configure::Preset;
 pub use options::{EngineKind, SensorOptions};
 pub use parameters::{single_view_parameters, stereo_noise_parameters};
 
-use crate::camera::Intrinsics;
+use crate::camera::{Intrinsics, StereoGeometry};
 use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
 use crate::diagnostic::{Finding, Level};
 
@@ -85,8 +85,9 @@ pub fn sensor(
     ))
 }
 
-/// Isaac Sim's sensor of these parameters, those of a render product say, whose virtual camera has this name. Of the
-/// options only the seed, the filters and the parameters matter; the findings say of the others that they do not.
+/// The sensor of these parameters, those of a render product say, whose virtual camera has this name: Isaac Sim's, unless
+/// the options name another engine, whose stereo pair then has the parameters' baseline and, on an image as wide as the
+/// simulated sensor, their focal length. The findings say which of the options a render product has no use for.
 ///
 /// # Errors
 /// A filter or parameter that does not exist or is out of its range.
@@ -95,13 +96,22 @@ pub fn of_render_product(
     parameters: single_view::Parameters,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    let engine = single_view(parameters, options)?;
+    let kind = options.engine.unwrap_or(EngineKind::SingleView);
+    let is_stereo = kind == EngineKind::StereoNoise;
+    let engine = if is_stereo {
+        stereo_noise(&parameters, options)?
+    } else {
+        single_view(parameters, options)?
+    };
     let filters = configure::chain(options, None)?;
     let name = options.name.as_deref().unwrap_or(prim);
     let ignored = [
         (options.preset.is_some(), "preset"),
-        (options.extended_disparity, "extended range of disparities"),
-        (options.device_seed.is_some(), "seed of a device"),
+        (
+            options.extended_disparity && !is_stereo,
+            "extended range of disparities",
+        ),
+        (options.device_seed.is_some() && !is_stereo, "seed of a device"),
     ];
     let findings = ignored.iter().filter(|(given, _)| *given).map(|(_, what)| {
         Finding::new(
@@ -117,6 +127,31 @@ pub fn of_render_product(
         Sensor::new(engine, filters, Stream::new(options.seed, name)),
         findings,
     ))
+}
+
+/// The stereo pair that a render product's parameters describe.
+fn stereo_noise(
+    product: &single_view::Parameters,
+    options: &SensorOptions,
+) -> Result<Engine, ParameterError> {
+    product.check()?;
+    let stereo = StereoGeometry {
+        focal_length_px: product.focal_length_px,
+        baseline_m: product.baseline_mm.abs() / 1000.0,
+    };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the cast saturates, and widths out of range are refused"
+    )]
+    let width_px = product.sensor_size_px.round() as u32;
+    let mut parameters = stereo_noise::Parameters::new(stereo, width_px);
+    parameters.extended_disparity = options.extended_disparity;
+    if let Some(seed) = options.device_seed {
+        parameters = parameters.of_device(seed);
+    }
+    configure::set_stereo_noise(&mut parameters, options)?;
+    Ok(Engine::StereoNoise(StereoNoise::new(parameters)?))
 }
 
 fn single_view(

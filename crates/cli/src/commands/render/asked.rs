@@ -1,7 +1,7 @@
 //! From what was typed to what is meant.
 
+use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::dataset::Extras;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, OpenOptions, Sweep};
@@ -52,17 +52,6 @@ pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
     }
     let sweep = Sweep::parse(args.sweep.iter().map(String::as_str));
     Ok(Some(sweep.map_err(|error| format!("--sweep: {error}"))?))
-}
-
-/// `1280x800`
-pub(super) fn resolution(text: &str) -> Result<ImageSize> {
-    let parts = text.split_once(['x', 'X', '×']);
-    let number = |text: &str| text.trim().parse::<u32>().ok();
-    let size = parts.and_then(|(width, height)| Some(ImageSize::new(number(width)?, number(height)?)));
-    let size =
-        size.ok_or_else(|| format!("--resolution {text} is no size; write WIDTHxHEIGHT, as 1280x800"))?;
-    render::check_size(size).map_err(|error| format!("--resolution: {error}"))?;
-    Ok(size)
 }
 
 pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {

@@ -65,8 +65,7 @@ impl<'a> Report<'a> {
     pub(super) fn new(
         args: &'a RenderArgs,
         annotators: &[Annotator],
-        cameras: &'a [PlacedCamera],
-        sensors: &[Option<Sensor>],
+        (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
         written: Written,
         wanted_frames: usize,
         findings: Vec<Finding>,

@@ -20,7 +20,8 @@ pub struct DepthSensorOptions<'a> {
     /// The device, where the cameras are of an OAK of ours.
     pub twin: Option<&'a Twin>,
     /// The engine is [`EngineKind::SingleView`] unless it says another, for this is what Isaac Sim's annotators of these
-    /// names report; the image is the camera's own, and the Isaac Sim that of `isaac`.
+    /// names report; the image is the camera's own, the name its prim's unless it says another, and the Isaac Sim that of
+    /// `isaac`.
     pub sensor: &'a SensorOptions,
     /// The Isaac Sim whose defaults hold for what a stage does not say; by default the one that the stage is written for.
     pub isaac: Option<IsaacVersion>,
@@ -87,8 +88,8 @@ fn of_twin(
     Ok(Some(sensor))
 }
 
-/// What the noise of each camera's sensor is keyed by: the name of the camera's prim, or its whole path where several
-/// sensors' cameras have that name, so that their noise differs.
+/// What the noise of each camera's sensor is keyed by: the name of the camera's prim, or the path that it was chosen by
+/// where several sensors' cameras have that name, so that their noise differs.
 fn names(cameras: &[PlacedCamera]) -> Vec<String> {
     let name = |camera: &PlacedCamera| match &camera.depth_sensor {
         Some(DepthSensorSource::Stage { camera, .. }) => camera.clone(),
@@ -110,4 +111,61 @@ fn names(cameras: &[PlacedCamera]) -> Vec<String> {
             }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::RigidTransform;
+    use crate::catalog::Catalog;
+    use crate::render::{OakOptions, oak_cameras};
+    use crate::sensor::Engine;
+
+    #[test]
+    fn the_sensor_of_a_twin_is_isaacs_unless_asked_otherwise() {
+        let catalog = Catalog::builtin();
+        let twin = catalog.nominal(catalog.device("OAK-D ToF").unwrap());
+        let names = ["left".to_owned(), "depth".to_owned()];
+        let options = OakOptions {
+            cameras: &names,
+            ..OakOptions::default()
+        };
+        let (cameras, _) = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap();
+        let sensor = SensorOptions::default();
+        let options = DepthSensorOptions {
+            twin: Some(&twin),
+            sensor: &sensor,
+            isaac: None,
+        };
+        let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
+        assert!(sensors[0].is_none());
+        for sensor in &sensors[1..] {
+            assert!(matches!(sensor.as_ref().unwrap().engine(), Engine::SingleView(_)));
+        }
+        let stereo = SensorOptions {
+            engine: Some(EngineKind::StereoNoise),
+            ..sensor.clone()
+        };
+        let options = DepthSensorOptions {
+            sensor: &stereo,
+            ..options
+        };
+        assert!(depth_sensors(&cameras[..2], &options).is_ok());
+        let error = depth_sensors(&cameras, &options).unwrap_err();
+        assert_eq!(error.place, "OAK-D ToF/Camera_pseudo_depth_tof");
+    }
+
+    #[test]
+    fn two_oaks_have_noise_of_their_own() {
+        let catalog = Catalog::builtin();
+        let twin = catalog.nominal(catalog.device("OAK4-D").unwrap());
+        let (mut cameras, _) = oak_cameras(&twin, &RigidTransform::IDENTITY, &OakOptions::default()).unwrap();
+        assert_eq!(names(&cameras), ["Camera_pseudo_depth"]);
+        cameras.push(cameras[0].clone());
+        cameras[1].path = "Other/Camera_pseudo_depth".to_owned();
+        assert_eq!(
+            names(&cameras),
+            ["OAK4-D/Camera_pseudo_depth", "Other/Camera_pseudo_depth"]
+        );
+    }
 }

@@ -7,15 +7,17 @@ use std::collections::BTreeSet;
 
 use super::camera::PlacedCamera;
 use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, shot};
+use crate::diagnostic::fold_name;
 use crate::image::Image;
 use crate::image::annotation::Frame;
-use crate::sensor::{Sensor, SensorOptions, single_view};
+use crate::sensor::{EngineKind, ParameterError, Sensor, SensorOptions, single_view};
 use thumbnail::Thumbnail;
 
 /// The most values of one parameter: more pictures than that could not be told apart.
 pub const MOST_VALUES: usize = 12;
 
-/// A parameter and the values that it takes: `maxDistance=2,4,8`.
+/// A parameter and the values that it takes: `maxDistance=2,4,8`. Beside an engine's parameters there are `engine`,
+/// `preset` and `seed`, of [`SensorOptions`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// Its name.
@@ -79,7 +81,7 @@ impl Sweep {
     /// None or more than two; the same one twice.
     pub fn new(axes: Vec<Axis>) -> Result<Self, SweepError> {
         let count = axes.len();
-        let names: BTreeSet<&str> = axes.iter().map(|axis| axis.name.as_str()).collect();
+        let names: BTreeSet<String> = axes.iter().map(|axis| fold_name(&axis.name)).collect();
         if let (true, Some(axis)) = (names.len() < count, axes.last()) {
             return Err(SweepError::Twice(axis.name.clone()));
         }
@@ -100,27 +102,47 @@ impl Sweep {
     }
 
     /// The options of each picture, row by row.
-    fn options(&self, base: &SensorOptions) -> Vec<SensorOptions> {
-        let one: [Option<&String>; 1] = [None];
-        let rows: Vec<Option<&String>> = match &self.rows {
-            Some(rows) => rows.values.iter().map(Some).collect(),
-            None => one.to_vec(),
-        };
+    fn options(&self, base: &SensorOptions) -> Result<Vec<SensorOptions>, ParameterError> {
         let mut all = Vec::new();
-        for row in rows {
+        let rows = self.rows.as_ref().map_or(1, |rows| rows.values.len());
+        for row in 0..rows {
             for column in &self.columns.values {
                 let mut options = base.clone();
-                options
-                    .parameters
-                    .push((self.columns.name.clone(), column.clone()));
-                if let (Some(axis), Some(value)) = (&self.rows, row) {
-                    options.parameters.push((axis.name.clone(), value.clone()));
+                set(&mut options, &self.columns.name, column)?;
+                if let Some((axis, value)) = self
+                    .rows
+                    .as_ref()
+                    .and_then(|axis| Some((axis, axis.values.get(row)?)))
+                {
+                    set(&mut options, &axis.name, value)?;
                 }
                 all.push(options);
             }
         }
-        all
+        Ok(all)
     }
+}
+
+/// Sets what an axis names.
+fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), ParameterError> {
+    let wrong = |remedy: &str| ParameterError {
+        name: name.to_owned(),
+        what: format!("`{value}` is none of its values"),
+        remedy: remedy.to_owned(),
+    };
+    match fold_name(name).as_str() {
+        "engine" => {
+            let kinds = [EngineKind::SingleView, EngineKind::StereoNoise];
+            let kind = kinds
+                .into_iter()
+                .find(|kind| fold_name(kind.as_str()) == fold_name(value));
+            options.engine = Some(kind.ok_or_else(|| wrong("give single-view or stereo-noise"))?);
+        }
+        "preset" => options.preset = Some(value.to_owned()),
+        "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
+        _ => options.parameters.push((name.to_owned(), value.to_owned())),
+    }
+    Ok(())
 }
 
 /// The sensors of a sweep: for each camera, and each picture of its sheet. They remember their own frames.
@@ -142,7 +164,11 @@ impl SweptSensors {
         options: &DepthSensorOptions<'_>,
     ) -> Result<Self, DepthSensorError> {
         let mut sensors = Vec::new();
-        for own in sweep.options(options.sensor) {
+        let swept = sweep.options(options.sensor).map_err(|error| DepthSensorError {
+            place: "sweep".to_owned(),
+            error,
+        })?;
+        for own in swept {
             let options = DepthSensorOptions {
                 sensor: &own,
                 ..*options
@@ -183,7 +209,7 @@ mod tests {
     #[test]
     fn what_people_write() {
         let two = sweep(&["maxDistance = 2, 4", "confidenceThreshold=0.5"]).unwrap();
-        let options = two.options(&SensorOptions::default());
+        let options = two.options(&SensorOptions::default()).unwrap();
         let set: Vec<Vec<(&str, &str)>> = options
             .iter()
             .map(|one| {
@@ -200,13 +226,18 @@ mod tests {
                 [("maxDistance", "4"), ("confidenceThreshold", "0.5")],
             ]
         );
-        assert_eq!(
-            sweep(&["a=1,2,3"])
-                .unwrap()
-                .options(&SensorOptions::default())
-                .len(),
-            3
-        );
+        let engines = sweep(&["engine=single-view,stereo_noise", "seed=7"]).unwrap();
+        let options = engines.options(&SensorOptions::default()).unwrap();
+        assert_eq!(options[1].engine, Some(EngineKind::StereoNoise));
+        assert_eq!((options[0].seed, options[0].parameters.len()), (7, 0));
+        for wrong in ["engine=stereo", "seed=-1"] {
+            assert!(
+                sweep(&[wrong])
+                    .unwrap()
+                    .options(&SensorOptions::default())
+                    .is_err()
+            );
+        }
     }
 
     #[test]

@@ -9,8 +9,8 @@ use crate::image::preview::{self, Marks};
 use crate::image::text::{self, Style};
 
 /// All pictures of a row together, px, and the widest of them.
-const ROW: u32 = 1440;
-const WIDEST: u32 = 480;
+const ROW: u32 = 1640;
+const WIDEST: u32 = 640;
 /// Height of capitals, px.
 const TITLE: u32 = 14;
 /// From the top of a line of text to what it is about.
@@ -18,16 +18,16 @@ const LINE: u32 = TITLE + 10;
 
 /// How many pixels of an image so wide become one in each direction.
 pub(super) fn factor(sweep: &Sweep, width: u32) -> u32 {
-    let references = if sweep.rows.as_ref().is_some_and(|rows| rows.values.len() > 1) {
-        1
-    } else {
-        2
+    let columns = u32::try_from(sweep.columns.values.len()).unwrap_or(1);
+    let in_a_row = match sweep.rows {
+        Some(_) => columns + 1,
+        None => columns.max(2),
     };
-    let in_a_row = u32::try_from(sweep.columns.values.len()).unwrap_or(1) + references;
     width.div_ceil((ROW / in_a_row).clamp(1, WIDEST)).max(1)
 }
 
-/// The cells of a sweep, row by row, beside the colour image and the depth that was sensed; one depth scale for all.
+/// The cells of a sweep, row by row, with the colour image and the depth that was sensed: above the one row of one
+/// parameter, beside the table of two. One depth scale for all.
 pub(super) fn sheet(sweep: &Sweep, frame: &Frame, factor: u32, cells: &[Thumbnail]) -> Image<[u8; 3]> {
     let truth = frame.distance_to_image_plane.as_ref();
     let truth = truth.map(|depth| Thumbnail::new(depth, factor));
@@ -48,12 +48,13 @@ pub(super) fn sheet(sweep: &Sweep, frame: &Frame, factor: u32, cells: &[Thumbnai
     let references: Vec<(&str, Image<[u8; 3]>)> = rgb.into_iter().chain(truth).collect();
     let pictures: Vec<Image<[u8; 3]>> = cells.iter().map(&mut paint).collect();
 
+    let columns = sweep.columns.values.len().max(1);
     let layout = Layout::new(
         sweep,
         references.len(),
         pictures.first().or(references.first().map(|(_, p)| p)),
     );
-    let (width, height) = layout.size();
+    let (width, height) = layout.size;
     let legend = preview::legend(width - 2 * GAP, range, marks);
     let mut sheet = Image::filled(width, height + legend.height() + GAP, PAPER);
     for (at, (title, picture)) in references.iter().enumerate() {
@@ -80,10 +81,11 @@ pub(super) fn sheet(sweep: &Sweep, frame: &Frame, factor: u32, cells: &[Thumbnai
         write_upwards(&mut sheet, &rows, (left - LINE, top), layout.cell.1);
     }
     for (at, (picture, thumbnail)) in pictures.iter().zip(cells).enumerate() {
-        let columns = sweep.columns.values.len().max(1);
         let (left, top) = layout.cell(at / columns, at % columns);
         paste(&mut sheet, picture, left, top);
-        let share = format!("{:.0} % measured", thumbnail.measured * 100.0);
+        let percent = thumbnail.measured * 100.0;
+        let digits = usize::from(percent < 10.0);
+        let share = format!("{percent:.digits$} % measured");
         write(&mut sheet, &share, (left, top + layout.cell.1 + 6), layout.cell.0);
     }
     paste(&mut sheet, &legend, GAP, height);
@@ -98,52 +100,55 @@ fn label(axis: &Axis, value: &str) -> String {
 struct Layout {
     /// Size of a picture.
     cell: (u32, u32),
-    columns: u32,
-    rows: u32,
-    /// Columns of references, which are one above the other where there are rows enough.
-    references: u32,
-    /// The first column of cells.
-    left: u32,
+    size: (u32, u32),
+    /// Where the first cell is.
+    first: (u32, u32),
+    /// Whether the references are one above the other.
+    is_table: bool,
 }
 
 impl Layout {
     fn new(sweep: &Sweep, references: usize, picture: Option<&Image<[u8; 3]>>) -> Self {
-        let count = |values: &[String]| u32::try_from(values.len()).unwrap_or(1);
-        let rows = sweep.rows.as_ref().map_or(1, |rows| count(&rows.values));
+        let count = |values: usize| u32::try_from(values).unwrap_or(0);
         let cell = picture.map_or((1, 1), |picture| (picture.width(), picture.height()));
-        let references = match u32::try_from(references).unwrap_or(0) {
-            2.. if rows > 1 => 1,
-            count => count,
+        let (across, down) = (cell.0 + GAP, cell.1 + LINE + GAP);
+        let top = GAP + LINE;
+        let columns = count(sweep.columns.values.len());
+        let references = count(references);
+        let (first, columns, rows) = match &sweep.rows {
+            Some(rows) => {
+                let beside = references.min(1);
+                let left = GAP + beside * (across + 2 * GAP) + LINE;
+                ((left, top), columns, count(rows.values.len()).max(references))
+            }
+            None => {
+                let above = references.min(1);
+                ((GAP, top + above * down), columns.max(references), 1)
+            }
         };
-        let labels = if sweep.rows.is_some() { LINE } else { 0 };
         Self {
             cell,
-            columns: count(&sweep.columns.values),
-            rows,
-            references,
-            left: GAP + references * (cell.0 + GAP) + 2 * GAP + labels,
+            size: (first.0 + columns * across, first.1 + rows * down),
+            first,
+            is_table: sweep.rows.is_some(),
         }
     }
 
-    /// Without the scale.
-    fn size(&self) -> (u32, u32) {
-        let (_, bottom) = self.cell(self.rows as usize, 0);
-        (self.left + self.columns * (self.cell.0 + GAP), bottom - LINE)
-    }
-
-    fn top(&self, row: usize) -> u32 {
-        GAP + LINE + u32::try_from(row).unwrap_or(0) * (self.cell.1 + LINE + GAP)
-    }
-
     fn cell(&self, row: usize, column: usize) -> (u32, u32) {
-        let column = u32::try_from(column).unwrap_or(0);
-        (self.left + column * (self.cell.0 + GAP), self.top(row))
+        self.at(self.first, row, column)
     }
 
     fn reference(&self, at: usize) -> (u32, u32) {
-        let (row, column) = if self.references == 1 { (at, 0) } else { (0, at) };
-        let column = u32::try_from(column).unwrap_or(0);
-        (GAP + column * (self.cell.0 + GAP), self.top(row))
+        let (row, column) = if self.is_table { (at, 0) } else { (0, at) };
+        self.at((GAP, GAP + LINE), row, column)
+    }
+
+    fn at(&self, (left, top): (u32, u32), row: usize, column: usize) -> (u32, u32) {
+        let steps = |count: usize, step: u32| u32::try_from(count).unwrap_or(0) * step;
+        (
+            left + steps(column, self.cell.0 + GAP),
+            top + steps(row, self.cell.1 + LINE + GAP),
+        )
     }
 }
 
@@ -164,7 +169,7 @@ fn write(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32), length
 /// A line from the bottom to the top, in the middle of `length` rows from `top` on.
 fn write_upwards(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32), length: u32) {
     let mut lying = Image::filled(length, LINE, PAPER);
-    let height = fitting(line, length);
+    let height = fitting(line, length.saturating_sub(GAP));
     let start = (length as f32 - text::width(line, height)) / 2.0;
     text::draw(&mut lying, line, (start, 0.0), Style { height, color: INK });
     let mut standing = Image::filled(LINE, length, PAPER);
@@ -228,8 +233,10 @@ mod tests {
     #[test]
     fn one_parameter_is_a_row() {
         let picture = sheet(&sweep(&["maxDistance=1"]), &frame(40, 20), 1, &cells(1, 40, 20));
-        assert_eq!(picture.width(), GAP + 2 * (40 + GAP) + 2 * GAP + 40 + GAP);
+        assert_eq!(picture.width(), GAP + 2 * (40 + GAP));
         assert_eq!(picture.get(GAP, GAP + LINE), Some(&[200, 100, 50]));
+        let cell = preview::colors(&Image::filled(1, 1, 1.0), (1.0, 2.0)).0.pixels()[0];
+        assert_eq!(picture.get(GAP, GAP + LINE + 20 + LINE + GAP), Some(&cell));
     }
 
     #[test]

@@ -16,3 +16,42 @@ pub(crate) fn write<T: npy::Element>(path: &Path, image: &Image<T>) -> Result<()
     let shape = [image.height() as usize, image.width() as usize];
     Ok(fs::write(path, npy::encode(&shape, image.pixels())?)?)
 }
+
+/// Rows × columns × channels.
+pub(crate) fn write_channels<T: npy::Element, const N: usize>(
+    path: &Path,
+    image: &Image<[T; N]>,
+) -> Result<(), Box<dyn Error>> {
+    let shape = [image.height() as usize, image.width() as usize, N];
+    Ok(fs::write(
+        path,
+        npy::encode(&shape, image.pixels().as_flattened())?,
+    )?)
+}
+
+/// Rows × columns × 4 of `uint8`.
+pub(crate) fn read_u8x4(path: &Path) -> Result<Image<[u8; 4]>, Box<dyn Error>> {
+    let array = npy::decode(&fs::read(path)?)?;
+    match array.values {
+        npy::Values::U8(values) => four(&array.shape, &values),
+        _ => Err("the picture is not of uint8".into()),
+    }
+}
+
+/// Rows × columns × 4 of `float32`.
+pub(crate) fn read_f32x4(path: &Path) -> Result<Image<[f32; 4]>, Box<dyn Error>> {
+    let array = npy::decode(&fs::read(path)?)?;
+    match array.values {
+        npy::Values::F32(values) => four(&array.shape, &values),
+        _ => Err("the positions are not of float32".into()),
+    }
+}
+
+fn four<T: Copy>(shape: &[usize], values: &[T]) -> Result<Image<[T; 4]>, Box<dyn Error>> {
+    let &[height, width, 4] = shape else {
+        return Err(format!("{shape:?} is not of rows, columns and 4").into());
+    };
+    let pixels = values.as_chunks::<4>().0.to_vec();
+    let image = Image::new(u32::try_from(width)?, u32::try_from(height)?, pixels);
+    image.ok_or_else(|| "too large".into())
+}

@@ -1,0 +1,66 @@
+mod asked;
+mod report;
+
+use std::io::{self, IsTerminal};
+use std::ops::ControlFlow;
+
+use oaktwin::render;
+use oaktwin::sense::{self, Done, Output, SenseError};
+
+use crate::args::SenseArgs;
+use crate::context::{Context, Exit, Result};
+use crate::progress::Progress;
+use crate::{interrupt, output};
+use report::Report;
+
+pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
+    let options = asked::options(args)?;
+    let inputs = asked::inputs(args)?;
+    let is_stream = asked::is_stream(args);
+    if let Some(threads) = args.threads {
+        render::use_threads(threads as usize);
+    }
+    let (twin, calibration_findings) = context.twin(&args.model, &args.unit)?;
+    if is_stream && io::stdout().is_terminal() {
+        return Err(
+            "standard output is a terminal, and the result an array: send it on, or say -o DIR".into(),
+        );
+    }
+    interrupt::watch()?;
+    let mut progress = Progress::new();
+    let mut watch = |done: Done| {
+        progress.at(done.images, done.of);
+        if interrupt::asked() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    let mut stdout = io::stdout().lock();
+    let to = if is_stream {
+        Output::Stream(&mut stdout)
+    } else {
+        Output::Files
+    };
+    let sensed = sense::sense(&twin, &inputs, &options, to, &mut watch);
+    drop(progress);
+    drop(stdout);
+    let sensed = sensed.map_err(|error| match error {
+        SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => Box::new(error).into(),
+        SenseError::Stream(error) => {
+            let text = format!("standard output: cannot be written ({error}); send it elsewhere");
+            <Box<dyn std::error::Error>>::from(text)
+        }
+        error => error.into(),
+    })?;
+    if let Some(calibration) = args.unit.calibration.as_ref().filter(|_| !args.json) {
+        output::say_findings(calibration, &calibration_findings);
+    }
+    let exit = if sensed.is_interrupted {
+        Exit::Interrupted
+    } else {
+        Exit::Good
+    };
+    Report::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
+    Ok(exit)
+}

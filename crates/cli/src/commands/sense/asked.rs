@@ -1,0 +1,128 @@
+//! From what was typed to what is meant.
+
+use std::path::{Path, PathBuf};
+
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render;
+use oaktwin::sense::{AlignTo, FieldOfView, Input, SenseOptions};
+
+use crate::args::SenseArgs;
+use crate::context::Result;
+use crate::size;
+
+pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
+    let size = size::parse("--align-size", args.align_size.as_deref())?;
+    Ok(SenseOptions {
+        sensor: args.engine.options(),
+        kind: args.sensor.map(Into::into),
+        input_kind: args.input_kind.map(Into::into),
+        depth_scale: args.depth_scale,
+        field_of_view: match (args.fx, args.hfov) {
+            (Some(fx), _) => FieldOfView::FocalLength(fx),
+            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
+            (None, None) => FieldOfView::Known,
+        },
+        resample: args.resample,
+        is_sequence: args.sequence,
+        lens: args.unit.lens.into(),
+        align: args.align.map(|camera| AlignTo {
+            camera: camera.into(),
+            size,
+            fill: args.align_fill.into(),
+        }),
+        annotators: annotators(args)?,
+        png16: args.png16,
+        preview: args.preview,
+        cloud: args.pointcloud.then(|| args.pointcloud_frame.into()),
+    })
+}
+
+fn annotators(args: &SenseArgs) -> Result<Vec<Annotator>> {
+    let mut chosen = Vec::new();
+    for name in &args.outputs {
+        let annotator = render::annotator(name.trim())?;
+        if !annotator.is_of_depth_sensor() {
+            return Err(format!(
+                "--outputs {}: is ground truth, not what a depth sensor reports; leave it out",
+                annotator.name()
+            )
+            .into());
+        }
+        if !chosen.contains(&annotator) {
+            chosen.push(annotator);
+        }
+    }
+    Ok(chosen)
+}
+
+/// Whether the result goes to standard output.
+pub(super) fn is_stream(args: &SenseArgs) -> bool {
+    args.output.is_none() && args.depth.iter().any(|path| is_standard_input(path))
+}
+
+fn is_standard_input(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
+    let from_pipe = args.depth.iter().filter(|path| is_standard_input(path)).count();
+    if from_pipe > 1 {
+        return Err("- is standard input, which can be read once; name it once".into());
+    }
+    if is_stream(args) {
+        if args.depth.len() > 1 {
+            return Err("- and other inputs: standard output takes one result; say -o DIR".into());
+        }
+        let writes_files = [
+            (args.png16, "--png16"),
+            (args.preview, "--preview"),
+            (args.pointcloud, "--pointcloud"),
+            (!args.outputs.is_empty(), "--outputs"),
+            (args.json, "--json"),
+        ];
+        if let Some((_, option)) = writes_files.iter().find(|(given, _)| *given) {
+            return Err(format!("{option}: standard output takes the distances alone; say -o DIR").into());
+        }
+    }
+    let files = args.depth.iter().filter(|path| !path.is_dir()).count();
+    if !args.rgb.is_empty() && files < args.depth.len() {
+        return Err(
+            "--rgb: a folder's pictures are found beside its depth; leave it out, or name files".into(),
+        );
+    }
+    if files > 1 && !args.rgb.is_empty() && args.rgb.len() != files {
+        return Err(format!(
+            "--rgb: {} pictures for {files} depth files; give one for each",
+            args.rgb.len()
+        )
+        .into());
+    }
+    let mut inputs = Vec::new();
+    for (i, path) in args.depth.iter().enumerate() {
+        let rgb: Vec<PathBuf> = match files {
+            1 => args.rgb.clone(),
+            _ => args.rgb.get(i).cloned().into_iter().collect(),
+        };
+        let output = args.output.clone();
+        inputs.push(if is_standard_input(path) {
+            Input::StandardInput {
+                output: output.unwrap_or_default(),
+                rgb,
+            }
+        } else if path.is_dir() {
+            Input::Folder {
+                path: path.clone(),
+                output: output.unwrap_or_else(|| path.clone()),
+            }
+        } else {
+            let output =
+                output.ok_or_else(|| format!("{}: its results need a folder; say -o DIR", path.display()))?;
+            Input::File {
+                path: path.clone(),
+                output,
+                rgb,
+            }
+        });
+    }
+    Ok(inputs)
+}

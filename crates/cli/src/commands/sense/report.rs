@@ -1,0 +1,89 @@
+use std::path::{Path, PathBuf};
+
+use oaktwin::catalog::Twin;
+use oaktwin::diagnostic::Finding;
+use oaktwin::sense::Sensed;
+use serde::Serialize;
+
+use crate::context::Result;
+use crate::output;
+
+/// What was sensed and written.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    model: String,
+    sensors: Vec<SensorReport>,
+    images: u64,
+    is_interrupted: bool,
+    files: Vec<FileReport>,
+    findings: Vec<Finding>,
+    /// About the calibration that the twin was made from.
+    calibration_findings: Vec<Finding>,
+}
+
+#[derive(Debug, Serialize)]
+struct SensorReport {
+    prim: String,
+    engine: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct FileReport {
+    path: PathBuf,
+    bytes: u64,
+}
+
+impl Report {
+    pub(super) fn new(twin: &Twin, sensed: Sensed, calibration_findings: Vec<Finding>) -> Self {
+        Self {
+            model: twin.device.name.clone(),
+            sensors: sensed
+                .sensors
+                .into_iter()
+                .map(|(prim, engine)| SensorReport { prim, engine })
+                .collect(),
+            images: sensed.images,
+            is_interrupted: sensed.is_interrupted,
+            files: sensed
+                .files
+                .into_iter()
+                .map(|file| FileReport {
+                    path: file.path,
+                    bytes: file.bytes,
+                })
+                .collect(),
+            findings: sensed.findings,
+            calibration_findings,
+        }
+    }
+
+    /// On standard output, which a stream of results has for itself.
+    pub(super) fn print(&self, as_json: bool, is_stream: bool) -> Result<()> {
+        if self.is_interrupted {
+            output::say(&format!("interrupted: {} images are whole", self.images));
+        }
+        if as_json {
+            return output::print_json(self);
+        }
+        output::say_findings(Path::new(&self.model), &self.findings);
+        if is_stream {
+            return Ok(());
+        }
+        let sensors: Vec<String> = self
+            .sensors
+            .iter()
+            .map(|sensor| format!("{} ({})", sensor.prim, sensor.engine))
+            .collect();
+        let images = if self.images == 1 { "image" } else { "images" };
+        let mut text = format!(
+            "{}: {}, {} {images}\n",
+            self.model,
+            sensors.join(", "),
+            self.images
+        );
+        for file in &self.files {
+            text += &format!("{}\n", file.path.display());
+        }
+        output::print(&text)
+    }
+}
