@@ -1,5 +1,12 @@
 //! The error curves that the vendor has measured, of one device each: columns `distance_m` and `depth_error_percent`.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    clippy::unwrap_used,
+    reason = "a test"
+)]
+
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,5 +1,7 @@
 //! Two hundred devices of each stereo model against the accuracy that is published for it: of the median device.
 
+#![allow(clippy::cast_possible_truncation, clippy::unwrap_used, reason = "a test")]
+
 use oaktwin::accuracy::Bands;
 use oaktwin::catalog::{Catalog, DepthKind, Source};
 use oaktwin::depth::random::Stream;
@@ -35,9 +37,9 @@ fn errors(sensor: &StereoNoise, seed: u64, distances: &[f64]) -> Vec<f64> {
         .flat_map(|&z| std::iter::repeat_n(z as f32, pixels))
         .collect();
     let mut out = vec![0.0; depth.len()];
-    let shape = (distances.len() as u32, ROWS, width);
+    let shape = [distances.len(), ROWS as usize, width as usize];
     sensor
-        .sense_batch(&depth, shape, 0, &Stream::new(seed, "left"), &mut out)
+        .sense_batch(&depth, shape, 0, 0, &Stream::new(seed, "left"), &mut out)
         .unwrap();
     let width = width as usize;
     let regions = out.chunks_exact(pixels).zip(distances);

@@ -1,5 +1,7 @@
 //! The field of independent random numbers that the windows of the jitter add up.
 
+use std::ops::Range;
+
 use crate::random::{Plane, box_muller};
 use crate::simd::{self, Kernel, Level};
 
@@ -52,49 +54,54 @@ impl Numbers {
     }
 }
 
-/// Memory for one row.
+/// Memory for the rows of a strip.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Field {
+    width: usize,
     bytes: Vec<u8>,
     words: Vec<u32>,
-    row: Vec<u16>,
+    numbers: Vec<u16>,
 }
 
 impl Field {
-    pub(super) fn reset(&mut self, width: usize, numbers: Numbers) {
-        self.row.resize(width, 0);
-        match numbers {
-            Numbers::Bytes => self.bytes.resize(width, 0),
-            Numbers::Normals => {
-                self.words.resize(width.div_ceil(2 * GROUP) * GROUP, 0);
-            }
-        }
+    /// Ready for rows at least `width` columns wide: how wide they are.
+    pub(super) fn reset(&mut self, width: usize) -> usize {
+        self.width = width.next_multiple_of(2 * GROUP);
+        self.width
     }
 
-    /// A row of the field.
+    /// Rows of the field.
     ///
     /// Of normal numbers each word of the row makes two: of 32 words, word i makes pixels i and 32 + i of 64. The upper
     /// 16 bits are the radius, the lower the angle.
-    pub(super) fn row(&mut self, level: Level, plane: &Plane, row: u32, numbers: Numbers) -> &[u16] {
+    pub(super) fn rows(&mut self, level: Level, plane: &Plane, rows: Range<u32>, numbers: Numbers) -> &[u16] {
+        let pixels = rows.len() * self.width;
+        self.numbers.resize(pixels, 0);
         match numbers {
             Numbers::Bytes => {
-                plane.bytes(row, &mut self.bytes);
+                self.bytes.resize(pixels, 0);
+                for (row, bytes) in rows.zip(self.bytes.chunks_exact_mut(self.width)) {
+                    plane.bytes(row, bytes);
+                }
                 let widen = Widen {
                     bytes: &self.bytes,
-                    out: &mut self.row,
+                    out: &mut self.numbers,
                 };
                 simd::run_at(level, widen);
             }
             Numbers::Normals => {
-                plane.row_words(row, &mut self.words);
+                self.words.resize(pixels / 2, 0);
+                for (row, words) in rows.zip(self.words.chunks_exact_mut(self.width / 2)) {
+                    plane.row_words(row, words);
+                }
                 let normals = Normals {
                     words: &self.words,
-                    out: &mut self.row,
+                    out: &mut self.numbers,
                 };
                 simd::run_at(level, normals);
             }
         }
-        &self.row
+        &self.numbers
     }
 }
 
@@ -124,16 +131,16 @@ impl Kernel for Normals<'_> {
 
     #[inline(always)]
     fn run(self) {
-        for (out, words) in self.out.chunks_mut(2 * GROUP).zip(self.words.chunks_exact(GROUP)) {
-            let mut group = [0u16; 2 * GROUP];
+        let groups = self
+            .out
+            .chunks_exact_mut(2 * GROUP)
+            .zip(self.words.chunks_exact(GROUP));
+        for (group, words) in groups {
             let (cosines, sines) = group.split_at_mut(GROUP);
             for ((cosine, sine), &word) in cosines.iter_mut().zip(sines).zip(words) {
                 // The middle of what the 16 bits stand for.
                 let numbers = box_muller(word & 0xFFFF_0000 | 0x8000, word << 16);
                 [*cosine, *sine] = numbers.map(fixed);
-            }
-            if let Some(group) = group.get(..out.len()) {
-                out.copy_from_slice(group);
             }
         }
     }

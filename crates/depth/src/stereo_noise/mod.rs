@@ -58,7 +58,6 @@ mod tests;
 mod texture;
 mod window;
 
-pub use batch::BatchError;
 pub use names::NAMES;
 pub use parameters::{DEVICE_BIAS_SIGMA_PX, DepthRounding, Parameters, Subpixel};
 
@@ -123,7 +122,7 @@ impl StereoNoise {
         let last = disparity.pixels().iter().copied().max().unwrap_or(0);
         let rescaled;
         #[expect(clippy::float_cmp, reason = "the very number that callers write")]
-        let table = if scale == 1.0 && usize::from(last) <= self.table.last() {
+        let table = if scale == 1.0 && u32::from(last) <= self.table.last() {
             &self.table
         } else {
             rescaled = DepthTable::new(&self.parameters, scale, u32::from(last));

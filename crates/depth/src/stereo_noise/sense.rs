@@ -124,18 +124,16 @@ impl Scratch {
     fn begin(&mut self, job: &Job<'_>, first: usize) {
         let (width, scale) = (job.width(), &job.scale);
         self.stride = width.next_multiple_of(PADDING);
-        self.jitter.reset(self.stride, scale.window);
-        self.field
-            .reset(field_width(self.stride, scale.window), scale.numbers);
+        let field = self.field.reset(field_width(self.stride, scale.window));
+        self.jitter.reset(field, scale.window);
         if job.picture.is_some() {
             self.texture.reset(width, scale.window);
             self.texture_sums.resize(width, 0);
         }
         for row in first..first + scale.window - 1 {
-            let numbers = self
-                .field
-                .row(job.level, &job.jitter, counter(row), scale.numbers);
-            simd::run_at(job.level, self.jitter.slide(numbers, &mut []));
+            let entering = counter(row)..counter(row + 1);
+            let numbers = self.field.rows(job.level, &job.jitter, entering, scale.numbers);
+            simd::run_at(job.level, self.jitter.slide(numbers, self.stride, &mut []));
             if let Some(picture) = &job.picture {
                 self.texture.slide(job.level, picture, row, scale.window, &mut []);
             }
@@ -152,9 +150,7 @@ impl Scratch {
     fn strip(&mut self, job: &Job<'_>, first: usize, rows: usize) {
         let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
         self.make_room(rows);
-        for (y, row) in (first..).zip(self.disparities.chunks_exact_mut(stride)) {
-            to_disparities(job, y, row);
-        }
+        to_disparities(job, first, stride, &mut self.disparities);
         if scale.dilation > 0 {
             self.widen(job, first);
         } else if p.occlusion {
@@ -167,11 +163,10 @@ impl Scratch {
         if scale.dropout > 0 {
             self.drop_at_random(job, first);
         }
-        for (y, sums) in (first..).zip(self.sums.chunks_exact_mut(stride)) {
-            let row = counter(y + scale.window - 1);
-            let numbers = self.field.row(job.level, &job.jitter, row, scale.numbers);
-            simd::run_at(job.level, self.jitter.slide(numbers, sums));
-        }
+        let last = first + scale.window - 1;
+        let entering = counter(last)..counter(last + rows);
+        let numbers = self.field.rows(job.level, &job.jitter, entering, scale.numbers);
+        simd::run_at(job.level, self.jitter.slide(numbers, stride, &mut self.sums));
         let measure = Measure {
             scale,
             band_px: if p.occlusion { scale.image_px } else { 0.0 },
@@ -230,7 +225,7 @@ impl Scratch {
         let inside = y.filter(|&y| job.depth_row(y).is_some());
         self.dilated.resize(self.stride, 0.0);
         if let Some(y) = inside {
-            to_disparities(job, y, &mut self.dilated);
+            to_disparities(job, y, self.stride, &mut self.dilated);
         }
         self.dilation
             .push(job.level, inside.map(|_| self.dilated.as_slice()));
@@ -245,6 +240,8 @@ impl Scratch {
             let row = start..start + stride;
             self.dilation
                 .widen(job.level, &self.disparities[row.clone()], &mut self.widened[row]);
+            // What grows over the border is not in the image.
+            self.widened[start + job.width()..start + stride].fill(0.0);
         }
         let widened = std::mem::take(&mut self.widened);
         if p.occlusion {
@@ -301,12 +298,14 @@ fn counter(row: usize) -> u32 {
     row as u32
 }
 
-/// A row of disparities; the padding has no surface.
-fn to_disparities(job: &Job<'_>, y: usize, out: &mut [f32]) {
-    let depth = job.depth_row(y).unwrap_or_default();
-    let (inside, padding) = out.split_at_mut(depth.len().min(out.len()));
-    inside.copy_from_slice(depth);
-    padding.fill(0.0);
+/// Rows of disparities from `first` on; the padding has no surface.
+fn to_disparities(job: &Job<'_>, first: usize, stride: usize, out: &mut [f32]) {
+    for (y, row) in (first..).zip(out.chunks_exact_mut(stride)) {
+        let depth = job.depth_row(y).unwrap_or_default();
+        let (inside, padding) = row.split_at_mut(depth.len().min(stride));
+        inside.copy_from_slice(depth);
+        padding.fill(0.0);
+    }
     simd::run_at(
         job.level,
         Disparities {

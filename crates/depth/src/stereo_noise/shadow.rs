@@ -10,6 +10,12 @@ use crate::simd::{self, Kernel, Level};
 /// Pixels that are looked at together.
 pub(super) const BLOCK: usize = 16;
 
+/// 1.5·2²³: the sum with a number smaller than 2²² has its nearest whole number in the lowest bits.
+const ROUNDER: f32 = 12_582_912.0;
+
+/// What is farther left is out of every image.
+const LEFTMOST: f32 = -1_048_576.0;
+
 /// What hides something is this much nearer, image px: less is the slope of a surface.
 pub(super) const NEARER: f32 = 1.0;
 
@@ -18,7 +24,9 @@ pub(super) const NEARER: f32 = 1.0;
 pub(super) struct Shadow {
     /// A row after the other, each with a last one that is beyond all.
     places: Vec<f32>,
-    in_order: Vec<bool>,
+    /// The pixels that hold these places; below 0 left of the image.
+    cells: Vec<i32>,
+    falls: Vec<u8>,
     blocks: Vec<Block>,
     taken: Vec<f32>,
 }
@@ -58,14 +66,16 @@ impl Shadow {
     ) {
         let rows = disparities.len() / stride;
         self.places.resize(rows * (stride + 1), 0.0);
-        self.in_order.resize(disparities.len() / BLOCK, false);
+        self.cells.resize(rows * (stride + 1), 0);
+        self.falls.resize(disparities.len(), 0);
         let places = Places {
             columns,
             disparities,
             stride,
             image_px,
             right: &mut self.places,
-            in_order: &mut self.in_order,
+            cells: &mut self.cells,
+            falls: &mut self.falls,
         };
         simd::run_at(level, places);
     }
@@ -79,65 +89,87 @@ impl Shadow {
         nearer: f32,
         mut hide: impl FnMut(usize),
     ) {
-        let (stride, count) = (disparities.len(), disparities.len() / BLOCK);
-        let in_order = self
-            .in_order
-            .get(row * count..(row + 1) * count)
+        let stride = disparities.len();
+        let falls = self
+            .falls
+            .get(row * stride..(row + 1) * stride)
             .unwrap_or_default();
-        if in_order.iter().all(|&in_order| in_order) {
+        let (falls, _) = falls.as_chunks::<BLOCK>();
+        if falls.iter().all(is_in_order) {
             return;
         }
-        let start = row * (stride + 1);
-        let right = self.places.get(start..start + stride).unwrap_or_default();
-        if !bound_blocks(&mut self.blocks, in_order, right) {
+        let all = row * (stride + 1)..(row + 1) * (stride + 1);
+        let right = self.places.get(all.clone()).unwrap_or_default();
+        let cells = self.cells.get(all).unwrap_or_default();
+        if !bound_blocks(&mut self.blocks, falls, right) {
             return;
         }
         self.taken.clear();
         self.taken.resize(stride, 0.0);
-        take_places(&mut self.taken, &self.blocks, right, disparities, image_px);
-        let pixels = right.chunks_exact(BLOCK).zip(disparities.chunks_exact(BLOCK));
-        for (b, (block, (right, disparities))) in self.blocks.iter().zip(pixels).enumerate().rev() {
-            if !block.may_be_hidden() {
-                continue;
-            }
+        for (b, _) in self
+            .blocks
+            .iter()
+            .enumerate()
+            .filter(|(_, block)| block.may_hide())
+        {
+            let start = b * BLOCK;
+            let block = start..start + BLOCK;
+            let (right, cells) = (&right[start..=block.end], &cells[start..=block.end]);
+            take_places(&mut self.taken, right, cells, &disparities[block], image_px);
+        }
+        for (b, block) in self
+            .blocks
+            .iter()
+            .enumerate()
+            .filter(|(_, block)| block.may_be_hidden())
+            .rev()
+        {
             let mut leftmost = block.after;
-            for (x, (&right, &d)) in right.iter().zip(disparities).enumerate().rev() {
-                if right >= leftmost && right >= 0.0 {
-                    let place = usize::try_from(cell(right)).ok();
-                    let there = place.and_then(|place| self.taken.get(place)).copied();
-                    if there.unwrap_or(0.0) >= d * image_px + nearer {
-                        hide(b * BLOCK + x);
+            for x in (b * BLOCK..(b + 1) * BLOCK).rev() {
+                if right[x] >= leftmost && right[x] >= 0.0 {
+                    let there = self.taken.get(index(cells[x])).copied();
+                    if there.unwrap_or(0.0) >= disparities[x] * image_px + nearer {
+                        hide(x);
                     }
                 }
-                leftmost = if right < leftmost { right } else { leftmost };
+                leftmost = if right[x] < leftmost { right[x] } else { leftmost };
             }
         }
     }
 }
 
+fn is_in_order(falls: &[u8; BLOCK]) -> bool {
+    u128::from_ne_bytes(*falls) == 0
+}
+
 /// Whether any block may have hidden pixels.
-fn bound_blocks(blocks: &mut Vec<Block>, in_order: &[bool], right: &[f32]) -> bool {
+fn bound_blocks(blocks: &mut Vec<Block>, falls: &[[u8; BLOCK]], right: &[f32]) -> bool {
     blocks.clear();
     let mut before = f32::NEG_INFINITY;
-    blocks.extend(right.chunks_exact(BLOCK).zip(in_order).map(|(right, &in_order)| {
-        let (first, last) = (right.first().copied(), right.last().copied());
-        let (mut low, mut high) = (first.unwrap_or(0.0), last.unwrap_or(0.0));
-        if !in_order {
-            for &right in right {
-                low = if right < low { right } else { low };
-                high = if right > high { right } else { high };
-            }
-        }
-        let block = Block {
-            in_order,
-            low,
-            high,
-            before,
-            after: f32::INFINITY,
-        };
-        before = before.max(high);
-        block
-    }));
+    blocks.extend(
+        right
+            .as_chunks::<BLOCK>()
+            .0
+            .iter()
+            .zip(falls)
+            .map(|(right, falls)| {
+                let in_order = is_in_order(falls);
+                let (low, high) = if in_order {
+                    (right[0], right[BLOCK - 1])
+                } else {
+                    (least(*right, |a, b| a < b), least(*right, |a, b| a > b))
+                };
+                let block = Block {
+                    in_order,
+                    low,
+                    high,
+                    before,
+                    after: f32::INFINITY,
+                };
+                before = before.max(high);
+                block
+            }),
+    );
     let mut after = f32::INFINITY;
     let mut any = false;
     for block in blocks.iter_mut().rev() {
@@ -148,40 +180,39 @@ fn bound_blocks(blocks: &mut Vec<Block>, in_order: &[bool], right: &[f32]) -> bo
     any
 }
 
+/// The first of all, in an order.
+fn least(mut values: [f32; BLOCK], is_before: impl Fn(f32, f32) -> bool) -> f32 {
+    let mut half = BLOCK / 2;
+    while half > 0 {
+        let (low, high) = values.split_at_mut(half);
+        for (a, &b) in low.iter_mut().zip(&*high) {
+            *a = if is_before(b, *a) { b } else { *a };
+        }
+        half /= 2;
+    }
+    values[0]
+}
+
 /// The largest disparity at each place, image px. A pixel covers its place, and the next where the surface is stretched
-/// to at most twice its width there.
-fn take_places(taken: &mut [f32], blocks: &[Block], right: &[f32], disparities: &[f32], image_px: f32) {
-    for (b, _) in blocks.iter().enumerate().filter(|(_, block)| block.may_hide()) {
-        let start = b * BLOCK;
-        let pixels = right.iter().zip(disparities).enumerate();
-        for (x, (&place, &d)) in pixels.skip(start).take(BLOCK) {
-            let first = cell(place);
-            let next = right.get(x + 1).copied().unwrap_or(place);
-            let stretched = next - place <= 2.0 && cell(next) - first == 2;
-            for covered in first..=first + i32::from(stretched) {
-                if let Some(taken) = usize::try_from(covered)
-                    .ok()
-                    .and_then(|covered| taken.get_mut(covered))
-                {
-                    let d = d * image_px;
-                    *taken = if d > *taken { d } else { *taken };
-                }
-            }
+/// to at most twice its width there. Places have one more than disparities.
+fn take_places(taken: &mut [f32], right: &[f32], cells: &[i32], disparities: &[f32], image_px: f32) {
+    let mut take = |cell: i32, d: f32| {
+        if let Some(taken) = taken.get_mut(index(cell)) {
+            *taken = if d > *taken { d } else { *taken };
+        }
+    };
+    let places = right.windows(2).zip(cells.windows(2));
+    for ((right, cells), &d) in places.zip(disparities) {
+        take(cells[0], d * image_px);
+        if cells[1].wrapping_sub(cells[0]) == 2 && right[1] - right[0] <= 2.0 {
+            take(cells[0] + 1, d * image_px);
         }
     }
 }
 
-/// The pixel of a place: one left of the image where it is left of it.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "places are finite, disparities at most 8192 px"
-)]
-fn cell(right: f32) -> i32 {
-    if right < 0.0 {
-        right as i32 - 1
-    } else {
-        right as i32
-    }
+/// Beyond every image where it is below 0.
+fn index(cell: i32) -> usize {
+    cell.cast_unsigned() as usize
 }
 
 /// Disparities become places.
@@ -191,7 +222,9 @@ struct Places<'a> {
     stride: usize,
     image_px: f32,
     right: &'a mut [f32],
-    in_order: &'a mut [bool],
+    cells: &'a mut [i32],
+    /// Whether the next pixel does not lie on the right.
+    falls: &'a mut [u8],
 }
 
 impl Kernel for Places<'_> {
@@ -204,18 +237,27 @@ impl Kernel for Places<'_> {
             .chunks_exact(self.stride)
             .zip(self.disparities.chunks_exact(self.stride));
         let rights = self.right.chunks_exact_mut(self.stride + 1);
-        let blocks = self.in_order.chunks_exact_mut(self.stride / BLOCK);
-        for (((columns, disparities), right), blocks) in rows.zip(rights).zip(blocks) {
+        let falls = self.falls.chunks_exact_mut(self.stride);
+        for (((columns, disparities), right), falls) in rows.zip(rights).zip(falls) {
             for ((right, x), d) in right.iter_mut().zip(columns).zip(disparities) {
-                *right = x - d * self.image_px;
+                let place = x - d * self.image_px;
+                *right = if place > LEFTMOST { place } else { LEFTMOST };
             }
             if let Some(last) = right.last_mut() {
                 *last = f32::INFINITY;
             }
-            let next = right.get(1..).unwrap_or_default().chunks_exact(BLOCK);
-            for ((in_order, these), next) in blocks.iter_mut().zip(right.chunks_exact(BLOCK)).zip(next) {
-                *in_order = these.iter().zip(next).fold(true, |all, (a, b)| all & (a < b));
+            let next = right.get(1..).unwrap_or_default();
+            for ((falls, this), next) in falls.iter_mut().zip(right.iter()).zip(next) {
+                *falls = u8::from(next <= this);
             }
+        }
+        for (cell, &right) in self.cells.iter_mut().zip(self.right.iter()) {
+            let shifted = right + ROUNDER;
+            let nearest = shifted
+                .to_bits()
+                .cast_signed()
+                .wrapping_sub(ROUNDER.to_bits().cast_signed());
+            *cell = nearest - i32::from(shifted - ROUNDER > right);
         }
     }
 }

@@ -1,9 +1,15 @@
 use super::parameters::{DepthRounding, Parameters};
+use crate::simd::{self, Kernel};
+
+/// Every value of a disparity.
+const ALL: usize = 1 << 16;
 
 /// Depth of fixed-point disparities, metres in whole millimetres.
 #[derive(Clone, PartialEq)]
 pub(super) struct DepthTable {
+    /// [`ALL`], so that none is out of bounds.
     metres: Vec<f32>,
+    last: u32,
 }
 
 impl DepthTable {
@@ -27,20 +33,39 @@ impl DepthTable {
             let metres = (millimetres / 1000.0) as f32;
             metres
         });
-        Self {
-            metres: metres.collect(),
-        }
+        let mut metres: Vec<f32> = metres.collect();
+        metres.resize(ALL, 0.0);
+        Self { metres, last }
     }
 
     /// The largest disparity that it has.
-    pub(super) fn last(&self) -> usize {
-        self.metres.len() - 1
+    pub(super) fn last(&self) -> u32 {
+        self.last
     }
 
-    /// Disparities become depth.
+    /// Disparities, none larger than the last, become depth.
     pub(super) fn look_up(&self, fixed: &[u16], out: &mut [f32]) {
-        for (out, &fixed) in out.iter_mut().zip(fixed) {
-            *out = self.metres.get(usize::from(fixed)).copied().unwrap_or(0.0);
+        let metres = self.metres.as_slice();
+        simd::run(LookUp { metres, fixed, out });
+    }
+}
+
+struct LookUp<'a> {
+    metres: &'a [f32],
+    fixed: &'a [u16],
+    out: &'a mut [f32],
+}
+
+impl Kernel for LookUp<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Some(metres) = self.metres.first_chunk::<ALL>() else {
+            return;
+        };
+        for (out, &fixed) in self.out.iter_mut().zip(self.fixed) {
+            *out = metres[usize::from(fixed)];
         }
     }
 }

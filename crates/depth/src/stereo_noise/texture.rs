@@ -22,7 +22,7 @@ pub(super) struct Texture {
 
 impl Texture {
     pub(super) fn reset(&mut self, width: usize, side: usize) {
-        self.window.reset(width, side);
+        self.window.reset(field_width(width, side), side);
         self.luma.resize(width, 0);
         self.field.resize(field_width(width, side), 0);
     }
@@ -57,7 +57,7 @@ impl Texture {
         let (first, last) = (inside.first().copied(), inside.last().copied());
         self.field[..half].fill(first.unwrap_or(0));
         self.field[half + width..].fill(last.unwrap_or(0));
-        simd::run_at(level, self.window.slide(&self.field, out));
+        simd::run_at(level, self.window.slide(&self.field, width, out));
     }
 }
 

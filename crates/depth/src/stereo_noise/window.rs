@@ -15,27 +15,23 @@ pub(super) struct WindowSum {
 pub(super) const MAX_SIDE: usize = 255;
 
 impl WindowSum {
-    /// Empties it, for sums of an image `width` columns wide. What a field's column holds must fit `u16 / side`.
+    /// Empties it, for a field `width` columns wide. What a field's column holds must fit `u16 / side`.
     pub(super) fn reset(&mut self, width: usize, side: usize) {
-        let field = field_width(width, side);
         self.side = side;
         self.next = 0;
         self.rows.clear();
-        self.rows.resize(field * side, 0);
+        self.rows.resize(width * side, 0);
         self.columns.clear();
-        self.columns.resize(field, 0);
+        self.columns.resize(width, 0);
     }
 
-    /// The next row of the field enters, `side` rows later it leaves. Then the sums: of pixel x those of columns x to
-    /// x + side − 1. No `out`, no sums.
-    pub(super) fn slide<'a>(&'a mut self, row: &'a [u16], out: &'a mut [u32]) -> Slide<'a> {
-        let start = self.next * self.columns.len();
-        self.next = (self.next + 1) % self.side;
+    /// The next rows of the field enter, `side` rows later they leave. After each the sums, `stride` of them: of pixel x
+    /// those of columns x to x + side − 1. No `out`, no sums.
+    pub(super) fn slide<'a>(&'a mut self, field: &'a [u16], stride: usize, out: &'a mut [u32]) -> Slide<'a> {
         Slide {
-            old: self.rows.get_mut(start..).unwrap_or_default(),
-            columns: &mut self.columns,
-            row,
-            side: self.side,
+            window: self,
+            field,
+            stride,
             out,
         }
     }
@@ -46,12 +42,11 @@ pub(super) fn field_width(width: usize, side: usize) -> usize {
     width + side - 1
 }
 
-/// A row enters, another leaves, and columns become windows.
+/// Rows enter, others leave, and columns become windows.
 pub(super) struct Slide<'a> {
-    old: &'a mut [u16],
-    columns: &'a mut [u16],
-    row: &'a [u16],
-    side: usize,
+    window: &'a mut WindowSum,
+    field: &'a [u16],
+    stride: usize,
     out: &'a mut [u32],
 }
 
@@ -63,33 +58,52 @@ impl Kernel for Slide<'_> {
 
     #[inline(always)]
     fn run(self) {
-        for ((sum, old), &new) in self.columns.iter_mut().zip(self.old).zip(self.row) {
-            *sum = sum.wrapping_add(new).wrapping_sub(*old);
-            *old = new;
-        }
-        let mut blocks = self.out.chunks_exact_mut(BLOCK);
-        let mut start = 0;
-        for block in &mut blocks {
-            let mut sums = [0u32; BLOCK];
-            for first in start..start + self.side {
-                let Some(columns) = self.columns.get(first..first + BLOCK) else {
-                    break;
-                };
-                for (sum, &column) in sums.iter_mut().zip(columns) {
-                    *sum = sum.wrapping_add(u32::from(column));
+        let WindowSum {
+            side,
+            rows,
+            next,
+            columns,
+        } = self.window;
+        let mut outs = self.out.chunks_exact_mut(self.stride);
+        for row in self.field.chunks_exact(columns.len()) {
+            let out = outs.next().unwrap_or_default();
+            if *side == 1 {
+                for (out, &number) in out.iter_mut().zip(row) {
+                    *out = u32::from(number);
                 }
+                continue;
             }
-            block.copy_from_slice(&sums);
-            start += BLOCK;
+            let old = rows.get_mut(*next * columns.len()..).unwrap_or_default();
+            *next = (*next + 1) % *side;
+            for ((sum, old), &new) in columns.iter_mut().zip(old).zip(row) {
+                *sum = sum.wrapping_add(new).wrapping_sub(*old);
+                *old = new;
+            }
+            sum_along(columns, *side, out);
         }
-        for (x, out) in blocks.into_remainder().iter_mut().enumerate() {
-            let window = self.columns.get(start + x..).unwrap_or_default();
-            *out = window
-                .iter()
-                .take(self.side)
-                .map(|&column| u32::from(column))
-                .sum();
+    }
+}
+
+#[inline(always)]
+fn sum_along(columns: &[u16], side: usize, out: &mut [u32]) {
+    let mut blocks = out.chunks_exact_mut(BLOCK);
+    let mut start = 0;
+    for block in &mut blocks {
+        let mut sums = [0u32; BLOCK];
+        for first in start..start + side {
+            let Some(columns) = columns.get(first..first + BLOCK) else {
+                break;
+            };
+            for (sum, &column) in sums.iter_mut().zip(columns) {
+                *sum = sum.wrapping_add(u32::from(column));
+            }
         }
+        block.copy_from_slice(&sums);
+        start += BLOCK;
+    }
+    for (x, out) in blocks.into_remainder().iter_mut().enumerate() {
+        let window = columns.get(start + x..).unwrap_or_default();
+        *out = window.iter().take(side).map(|&column| u32::from(column)).sum();
     }
 }
 
@@ -116,10 +130,10 @@ mod tests {
                 (0..side + 5).map(|row| (0..columns).map(|column| random_byte(seed, row, column)).collect()).collect();
             for level in Level::available() {
                 let mut window = WindowSum::default();
-                window.reset(width, side);
+                window.reset(columns, side);
                 for (y, row) in rows.iter().enumerate() {
                     let mut out = vec![0; width];
-                    simd::run_at(level, window.slide(row, &mut out));
+                    simd::run_at(level, window.slide(row, width, &mut out));
                     if y + 1 < side {
                         continue;
                     }

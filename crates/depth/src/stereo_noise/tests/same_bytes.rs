@@ -81,11 +81,12 @@ fn depth_is_of_the_disparities() {
 
 #[test]
 fn a_batch_is_its_images_one_by_one() {
-    let (width, height, count) = (106u32, 60u32, 9u32);
+    let (width, height, count) = (106u32, 70u32, 9u32);
     let images: Vec<Image<f32>> = (0..count)
         .map(|item| room(width, height).map(|&z| z + 0.1 * item as f32))
         .collect();
     let depth: Vec<f32> = images.iter().flat_map(|image| image.pixels().to_vec()).collect();
+    let (shape, pixels) = ([9, 70, 106], 7420);
     for p in [Parameters::new(STEREO, 1280), everything(640)] {
         let sensor = sensor(p);
         let batch = |threads| {
@@ -94,29 +95,28 @@ fn a_batch_is_its_images_one_by_one() {
                 .build()
                 .unwrap();
             let mut out = vec![-1.0; depth.len()];
-            let sensed =
-                pool.install(|| sensor.sense_batch(&depth, (count, height, width), 11, &random(), &mut out));
+            let sensed = pool.install(|| sensor.sense_batch(&depth, shape, 11, 5, &random(), &mut out));
             sensed.unwrap();
             out
         };
         let out = batch(1);
-        assert!(out == batch(2) && out == batch(8));
+        // Sixteen threads share images.
+        assert!([2, 8, 16].iter().all(|&threads| out == batch(threads)));
         // In any order.
         for item in (0..count).rev() {
             let mut shot = shot(&images[item as usize], 11);
-            shot.item = item;
+            shot.item = 5 + item;
             let alone = sensor.sense(&shot, &random());
-            let pixels = (width * height) as usize;
             assert!(out[item as usize * pixels..][..pixels] == *alone.0.pixels());
         }
     }
     // Items have noise of their own.
     let sensor = sensor(Parameters::new(STEREO, 1280));
-    let (flat, mut out) = (vec![3.0; 2 * 6360], vec![0.0; 2 * 6360]);
+    let (flat, mut out) = (vec![3.0; 2 * pixels], vec![0.0; 2 * pixels]);
     sensor
-        .sense_batch(&flat, (2, height, width), 0, &random(), &mut out)
+        .sense_batch(&flat, [2, 70, 106], 0, 0, &random(), &mut out)
         .unwrap();
-    assert_ne!(out[..6360], out[6360..]);
+    assert_ne!(out[..pixels], out[pixels..]);
 }
 
 #[test]
@@ -124,17 +124,21 @@ fn a_batch_that_does_not_fit() {
     let sensor = sensor(Parameters::new(STEREO, 1280));
     let mut out = [1.0; 11];
     let error = sensor
-        .sense_batch(&[2.0; 12], (1, 3, 4), 0, &random(), &mut out)
+        .sense_batch(&[2.0; 12], [1, 3, 4], 0, 0, &random(), &mut out)
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "a batch of 1 images of 4x3 pixels has 12 pixels, the output has 11; give as many"
+        "the result of a batch of shape [1, 3, 4] has 11 numbers; give a C-contiguous array of that shape"
     );
     assert_eq!(out, [1.0; 11]);
-    let all = (u32::MAX, u32::MAX, u32::MAX);
-    assert!(sensor.sense_batch(&[], all, 0, &random(), &mut []).is_err());
-    for empty in [(0, 3, 4), (3, 0, 4), (3, 4, 0)] {
-        sensor.sense_batch(&[], empty, 0, &random(), &mut []).unwrap();
+    let overflow = [usize::MAX, usize::MAX, 2];
+    assert!(
+        sensor
+            .sense_batch(&[], overflow, 0, 0, &random(), &mut [])
+            .is_err()
+    );
+    for empty in [[0, 3, 4], [3, 0, 4], [3, 4, 0]] {
+        sensor.sense_batch(&[], empty, 0, 0, &random(), &mut []).unwrap();
     }
 }
 

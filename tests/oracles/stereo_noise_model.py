@@ -1,0 +1,210 @@
+"""What an OAK's stereo reports, from depth alone: a straightforward NumPy implementation of the documented steps.
+
+What the program is compared with, and timed against.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+JITTER, DROPOUT = 1, 2
+MASK = (1 << 64) - 1
+
+
+@dataclass
+class Parameters:
+    """The program's names, its defaults."""
+
+    focalLength: float
+    baseline: float
+    width: int
+    subpixelFractionalBits: int = 5
+    extendedDisparity: bool = False
+    disparityShift: int = 0
+    occlusion: bool = True
+    leftRightCheck: bool = True
+    leftRightCheckThreshold: int = 10
+    confidenceThreshold: int = 55
+    numInvalidateEdgePixels: int = 0
+    edgeDilation: float = 0.0
+    dropout: float = 0.0
+    bias: float = 0.0
+    pixelLocking: float = 0.13
+    jitter: float = 0.05
+    window: int = 7
+    depthRounding: str = "nearest"
+
+    @property
+    def max_fixed(self):
+        """The largest disparity above the shift, in steps."""
+        largest = 95 + self.disparityShift
+        if self.extendedDisparity:
+            largest *= 2
+        return (largest - self.disparityShift) << self.subpixelFractionalBits
+
+
+def splitmix64(value):
+    value = (value + 0x9E3779B97F4A7C15) & MASK
+    value = ((value ^ value >> 30) * 0xBF58476D1CE4E5B9) & MASK
+    value = ((value ^ value >> 27) * 0x94D049BB133111EB) & MASK
+    return value ^ value >> 31
+
+
+def philox4x32(counter, key):
+    """Ten rounds on arrays of counters."""
+    a, b, c, d = (np.asarray(word, np.uint64) for word in counter)
+    low, half = np.uint64(0xFFFFFFFF), np.uint64(32)
+    first, second = key
+    for _ in range(10):
+        p = a * np.uint64(0xD2511F53)
+        q = c * np.uint64(0xCD9E8D57)
+        a, b, c, d = (q >> half) ^ b ^ np.uint64(first), q & low, (p >> half) ^ d ^ np.uint64(second), p & low
+        first, second = (first + 0x9E3779B9) & 0xFFFFFFFF, (second + 0xBB67AE85) & 0xFFFFFFFF
+    return np.stack(np.broadcast_arrays(a, b, c, d)).astype(np.uint32)
+
+
+def random_words(seed, camera, stage, frame, item, rows, count):
+    """`count` words of each of `rows` rows: word i is word i // 16 % 4 of block 16 (i // 64) + i % 16."""
+    name = 0xCBF29CE484222325
+    for byte in camera.encode():
+        name = ((name ^ byte) * 0x100000001B3) & MASK
+    key = splitmix64(splitmix64(splitmix64(seed) ^ name) ^ splitmix64(stage + 1))
+    groups = -(-count // 64)
+    blocks = np.arange(16 * groups)
+    counter = blocks[None, :], np.arange(rows)[:, None], frame & 0xFFFFFFFF, item
+    words = philox4x32(counter, (key & 0xFFFFFFFF, key >> 32))
+    words = words.reshape(4, rows, groups, 16).transpose(1, 2, 0, 3)
+    return words.reshape(rows, groups * 64)[:, :count]
+
+
+def random_bytes(*arguments, count):
+    words = np.ascontiguousarray(random_words(*arguments, -(-count // 4)), "<u4")
+    return words.view(np.uint8)[:, :count]
+
+
+def normal_field(*arguments, count):
+    """Normal numbers in steps of 1/1024: a word makes two, at i and 32 + i of 64."""
+    words = random_words(*arguments, -(-count // 64) * 32).astype(np.float64)
+    radius = np.sqrt(-2 * np.log((np.floor(words / 65536) + 0.5) / 65536))
+    angle = words % 65536 / 65536 * 2 * np.pi
+    pairs = np.stack([radius * np.cos(angle), radius * np.sin(angle)])
+    pairs = pairs.reshape(2, len(words), -1, 32).transpose(1, 2, 0, 3)
+    return np.rint(1024 * pairs.reshape(len(words), -1)[:, :count])
+
+
+def window_sums(field, side):
+    """Of pixel (x, y) the sum over columns x to x + side - 1, rows y to y + side - 1."""
+    total = np.zeros((field.shape[0] + 1, field.shape[1] + 1), np.int64)
+    total[1:, 1:] = field.astype(np.int64).cumsum(0).cumsum(1)
+    return total[side:, side:] - total[:-side, side:] - total[side:, :-side] + total[:-side, :-side]
+
+
+def rounded(value):
+    """To whole image pixels, halves up."""
+    return int(np.floor(value + 0.5))
+
+
+def standard_noise(shape, side, seed, camera, frame, item):
+    """Mean 0, variance 1, correlated over the window."""
+    height, width = shape
+    source = seed, camera, JITTER, frame, item, height + side - 1
+    if side < 4:
+        return window_sums(normal_field(*source, count=width + side - 1), side) / (1024 * side)
+    total = window_sums(random_bytes(*source, count=width + side - 1), side)
+    return (total - 127.5 * side**2) / np.sqrt(side**2 * 65535 / 12)
+
+
+def hidden(d, nearer):
+    """What the second imager does not see of disparities in image pixels: something `nearer` is in front."""
+    height, width = d.shape
+    place = np.arange(width) - d
+    after = np.full_like(place, np.inf)
+    after[:, :-1] = np.minimum.accumulate(place[:, ::-1], 1)[:, ::-1][:, 1:]
+    cell = np.floor(place).astype(np.int64)
+    front = np.zeros((height, width))
+    rows = np.broadcast_to(np.arange(height)[:, None], d.shape)
+
+    def take(who, at):
+        inside = who & (at >= 0) & (at < width)
+        np.maximum.at(front, (rows[inside], at[inside]), d[inside])
+
+    take(np.ones_like(d, bool), cell)
+    stretched = np.zeros(d.shape, bool)
+    stretched[:, :-1] = (place[:, 1:] - place[:, :-1] <= 2) & (cell[:, 1:] - cell[:, :-1] == 2)
+    take(stretched, cell + 1)
+    there = np.take_along_axis(front, np.clip(cell, 0, width - 1), 1)
+    return (place >= after) & (place >= 0) & (there >= d + nearer)
+
+
+def dilated(d, reach):
+    """The largest within reach."""
+    padded = np.pad(d, reach)
+    wide = np.max([padded[:, k : k + d.shape[1]] for k in range(2 * reach + 1)], 0)
+    return np.max([wide[k : k + d.shape[0]] for k in range(2 * reach + 1)], 0)
+
+
+def confidence(rgb, side):
+    """0 to 255, from the differences of neighbours along the row."""
+    r, g, b = (rgb[..., channel].astype(np.int64) for channel in range(3))
+    luma = (77 * r + 150 * g + 29 * b) >> 8
+    difference = np.zeros_like(luma)
+    difference[:, :-1] = np.abs(np.diff(luma, axis=1))
+    if luma.shape[1] > 1:
+        difference[:, -1] = difference[:, -2]
+    half = side // 2
+    padded = np.pad(difference, ((half, side - 1 - half),) * 2, mode="edge")
+    return np.minimum(32 * window_sums(padded, side) / side**2, 255)
+
+
+def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):
+    """Fixed-point disparities, before rounding and after: `(steps, fixed)`."""
+    height, width = depth.shape
+    scale = width / p.width
+    side = min(max(rounded(p.window * scale), 1), 255)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        surface = np.isfinite(depth) & (depth > 0)
+        d = np.where(surface, p.focalLength * p.baseline / depth.astype(np.float64), 0)
+    d = np.minimum(d, 8192)
+    lost = np.zeros(depth.shape, bool)
+    reach = rounded(p.edgeDilation * scale)
+    if reach:
+        wide = dilated(d, reach)
+        wide = np.where(wide > d + 1, wide, d)
+        if p.occlusion:
+            lost |= hidden(d * scale, 1) & (wide == d)
+            if p.leftRightCheck:
+                lost |= hidden(wide * scale, max(p.leftRightCheckThreshold * scale, 1))
+        d = wide
+    elif p.occlusion:
+        lost |= hidden(d * scale, 1)
+    if p.occlusion:
+        lost |= np.arange(width) - d * scale < 0
+    if rgb is not None and p.confidenceThreshold > 0:
+        lost |= confidence(rgb, side) < p.confidenceThreshold
+    if p.dropout > 0:
+        # Low bytes, then high ones, of rows as wide as the program pads them.
+        padded = -(-width // 64) * 64
+        pair = random_bytes(seed, camera, DROPOUT, frame, item, height, count=2 * padded).astype(np.int64)
+        lost |= pair[:, :width] + 256 * pair[:, padded : padded + width] < rounded(p.dropout * 65536)
+    biased = d + p.bias
+    noise = p.jitter * standard_noise(depth.shape, side, seed, camera, frame, item)
+    measured = biased - p.pixelLocking * np.sin(2 * np.pi * biased) + noise
+    steps = (measured - p.disparityShift) * 2**p.subpixelFractionalBits
+    fixed = np.rint(np.clip(steps, 0, p.max_fixed + 1))
+    lost |= (d == 0) | (fixed > p.max_fixed)
+    lost[:, : rounded(p.numInvalidateEdgePixels * scale)] = True
+    return steps, np.where(lost, 0, fixed).astype(np.uint16)
+
+
+def metres(fixed, p):
+    """Depth in whole millimetres."""
+    with np.errstate(divide="ignore"):
+        d = fixed / 2**p.subpixelFractionalBits + p.disparityShift
+        millimetres = p.focalLength * p.baseline * 1000 / d
+    millimetres = np.floor(millimetres + (0.5 if p.depthRounding == "nearest" else 0))
+    return np.where((fixed > 0) & (millimetres <= 65535), millimetres / 1000, 0).astype(np.float32)
+
+
+def stereo_noise(depth, parameters, seed, camera, frame=0, item=0, rgb=None):
+    """Metres, 0 where nothing was measured."""
+    return metres(disparity(depth, parameters, seed, camera, frame, item, rgb)[1], parameters)
