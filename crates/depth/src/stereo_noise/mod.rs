@@ -38,8 +38,8 @@
 //!   inside the accuracy that the vendor publishes; σ = 0.05 px over 7×7; no widening, no dropout; which side of 1 px
 //!   is an edge; rounding to the nearest millimetre.
 //! * Confidence, 0 to 255 (higher is surer, as in `DepthAI` 3; older versions count down from 255): the mean absolute
-//!   difference of a pixel's luma and the next one's on its right, over the matching window, times 32. An estimate: the
-//!   device's own is not published. The default threshold of 55 asks for 1.7 grey levels. A picture does not show what
+//!   difference of a pixel's luma and the next one's on its right, over the matching window, times 128. An estimate: the
+//!   device's own is not published. The default threshold of 55 asks for 0.43 grey levels. A picture does not show what
 //!   a dot projector adds: give none for a device that has its projector on, or a threshold of 0.
 //! * In extended mode the near half, which the device matches in images of half the size, is as fine here as the rest.
 
