@@ -153,7 +153,7 @@ def confidence(rgb, side):
         difference[:, -1] = difference[:, -2]
     half = side // 2
     padded = np.pad(difference, ((half, side - 1 - half),) * 2, mode="edge")
-    return np.minimum(32 * window_sums(padded, side) / side**2, 255)
+    return np.minimum(128 * window_sums(padded, side) / side**2, 255)
 
 
 def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):

@@ -1,4 +1,4 @@
-//! Several cameras' pictures on one: colour above depth, a column each.
+//! Several cameras' pictures on one: colour above depth above what was measured of it, a column each.
 
 use crate::image::text::{self, Style};
 use crate::image::{Image, ZDepth, preview};
@@ -12,6 +12,8 @@ pub struct Column {
     pub rgb: Image<[u8; 4]>,
     /// In the same size.
     pub depth: ZDepth,
+    /// What the camera's depth sensor reports, in the same size.
+    pub measured: ZDepth,
 }
 
 pub(crate) const PAPER: [u8; 3] = [24, 24, 24];
@@ -25,18 +27,24 @@ const TITLE: u32 = 14;
 #[must_use]
 pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> {
     let options = preview::Options { range: Some(range_m) };
-    let cells: Vec<[Image<[u8; 3]>; 2]> = columns
+    let cells: Vec<[Image<[u8; 3]>; 3]> = columns
         .iter()
-        .map(|column| [averaged(&column.rgb), halved(&column.depth).preview(&options)])
+        .map(|column| {
+            let [depth, measured] =
+                [&column.depth, &column.measured].map(|depth| halved(depth).preview(&options));
+            [averaged(&column.rgb), depth, measured]
+        })
         .collect();
-    let widest = |cell: &[Image<[u8; 3]>; 2]| cell.iter().map(Image::width).max().unwrap_or(0);
+    let widest = |cell: &[Image<[u8; 3]>; 3]| cell.iter().map(Image::width).max().unwrap_or(0);
     let tallest = |row: usize| {
         let heights = cells.iter().filter_map(|cell| Some(cell.get(row)?.height()));
         heights.max().unwrap_or(0)
     };
-    let tops = [TITLE + 2 * GAP, TITLE + 3 * GAP + tallest(0)];
+    let first = TITLE + 2 * GAP;
+    let second = first + tallest(0) + GAP;
+    let tops = [first, second, second + tallest(1) + GAP];
     let width = cells.iter().map(|cell| widest(cell) + GAP).sum::<u32>() + GAP;
-    let mut sheet = Image::filled(width, tops[1] + tallest(1) + GAP, PAPER);
+    let mut sheet = Image::filled(width, tops[2] + tallest(2) + GAP, PAPER);
     let mut left = GAP;
     for (column, cell) in columns.iter().zip(&cells) {
         let style = Style {
@@ -109,6 +117,7 @@ mod tests {
             title: "OAK".to_owned(),
             rgb: Image::filled(width, height, [200, 100, 50, 255]),
             depth: ZDepth(Image::filled(width, height, 1.0)),
+            measured: ZDepth(Image::filled(width, height, 0.0)),
         };
         let sheet = contact_sheet(&[column(80, 40), column(60, 80)], (0.5, 2.0));
         assert_eq!(sheet.width(), 40 + 30 + 3 * GAP);

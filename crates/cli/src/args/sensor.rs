@@ -1,4 +1,6 @@
 use clap::{Args, ValueEnum};
+use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
+use oaktwin::depth::{filter, single_view, stereo_noise};
 use oaktwin::sensor::{EngineKind, SensorOptions};
 
 use super::Isaac;
@@ -12,15 +14,15 @@ pub(crate) struct SensorArgs {
     pub(crate) engine: Option<Engine>,
 
     /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
-    #[arg(long, value_name = "PRESET")]
+    #[arg(long, value_name = "PRESET", long_help = preset_help())]
     pub(crate) preset: Option<String>,
 
     /// A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's
-    #[arg(long = "filter", value_name = "FILTER")]
+    #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
     pub(crate) filters: Vec<String>,
 
     /// Set a parameter of the engine by its name; repeatable
-    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment)]
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
     pub(crate) parameters: Vec<(String, String)>,
 
     /// Find disparities up to 190 px instead of 95: nearer things, the same step
@@ -73,6 +75,33 @@ impl From<Engine> for EngineKind {
             Engine::StereoNoise => Self::StereoNoise,
         }
     }
+}
+
+fn preset_help() -> String {
+    let stereo = |platform: Platform| format!("{}: {}", platform.name(), platform.presets().join(", "));
+    format!(
+        "A preset of DepthAI for the model's platform: the mode and the filters.\n{}.\n{}.\nTime of flight: {}",
+        stereo(Platform::Rvc2),
+        stereo(Platform::Rvc4),
+        TIME_OF_FLIGHT_PRESETS.join(", ")
+    )
+}
+
+fn filter_help() -> String {
+    format!(
+        "A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's: {}",
+        filter::NAMES.join(", ")
+    )
+}
+
+fn parameter_help() -> String {
+    format!(
+        "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
+         {}.\nstereo-noise: {}",
+        single_view::Parameters::NAMES.join(", "),
+        single_view::Assumptions::NAMES.join(", "),
+        stereo_noise::NAMES.join(", ")
+    )
 }
 
 /// `NAME=VALUE`

@@ -41,7 +41,7 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     let sheet = room::render(&args.output, devices, &twins)?;
     put(
         "demo_room.png",
-        "a room as all five see it: colour and depth",
+        "a room as all five see it: colour, depth, and what their sensors make of it",
         &sheet,
     )?;
     let room = args.output.join(room::FOLDER);
@@ -71,6 +71,8 @@ fn next_steps(folder: &std::path::Path) -> String {
          oaktwin show OAK4-D\n  \
          oaktwin check {folder}/oak_d_tof.usd\n  \
          oaktwin render {folder}/demo_room/demo_room.usda --model OAK4-D --look-at 0 0 1.15 1 0 1.03 --preview\n  \
+         oaktwin sense {folder}/demo_room/oak4_d --model OAK4-D --preset robotics --preview\n  \
+         oaktwin accuracy OAK4-D --plot {folder}/accuracy.svg\n  \
          oaktwin asset OAK-D-Pro-PoE --calibration FILE -o my_oak.usd\n"
     )
 }

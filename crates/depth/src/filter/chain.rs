@@ -81,11 +81,7 @@ impl<P: Pixel> Chain<P> {
                 continue;
             }
             match filter {
-                Filter::Median(median) => {
-                    let mut out = image.map(|_| P::default());
-                    median.run(level, &image, &mut out);
-                    image = out;
-                }
+                Filter::Median(median) => median.run(level, &mut image),
                 Filter::Spatial(spatial) => spatial.run(level, &mut image),
                 Filter::Temporal(temporal) => temporal.run(level, &mut image, memory),
                 Filter::Speckle(speckle) => speckle.run(level, &mut image),

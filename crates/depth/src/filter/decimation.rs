@@ -1,5 +1,7 @@
-use super::Pixel;
 use oaktwin_image::Image;
+use rayon::prelude::*;
+
+use super::Pixel;
 
 /// `DecimationFilter`: makes the image smaller by a whole number; the values stay as they are.
 ///
@@ -58,49 +60,60 @@ impl Decimation {
 
     pub(super) fn run<P: Pixel>(&self, image: &Image<P>) -> Image<P> {
         let (width, height) = self.size(image.width(), image.height());
-        let factor = self.factor.max(1) as usize;
+        let factor = self.factor.clamp(1, 4) as usize;
         let mut out = Image::filled(width, height, P::default());
-        let mut block: Vec<P> = Vec::with_capacity(factor * factor);
         let rows: Vec<&[P]> = image.rows().collect();
-        for (row, rows) in out
-            .pixels_mut()
-            .chunks_exact_mut((width as usize).max(1))
-            .zip(rows.chunks(factor))
-        {
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let columns = |row: &&[P]| {
-                    row.iter()
-                        .skip(x * factor)
-                        .take(factor)
-                        .copied()
-                        .collect::<Vec<P>>()
-                };
-                block.clear();
-                block.extend(rows.iter().flat_map(columns));
-                *pixel = self.mode.of(&mut block);
-            }
-        }
+        let width = (width as usize).max(1);
+        let rows = rows.par_chunks(factor);
+        out.pixels_mut()
+            .par_chunks_exact_mut(width)
+            .zip(rows)
+            .for_each(|(out, rows)| {
+                if self.mode == DecimationMode::PixelSkipping {
+                    let kept = rows
+                        .first()
+                        .into_iter()
+                        .flat_map(|row| row.iter().step_by(factor));
+                    out.iter_mut().zip(kept).for_each(|(pixel, &kept)| *pixel = kept);
+                    return;
+                }
+                for (x, pixel) in out.iter_mut().enumerate() {
+                    // A block has up to 4×4 pixels; those without a value are written over.
+                    let (mut values, mut count) = ([P::default(); 17], 0);
+                    for row in rows {
+                        let end = row.len().min((x + 1) * factor);
+                        for &value in &row[x * factor..end] {
+                            values[count] = value;
+                            count += usize::from(value != P::default());
+                        }
+                    }
+                    *pixel = self.mode.of(&mut values[..count]);
+                }
+            });
         out
     }
 }
 
 impl DecimationMode {
-    fn of<P: Pixel>(self, block: &mut Vec<P>) -> P {
-        let first = block.first().copied().unwrap_or_default();
-        if self == Self::PixelSkipping {
-            return first;
+    /// What stands for some values, none of them 0.
+    fn of<P: Pixel>(self, values: &mut [P]) -> P {
+        if values.is_empty() {
+            return P::default();
         }
-        block.retain(|&value| value != P::default());
-        match (self, block.len()) {
-            (_, 0) => P::default(),
-            (Self::NonZeroMedian, count) => {
-                block.sort_unstable();
-                block[(count - 1) / 2]
-            }
-            (_, count) => {
-                let sum: i32 = block.iter().map(|&value| Into::<i32>::into(value)).sum();
-                P::cut(sum / i32::try_from(count).unwrap_or(i32::MAX))
-            }
+        if self == Self::NonZeroMedian {
+            values.sort_unstable();
+            return values[(values.len() - 1) / 2];
         }
+        let sum: u32 = values
+            .iter()
+            .map(|&value| u32::from(Into::<u16>::into(value)))
+            .sum();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_possible_wrap,
+            reason = "up to 16 values"
+        )]
+        let mean = (sum / values.len() as u32) as i32;
+        P::cut(mean)
     }
 }

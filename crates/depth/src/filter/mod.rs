@@ -31,6 +31,9 @@ pub use threshold::Threshold;
 
 use crate::ParameterError;
 
+#[cfg(test)]
+mod tests;
+
 /// One filter and its settings, under `DepthAI`'s names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Filter {

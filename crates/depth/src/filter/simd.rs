@@ -128,5 +128,5 @@ at_every_level! {
     /// [`temporal::update`]
     fn temporal = temporal::update => (settings: &temporal::Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]);
     /// [`speckle::links`]
-    fn speckle_links = speckle::links => (threshold: P, rows: [&[P]; 2], links: &mut speckle::Links);
+    fn speckle_links = speckle::links => (threshold: P, rows: [&[P]; 2], links: &mut speckle::Links<'_>);
 }

@@ -25,15 +25,15 @@ impl Default for Speckle {
 
 /// Which pixels of a row belong together with their neighbours: 1 or 0.
 #[derive(Debug)]
-pub(super) struct Links {
+pub(super) struct Links<'a> {
     /// With the one on the left.
-    left: Vec<u8>,
+    pub left: &'a mut [u8],
     /// Of the row above, with the one on the left.
-    left_above: Vec<u8>,
+    pub left_above: &'a [u8],
     /// With the one above.
-    up: Vec<u8>,
+    pub up: &'a mut [u8],
     /// With the one above, where the pixels on the left do not say so already.
-    joins: Vec<u8>,
+    pub joins: &'a mut [u8],
 }
 
 impl Speckle {
@@ -44,137 +44,125 @@ impl Speckle {
         }
         let most: u16 = P::MAX.into();
         let threshold = i32::try_from(self.difference_threshold.min(most.into())).unwrap_or_default();
-        let runs = self.runs(level, image, P::cut(threshold));
-        let pixels = image.pixels_mut();
-        for (run, &node) in runs.patches.nodes.iter().enumerate().skip(1) {
-            if node != LARGE && runs.patches.root(run) != 0 {
-                pixels[runs.starts[run]..runs.starts[run + 1]].fill(P::default());
-            }
+        let mut runs = self.runs(level, image, P::cut(threshold));
+        runs.patches.settle();
+        let mut run = 0;
+        for (pixel, &left) in image.pixels_mut().iter_mut().zip(&runs.left) {
+            run += usize::from(1 - left);
+            let stays = runs.patches.nodes[run] == 0;
+            *pixel = if stays { *pixel } else { P::default() };
         }
     }
 
     /// Joins the runs of alike pixels to patches.
     fn runs<P: Pixel>(&self, level: Level, image: &Image<P>, threshold: P) -> Runs {
         let width = image.width() as usize;
-        let none = || vec![0u8; width];
-        let mut links = Links {
-            left: none(),
-            left_above: none(),
-            up: none(),
-            joins: none(),
+        let empty = (vec![P::default(); width], vec![0; width]);
+        let (mut above, mut left_above) = (&empty.0[..], &empty.1[..]);
+        let (mut up, mut joins) = (vec![0; width], vec![0; width]);
+        let mut left = vec![0; image.pixels().len()];
+        let mut patches = Patches {
+            nodes: vec![i64::MIN],
+            range: i64::from(self.speckle_range),
         };
-        let empty = vec![P::default(); width];
-        let mut above = &empty[..];
-        let mut runs = Runs {
-            // Run 0 stands for all large patches.
-            starts: vec![0],
-            patches: Patches {
-                nodes: vec![LARGE],
-                range: i64::from(self.speckle_range),
-            },
-        };
-        // Of each column: the run in this row and in the row above; of this row: where a run begins, where two join.
+        // Of each column: the run in this row and in the row above; of this row: where runs begin, where two join.
         let (mut run_of, mut run_above) = (vec![0usize; width], vec![0usize; width]);
-        let (mut begins, mut joins) = (vec![0usize; width + 1], vec![0usize; width + 1]);
-        for (y, row) in image.rows().enumerate() {
-            simd::speckle_links(level, threshold, [above, row], &mut links);
-            let first = runs.starts.len();
-            let (mut begun, mut joined) = (0, 0);
-            for x in 0..width {
-                begins[begun] = x;
-                begun += usize::from(1 - links.left[x]);
-                run_of[x] = first + begun - 1;
-                joins[joined] = x;
-                joined += usize::from(links.joins[x]);
+        let (mut begins, mut joined) = (vec![0u32; width + 1], vec![0u32; width + 1]);
+        for (row, left) in image.rows().zip(left.chunks_exact_mut(width)) {
+            let links = &mut Links {
+                left: &mut *left,
+                left_above,
+                up: &mut up,
+                joins: &mut joins,
+            };
+            simd::speckle_links(level, threshold, [above, row], links);
+            let last = patches.nodes.len() - 1;
+            let (mut runs, mut places) = (0, 0);
+            let columns = run_of.iter_mut().zip(&*left).zip(&joins);
+            for (x, ((run, left), join)) in (0u32..).zip(columns) {
+                begins[runs] = x;
+                runs += usize::from(1 - left);
+                *run = last + runs;
+                joined[places] = x;
+                places += usize::from(*join);
             }
-            runs.starts.extend(begins[..begun].iter().map(|x| y * width + x));
-            begins[begun] = width;
-            let lengths = begins[..=begun].windows(2).map(|pair| (pair[1] - pair[0]) as i64);
-            let range = runs.patches.range;
-            let nodes = lengths.map(|length| if length > range { LARGE } else { -length });
-            runs.patches.nodes.extend(nodes);
-            for &x in &joins[..joined] {
-                runs.patches.join(run_above[x], run_of[x]);
+            begins[runs] = image.width();
+            let lengths = begins[..=runs]
+                .windows(2)
+                .map(|pair| i64::from(pair[1] - pair[0]));
+            let range = patches.range;
+            patches
+                .nodes
+                .extend(lengths.map(|length| if length > range { 0 } else { -length }));
+            for &x in &joined[..places] {
+                patches.join(run_above[x as usize], run_of[x as usize]);
             }
-            above = row;
+            (above, left_above) = (row, left);
             std::mem::swap(&mut run_of, &mut run_above);
         }
-        runs.starts.push(image.pixels().len());
-        runs
+        Runs { left, patches }
     }
 }
 
 /// Runs of alike pixels, from 1 on.
 struct Runs {
-    /// Where each begins, and the last ends.
-    starts: Vec<usize>,
+    /// 0 where one begins.
+    left: Vec<u8>,
     patches: Patches,
 }
 
-/// A forest over runs: the trees are patches.
+/// A forest over runs: the trees are patches. Parents have lower numbers than their children.
 struct Patches {
-    /// Below 0: a root, less the number of pixels. Above 0: a node, its parent. [`LARGE`]: belongs to a patch that stays.
+    /// Below 0: a root, less the number of pixels. Else the parent. 0 is the root of all patches that stay.
     nodes: Vec<i64>,
     /// Larger patches stay.
     range: i64,
 }
 
-const LARGE: i64 = 0;
-
 impl Patches {
-    /// The root of a run's tree, 0 where it is large.
-    fn root(&self, mut run: usize) -> usize {
+    /// The root of a run's tree; half of what is on the way is hung to what is above it.
+    #[inline]
+    fn find(&mut self, mut run: usize) -> usize {
         while let Ok(parent) = usize::try_from(self.nodes[run]) {
-            run = parent;
-            if parent == 0 {
-                break;
+            let above = self.nodes[parent];
+            if above < 0 {
+                return parent;
             }
+            self.nodes[run] = above;
+            run = parent;
         }
         run
     }
 
-    /// As [`Patches::root`]; what is on the way is hung to it.
-    fn find(&mut self, run: usize) -> usize {
-        let root = self.root(run);
-        let mut at = run;
-        while at != root {
-            let Ok(parent) = usize::try_from(self.nodes[at]) else {
-                break;
-            };
-            self.nodes[at] = root as i64;
-            at = parent;
-        }
-        root
-    }
-
+    #[inline]
     fn join(&mut self, a: usize, b: usize) {
-        if self.nodes[a] == LARGE && self.nodes[b] == LARGE {
-            return;
-        }
         let (a, b) = (self.find(a), self.find(b));
         if a == b {
             return;
         }
         let (a, b) = (a.min(b), a.max(b));
-        if a == 0 {
-            self.nodes[b] = LARGE;
-            return;
+        let size = self.nodes[a].saturating_add(self.nodes[b]);
+        let stays = -self.range > size;
+        self.nodes[b] = if stays { 0 } else { a as i64 };
+        if a != 0 {
+            self.nodes[a] = if stays { 0 } else { size };
         }
-        let size = self.nodes[a] + self.nodes[b];
-        if -size > self.range {
-            self.nodes[a] = LARGE;
-            self.nodes[b] = LARGE;
-        } else {
-            self.nodes[a] = size;
-            self.nodes[b] = a as i64;
+    }
+
+    /// Makes every run's node 0 where it stays, and nothing else.
+    fn settle(&mut self) {
+        for run in 1..self.nodes.len() {
+            // A parent has been here before its children.
+            if let Ok(parent) = usize::try_from(self.nodes[run]) {
+                self.nodes[run] = if parent == 0 { 0 } else { self.nodes[parent] };
+            }
         }
     }
 }
 
 /// The links of a row, the second, with itself and the row above it.
 #[inline(always)]
-pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut Links) {
-    std::mem::swap(&mut links.left, &mut links.left_above);
+pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut Links<'_>) {
     let zero = P::default();
     let linked = |a: P, b: P| u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold));
     let pairs = row.iter().zip(row.iter().skip(1));
@@ -187,7 +175,7 @@ pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut
     if let (Some(join), Some(&up)) = (links.joins.first_mut(), links.up.first()) {
         *join = up;
     }
-    let around = links.left.iter().zip(&links.left_above).skip(1);
+    let around = links.left.iter().zip(links.left_above).skip(1);
     let ups = links.up.iter().zip(links.up.iter().skip(1));
     for ((join, (left, left_above)), (up_left, up)) in links.joins.iter_mut().skip(1).zip(around).zip(ups) {
         *join = up & !(left & left_above & up_left);

@@ -32,6 +32,9 @@ impl PresetError {
     }
 }
 
+#[cfg(test)]
+mod tests;
+
 fn is_named(name: &str, known: &str) -> bool {
     fold_name(name) == fold_name(known)
 }

@@ -35,16 +35,16 @@ impl Median {
         }
     }
 
-    /// Writes the medians of an image to another of its size.
-    pub(super) fn run<P: Pixel>(self, level: Level, image: &Image<P>, out: &mut Image<P>) {
+    /// Puts the medians in place of the pixels.
+    pub(super) fn run<P: Pixel>(self, level: Level, image: &mut Image<P>) {
         match self {
-            Self::Kernel3x3 => bands(image, out, |rows, sorted, out| {
+            Self::Kernel3x3 => bands(image, |rows, sorted, out| {
                 simd::median3(level, rows, sorted, out);
             }),
-            Self::Kernel5x5 => bands(image, out, |rows, sorted, out| {
+            Self::Kernel5x5 => bands(image, |rows, sorted, out| {
                 simd::median5(level, rows, sorted, out);
             }),
-            Self::Kernel7x7 => bands(image, out, |rows, sorted, out| {
+            Self::Kernel7x7 => bands(image, |rows, sorted, out| {
                 simd::median7(level, rows, sorted, out);
             }),
         }
@@ -52,22 +52,33 @@ impl Median {
 }
 
 fn bands<P: Pixel, const K: usize>(
-    image: &Image<P>,
-    out: &mut Image<P>,
+    image: &mut Image<P>,
     row: impl Fn([&[P]; K], &mut [Vec<P>], &mut [P]) + Sync,
 ) {
-    let width = image.width() as usize;
+    let (width, height) = (image.width() as usize, image.height() as usize);
     if width == 0 {
         return;
     }
-    let rows: Vec<&[P]> = image.rows().collect();
-    let bands = out.pixels_mut().par_chunks_mut(BAND * width).enumerate();
-    bands.for_each(|(band, out)| {
-        let padded = width.next_multiple_of(LANES) + K - 1;
-        let mut sorted = vec![vec![P::default(); padded]; K];
-        for (y, out) in (band * BAND..).zip(out.chunks_exact_mut(width)) {
+    // What a band sees of its neighbours, before they change.
+    let pixels = image.pixels();
+    let above = |start: usize| pixels[start.saturating_sub(K / 2) * width..start * width].to_vec();
+    let below = |end: usize| pixels[end * width..(end + K / 2).min(height) * width].to_vec();
+    let starts = (0..height).step_by(BAND);
+    let around: Vec<[Vec<P>; 2]> = starts
+        .map(|start| [above(start), below((start + BAND).min(height))])
+        .collect();
+    let padded = width.next_multiple_of(LANES) + K - 1;
+    let buffers = || (Vec::new(), vec![vec![P::default(); padded]; K]);
+    let bands = image.pixels_mut().par_chunks_mut(BAND * width).zip(&around);
+    bands.for_each_init(buffers, |(seen, sorted), (band, [above, below])| {
+        seen.clear();
+        seen.extend_from_slice(above);
+        seen.extend_from_slice(band);
+        seen.extend_from_slice(below);
+        let rows: Vec<&[P]> = seen.chunks_exact(width).collect();
+        for (y, out) in (above.len() / width..).zip(band.chunks_exact_mut(width)) {
             let near = |i: usize| rows[(y + i).saturating_sub(K / 2).min(rows.len() - 1)];
-            row(std::array::from_fn(near), &mut sorted, out);
+            row(std::array::from_fn(near), sorted, out);
         }
     });
 }
@@ -97,21 +108,14 @@ fn row<P: Pixel, const K: usize>(
     rows: [&[P]; K],
     sorted: &mut [Vec<P>],
     out: &mut [P],
-    sort: impl Fn(&mut [P; K]),
-    median: impl Fn([[P; K]; K]) -> P,
+    sort: impl Fn(&mut [[P; LANES]; K]),
+    median: impl Fn([[[P; LANES]; K]; K]) -> [P; LANES],
 ) {
     let radius = K / 2;
     for x in (0..out.len()).step_by(LANES) {
-        let loaded = rows.map(|row| load(row, x));
-        let mut lanes = [[P::default(); LANES]; K];
-        for l in 0..LANES {
-            let mut column = std::array::from_fn(|i| loaded[i][l]);
-            sort(&mut column);
-            for i in 0..K {
-                lanes[i][l] = column[i];
-            }
-        }
-        for (sorted, lanes) in sorted.iter_mut().zip(&lanes) {
+        let mut columns = rows.map(|row| load(row, x));
+        sort(&mut columns);
+        for (sorted, lanes) in sorted.iter_mut().zip(&columns) {
             sorted[x + radius..][..LANES].copy_from_slice(lanes);
         }
     }
@@ -122,12 +126,13 @@ fn row<P: Pixel, const K: usize>(
         sorted[radius + out.len()..][..radius].fill(last);
     }
     for (x, out) in (0..).step_by(LANES).zip(out.chunks_mut(LANES)) {
-        let mut medians = [P::default(); LANES];
-        let near: [[[P; LANES]; K]; K] =
-            std::array::from_fn(|i| std::array::from_fn(|c| load(&sorted[i], x + c)));
-        for l in 0..LANES {
-            medians[l] = median(std::array::from_fn(|i| std::array::from_fn(|c| near[i][c][l])));
+        let mut near = [[[P::default(); LANES]; K]; K];
+        for (near, sorted) in near.iter_mut().zip(&*sorted) {
+            for (c, lanes) in near.iter_mut().enumerate() {
+                lanes.copy_from_slice(&sorted[x + c..][..LANES]);
+            }
         }
+        let medians = median(near);
         out.copy_from_slice(&medians[..out.len()]);
     }
 }

@@ -1,0 +1,253 @@
+use oaktwin_image::Image;
+use proptest::prelude::*;
+
+use super::simd::Level;
+use super::temporal::Memory;
+use super::*;
+
+const MEDIANS: [Median; 3] = [Median::Kernel3x3, Median::Kernel5x5, Median::Kernel7x7];
+
+fn image<P: Pixel>(width: u32, pixels: &[P]) -> Image<P> {
+    let height = u32::try_from(pixels.len()).unwrap() / width;
+    let pixels = pixels[..(width * height) as usize].to_vec();
+    Image::new(width, height, pixels).unwrap()
+}
+
+/// Values near to each other, near to the ends and between, and holes.
+fn pixels() -> impl Strategy<Value = Vec<u16>> {
+    let pixel = prop_oneof![
+        3 => 900u16..912,
+        1 => Just(0),
+        1 => prop_oneof![Just(1u16), Just(2), Just(32767), Just(32768), Just(65535)],
+        1 => any::<u16>(),
+    ];
+    proptest::collection::vec(pixel, 1..2600)
+}
+
+/// Patches by walking from pixel to pixel.
+fn without_speckles(image: &Image<u16>, speckle: Speckle) -> Image<u16> {
+    let (width, mut out) = (image.width() as usize, image.clone());
+    let before = image.pixels();
+    let mut seen = vec![false; before.len()];
+    for start in 0..before.len() {
+        let mut patch = vec![start];
+        let mut next = 0;
+        if before[start] == 0 || std::mem::replace(&mut seen[start], true) {
+            continue;
+        }
+        while let Some(&at) = patch.get(next) {
+            next += 1;
+            let (x, mut around) = (at % width, Vec::new());
+            around.extend((x > 0).then(|| at - 1));
+            around.extend((x + 1 < width).then_some(at + 1));
+            around.extend(at.checked_sub(width));
+            around.extend(Some(at + width).filter(|&below| below < before.len()));
+            for other in around {
+                let step = before[other].cast_signed().abs_diff(before[at].cast_signed());
+                if before[other] != 0 && u32::from(step) <= speckle.difference_threshold && !seen[other] {
+                    seen[other] = true;
+                    patch.push(other);
+                }
+            }
+        }
+        if patch.len() <= speckle.speckle_range as usize {
+            patch.iter().for_each(|&at| out.pixels_mut()[at] = 0);
+        }
+    }
+    out
+}
+
+fn median_of(image: &Image<u16>, size: u32) -> Image<u16> {
+    let (width, height) = (i64::from(image.width()), i64::from(image.height()));
+    let radius = i64::from(size / 2);
+    let medians = (0..height * width).map(|at| {
+        let mut square = Vec::new();
+        for dy in -radius..=radius {
+            for dx in -radius..=radius {
+                let x = (at % width + dx).clamp(0, width - 1);
+                let y = (at / width + dy).clamp(0, height - 1);
+                square.push(image.pixels()[usize::try_from(y * width + x).unwrap()]);
+            }
+        }
+        square.sort_unstable();
+        square[square.len() / 2]
+    });
+    Image::new(image.width(), image.height(), medians.collect()).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn every_level_of_instructions_gives_the_same(
+        pixels in pixels(), width in 1u32..200, alpha in 0f32..=1.0, delta: u8, radius in 0u8..6,
+    ) {
+        prop_assume!(pixels.len() >= width as usize);
+        let before = image(width, &pixels);
+        let spatial = Spatial { alpha, delta, hole_filling_radius: radius, num_iterations: 2 };
+        let temporal = Temporal { alpha, delta, ..Temporal::default() };
+        let run = |level: Level| {
+            let mut out = Vec::new();
+            for median in MEDIANS {
+                let mut image = before.clone();
+                median.run(level, &mut image);
+                out.push(image);
+            }
+            let mut image = before.clone();
+            spatial.run(level, &mut image);
+            out.push(image);
+            let (mut memory, mut image) = (Memory::default(), before.clone());
+            for _ in 0..3 {
+                temporal.run(level, &mut image, &mut memory);
+                image.pixels_mut().rotate_left(1);
+            }
+            out.push(image);
+            let mut image = before.clone();
+            Speckle::default().run(level, &mut image);
+            out.push(image);
+            out
+        };
+        let baseline = run(Level::Baseline);
+        for level in Level::available() {
+            prop_assert_eq!(&run(level), &baseline, "{:?}", level);
+        }
+    }
+
+    #[test]
+    fn medians_are_those_of_sorting(pixels in pixels(), width in 1u32..150) {
+        prop_assume!(pixels.len() >= width as usize);
+        let before = image(width, &pixels);
+        for median in MEDIANS {
+            let after = Chain::new(vec![Filter::Median(median)]).run(before.clone());
+            prop_assert_eq!(after, median_of(&before, median.size()));
+        }
+    }
+
+    #[test]
+    fn speckles_are_those_of_walking(
+        pixels in pixels(), width in 1u32..150, range in 0u32..300, threshold in prop_oneof![0u32..20, 0u32..70_000],
+    ) {
+        prop_assume!(pixels.len() >= width as usize);
+        let before = image(width, &pixels);
+        let speckle = Speckle { speckle_range: range, difference_threshold: threshold };
+        let mut chain = Chain::new(vec![Filter::Speckle(speckle)]);
+        let after = chain.run(before.clone());
+        prop_assert_eq!(&after, &without_speckles(&before, speckle));
+        // What stays stays.
+        prop_assert_eq!(&chain.run(after.clone()), &after);
+    }
+
+    #[test]
+    fn the_number_of_threads_does_not_matter(pixels in pixels(), width in 1u32..80) {
+        prop_assume!(pixels.len() >= width as usize);
+        let before = image(width, &pixels);
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let texts = ["median:size=7", "spatial:delta=20,iterations=2", "speckle", "temporal", "decimation:factor=2"];
+            let mut chain = Chain::new(texts.iter().map(|text| parse(text).unwrap()).collect());
+            pool.install(|| (chain.run(before.clone()), chain.run(before.clone())))
+        };
+        prop_assert_eq!(run(1), run(3));
+    }
+
+    #[test]
+    fn bytes_are_as_words_where_nothing_wraps(pixels in proptest::collection::vec(any::<u8>(), 1..900), width in 1u32..60) {
+        prop_assume!(pixels.len() >= width as usize);
+        let words: Vec<u16> = pixels.iter().map(|&pixel| pixel.into()).collect();
+        for text in ["median:size=3", "median:size=7", "spatial:delta=20", "temporal:delta=20", "speckle:difference=9"] {
+            let (mut of_bytes, mut of_words) = (Chain::new(vec![parse(text).unwrap()]), Chain::new(vec![parse(text).unwrap()]));
+            for _ in 0..2 {
+                let (a, b) = (of_bytes.run(image(width, &pixels)), of_words.run(image(width, &words)));
+                prop_assert_eq!(a.map(|&pixel| u16::from(pixel)), b, "{}", text);
+            }
+        }
+    }
+
+    #[test]
+    fn text_comes_back(alpha in 0f32..=1.0, delta: u8, n in 0u32..=100, mode in 0usize..9, a: u16, b: u16) {
+        let (low, high) = (a.min(b), a.max(b));
+        for filter in [
+            Filter::Median(Median::Kernel7x7),
+            Filter::Spatial(Spatial { alpha, delta, hole_filling_radius: delta, num_iterations: n }),
+            Filter::Temporal(Temporal { alpha, delta, persistency_mode: PersistencyMode::ALL[mode] }),
+            Filter::Speckle(Speckle { speckle_range: n, difference_threshold: a.into() }),
+            Filter::Decimation(Decimation { factor: n % 4 + 1, mode: DecimationMode::ALL[mode % 3] }),
+            Filter::Threshold(Threshold { min_range: low, max_range: high }),
+            Filter::Brightness(Brightness { min_brightness: -1, max_brightness: 256 }),
+        ] {
+            prop_assert_eq!(parse(&filter.to_string()).unwrap(), filter);
+        }
+    }
+}
+
+#[test]
+fn a_change_of_size_or_a_reset_forgets() {
+    let temporal = Filter::Temporal(Temporal {
+        persistency_mode: PersistencyMode::Indefinitely,
+        ..Temporal::default()
+    });
+    let mut chain = Chain::new(vec![temporal]);
+    let (full, hole) = (Image::filled(2, 2, 7u16), Image::filled(2, 2, 0u16));
+    let _ = chain.run(full.clone());
+    assert_eq!(chain.run(hole.clone()), full);
+    assert_eq!(chain.run(Image::filled(4, 1, 0u16)), Image::filled(4, 1, 0u16));
+    assert_eq!(chain.run(hole.clone()), hole);
+    let _ = chain.run(full);
+    chain.reset();
+    assert_eq!(chain.run(hole.clone()), hole);
+}
+
+#[test]
+fn no_pixels_stay_none() {
+    for text in NAMES {
+        for (width, height) in [(0, 0), (0, 3), (3, 0)] {
+            let none = Image::filled(width, height, 0u16);
+            assert_eq!(Chain::new(vec![parse(text).unwrap()]).run(none.clone()), none);
+        }
+    }
+}
+
+#[test]
+fn wrong_text_says_what_to_do() {
+    let errors = [
+        "spacial",
+        "kalman",
+        "spatial:alpa=1",
+        "spatial:alpha",
+        "spatial:alpha=nan",
+        "temporal:alpha=1.5",
+        "spatial:delta=256",
+        "spatial:radius=-1",
+        "spatial:iterations=101",
+        "temporal:persistency=9",
+        "temporal:persistency=VALID_2_IN_LAST_5",
+        "decimation:factor=0",
+        "median:size=4",
+        "threshold:min=9,max=8",
+        "brightness:max=300",
+    ];
+    let said: Vec<String> = errors
+        .iter()
+        .map(|text| parse(text).unwrap_err().to_string())
+        .collect();
+    assert_eq!(
+        said,
+        [
+            "spacial: there is no filter \"spacial\"; did you mean spatial or speckle?",
+            "kalman: there is no filter \"kalman\"; use one of median, spatial, temporal, speckle, decimation, \
+             threshold, brightness",
+            "spatial:alpa=1: there is no setting \"alpa\"; did you mean alpha?",
+            "spatial:alpha: \"alpha\" has no value; write alpha=VALUE",
+            "spatial filter: alpha: NaN is out of range; give a number from 0 to 1",
+            "temporal filter: alpha: 1.5 is out of range; give a number from 0 to 1",
+            "spatial:delta=256: \"256\" cannot be its delta; give a whole number from 0 to 255: DepthAI keeps 8 bits of it",
+            "spatial:radius=-1: \"-1\" cannot be its radius; give a whole number from 0 to 255",
+            "spatial filter: iterations: 101 is out of range; give up to 100",
+            "temporal:persistency=9: \"9\" cannot be its persistency; give 0 to 8, or a name",
+            "temporal:persistency=VALID_2_IN_LAST_5: there is no persistency \"VALID_2_IN_LAST_5\"; did you mean \
+             VALID_1_IN_LAST_5 or VALID_2_IN_LAST_3 or VALID_2_IN_LAST_4?",
+            "decimation filter: factor: 0 is out of range; give 1, 2, 3 or 4",
+            "median:size=4: \"4\" cannot be its size; give 3, 5 or 7",
+            "threshold filter: min: 9 is out of range; give up to max, 8",
+            "brightness filter: max: 300 is out of range; give 0 to 256",
+        ]
+    );
+}
