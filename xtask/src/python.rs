@@ -43,6 +43,13 @@ pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     },
 ];
 
+/// Where the Python package is installed and tested.
+pub(crate) const PACKAGE: Environment = Environment {
+    name: "python",
+    versions: ((3, 11), None),
+    tests: "crates/python/tests",
+};
+
 /// Open3D and the other engines that depth frames are compared with: large, so only made where they are asked for.
 pub(crate) const RENDER: Environment = Environment {
     name: "render",
@@ -117,6 +124,41 @@ impl Environment {
         let folder = workspace::target().join("oracles");
         prepare_in(&folder, self.name, interpreter, &pins, &stamp)
     }
+}
+
+/// Builds the Python package's wheel with the maturin of an environment and installs it there, in place of any other.
+pub(crate) fn install_package(python: &Path) -> Result<(), String> {
+    let folder = workspace::target().join("oracles/wheels");
+    let failed = |error: &std::io::Error| format!("{}: {error}", folder.display());
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|error| failed(&error))?;
+    }
+    let mut build = Command::new(python);
+    build.current_dir(workspace::root());
+    build.args(["-m", "maturin", "build", "--quiet", "--profile", "dev"]);
+    build.args(["--manifest-path", "crates/python/Cargo.toml", "--interpreter"]);
+    build.arg(python).arg("--target-dir").arg(workspace::target());
+    build.arg("--out").arg(&folder);
+    output(&mut build)?;
+    let wheels = fs::read_dir(&folder).map_err(|error| failed(&error))?;
+    let wheels: Result<Vec<_>, _> = wheels.map(|entry| entry.map(|entry| entry.path())).collect();
+    let wheels = wheels.map_err(|error| failed(&error))?;
+    let [wheel] = &wheels[..] else {
+        return Err(format!("maturin made {} wheels instead of one", wheels.len()));
+    };
+    let mut install = Command::new(python);
+    install.args([
+        "-m",
+        "pip",
+        "install",
+        "--disable-pip-version-check",
+        "--no-input",
+    ]);
+    install.args(["--no-deps", "--force-reinstall"]).arg(wheel);
+    output(&mut install)?;
+    // NumPy is what it says it needs, and is there.
+    output(Command::new(python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
+    Ok(())
 }
 
 fn prepare_in(

@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
-use crate::python::{ENVIRONMENTS, Environment, Interpreter, RENDER};
+use crate::python::{self, ENVIRONMENTS, Environment, Interpreter, PACKAGE, RENDER};
 use crate::report::Report;
 use crate::workspace;
 
@@ -93,7 +93,12 @@ fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
         (environment, readiness)
     };
     let large = all.then_some(&RENDER);
-    ENVIRONMENTS.iter().chain(large).map(prepare).collect()
+    ENVIRONMENTS
+        .iter()
+        .chain([&PACKAGE])
+        .chain(large)
+        .map(prepare)
+        .collect()
 }
 
 fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
@@ -109,7 +114,12 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
         report.count_failure();
     }
     for (environment, readiness) in environments {
-        let name = format!("Python oracles, {}", environment.name);
+        let is_package = environment.name == PACKAGE.name;
+        let name = if is_package {
+            "Python package".to_owned()
+        } else {
+            format!("Python oracles, {}", environment.name)
+        };
         match (readiness, &programs) {
             (Readiness::Skipped(reason), _) => report.skip(&name, reason),
             (Readiness::Failed(message), _) => {
@@ -118,6 +128,14 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             }
             (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
             (Readiness::Ready(python), Some(programs)) => {
+                let installed = !is_package
+                    || report
+                        .step("wheel of the Python package", || python::install_package(&python))
+                        .is_some();
+                if !installed {
+                    report.count_failure();
+                    continue;
+                }
                 report.command(
                     &name,
                     &mut pytest(python, environment.tests, programs, args),

@@ -343,3 +343,10 @@ impl<'py> Pictures<'py> {
         })
     }
 }
+
+/// The address that a depth image is read from: its own, unless it has to be copied first. For tests.
+#[pyfunction]
+pub(crate) fn _read_from(depth: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let (depth, _) = Depth::read("depth", depth)?;
+    Ok(depth.slice()?.range().0)
+}

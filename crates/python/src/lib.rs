@@ -49,6 +49,8 @@ mod _oaktwin {
     #[pymodule_export]
     use super::finding::Finding;
     #[pymodule_export]
+    use super::images::_read_from;
+    #[pymodule_export]
     use super::main;
     #[pymodule_export]
     use super::pose::look_at;

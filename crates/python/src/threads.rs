@@ -44,6 +44,10 @@ pub(crate) fn install<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
     Ok(pool()?.install(work))
 }
 
+fn signals(py: Python<'_>) -> PyResult<()> {
+    py.check_signals()
+}
+
 /// Runs on the pool, the interpreter released, and raises what a signal raises: the work is then told to stop and its
 /// result dropped.
 pub(crate) fn interruptible<T: Send>(
@@ -67,7 +71,7 @@ pub(crate) fn interruptible<T: Send>(
             while !worker.is_finished() {
                 thread::park_timeout(POLL);
                 if raised.is_none()
-                    && let Err(error) = Python::attach(Python::check_signals)
+                    && let Err(error) = Python::attach(signals)
                 {
                     stop.store(true, Ordering::Relaxed);
                     raised = Some(error);

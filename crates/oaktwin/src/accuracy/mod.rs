@@ -41,7 +41,7 @@ use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
 use measured::Curve;
 use stand::{Effort, Stand, Unit};
 
-/// Hears how many of how many distances are done, on any thread; to break ends the measurement.
+/// Hears how many of how many distances are done, on any thread, before each device too; to break ends the measurement.
 pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);
 
 /// As many devices as are measured by default.
@@ -251,9 +251,10 @@ impl Bench {
         distances
             .par_iter()
             .map(|&distance_m| {
-                let units = self.stand.measure(distance_m, effort)?;
-                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-                if watch(done, distances.len() as u64).is_break() {
+                let of = distances.len() as u64;
+                let wants_more = || watch(done.load(Ordering::Relaxed), of).is_continue();
+                let units = self.stand.measure(distance_m, effort, &wants_more)?;
+                if watch(done.fetch_add(1, Ordering::Relaxed) + 1, of).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
                 let row = Row::new(distance_m, &units, self.report.published.as_ref());

@@ -9,6 +9,7 @@ use oaktwin_depth::single_view::{Assumptions, Depth, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::StereoNoise;
 use rayon::prelude::*;
 
+use super::AccuracyError;
 use super::board::{self, Sight};
 use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use crate::image::{ImageView, ZDepth};
@@ -68,10 +69,14 @@ impl Stand {
         &self,
         distance_m: f64,
         effort: Effort,
-    ) -> Result<Vec<MeasuredUnit>, ParameterError> {
+        wants_more: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<MeasuredUnit>, AccuracyError> {
         let part = self.part(distance_m);
         let sight = board::look(part.intrinsics, distance_m);
         let measure = |(unit, item): (&Unit, u32)| {
+            if !wants_more() {
+                return Err(AccuracyError::Interrupted);
+            }
             let of = |engine: &Engine| match &sight {
                 Some(sight) => self.measure_unit(engine, &unit.filters, item, sight, &part, effort),
                 None => Ok(Measured {

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _oaktwin
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 _COLUMNS = (
     "distance_m",
@@ -57,14 +55,14 @@ class Accuracy:
                     place[name] = row[name]
         return table
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Error over distance with the published bands, on Matplotlib's `ax`, or axes of a new figure.
+    def plot(self, ax: Any = None) -> Any:
+        """Error over distance with the published bands, on Matplotlib's axes `ax`, or those of a new figure; the axes.
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
         if ax is None:
             try:
-                import matplotlib.pyplot as plt
+                plt = import_module("matplotlib.pyplot")
             except ImportError as error:
                 raise ImportError("plots need Matplotlib; install it: pip install matplotlib") from error
             _, ax = plt.subplots()

@@ -1,0 +1,139 @@
+"""Arrays of every kind, in and out, without a copy where none is promised."""
+
+import array
+import ctypes
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import oaktwin
+from oaktwin._oaktwin import _read_from
+
+
+@pytest.fixture(scope="module")
+def sensor(device):
+    return oaktwin.DepthSensor(device, seed=1)
+
+
+class Interface:
+    """Has NumPy's array interface and nothing else."""
+
+    def __init__(self, values):
+        self.values = values
+
+    @property
+    def __array_interface__(self):
+        return self.values.__array_interface__
+
+
+class Capsule:
+    """Has DLPack and nothing else."""
+
+    def __init__(self, values, device=(1, 0)):
+        self.values, self.device = values, device
+
+    def __dlpack__(self, **options):
+        return self.values.__dlpack__(**options)
+
+    def __dlpack_device__(self):
+        return self.device
+
+
+def test_nothing_is_copied(sensor, room):
+    depth, _ = room
+    address = depth.ctypes.data
+    for same in [depth, memoryview(depth), Interface(depth), Capsule(depth.copy())]:
+        if isinstance(same, Capsule):
+            address = same.values.ctypes.data
+        assert _read_from(same) == address
+        assert np.array_equal(sensor(same), sensor(depth))
+    millimetres = np.full((4, 5), 700, np.uint16)
+    assert _read_from(millimetres) == millimetres.ctypes.data
+    batch = np.stack([depth, depth])
+    assert _read_from(batch[1:]) == batch[1].ctypes.data
+    read_only = depth.copy()
+    read_only.flags.writeable = False
+    assert _read_from(read_only) == read_only.ctypes.data
+    plain = array.array("f", depth.ravel())
+    shaped = memoryview(plain).cast("B").cast("f", depth.shape)
+    assert _read_from(shaped) == plain.buffer_info()[0]
+
+
+def test_what_lies_otherwise_is_copied(sensor, room):
+    depth, _ = room
+    raw = np.zeros(depth.nbytes + 1, np.uint8)
+    crooked = raw[1:].view(np.float32).reshape(depth.shape)
+    crooked[...] = depth
+    wide = np.repeat(depth, 2, axis=1)[:, ::2]
+    for other in [np.asfortranarray(depth), depth[::-1][::-1].copy(order="F"), wide, depth.astype(">f4"), crooked]:
+        assert _read_from(other) != other.ctypes.data
+        assert np.array_equal(sensor(other), sensor(depth))
+    column = np.full((5, 1), 2.0, np.float32)
+    assert np.array_equal(sensor(np.asfortranarray(column)), sensor(column))
+
+
+def test_results_are_written_in_place(sensor, room):
+    depth, _ = room
+    out = np.full(depth.shape, -1, np.float32)
+    expected = sensor(depth)
+    assert sensor(depth, out=out) is out and np.array_equal(out, expected)
+    plain = array.array("f", bytes(4 * depth.size))
+    view = memoryview(plain).cast("B").cast("f", depth.shape)
+    assert sensor(depth, out=view) is view
+    assert np.array_equal(np.frombuffer(plain, np.float32).reshape(depth.shape), expected)
+    # The rows of a larger array that follow each other.
+    whole = np.zeros((3, *depth.shape), np.float32)
+    sensor(depth, out=whole[1])
+    assert np.array_equal(whole[1], expected) and not whole[[0, 2]].any()
+    with pytest.raises(TypeError, match="list is no array"):
+        sensor(depth, out=[[0.0]])
+    with pytest.raises(oaktwin.Error):
+        sensor(depth, out=bytes(depth.nbytes))
+
+
+def test_the_same_memory_is_refused_by_every_way(sensor, room):
+    both = np.zeros((3, *room[0].shape), np.float32)
+    for depth, out in [(both[0], both[0]), (Capsule(both[0]), both[0]), (both[:2], both[1:]),
+                       (Interface(both[0]), both[0]), (memoryview(both[0]), both[0])]:
+        with pytest.raises(oaktwin.Error, match="give an array of its own"):
+            sensor(depth, out=out)
+
+
+def test_nothing_as_large_is_allocated(device):
+    sensor = oaktwin.DepthSensor(device)
+    depth = np.full((64, 60, 106), 2.0, np.float32)
+    out = np.empty_like(depth)
+    sensor(depth, out=out)
+    tracemalloc.start()
+    sensor(depth, out=out)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 10_000
+
+
+def test_memory_of_another_device(sensor, room):
+    with pytest.raises(oaktwin.Error, match="memory of another device .*copy it to the CPU first"):
+        sensor(Capsule(room[0], device=(2, 0)))
+
+
+def test_jax(sensor, room):
+    jax = pytest.importorskip("jax")
+    depth = jax.numpy.asarray(room[0])
+    own = depth.unsafe_buffer_pointer()
+    assert _read_from(depth) == own
+    expected = sensor(room[0])
+    assert np.array_equal(sensor(depth), expected)
+    # And back without a copy: DLPack of what was returned.
+    back = jax.dlpack.from_dlpack(expected, copy=None)
+    assert np.array_equal(back, expected)
+    with pytest.raises(oaktwin.Error, match="read-only"):
+        sensor(room[0], out=depth)
+    whole = jax.numpy.asarray((np.nan_to_num(room[0], posinf=0, neginf=0) * 1000).clip(0).astype(np.uint16))
+    assert sensor(whole).dtype == np.uint16
+
+
+def test_addresses_are_real(room):
+    depth, _ = room
+    first = ctypes.c_float.from_address(_read_from(depth) + 4 * depth.shape[1])
+    assert first.value == depth[1, 0]

@@ -1,0 +1,191 @@
+import copy
+import json
+
+import numpy as np
+import pytest
+
+import oaktwin
+
+
+def test_models(program):
+    assert oaktwin.models() == [model["name"] for model in json.loads(program("models", "--json"))]
+    for name in oaktwin.models():
+        assert oaktwin.Device(name).name == name
+    assert oaktwin.Device("oak d-pro_POE").name == "OAK-D Pro PoE"
+
+
+def test_a_device_is_what_the_program_shows(program, device):
+    shown = json.loads(program("show", "OAK4-D", "--json"))
+    assert device.report() == (shown[0] if isinstance(shown, list) else shown)
+    assert repr(device) == "<oaktwin.Device OAK4-D (nominal): cameras rgb, left, right; depth stereo>"
+    assert device.origin == "nominal" and device.findings == []
+
+
+def test_cameras(device):
+    assert sorted(device.cameras) == ["left", "rgb", "right"]
+    left = device.cameras["left"]
+    assert left.size == (1280, 800) == (left.width, left.height)
+    fx = 640 / np.tan(np.radians(77 / 2))
+    assert np.allclose(left.K, [[fx, 0, 639.5], [0, fx, 399.5], [0, 0, 1]], atol=1e-9)
+    assert left.K.dtype == np.float64
+    assert left.hfov_deg == pytest.approx(77) and left.lens == "pinhole" and left.distortion.shape == (0,)
+    # x right is y left's opposite, y down z up's, z forward x.
+    expected = [[0, 0, 1, 0], [-1, 0, 0, 0.0375], [0, -1, 0, 0], [0, 0, 0, 1]]
+    assert np.array_equal(left.body_from_camera, expected)
+    assert repr(left) == "<oaktwin.Camera left: 1280x800, fx 804.59 px, 77.00° x 52.87°, pinhole>"
+    assert device.depth_camera("stereo").size == (1280, 800)
+    assert set(oaktwin.Device("OAK-D ToF").depth_sensors) == {"stereo", "tof"}
+    assert oaktwin.Device("OAK-D ToF").depth_camera().size != (1280, 800)
+
+
+def test_resized_and_cropped(device):
+    left = device.cameras["left"]
+    small = left.resized(640, 400)
+    assert np.allclose(small.K[:2], left.K[:2] / 2) and small.size == (640, 400)
+    assert left.resized(1280, 720).K[1, 2] == left.K[1, 2] - 40
+    assert np.allclose(left.resized(640, 800, keep_aspect_ratio=False).K[:2], left.K[:2] * [[0.5], [1]])
+    part = left.cropped(100, 50, 640, 400)
+    assert part.size == (640, 400) and np.allclose(left.K - part.K, [[0, 0, 100], [0, 0, 50], [0, 0, 0]])
+    for bad in [(0, 4), (4, 0), (1 << 16, 1 << 16)]:
+        with pytest.raises(oaktwin.Error, match="an image of"):
+            left.resized(*bad)
+    with pytest.raises(oaktwin.Error, match="no place"):
+        left.cropped(float("nan"), 0, 3, 3)
+    with pytest.raises(OverflowError):
+        left.resized(-1, 3)
+
+
+def test_extrinsics(device):
+    right_from_left = device.extrinsics("left", "right")
+    assert np.allclose(right_from_left, [[1, 0, 0, -0.075], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    assert np.allclose(device.extrinsics("right", "left") @ right_from_left, np.eye(4))
+    assert np.array_equal(device.extrinsics("left", "body"), device.cameras["left"].body_from_camera)
+    assert device.extrinsics("imu", "rgb").shape == (4, 4)
+    with pytest.raises(oaktwin.Error, match="OAK4-D: there is no `lefft`; did you mean left"):
+        device.extrinsics("lefft", "right")
+
+
+def test_a_calibrated_unit(program, calibration):
+    unit = oaktwin.Device.from_calibration(calibration)
+    assert unit.name == "OAK-D Pro PoE" and unit.origin == calibration.name
+    assert unit.cameras["left"].lens == "opencv" and unit.cameras["left"].distortion.shape == (14,)
+    assert np.array_equal(unit.extrinsics("left", "rgb"), oaktwin.Device.from_calibration(
+        str(calibration), "OAK-D Pro PoE").extrinsics("left", "rgb"))
+    shown = json.loads(program("show", "OAK-D Pro PoE", "--calibration", calibration, "--json"))
+    shown = shown[0] if isinstance(shown, list) else shown
+    assert unit.report() == shown
+    assert [finding.code for finding in unit.findings] == [finding["code"] for finding in shown["findings"]]
+    # The inverse of its rectification is what the raw pair is.
+    pair = unit.rectification()
+    assert np.allclose(pair.R1 @ pair.R1.T, np.eye(3)) and pair.baseline == pytest.approx(0.075, abs=0.002)
+    with pytest.raises(oaktwin.Error):
+        oaktwin.Device.from_calibration(calibration, "OAK-D ToF")
+
+
+def test_calibrations_that_are_none(tmp_path, program):
+    with pytest.raises(FileNotFoundError, match="there is no such file; check the path"):
+        oaktwin.Device.from_calibration(tmp_path / "none.json")
+    with pytest.raises(IsADirectoryError):
+        oaktwin.Device.from_calibration(tmp_path)
+    (tmp_path / "bad.json").write_text("{")
+    with pytest.raises(oaktwin.Error) as raised:
+        oaktwin.Device.from_calibration(tmp_path / "bad.json", "OAK4-D")
+    said = program("show", "OAK4-D", "--calibration", tmp_path / "bad.json", code=2)
+    assert said == f"error: {raised.value}\n"
+
+
+def test_rectification(device):
+    pair = device.rectification()
+    left = device.cameras["left"]
+    assert np.array_equal(pair.R1, np.eye(3)) and np.allclose(pair.P1[:, :3], left.K)
+    assert np.allclose(pair.P2[0, 3], -left.K[0, 0] * 0.075)
+    maps = pair.maps("left")
+    assert maps.shape == (800, 1280, 2) and maps.dtype == np.float32
+    y, x = np.mgrid[:800, :1280]
+    assert np.allclose(maps, np.stack([x, y], -1), atol=1e-3)
+    d = 12.5
+    x, y, z, w = pair.Q @ [700.0, 300.0, d, 1.0]
+    assert z / w == pytest.approx(left.K[0, 0] * 0.075 / d)
+    assert device.rectification(intrinsics="left-camera").P2.shape == (3, 4)
+    with pytest.raises(oaktwin.Error, match="camera: there is no `rgb`"):
+        pair.maps("rgb")
+    with pytest.raises(oaktwin.Error, match="did you mean"):
+        device.rectification(intrinsics="left-camra")
+
+
+@pytest.mark.filterwarnings("ignore::oaktwin.FindingWarning")
+def test_exports_are_the_programs(program, tmp_path, calibration):
+    unit = oaktwin.Device.from_calibration(calibration)
+    for name in ["ros", "opencv", "kalibr", "depthai"]:
+        folder = tmp_path / name
+        folder.mkdir()
+        program("calibration", "export", calibration, "--to", name, "-o", f"{folder}/")
+        written = {file.name: file.read_text() for file in folder.iterdir()}
+        assert getattr(unit, f"to_{name}")() == written
+    assert list(oaktwin.Device("OAK4-D").to_ros()) == ["rgb.yaml", "left.yaml", "right.yaml"]
+
+
+def test_usd(program, tmp_path, device):
+    device.write_usd(tmp_path / "ours.usd", isaac="6", rigid_body=True)
+    program("asset", "OAK4-D", "--isaac", "6", "--rigid-body", "-o", tmp_path / "theirs.usd")
+    assert (tmp_path / "ours.usd").read_bytes() == (tmp_path / "theirs.usd").read_bytes()
+    device.write_usd(str(tmp_path / "ours.usdz"), body=False)
+    assert (tmp_path / "ours.usdz").read_bytes()[:2] == b"PK"
+    with pytest.raises(oaktwin.Error, match=r"\.obj is no USD format"):
+        device.write_usd(tmp_path / "ours.obj")
+    with pytest.raises(FileNotFoundError, match="make the folder first"):
+        device.write_usd(tmp_path / "no/ours.usd")
+    with pytest.raises(oaktwin.Error, match="isaac: there is no `4.5`"):
+        device.write_usd(tmp_path / "ours.usd", isaac="4.5")
+    with pytest.raises(oaktwin.Error):
+        oaktwin.Device("OAK-D ToF").write_usd(tmp_path / "ours.usd", extended_disparity=True)
+
+
+def test_findings_are_warnings(tmp_path):
+    # Of a tilted lens ROS has not all coefficients.
+    camera = json.loads(oaktwin.Device("OAK-D Pro PoE").to_depthai()["calibration.json"])
+    for _, one in camera["cameraData"]:
+        one["distortionCoeff"] = [0.01] * 5 + [0.0] * 7 + [0.02, 0.01]
+    (tmp_path / "tilted.json").write_text(json.dumps(camera))
+    unit = oaktwin.Device.from_calibration(tmp_path / "tilted.json", force=True)
+    with pytest.warns(oaktwin.FindingWarning, match="distortion-dropped"):
+        unit.to_ros()
+
+
+def test_cameras_of_ones_own():
+    wide = oaktwin.Camera((640, 480), hfov_deg=90, name="mine")
+    assert wide.K[0, 0] == pytest.approx(320) and wide.name == "mine" and wide.clip == (0.01, 1e7)
+    same = oaktwin.Camera((640, 480), K=wide.K, distortion=[0.1, -0.05])
+    assert same.lens == "opencv" and list(same.distortion[:3]) == [0.1, -0.05, 0]
+    assert oaktwin.Camera((640, 480), K=wide.K, lens="fisheye").distortion.shape == (4,)
+    pose = oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="camera")
+    assert np.array_equal(oaktwin.Camera((4, 4), hfov_deg=9, body_from_camera=pose).body_from_camera, pose)
+    bad = {
+        "no pixel": dict(size=(0, 4), hfov_deg=3),
+        "no field of view": dict(size=(4, 4), hfov_deg=180),
+        "give one": dict(size=(4, 4)),
+        "3x3": dict(size=(4, 4), K=np.eye(4)),
+        "no camera matrix": dict(size=(4, 4), K=-np.eye(3)),
+        "is no array of numbers": dict(size=(4, 4), K="K"),
+        "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
+        "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),
+        "a pinhole has none": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
+        "no range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
+        "there is no `wide`": dict(size=(4, 4), hfov_deg=9, lens="wide"),
+    }
+    for text, arguments in bad.items():
+        with pytest.raises(oaktwin.Error, match=text):
+            oaktwin.Camera(**arguments)
+
+
+def test_what_is_no_device():
+    with pytest.raises(oaktwin.Error, match="did you mean OAK4-D"):
+        oaktwin.Device("OAK4-E")
+    with pytest.raises(oaktwin.Error, match="lens"):
+        oaktwin.Device("OAK4-D", lens="telephoto")
+    with pytest.raises(oaktwin.Error):
+        oaktwin.Device("OAK4-D", lens="fisheye")
+    assert oaktwin.Device("OAK4-D Wide", lens="fisheye").cameras["left"].lens == "fisheye"
+    with pytest.raises(TypeError):
+        oaktwin.Device(7)
+    assert issubclass(oaktwin.Error, ValueError) and issubclass(oaktwin.FindingWarning, UserWarning)

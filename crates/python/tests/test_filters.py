@@ -1,0 +1,90 @@
+import numpy as np
+import pytest
+
+import oaktwin
+
+
+@pytest.fixture(scope="module")
+def image():
+    random = np.random.default_rng(0)
+    image = (random.integers(900, 1100, (40, 60)) + 500 * (np.arange(60) > 30)).astype(np.uint16)
+    image[random.random(image.shape) < 0.1] = 0
+    return image
+
+
+def test_each_filter(image):
+    filters = oaktwin.filters
+    calls = {
+        "median:size=5": filters.median(image, size=5),
+        "spatial:alpha=0.3,delta=40": filters.spatial(image, alpha=0.3, delta=40),
+        "speckle:range=8,difference=20": filters.speckle(image, range=8, difference=20),
+        "decimation:factor=3": filters.decimation(image, factor=3),
+        "threshold:min=950,max=1050": filters.threshold(image, min=950, max=1050),
+    }
+    for text, got in calls.items():
+        expected = oaktwin.Filter(text)(image)
+        assert got.dtype == np.uint16 and np.array_equal(got, expected), text
+        assert not np.array_equal(got, image), text
+        batch = oaktwin.Filter(text)(np.stack([image, image[::-1]]))
+        assert np.array_equal(batch[0], got)
+        metres = oaktwin.Filter(text)((image / 1000).astype(np.float32))
+        assert metres.dtype == np.float32 and np.array_equal(np.rint(metres * 1000), got)
+    inside = (image >= 950) & (image <= 1050)
+    assert np.array_equal(calls["threshold:min=950,max=1050"], np.where(inside, image, 0))
+
+
+def test_a_median_is_numpys(image):
+    # Inside of what is valid everywhere; DepthAI's treats 0 of its own.
+    image = np.where(image == 0, 1000, image).astype(np.uint16)
+    windows = np.lib.stride_tricks.sliding_window_view(image, (3, 3)).reshape(38, 58, 9)
+    expected = np.median(windows, axis=-1)
+    assert np.array_equal(oaktwin.filters.median(image, size=3)[1:-1, 1:-1], expected)
+
+
+def test_bytes_and_pictures(image):
+    small = (image >> 3).astype(np.uint8)
+    assert oaktwin.filters.median(small).dtype == np.uint8
+    rgb = np.zeros((*image.shape, 3), np.uint8)
+    rgb[:, :30] = 200
+    got = oaktwin.filters.brightness(image, rgb, min=100, max=250)
+    assert np.array_equal(got[:, :30], image[:, :30]) and not got[:, 30:].any()
+    batch = oaktwin.filters.brightness(np.stack([image, image]), np.stack([rgb, rgb]), min=100, max=250)
+    assert np.array_equal(batch[1], got)
+
+
+def test_memory_of_frames(image):
+    temporal = oaktwin.filters.temporal(alpha=0.4, persistency=3)
+    assert str(temporal).startswith("temporal:alpha=0.4,delta=") and repr(temporal).startswith("<oaktwin.Filter temporal")
+    frames = [image, np.zeros_like(image), image + np.uint16(1)]
+    first = [temporal(frame) for frame in frames]
+    temporal.reset()
+    assert np.array_equal([temporal(frame) for frame in frames], first)
+    assert not np.array_equal(first[2], frames[2])
+    alone = oaktwin.Filter("temporal:alpha=0.4,persistency=3")(np.stack(frames))
+    assert np.array_equal(alone[2], oaktwin.Filter("temporal:alpha=0.4,persistency=3")(frames[2]))
+
+
+def test_chains(image):
+    chain = oaktwin.Filter("median:size=3", "decimation:factor=2")
+    expected = oaktwin.filters.decimation(oaktwin.filters.median(image, size=3), factor=2)
+    assert np.array_equal(chain(image), expected)
+    assert np.array_equal(oaktwin.Filter()(image), image)
+    assert chain(np.empty((0, 40, 60), np.uint16)).shape[0] == 0
+
+
+def test_bad_filters(image):
+    for text, call in [
+        ("there is no filter \"medium\"; did you mean median?", lambda: oaktwin.Filter("medium")),
+        ("give 3, 5 or 7", lambda: oaktwin.filters.median(image, size=4)),
+        ("alpha: 2 is out of range", lambda: oaktwin.filters.spatial(image, alpha=2)),
+        ("give up to max", lambda: oaktwin.filters.threshold(image, min=9, max=3)),
+        ("has shape [60]", lambda: oaktwin.filters.median(image[0])),
+        ("rgb: has shape", lambda: oaktwin.filters.brightness(image, np.zeros((3, 3, 3), np.uint8))),
+    ]:
+        with pytest.raises(oaktwin.Error) as raised:
+            call()
+        assert text in str(raised.value)
+    with pytest.raises(TypeError, match="give uint16, uint8 or float32"):
+        oaktwin.filters.median(image.astype(float))
+    with pytest.raises(TypeError):
+        oaktwin.Filter(3)

@@ -1,0 +1,167 @@
+import numpy as np
+import pytest
+
+import oaktwin
+from conftest import ROOT
+
+WALL = np.array([[-50, -50, 3], [50, -50, 3], [0, 80, 3]])
+EYE = np.eye(4)
+
+
+@pytest.fixture(scope="module")
+def wall():
+    return oaktwin.Scene.from_triangles(WALL, np.array([[0, 1, 2]]), label="wall", up="y")
+
+
+def test_a_wall(wall, device):
+    camera = device.cameras["left"].resized(106, 66)
+    seen = wall.render(camera, EYE)
+    assert list(seen) == ["distance_to_image_plane"]
+    z = seen["distance_to_image_plane"]
+    assert z.shape == (66, 106) and z.dtype == np.float32 and np.allclose(z, 3)
+    ranges = wall.render(camera, EYE, annotators=["distance_to_camera"])["distance_to_camera"]
+    y, x = np.mgrid[:66, :106]
+    k = camera.K
+    length = np.sqrt(((x - k[0, 2]) / k[0, 0]) ** 2 + ((y - k[1, 2]) / k[1, 1]) ** 2 + 1)
+    assert np.allclose(ranges, 3 * length, rtol=1e-6)
+    away = wall.render(camera, oaktwin.look_at((0, 0, 0), (0, 0, -1), (0, 1, 0)))
+    assert np.isposinf(away["distance_to_image_plane"]).all()
+    assert repr(wall) == "<oaktwin.Scene from triangles: 1 meshes, 1 instances, 1 triangles, 0 lights, y up>"
+    assert wall.triangle_count == 1 and wall.up == "y" and wall.findings == []
+    assert wall.bounds == [[-50, -50, 3], [50, 80, 3]]
+
+
+def test_every_annotator(wall, device):
+    camera = device.depth_camera().resized(106, 66)
+    names = ["rgb", "normals", "instance_id_segmentation", "semantic_segmentation", "bounding_box_2d_tight",
+             "bounding_box_2d_loose", "pointcloud", "distance_to_image_plane"]
+    seen = wall.render(camera, EYE, annotators=names)
+    assert seen["rgb"].shape == (66, 106, 4) and seen["rgb"].dtype == np.uint8 and (seen["rgb"][..., 3] == 255).all()
+    assert seen["normals"].shape == (66, 106, 3) and np.allclose(np.abs(seen["normals"]), [0, 0, 1])
+    assert (seen["instance_id_segmentation"] == 1).all() and seen["instance_id_segmentation"].dtype == np.uint32
+    assert seen["instance_id_segmentation_prim_paths"] == {1: "/World/Mesh"}
+    [label] = np.unique(seen["semantic_segmentation"])
+    assert seen["semantic_segmentation_labels"][label] == {"class": "wall"}
+    [box] = seen["bounding_box_2d_tight"]
+    assert [box[name] for name in ["x_min", "y_min", "x_max", "y_max"]] == [0, 0, 105, 65]
+    assert seen["bounding_box_2d_tight"].dtype.names[0] == "semanticId"
+    assert seen["pointcloud"].shape == (66 * 106, 3) and np.allclose(seen["pointcloud"][:, 2], 3)
+
+    poses = np.stack([EYE, oaktwin.look_at((0, 0, 0), (0, 0, -1), (0, 1, 0)), EYE])
+    poses[2, 2, 3] = 1
+    batch = wall.render(camera, poses, annotators=names)
+    for name in ["rgb", "normals", "instance_id_segmentation", "semantic_segmentation", "distance_to_image_plane"]:
+        assert batch[name].shape == (3, *seen[name].shape) and batch[name].dtype == seen[name].dtype
+        assert np.array_equal(batch[name][0], seen[name])
+    assert [len(points) for points in batch["pointcloud"]] == [66 * 106, 0, 66 * 106]
+    assert [len(boxes) for boxes in batch["bounding_box_2d_tight"]] == [1, 0, 1]
+    assert np.allclose(batch["distance_to_image_plane"][2], 2)
+    nothing = wall.render(camera, np.empty((0, 4, 4)), annotators=names)
+    assert nothing["rgb"].shape == (0, 66, 106, 4) and nothing["pointcloud"] == []
+
+
+def test_a_file_is_as_the_program_renders_it(program, tmp_path, device):
+    stage = ROOT / "examples/depth_sensor/depth_sensor.usda"
+    eye, target = (3, -2, 1.5), (0, 0, 0.5)
+    program("render", stage, "--model", "OAK4-D", "--look-at", *eye, *target, "--resolution", "320x200",
+            "--annotators", "distance_to_image_plane,normals,rgb", "-o", tmp_path)
+    [written] = tmp_path.rglob("distance_to_image_plane_0000.npy")
+    scene = oaktwin.Scene.open(stage)
+    camera = device.depth_camera().resized(320, 200)
+    pose = oaktwin.look_at(eye, target, frame="body") @ camera.body_from_camera
+    got = scene.render(camera, pose)["distance_to_image_plane"]
+    expected = np.load(written)
+    assert expected.shape == got.shape and np.array_equal(np.isfinite(expected), np.isfinite(got))
+    both = np.isfinite(got)
+    assert both.any() and np.allclose(expected[both], got[both], rtol=1e-6)
+    assert scene.triangle_count > 1 and stage.name in repr(scene)
+    raster, ray = (scene.render(camera, pose, backend=name)["distance_to_image_plane"] for name in ["raster", "ray"])
+    assert np.mean(np.isclose(raster, ray, rtol=1e-5)) > 0.999
+
+
+def test_a_lens_and_single_precision(wall):
+    camera = oaktwin.Camera((80, 60), hfov_deg=60, distortion=[-0.1])
+    seen = wall.render(camera, EYE.astype(np.float32))["distance_to_image_plane"]
+    assert np.allclose(seen, 3, atol=1e-4)
+    turned = oaktwin.look_at((1, 2, 0), (0, 0, 3), (0, 1, 0)).astype(np.float32)
+    assert np.isfinite(wall.render(camera, turned)["distance_to_image_plane"]).all()
+    near = oaktwin.Camera((8, 6), hfov_deg=60, far=2.5)
+    assert np.isposinf(wall.render(near, EYE)["distance_to_image_plane"]).all()
+
+
+def test_look_at():
+    pose = oaktwin.look_at((1, 2, 3), (1, 7, 3))
+    assert pose.dtype == np.float64 and np.allclose(pose[:3, 2], [0, 1, 0]) and np.allclose(pose[:3, 1], [0, 0, -1])
+    body = oaktwin.look_at(np.array([1.0, 2, 3]), (1, 7, 3), frame="body")
+    assert np.allclose(body[:3, 0], [0, 1, 0]) and np.allclose(body[:3, 3], [1, 2, 3])
+    for text, arguments in {
+        "the same place": ((1, 1, 1), (1, 1, 1)),
+        "along UP": ((0, 0, 0), (0, 0, 1)),
+        "finite": ((0, 0, float("inf")), (0, 0, 1)),
+    }.items():
+        with pytest.raises(oaktwin.Error, match=text):
+            oaktwin.look_at(*arguments)
+    with pytest.raises(oaktwin.Error, match="frame: there is no"):
+        oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="usd")
+    with pytest.raises((TypeError, ValueError)):
+        oaktwin.look_at((0, 0), (1, 0, 0))
+
+
+def test_bad_scenes(tmp_path):
+    faces = np.array([[0, 1, 2]])
+    endless = np.full((3, 3), np.inf)
+    for text, arguments in {
+        "vertices: has shape": (WALL[:, :2], faces),
+        "faces: has shape": (WALL, faces[0]),
+        "whole numbers": (WALL, faces.astype(float)),
+        "3 is none of the 3 vertices": (WALL, faces + 1),
+        "-1 is none of": (WALL, faces - 1),
+        "not finite": (endless, faces),
+    }.items():
+        with pytest.raises(oaktwin.Error, match=text):
+            oaktwin.Scene.from_triangles(*arguments)
+    with pytest.raises(TypeError, match="no array"):
+        oaktwin.Scene.from_triangles([[0, 0, 0]], faces)
+    assert oaktwin.Scene.from_triangles(np.empty((0, 3)), np.empty((0, 3), int)).bounds is None
+    with pytest.raises(FileNotFoundError, match="check the path"):
+        oaktwin.Scene.open(tmp_path / "none.usd")
+    with pytest.raises(IsADirectoryError):
+        oaktwin.Scene.open(tmp_path)
+    (tmp_path / "a.txt").write_text("")
+    with pytest.raises(oaktwin.Error, match=r"\.txt is not known; give a usd"):
+        oaktwin.Scene.open(tmp_path / "a.txt")
+    (tmp_path / "a.usda").write_text("nonsense")
+    with pytest.raises(oaktwin.Error):
+        oaktwin.Scene.open(tmp_path / "a.usda")
+
+
+def test_mesh_files(tmp_path, device):
+    (tmp_path / "wall.obj").write_text("v -50 -50 30\nv 50 -50 30\nv 0 80 30\nf 1 2 3\n")
+    scene = oaktwin.Scene.open(tmp_path / "wall.obj", up="y", scale=0.1)
+    assert scene.up == "y" and scene.bounds[1][2] == pytest.approx(3)
+    camera = oaktwin.Camera((4, 4), hfov_deg=20)
+    assert np.allclose(scene.render(camera, EYE)["distance_to_image_plane"], 3)
+    with pytest.raises(oaktwin.Error, match="time"):
+        oaktwin.Scene.open(tmp_path / "wall.obj", time=1)
+
+
+def test_bad_renderings(wall):
+    camera = oaktwin.Camera((4, 4), hfov_deg=20)
+    for text, arguments, options in [
+        ("did you mean normals", (camera, EYE), dict(annotators=["normal"])),
+        ("is no image; see the camera", (camera, EYE), dict(annotators=["camera_params"])),
+        ("DepthSensor", (camera, EYE), dict(annotators=["depth_sensor_distance"])),
+        ("backend: there is no", (camera, EYE), dict(backend="gpu")),
+        ("world_from_camera: has shape", (camera, EYE[:3]), {}),
+        ("no rotation", (camera, np.diag([2.0, 2, 2, 1])), {}),
+        ("no rotation", (camera, np.diag([1.0, 1, -1, 1])), {}),
+        ("not finite", (camera, EYE * np.nan), {}),
+        ("last row", (camera, np.ones((2, 4, 4))), {}),
+        ("no array of numbers", (camera, "here"), {}),
+        ("of memory", (oaktwin.Camera((1 << 15, 1 << 15), hfov_deg=20), np.stack([EYE] * 1000)), {}),
+    ]:
+        with pytest.raises(oaktwin.Error) as raised:
+            wall.render(*arguments, **options)
+        assert text in str(raised.value)
+    with pytest.raises(TypeError):
+        wall.render("left", EYE)

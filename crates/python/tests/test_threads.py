@@ -1,0 +1,139 @@
+"""Many threads, other processes, Ctrl-C, memory."""
+
+import gc
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import oaktwin
+
+
+def test_many_threads_and_one_sensor(device):
+    sensor = oaktwin.DepthSensor(device, seed=3)
+    filtered = oaktwin.DepthSensor(device, seed=3, filters=["temporal"])
+    images = [np.full((60, 106), 1 + 0.1 * i, np.float32) for i in range(8)]
+    sizes = [np.full((30, 40 + i), 2, np.float32) for i in range(4)]
+    expected = [sensor(image, frame=i) for i, image in enumerate(images)]
+    others = [sensor(image) for image in sizes]
+
+    def work(number):
+        for _ in range(20):
+            i = number % 8
+            assert np.array_equal(sensor(images[i], frame=i), expected[i])
+            assert np.array_equal(sensor(sizes[i % 4]), others[i % 4])
+            # No order is promised; that none gets in another's way is.
+            assert filtered(images[i]).shape == (60, 106)
+            assert np.array_equal(sensor(np.stack(images[:1] * 3), frame=0)[0], expected[0])
+
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(work, range(16)))
+
+
+def test_the_interpreter_runs_meanwhile(device):
+    sensor = oaktwin.DepthSensor(device)
+    batch = np.full((64, 400, 640), 2, np.float32)
+    ticks, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            ticks[0] += 1
+
+    # A thread that held the interpreter would let others run only every few milliseconds, and never inside a call.
+    counter = threading.Thread(target=count)
+    counter.start()
+    before = ticks[0]
+    sensor(batch)
+    during = ticks[0] - before
+    done.set()
+    counter.join()
+    assert during > 1000
+
+
+def child(queue):
+    device = oaktwin.Device("OAK4-D")
+    queue.put(oaktwin.DepthSensor(device, seed=1)(np.full((60, 106), 2, np.float32)))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning", "ignore:.*fork.*:RuntimeWarning")
+def test_a_forked_process_has_threads_of_its_own(device):
+    depth = np.full((60, 106), 2, np.float32)
+    expected = oaktwin.DepthSensor(device, seed=1)(depth)
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    process = context.Process(target=child, args=(queue,))
+    process.start()
+    assert np.array_equal(queue.get(timeout=60), expected)
+    process.join(timeout=60)
+    assert process.exitcode == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
+@pytest.mark.parametrize(
+    "call",
+    [
+        "oaktwin.DepthSensor(device, filters=['spatial'])(np.ones((40000, 60, 106), np.float32))",
+        "oaktwin.accuracy(device, devices=2000, captures=1000)",
+        "scene.render(camera, np.stack([np.eye(4)] * 3000))",
+    ],
+)
+def test_ctrl_c(call):
+    text = f"""
+import numpy as np, oaktwin
+device = oaktwin.Device("OAK4-D")
+camera = oaktwin.Camera((1000, 500), hfov_deg=60)
+scene = oaktwin.Scene.from_triangles(np.eye(3), np.array([[0, 1, 2]]))
+print("ready", flush=True)
+try:
+    {call}
+    print("finished")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    process = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    process.send_signal(signal.SIGINT)
+    answer, _ = process.communicate(timeout=120)
+    assert answer == "interrupted\n"
+
+
+def resident():
+    with open("/proc/self/status") as status:
+        return next(int(line.split()[1]) for line in status if line.startswith("VmRSS:")) * 1024
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="nobody here says how much memory is used")
+def test_memory_does_not_grow(device, room):
+    depth, rgb = (np.ascontiguousarray(image[:20, :30]) for image in room)
+    sensor = oaktwin.DepthSensor(device, filters=["temporal", "median"])
+    plain = oaktwin.DepthSensor(device)
+    scene = oaktwin.Scene.from_triangles(np.eye(3), np.array([[0, 1, 2]]))
+    camera = oaktwin.Camera((8, 8), hfov_deg=60)
+    out = np.empty_like(depth)
+
+    def calls(count):
+        for frame in range(count):
+            sensor(depth, rgb, frame=frame)
+            plain(depth, frame=frame, out=out)
+            plain(memoryview(depth))
+            oaktwin.filters.median(depth)
+            scene.render(camera, np.eye(4), annotators=["rgb", "pointcloud"])
+            device.cameras["left"].K
+            with pytest.raises(oaktwin.Error):
+                plain(depth[0])
+        gc.collect()
+
+    calls(1000)
+    before = resident()
+    calls(10_000)
+    # Less than a hundred bytes a round; one image is 2400.
+    assert resident() - before < 10_000 * 100

@@ -1,0 +1,73 @@
+"""The stubs against the real module, and a program of a user who is strict."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("mypy")
+
+STRICT = '''
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from typing_extensions import assert_type
+
+import oaktwin
+
+device = oaktwin.Device("OAK4-D")
+camera = device.cameras["left"].resized(640, 400)
+assert_type(camera.K, npt.NDArray[np.float64])
+sensor = oaktwin.DepthSensor(device, engine="stereo-noise", filters=["median"], parameters={"window": 5}, seed=1)
+metres = np.zeros((4, 5), np.float32)
+assert_type(sensor(metres), npt.NDArray[np.float32])
+assert_type(sensor(metres.astype(np.uint16), frame=3), npt.NDArray[np.uint16])
+assert_type(sensor(metres.data), npt.NDArray[Any])
+out = np.zeros((4, 5), np.float32)
+sensor(metres, out=out).sum()
+assert_type(oaktwin.filters.temporal(alpha=0.4)(metres), npt.NDArray[np.float32])
+scene = oaktwin.Scene.from_triangles(np.eye(3), np.array([[0, 1, 2]]))
+frames = scene.render(camera, np.stack([oaktwin.look_at((0, 0, 0), (1, 0, 0))] * 2), annotators=["rgb"])
+assert_type(oaktwin.accuracy(device, distances=[1.0]).is_good, bool)
+'''
+
+WRONG = '''
+import oaktwin
+
+oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), engine="none")
+oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), None)
+oaktwin.Device("OAK4-D").nme
+'''
+
+
+def python(tmp_path, *arguments):
+    environment = {**os.environ, "MYPY_CACHE_DIR": str(tmp_path / "cache")}
+    command = [sys.executable, "-m", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment)
+
+
+def test_the_stubs_are_the_modules(tmp_path):
+    done = python(tmp_path, "mypy.stubtest", "oaktwin", "--ignore-disjoint-bases")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_strict_users(tmp_path):
+    (tmp_path / "strict.py").write_text(STRICT)
+    done = python(tmp_path, "mypy", "--strict", "strict.py")
+    assert done.returncode == 0, done.stdout + done.stderr
+    (tmp_path / "wrong.py").write_text(WRONG)
+    done = python(tmp_path, "mypy", "--strict", "wrong.py")
+    assert done.stdout.count("error:") == 3, done.stdout
+
+
+def test_the_package_is_strict_itself(tmp_path):
+    done = python(tmp_path, "mypy", "--strict", "-p", "oaktwin")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_sample_runs(tmp_path):
+    (tmp_path / "strict.py").write_text(STRICT)
+    done = subprocess.run([sys.executable, "strict.py"], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
