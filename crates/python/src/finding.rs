@@ -12,13 +12,18 @@ use crate::error::FindingWarning;
 /// place: where: a field's or a prim's path.
 /// message: what is odd.
 /// remedy: what to do about it; empty where there is nothing to do.
-#[pyclass(frozen, module = "oaktwin", get_all)]
+#[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Finding {
+    #[pyo3(get)]
     code: &'static str,
+    #[pyo3(get)]
     level: String,
+    #[pyo3(get)]
     place: String,
+    #[pyo3(get)]
     message: String,
+    #[pyo3(get)]
     remedy: String,
     line: String,
 }

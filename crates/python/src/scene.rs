@@ -5,7 +5,8 @@ use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{
-    AnnotateOptions, Backend, OpenOptions, Renderer, SceneFile, annotator, available_bytes, frame_bytes, gib,
+    AnnotateOptions, Backend, OpenOptions, Renderer, SceneFile, annotation_bytes, annotator, available_bytes,
+    frame_bytes, gib,
 };
 use oaktwin::scene::{self, Instance, Label, Mesh, Up};
 use pyo3::prelude::*;
@@ -263,7 +264,9 @@ fn scene_annotator(name: &str) -> PyResult<Annotator> {
 }
 
 fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyResult<()> {
-    let needed = frame_bytes(camera.camera.intrinsics.size, annotators).saturating_mul(count.max(1) as u64);
+    let size = camera.camera.intrinsics.size;
+    let results = annotation_bytes(size, annotators).saturating_mul(count as u64);
+    let needed = results.saturating_add(frame_bytes(size, annotators));
     match available_bytes() {
         Some(available) if needed > available => {
             let is = format!("needs {} of memory, and {} are free", gib(needed), gib(available));

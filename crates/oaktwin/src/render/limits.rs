@@ -33,8 +33,19 @@ pub fn check_size(size: ImageSize) -> Result<(), SizeError> {
 /// the frame before it is still written.
 #[must_use]
 pub fn frame_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
-    let annotations: u64 = annotators.iter().map(|annotator| pixel_bytes(*annotator)).sum();
-    u64::from(size.width) * u64::from(size.height) * (12 + 4 * annotations)
+    let pixels = u64::from(size.width) * u64::from(size.height);
+    12 * pixels + 4 * annotation_bytes(size, annotators)
+}
+
+/// How much memory what these annotators say of a frame takes, bytes.
+#[must_use]
+pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
+    let pixels = u64::from(size.width) * u64::from(size.height);
+    pixels
+        * annotators
+            .iter()
+            .map(|annotator| pixel_bytes(*annotator))
+            .sum::<u64>()
 }
 
 fn pixel_bytes(annotator: Annotator) -> u64 {

@@ -53,7 +53,7 @@ pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators};
 pub use frames::{Done, FrameOptions, FramesError, Written, WrittenFile, write_frames};
-pub use limits::{MAX_PIXELS, SizeError, available_bytes, check_size, frame_bytes, gib};
+pub use limits::{MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};

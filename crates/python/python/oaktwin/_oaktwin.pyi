@@ -5,6 +5,25 @@ from typing import Any, Final, Literal, TypeVar, final, overload
 import numpy as np
 import numpy.typing as npt
 
+__all__ = [
+    "Camera",
+    "DepthSensor",
+    "Device",
+    "Error",
+    "Filter",
+    "Finding",
+    "FindingWarning",
+    "Rectification",
+    "Scene",
+    "__version__",
+    "_read_from",
+    "accuracy",
+    "align",
+    "look_at",
+    "main",
+    "models",
+]
+
 __version__: Final[str]
 
 _Role = Literal["rgb", "left", "right", "tof"]
@@ -286,8 +305,8 @@ def accuracy(
     sensor: str | None = None,
     distances: Sequence[float] | str | None = None,
     devices: int | None = None,
-    captures: int = 10,
-    region: float = 0.05,
+    captures: int = ...,
+    region: float = ...,
     engine: str | None = None,
     preset: str | None = None,
     filters: Sequence[str] = ...,
