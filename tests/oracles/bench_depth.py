@@ -1,8 +1,8 @@
 """The peers of `cargo xtask bench depth`: the sensor models in NumPy, DepthAI's host filters, OpenCV's median.
 
 `bench_depth.py FOLDER [NAME]` works on the images of FOLDER and prints a JSON object a case (those with NAME in theirs): seconds
-a frame by the clock and of processor time. A DepthAI filter's time is what four more of it cost in a pipeline, over four:
-what passing images costs is not counted.
+a frame by the clock and of processor time. A DepthAI filter's time is that of a pipeline with it, less that of one whose
+filter is switched off: what passing images costs is not counted.
 """
 
 import json
@@ -16,10 +16,10 @@ import depthai as dai
 import numpy as np
 
 from depth_models import single_view
-from stereo_noise_model import stereo_noise
-from test_filters import depthai_filter
+from stereo_noise_model import Parameters, stereo_noise
+from test_filters import PARAMS, depthai_filter
 
-MORE, FRAMES = 4, 6
+FRAMES = 6
 SHEET = {
     "baselineMM": 75.0,
     "focalLengthPixel": 805.0,
@@ -31,7 +31,7 @@ SHEET = {
     "noiseDownscaleFactorPixel": 2.0,
     "confidenceThreshold": 0.8,
 }
-STEREO = {"focalLength": 805.0, "baseline": 0.075, "width": 1280}
+STEREO = Parameters(focalLength=805.0, baseline=0.075, width=1280)
 # What the program calls the case, and the filter.
 DEPTHAI = {
     "median:kernel=3x3": ("median", {"size": 3}),
@@ -58,14 +58,13 @@ def timed(work) -> tuple[float, float]:
 
 
 class Pipeline:
-    """So many of a DepthAI filter in a row, on the host."""
+    """A DepthAI filter, on the host."""
 
-    def __init__(self, made: object, count: int) -> None:
+    def __init__(self, made: object) -> None:
         self.pipeline = dai.Pipeline(False)
         node = self.pipeline.create(dai.node.ImageFilters)
         node.setRunOnHost(True)
-        for _ in range(count):
-            node.initialConfig.insertFilter(made)
+        node.initialConfig.insertFilter(made)
         self.node, self.into, self.out = node, node.input.createInputQueue(), node.output.createOutputQueue()
         self.pipeline.start()
 
@@ -80,15 +79,15 @@ class Pipeline:
 
 
 def depthai_times(name: str, settings: dict, frames: np.ndarray) -> list[tuple[float, float]]:
-    few, many = (Pipeline(depthai_filter(name, settings), count) for count in (1, 1 + MORE))
+    off, on = Pipeline(PARAMS.MedianFilter.MEDIAN_OFF), Pipeline(depthai_filter(name, settings))
     times = []
     for i in range(FRAMES + 1):
         pixels = frames[i % len(frames)]
-        one, more = timed(lambda: few.run(pixels)), timed(lambda: many.run(pixels))
-        times.append(tuple((b - a) / MORE for a, b in zip(one, more)))
-    for ended in (few, many):
+        without, with_it = timed(lambda: off.run(pixels)), timed(lambda: on.run(pixels))
+        times.append(tuple(b - a for a, b in zip(without, with_it)))
+    for ended in (off, on):
         ended.pipeline.stop()
-    PIPELINES.extend((few, many))
+    PIPELINES.extend((off, on))
     # The first is the warm-up.
     return times[1:]
 

@@ -170,7 +170,7 @@ pub(super) fn sequences<'a>(
             Level::Note,
             &twin.device.name,
             format!(
-                "of its depth sensors {} is taken, by {}",
+                "of its depth sensors, {} ({}) is taken",
                 chosen.spec.prim, chosen.spec.kind
             ),
             "choose with --sensor",
