@@ -126,8 +126,9 @@ impl Environment {
     }
 }
 
-/// Builds the Python package's wheel with the maturin of an environment and installs it there, in place of any other.
-pub(crate) fn install_package(python: &Path) -> Result<(), String> {
+/// Builds the Python package's wheel, with a profile of cargo's and the maturin of an environment, and installs it there,
+/// in place of any other.
+pub(crate) fn install_package(python: &Path, profile: &str) -> Result<(), String> {
     let folder = workspace::target().join("oracles/wheels");
     let failed = |error: &std::io::Error| format!("{}: {error}", folder.display());
     if folder.exists() {
@@ -135,7 +136,7 @@ pub(crate) fn install_package(python: &Path) -> Result<(), String> {
     }
     let mut build = Command::new(python);
     build.current_dir(workspace::root());
-    build.args(["-m", "maturin", "build", "--quiet", "--profile", "dev"]);
+    build.args(["-m", "maturin", "build", "--quiet", "--profile", profile]);
     build.args(["--manifest-path", "crates/python/Cargo.toml", "--interpreter"]);
     build.arg(python).arg("--target-dir").arg(workspace::target());
     build.arg("--out").arg(&folder);

@@ -130,7 +130,9 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             (Readiness::Ready(python), Some(programs)) => {
                 let installed = !is_package
                     || report
-                        .step("wheel of the Python package", || python::install_package(&python))
+                        .step("wheel of the Python package", || {
+                            python::install_package(&python, "dev")
+                        })
                         .is_some();
                 if !installed {
                     report.count_failure();

@@ -22,6 +22,17 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// Raises oaktwin.Error for a name or setting that does not exist, with the nearest ones, or a value that cannot be.
 ///
+/// A call, `filter(image, rgb=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of images that have no past.
+///
+/// image: uint16 (millimetres, or disparity in fixed point), uint8 (whole disparities) or float32 metres, which are
+///     filtered as whole millimetres. 0 is no value; in metres neither is what is not finite and above 0, or beyond
+///     65.535 m.
+/// rgb: the pictures of the same camera, (..., H, W, 3 or 4) uint8: what "brightness" looks at.
+///
+/// Returns a new array of the same type; smaller where a filter decimates.
+///
+/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+///
 /// Safe to use from many threads; the frames of one filter wait for each other.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Filter {
@@ -45,16 +56,7 @@ impl Filter {
         })
     }
 
-    /// Filters an image (H, W), the next of a sequence, or a batch (N, H, W) of images that have no past.
-    ///
-    /// image: uint16 (millimetres, or disparity in fixed point), uint8 (whole disparities) or float32 metres, which are
-    ///     filtered as whole millimetres. 0 is no value; in metres neither is what is not finite and above 0, or beyond
-    ///     65.535 m.
-    /// rgb: the pictures of the same camera, (..., H, W, 3 or 4) uint8: what "brightness" looks at.
-    ///
-    /// Returns a new array of the same type; smaller where a filter decimates.
-    ///
-    /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+    /// See the class.
     #[pyo3(signature = (image, rgb = None))]
     fn __call__<'py>(
         &self,

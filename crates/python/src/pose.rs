@@ -123,6 +123,7 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
 /// Raises oaktwin.Error where eye and target are one place, or the view is along up.
 #[pyfunction]
 #[pyo3(signature = (eye, target, up = [0.0, 0.0, 1.0], *, frame = "camera"))]
+#[pyo3(text_signature = "(eye, target, up=(0.0, 0.0, 1.0), *, frame='camera')")]
 pub(crate) fn look_at<'py>(
     py: Python<'py>,
     eye: [f64; 3],

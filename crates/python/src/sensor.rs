@@ -41,6 +41,25 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 /// Raises oaktwin.Error for an engine, preset, filter or parameter that does not exist or is out of its range, with the
 /// nearest names.
 ///
+/// A call, `sensor(depth, rgb=None, *, frame=0, out=None)`, is what the sensor reports of exact depth:
+///
+/// depth: one image (H, W), or a batch (N, H, W) of images of one moment, the environments of a simulator, each with
+///     noise of its own. float32: metres along the optical axis; uint16: whole millimetres. What is not finite and above
+///     0 is no surface. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU;
+///     it is read where it is if it is C-contiguous, else copied.
+/// rgb: the picture or pictures that the same camera took, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4): texture for
+///     the confidence, brightness for filters. Three channels are copied.
+/// frame: the number in the sequence: noise is new in every frame, and the same for the same.
+/// out: where to write: C-contiguous, of the result's shape, float32 for metres or uint16 for millimetres, and not the
+///     depth itself.
+///
+/// Returns `out`, or a new NumPy array of depth's kind: metres or millimetres, 0 where nothing was measured. It has
+/// depth's shape, less where a filter decimates.
+///
+/// A temporal filter remembers the (H, W) images of earlier calls; the images of a batch have no past.
+///
+/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+///
 /// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
@@ -200,6 +219,10 @@ impl DepthSensor {
     #[new]
     #[pyo3(signature = (device, *, sensor = None, engine = None, preset = None, filters = Vec::new(), parameters = None,
         seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, name = None))]
+    #[pyo3(
+        text_signature = "(device, *, sensor=None, engine=None, preset=None, filters=(), parameters=None, seed=0, \
+        device_seed=None, extended_disparity=False, isaac='5.1', fx=None, hfov_deg=None, name=None)"
+    )]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn new(
         device: &Device,
@@ -248,24 +271,7 @@ impl DepthSensor {
         })
     }
 
-    /// What the sensor reports of exact depth.
-    ///
-    /// depth: one image (H, W), or a batch (N, H, W) of images of one moment, the environments of a simulator, each with
-    ///     noise of its own. float32: metres along the optical axis; uint16: whole millimetres. What is not finite and above
-    ///     0 is no surface. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU;
-    ///     it is read where it is if it is C-contiguous, else copied.
-    /// rgb: the picture or pictures that the same camera took, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4): texture for
-    ///     the confidence, brightness for filters. Three channels are copied.
-    /// frame: the number in the sequence: noise is new in every frame, and the same for the same.
-    /// out: where to write: C-contiguous, of the result's shape, float32 for metres or uint16 for millimetres, and not the
-    ///     depth itself.
-    ///
-    /// Returns `out`, or a new NumPy array of depth's kind: metres or millimetres, 0 where nothing was measured. It has
-    /// depth's shape, less where a filter decimates.
-    ///
-    /// A temporal filter remembers the (H, W) images of earlier calls; the images of a batch have no past.
-    ///
-    /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+    /// See the class.
     #[pyo3(signature = (depth, rgb = None, *, frame = 0, out = None))]
     fn __call__<'py>(
         &self,

@@ -3,6 +3,7 @@
 mod assets;
 mod depth;
 mod load;
+mod python;
 mod render;
 
 #[derive(clap::Subcommand)]
@@ -16,6 +17,8 @@ pub(crate) enum Bench {
     Depth(depth::Args),
     /// Opening USD stages, against OpenUSD in Python; then what colour costs beside depth
     Load(load::Args),
+    /// The Python package's calls, against noise of one's own in NumPy
+    Python(python::Args),
 }
 
 pub(crate) fn run(bench: &Bench) -> Result<(), String> {
@@ -24,6 +27,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Render(args) => render::run(args),
         Bench::Depth(args) => depth::run(args),
         Bench::Load(args) => load::run(args),
+        Bench::Python(args) => python::run(args),
     }
 }
 

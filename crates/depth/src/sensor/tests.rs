@@ -186,10 +186,10 @@ fn a_batch_is_its_images_one_by_one() {
                 sensor
                     .sense_batch(&depth, pictures, shape, 9, 5, &mut out)
                     .unwrap();
-                for (i, out) in out.chunks_exact(one).enumerate() {
+                for ((i, out), item) in out.chunks_exact(one).enumerate().zip(5..) {
                     let image = Image::new(WIDTH, HEIGHT, depth[i * pixels..][..pixels].to_vec()).unwrap();
                     let mut shot = Shot::new((&image).into());
-                    (shot.frame, shot.item) = (9, 5 + i as u32);
+                    (shot.frame, shot.item) = (9, item);
                     if pictures.is_some() {
                         shot = shot.with_rgb((&rgb).into()).unwrap();
                     }

@@ -159,7 +159,7 @@ class DepthSensor:
         sensor: _Sensor | None = None,
         engine: _Engine | None = None,
         preset: str | None = None,
-        filters: Sequence[str] = ...,
+        filters: Sequence[str] = (),
         parameters: Mapping[str, object] | None = None,
         seed: int = 0,
         device_seed: int | None = None,
@@ -265,7 +265,7 @@ def models() -> list[str]: ...
 def look_at(
     eye: Sequence[float] | _Float64,
     target: Sequence[float] | _Float64,
-    up: Sequence[float] | _Float64 = ...,
+    up: Sequence[float] | _Float64 = (0.0, 0.0, 1.0),
     *,
     frame: Literal["camera", "body"] = "camera",
 ) -> _Float64: ...
