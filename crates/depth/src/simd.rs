@@ -66,6 +66,18 @@ impl Level {
     }
 }
 
+/// A whole number; what no `i32` can be becomes the nearest that single precision has, and not a number the least. Unlike
+/// `as`, lanes of it stay lanes.
+#[inline(always)]
+pub(crate) fn whole(value: f32) -> i32 {
+    /// 2³¹ less a step.
+    const MOST: f32 = 2_147_483_520.0;
+    let value = if value > -MOST { value } else { -MOST };
+    let value = if value < MOST { value } else { MOST };
+    // SAFETY: it is a number from −2³¹ to 2³¹, neither with it.
+    unsafe { value.to_int_unchecked() }
+}
+
 /// Runs a kernel with the best instructions of this processor.
 pub(crate) fn run<K: Kernel>(kernel: K) -> K::Output {
     run_at(Level::detect(), kernel)

@@ -85,7 +85,7 @@ impl<P: Pixel> Chain<P> {
                 Filter::Spatial(spatial) => spatial.run(level, &mut image),
                 Filter::Temporal(temporal) => temporal.run(level, &mut image, memory),
                 Filter::Speckle(speckle) => speckle.run(level, &mut image),
-                Filter::Decimation(decimation) => image = decimation.run(&image),
+                Filter::Decimation(decimation) => image = decimation.run(level, &image),
                 Filter::Threshold(threshold) => threshold.run(&mut image),
                 Filter::Brightness(brightness) => {
                     if let Some(rgb) = rgb {

@@ -2,6 +2,8 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::Pixel;
+use super::simd::{self, Level};
+use crate::simd::whole;
 
 /// `DecimationFilter`: makes the image smaller by a whole number; the values stay as they are.
 ///
@@ -58,62 +60,108 @@ impl Decimation {
         (shorter(width), shorter(height))
     }
 
-    pub(super) fn run<P: Pixel>(&self, image: &Image<P>) -> Image<P> {
+    pub(super) fn run<P: Pixel>(&self, level: Level, image: &Image<P>) -> Image<P> {
         let (width, height) = self.size(image.width(), image.height());
         let factor = self.factor.clamp(1, 4) as usize;
         let mut out = Image::filled(width, height, P::default());
         let rows: Vec<&[P]> = image.rows().collect();
         let width = (width as usize).max(1);
         let rows = rows.par_chunks(factor);
-        out.pixels_mut()
-            .par_chunks_exact_mut(width)
-            .zip(rows)
-            .for_each(|(out, rows)| {
-                if self.mode == DecimationMode::PixelSkipping {
-                    let kept = rows
-                        .first()
-                        .into_iter()
-                        .flat_map(|row| row.iter().step_by(factor));
-                    out.iter_mut().zip(kept).for_each(|(pixel, &kept)| *pixel = kept);
-                    return;
-                }
-                for (x, pixel) in out.iter_mut().enumerate() {
-                    // A block has up to 4×4 pixels; those without a value are written over.
-                    let (mut values, mut count) = ([P::default(); 17], 0);
-                    for row in rows {
-                        let end = row.len().min((x + 1) * factor);
-                        for &value in &row[x * factor..end] {
-                            values[count] = value;
-                            count += usize::from(value != P::default());
-                        }
-                    }
-                    *pixel = self.mode.of(&mut values[..count]);
-                }
-            });
+        let rows = out.pixels_mut().par_chunks_exact_mut(width).zip(rows);
+        rows.for_each(|(out, rows)| simd::decimation(level, factor, self.mode, rows, out));
         out
     }
 }
 
-impl DecimationMode {
-    /// What stands for some values, none of them 0.
-    fn of<P: Pixel>(self, values: &mut [P]) -> P {
-        if values.is_empty() {
-            return P::default();
+/// Pixels that are worked on together.
+const LANES: usize = 64;
+
+/// One row of blocks.
+#[inline(always)]
+pub(super) fn row<P: Pixel>(factor: usize, mode: DecimationMode, rows: &[&[P]], out: &mut [P]) {
+    match (mode, factor) {
+        (DecimationMode::PixelSkipping, _) => {
+            let kept = rows
+                .first()
+                .into_iter()
+                .flat_map(|row| row.iter().step_by(factor));
+            out.iter_mut().zip(kept).for_each(|(pixel, &kept)| *pixel = kept);
         }
-        if self == Self::NonZeroMedian {
-            values.sort_unstable();
-            return values[(values.len() - 1) / 2];
-        }
-        let sum: u32 = values
-            .iter()
-            .map(|&value| u32::from(Into::<u16>::into(value)))
-            .sum();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_possible_wrap,
-            reason = "up to 16 values"
-        )]
-        let mean = (sum / values.len() as u32) as i32;
-        P::cut(mean)
+        (_, 1) => blocks::<P, 1>(mode, rows, out),
+        (_, 2) => blocks::<P, 2>(mode, rows, out),
+        (_, 3) => blocks::<P, 3>(mode, rows, out),
+        _ => blocks::<P, 4>(mode, rows, out),
     }
+}
+
+#[inline(always)]
+fn blocks<P: Pixel, const F: usize>(mode: DecimationMode, rows: &[&[P]], out: &mut [P]) {
+    for (x, out) in (0..).step_by(LANES).zip(out.chunks_mut(LANES)) {
+        // Pixels outside the image have no value.
+        let mut values = [[[P::default(); LANES]; F]; F];
+        for (values, row) in values.iter_mut().zip(rows) {
+            let mut near = [[P::default(); F]; LANES];
+            let rest = &row[x * F..];
+            let count = rest.len().min(LANES * F);
+            near.as_flattened_mut()[..count].copy_from_slice(&rest[..count]);
+            for lane in 0..LANES {
+                for column in 0..F {
+                    values[column][lane] = near[lane][column];
+                }
+            }
+        }
+        let values = values.as_flattened_mut();
+        let kept = if mode == DecimationMode::NonZeroMedian {
+            median(values)
+        } else {
+            mean(values)
+        };
+        out.copy_from_slice(&kept[..out.len()]);
+    }
+}
+
+/// How many in each lane have a value.
+#[inline(always)]
+fn counts<P: Pixel>(values: &[[P; LANES]]) -> [u16; LANES] {
+    let mut counts = [0; LANES];
+    for values in values {
+        for (count, &value) in counts.iter_mut().zip(values) {
+            *count += u16::from(value != P::default());
+        }
+    }
+    counts
+}
+
+#[inline(always)]
+fn median<P: Pixel>(values: &mut [[P; LANES]]) -> [P; LANES] {
+    let counts = counts(values);
+    // Odd and even pairs in turns sort any order; what has no value comes first.
+    for turn in 0..values.len() {
+        for [low, high] in values[turn % 2..].as_chunks_mut().0 {
+            for (low, high) in low.iter_mut().zip(high) {
+                (*low, *high) = ((*low).min(*high), (*low).max(*high));
+            }
+        }
+    }
+    let mut medians = [P::default(); LANES];
+    for (from_last, values) in (0..).zip(values.iter().rev()) {
+        for lane in 0..LANES {
+            let is_median = counts[lane] / 2 == from_last;
+            medians[lane] = if is_median { values[lane] } else { medians[lane] };
+        }
+    }
+    medians
+}
+
+#[inline(always)]
+fn mean<P: Pixel>(values: &[[P; LANES]]) -> [P; LANES] {
+    let counts = counts(values);
+    let mut means = [P::default(); LANES];
+    for lane in 0..LANES {
+        let sum: f32 = values.iter().map(|lanes| Into::<f32>::into(lanes[lane])).sum();
+        // Up to 16 values: the sum is exact, and the quotient no nearer to a whole number than it must be.
+        let mean = sum / f32::from(counts[lane].max(1));
+        means[lane] = P::cut(whole(mean.floor()));
+    }
+    means
 }

@@ -5,7 +5,7 @@
 
 #![allow(unsafe_code)]
 
-use super::{Pixel, median, spatial, speckle, temporal};
+use super::{DecimationMode, Pixel, decimation, median, spatial, speckle, temporal};
 
 /// Instructions to use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,6 +113,8 @@ macro_rules! at_every_level {
 }
 
 at_every_level! {
+    /// [`decimation::row`]
+    fn decimation = decimation::row => (factor: usize, mode: DecimationMode, rows: &[&[P]], out: &mut [P]);
     /// [`median::row3`]
     fn median3 = median::row3 => (rows: [&[P]; 3], sorted: &mut [Vec<P>], out: &mut [P]);
     /// [`median::row5`]

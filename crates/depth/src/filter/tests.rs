@@ -57,6 +57,28 @@ fn without_speckles(image: &Image<u16>, speckle: Speckle) -> Image<u16> {
     out
 }
 
+/// Block by block.
+fn decimated(image: &Image<u16>, decimation: Decimation) -> Image<u16> {
+    let (width, height) = decimation.size(image.width(), image.height());
+    let factor = decimation.factor;
+    let blocks = (0..height).flat_map(|y| (0..width).map(move |x| (x * factor, y * factor)));
+    let pixels = blocks.map(|(left, top)| {
+        let places = (top..top + factor).flat_map(|y| (left..left + factor).map(move |x| (x, y)));
+        let values = places.filter_map(|(x, y)| image.get(x, y).copied());
+        let mut values: Vec<u16> = values.filter(|&value| value != 0).collect();
+        values.sort_unstable();
+        if decimation.mode == DecimationMode::NonZeroMedian {
+            return values
+                .get(values.len().saturating_sub(1) / 2)
+                .copied()
+                .unwrap_or(0);
+        }
+        let sum: usize = values.iter().map(|&value| usize::from(value)).sum();
+        u16::try_from(sum / values.len().max(1)).unwrap()
+    });
+    Image::new(width, height, pixels.collect()).unwrap()
+}
+
 fn median_of(image: &Image<u16>, size: u32) -> Image<u16> {
     let (width, height) = (i64::from(image.width()), i64::from(image.height()));
     let radius = i64::from(size / 2);
@@ -103,6 +125,9 @@ proptest! {
             let mut image = before.clone();
             Speckle::default().run(level, &mut image);
             out.push(image);
+            for (factor, mode) in (1..=4).zip(DecimationMode::ALL.into_iter().cycle()) {
+                out.push(Decimation { factor, mode }.run(level, &before));
+            }
             out
         };
         let baseline = run(Level::Baseline);
@@ -118,6 +143,17 @@ proptest! {
         for median in MEDIANS {
             let after = Chain::new(vec![Filter::Median(median)]).run(before.clone());
             prop_assert_eq!(after, median_of(&before, median.size()));
+        }
+    }
+
+    #[test]
+    fn blocks_become_their_median_or_mean(pixels in pixels(), width in 1u32..300, factor in 1u32..=4) {
+        prop_assume!(pixels.len() >= width as usize);
+        let before = image(width, &pixels);
+        for mode in [DecimationMode::NonZeroMedian, DecimationMode::NonZeroMean] {
+            let decimation = Decimation { factor, mode };
+            let after = Chain::new(vec![Filter::Decimation(decimation)]).run(before.clone());
+            prop_assert_eq!(after, decimated(&before, decimation));
         }
     }
 

@@ -5,7 +5,7 @@ use super::assumptions::{
 use super::{Assumptions, Parameters};
 
 /// Parameters and assumptions for images of one width, in the single precision that pixels are computed in.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) assumptions: Assumptions,
     pub(super) width: usize,
@@ -28,6 +28,8 @@ pub(super) struct Plan {
     pub(super) sigma_px: f32,
     /// The side of a patch that shares its jitter.
     pub(super) patch_px: f64,
+    /// The patch of each column.
+    pub(super) patch_of: Vec<u32>,
     pub(super) recomputes: bool,
     pub(super) last_wins: bool,
     pub(super) outlier_range: usize,
@@ -38,6 +40,8 @@ pub(super) struct Plan {
     /// The standard deviation of luma's grain, of 0 to 1.
     pub(super) grain: f32,
     pub(super) threshold: f32,
+    /// Whether a sample can lack confidence.
+    pub(super) can_lack: bool,
     pub(super) comparison: ConfidenceComparison,
     pub(super) confidence_at: ConfidenceAt,
 }
@@ -65,6 +69,13 @@ impl Plan {
             Luma::Rec601 => [0.299, 0.587, 0.114],
             Luma::Mean => [1.0 / 3.0; 3],
         };
+        let threshold = p.confidence_threshold as f32;
+        // Confidence is 0 to 1.
+        let can_lack = match a.confidence_comparison {
+            ConfidenceComparison::Complement => threshold < 1.0,
+            ConfidenceComparison::Strict => true,
+            ConfidenceComparison::Literal => threshold > 0.0,
+        };
         Self {
             assumptions: *a,
             width: width as usize,
@@ -84,6 +95,9 @@ impl Plan {
             floors: a.quantizer == Quantizer::Floor,
             sigma_px: sigma_px as f32,
             patch_px: p.noise_downscale_factor_px,
+            patch_of: (0..width)
+                .map(|x| patch(x as usize, p.noise_downscale_factor_px))
+                .collect(),
             recomputes: a.depth == Depth::Recomputed,
             last_wins: a.collision == Collision::Last,
             outlier_range: if width as usize * height as usize > 1 {
@@ -95,15 +109,25 @@ impl Plan {
             luma: luma.map(|weight| (weight / 255.0) as f32),
             sobel_gain: a.sobel_gain as f32,
             grain: (a.grain_levels / 255.0) as f32,
-            threshold: p.confidence_threshold as f32,
+            threshold,
+            can_lack,
             comparison: a.confidence_comparison,
             confidence_at: a.confidence_at,
         }
     }
 
-    /// The patch of jitter that a column or row belongs to.
-    #[expect(clippy::cast_sign_loss, reason = "columns and rows")]
-    pub(super) fn patch(&self, place: usize) -> u32 {
-        (place as f64 / self.patch_px) as u32
+    /// The patch of jitter that a row belongs to.
+    pub(super) fn patch(&self, y: usize) -> u32 {
+        patch(y, self.patch_px)
     }
+}
+
+/// The patch that a column or row belongs to, of patches of so many.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "columns and rows"
+)]
+fn patch(place: usize, patch_px: f64) -> u32 {
+    (place as f64 / patch_px) as u32
 }

@@ -7,7 +7,7 @@ use super::parameters::OutputMode;
 use super::plan::Plan;
 use super::sense::Output;
 use super::view;
-use super::warp::{self, Key, Row};
+use super::warp::{self, Key, LANES, Row};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
 use crate::simd::{self, Kernel};
@@ -102,11 +102,12 @@ pub(super) fn sense(
     let needs_sources = sister_needs || matches!(mode, Some(OutputMode::Confidence | OutputMode::Disparity));
     let mut ranks = std::mem::take(&mut scratch.ranks);
     let mut keys = std::mem::take(&mut scratch.keys);
+    let padded = plan.width.next_multiple_of(LANES);
     if needs_sources {
-        keys.resize(plan.width, u64::NONE);
+        keys.resize(padded, u64::NONE);
         simd::run(Tile::new(plan, shot, random, mode, rows, scratch, &mut keys));
     } else {
-        ranks.resize(plan.width, u32::NONE);
+        ranks.resize(padded, u32::NONE);
         simd::run(Tile::new(plan, shot, random, mode, rows, scratch, &mut ranks));
     }
     (scratch.ranks, scratch.keys) = (ranks, keys);
@@ -121,7 +122,8 @@ struct Tile<'a, 'b, K> {
     rows: &'a mut Rows<'b>,
     scratch: &'a mut Scratch,
     landed: &'a mut [K],
-    /// The picture, where it decides on confidence or its confidence is shown.
+    picture: Option<&'a [[u8; 4]]>,
+    /// The picture, where its confidence decides or is shown.
     textured: Option<&'a [[u8; 4]]>,
     /// Whether something needs the columns that samples come from.
     needs_sources: bool,
@@ -137,6 +139,7 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
         scratch: &'a mut Scratch,
         landed: &'a mut [K],
     ) -> Self {
+        let picture = shot.rgb().map(|rgb| rgb.pixels());
         Self {
             plan,
             shot,
@@ -146,7 +149,8 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
             rows,
             scratch,
             landed,
-            textured: shot.rgb().map(|rgb| rgb.pixels()),
+            picture,
+            textured: picture.filter(|_| plan.can_lack || mode == Some(OutputMode::Confidence)),
         }
     }
 }
@@ -170,10 +174,13 @@ impl<K: Key> Kernel for Tile<'_, '_, K> {
             self.scratch.sources.resize((end - first) * plan.width, 0);
         }
         if plan.outlier_range > 0 {
-            self.scratch.validity.reset(plan, from, to);
+            self.scratch.validity.reset(plan, from..to);
         }
         for y in from..to {
             self.row(y, (first..end).contains(&y).then(|| y - first));
+        }
+        if plan.outlier_range > 0 {
+            self.scratch.validity.find(plan, first..end);
         }
         for place in 0..end - first {
             self.finish(first + place, place);
@@ -204,22 +211,38 @@ impl<K: Key> Tile<'_, '_, K> {
             Some(place) => &mut self.rows.distance[place * width..][..width],
             None => scratch.halo.as_mut_slice(),
         };
-        for (out, key) in out.iter_mut().zip(&*self.landed) {
-            *out = warp::depth(key.rank());
-        }
         let [near, far] = plan.reported;
-        if near > 0.0 || far < f32::MAX {
-            for out in &mut *out {
-                *out = if (*out >= near) & (*out <= far) { *out } else { 0.0 };
+        let is_cut = near > 0.0 || far < f32::MAX;
+        let lacking: &[u32] = if lacks_at(ConfidenceAt::Target) {
+            &scratch.texture.lacking
+        } else {
+            &[]
+        };
+        let words = out.chunks_mut(LANES).zip(self.landed.as_chunks().0);
+        for (word, (out, landed)) in words.enumerate() {
+            let landed: &[K; LANES] = landed;
+            let columns = out.len();
+            let mut last = [0.0; LANES];
+            let depths = out.first_chunk_mut().unwrap_or(&mut last);
+            for (z, key) in depths.iter_mut().zip(landed) {
+                *z = warp::depth(key.rank());
             }
-        }
-        if lacks_at(ConfidenceAt::Target) {
-            for (out, &lacks) in out.iter_mut().zip(&scratch.texture.lacking) {
-                *out = if lacks == 0 { *out } else { 0.0 };
+            if is_cut {
+                for z in &mut *depths {
+                    *z = if (*z >= near) & (*z <= far) { *z } else { 0.0 };
+                }
             }
-        }
-        if plan.outlier_range > 0 {
-            scratch.validity.set(y, out);
+            if let Some(lacking) = lacking.get(word * LANES..) {
+                for (z, &lacks) in depths.iter_mut().zip(lacking) {
+                    *z = if lacks == 0 { *z } else { 0.0 };
+                }
+            }
+            if plan.outlier_range > 0 {
+                scratch.validity.set(plan, y, word, depths, columns);
+            }
+            if columns < LANES {
+                out.copy_from_slice(&last[..columns]);
+            }
         }
         let Some(place) = place else { return };
         let at = place * width..(place + 1) * width;
@@ -229,7 +252,7 @@ impl<K: Key> Tile<'_, '_, K> {
             }
         }
         if let Some(imager) = &mut self.rows.imager
-            && let Some(rgb) = self.textured
+            && let Some(rgb) = self.picture
         {
             confidence::luma(plan, &rgb[y * width..][..width], &mut imager[at.clone()]);
         }
@@ -295,7 +318,7 @@ impl<K: Key> Tile<'_, '_, K> {
         let distance = &mut self.rows.distance[at.clone()];
         let mut sources = self.needs_sources.then(|| &mut scratch.sources[at.clone()]);
         if plan.outlier_range > 0 {
-            let lone = scratch.validity.lone(plan, y);
+            let lone = scratch.validity.lone(y);
             for x in outliers::columns(lone.missing) {
                 // An image of one column has nothing on either side.
                 let near = if x > 0 { x - 1 } else { (x + 1).min(width - 1) };
@@ -322,7 +345,7 @@ impl<K: Key> Tile<'_, '_, K> {
             gather(&mut positions[at.clone()], input, distance, sources, missing);
         }
         if let Some(colors) = &mut self.rows.colors
-            && let (Some(input), Some(sources)) = (self.textured, &sources)
+            && let (Some(input), Some(sources)) = (self.picture, &sources)
         {
             let input = &input[image_at.clone()];
             let missing = |x: usize| match invalid {
@@ -335,7 +358,7 @@ impl<K: Key> Tile<'_, '_, K> {
             let view = &mut view[at];
             match self.mode {
                 Some(OutputMode::Color) => {
-                    if let Some(rgb) = self.textured {
+                    if let Some(rgb) = self.picture {
                         view.copy_from_slice(&rgb[image_at]);
                     }
                 }

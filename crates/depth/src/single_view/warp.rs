@@ -3,6 +3,7 @@
 use super::assumptions::TargetRounding;
 use super::plan::Plan;
 use crate::random::Plane;
+use crate::simd;
 
 /// What lands on a pixel: what is less wins.
 pub(super) trait Key: Copy + Ord {
@@ -60,26 +61,21 @@ pub(super) fn depth(rank: u32) -> f32 {
     }
 }
 
-/// Samples of a row: where they go, and with what.
-#[derive(Clone, Copy)]
-struct Samples<'a> {
-    disparity: &'a [f32],
-    reported: &'a [f32],
-}
+/// Columns that are worked on together: so many that a loop over them has no rest, as many as a word has bits.
+pub(super) const LANES: usize = 64;
 
-/// Buffers of one row.
+pub(super) type Lanes<T> = [T; LANES];
+
+/// Buffers of one row. Those of columns are a whole number of [`LANES`] long.
 #[derive(Debug, Default)]
 pub(super) struct Row {
     /// Disparity, px; infinite for no sample.
     pub(super) disparity: Vec<f32>,
-    /// Depths as they are computed from disparity.
-    recomputed: Vec<f32>,
     ranks: Vec<u32>,
     targets: Vec<u32>,
     /// Normal numbers of the row's patches, then of its columns.
     patches: Vec<f32>,
     jitter: Vec<f32>,
-    patch_of: Vec<u32>,
     /// The row of patches that `jitter` holds.
     held: Option<u32>,
 }
@@ -87,15 +83,13 @@ pub(super) struct Row {
 impl Row {
     /// Forgets the image.
     pub(super) fn reset(&mut self, plan: &Plan) {
-        let width = plan.width;
-        for buffer in [&mut self.disparity, &mut self.recomputed, &mut self.jitter] {
-            buffer.resize(width, 0.0);
-        }
-        self.ranks.resize(width, 0);
-        self.targets.resize(width, 0);
-        self.patch_of.clear();
-        self.patch_of.extend((0..width).map(|x| plan.patch(x)));
-        self.patches.resize(plan.patch(width - 1) as usize + 1, 0.0);
+        let padded = plan.width.next_multiple_of(LANES);
+        self.disparity.resize(padded, 0.0);
+        self.jitter.resize(padded, 0.0);
+        self.ranks.resize(padded, 0);
+        self.targets.resize(padded, 0);
+        let patches = plan.patch_of.last().map_or(0, |&last| last as usize + 1);
+        self.patches.resize(patches.next_multiple_of(LANES), 0.0);
         self.held = None;
     }
 
@@ -111,27 +105,37 @@ impl Row {
         lacking: &[u32],
         landed: &mut [K],
     ) {
-        disparities(plan, row, &mut self.disparity);
-        if plan.step_px > 0.0 {
-            if plan.sigma_px > 0.0 {
-                self.draw(plan, random, y);
-            }
-            quantize(plan, &self.jitter, &mut self.disparity);
+        if plan.step_px > 0.0 && plan.sigma_px > 0.0 {
+            self.draw(plan, random, y);
         }
-        let reported = if plan.recomputes {
-            recompute(plan, &mut self.disparity, &mut self.recomputed);
-            self.recomputed.as_slice()
-        } else {
-            row
-        };
-        let samples = Samples {
-            disparity: &self.disparity,
-            reported,
-        };
-        let (ranks, targets) = (&mut self.ranks, &mut self.targets);
-        match plan.assumptions.target_rounding {
-            TargetRounding::Nearest => aim(f32::round_ties_even, plan.side, samples, ranks, targets),
-            TargetRounding::Floor => aim(f32::floor, plan.side, samples, ranks, targets),
+        let samples = self.disparity.as_chunks_mut().0.iter_mut();
+        let samples = samples.zip(self.jitter.as_chunks().0);
+        let aims = self.ranks.as_chunks_mut().0.iter_mut();
+        let aims = aims.zip(self.targets.as_chunks_mut().0);
+        for (x, ((d, jitter), (ranks, targets))) in (0..).step_by(LANES).zip(samples.zip(aims)) {
+            let mut last = [0.0; LANES];
+            let rest = &row[x..];
+            let z = rest.first_chunk().unwrap_or_else(|| {
+                last[..rest.len()].copy_from_slice(rest);
+                &last
+            });
+            let mut recomputed = [0.0; LANES];
+            disparities(plan, z, d);
+            if plan.step_px > 0.0 {
+                quantize(plan, jitter, d);
+            }
+            if plan.recomputes {
+                recompute(plan, d, &mut recomputed);
+            }
+            let samples = Samples {
+                x,
+                disparity: d,
+                reported: if plan.recomputes { &recomputed } else { z },
+            };
+            match plan.assumptions.target_rounding {
+                TargetRounding::Nearest => samples.aim(plan, f32::round_ties_even, ranks, targets),
+                TargetRounding::Floor => samples.aim(plan, f32::floor, ranks, targets),
+            }
         }
         for (rank, lacking) in self.ranks.iter_mut().zip(lacking) {
             *rank |= lacking;
@@ -149,7 +153,7 @@ impl Row {
         self.held = Some(patch);
         if plan.patch_px > 1.0 {
             random.normals_here(patch, &mut self.patches);
-            for (jitter, &patch) in self.jitter.iter_mut().zip(&self.patch_of) {
+            for (jitter, &patch) in self.jitter.iter_mut().zip(&plan.patch_of) {
                 *jitter = self.patches[patch as usize];
             }
         } else {
@@ -159,10 +163,10 @@ impl Row {
 }
 
 #[inline(always)]
-fn disparities(plan: &Plan, row: &[f32], out: &mut [f32]) {
+fn disparities(plan: &Plan, depth: &Lanes<f32>, out: &mut Lanes<f32>) {
     let ([near, far], max) = (plan.looked_at, plan.max_disparity_px);
     let dropped_from = if plan.clamps { f32::INFINITY } else { max };
-    for (out, &z) in out.iter_mut().zip(row) {
+    for (out, &z) in out.iter_mut().zip(depth) {
         let d = plan.disparity_times_depth / z;
         // Not a number is neither.
         let is_seen = (z > 0.0) & (z >= near) & (z <= far) & (d <= dropped_from);
@@ -172,7 +176,7 @@ fn disparities(plan: &Plan, row: &[f32], out: &mut [f32]) {
 }
 
 #[inline(always)]
-fn quantize(plan: &Plan, jitter: &[f32], disparity: &mut [f32]) {
+fn quantize(plan: &Plan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
     let (step, sigma) = (plan.step_px, plan.sigma_px);
     let samples = disparity.iter_mut().zip(jitter);
     if plan.floors {
@@ -184,7 +188,7 @@ fn quantize(plan: &Plan, jitter: &[f32], disparity: &mut [f32]) {
 
 /// Depth from disparity; what has none is no sample.
 #[inline(always)]
-fn recompute(plan: &Plan, disparity: &mut [f32], out: &mut [f32]) {
+fn recompute(plan: &Plan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
     for (d, out) in disparity.iter_mut().zip(out) {
         *out = plan.disparity_times_depth / *d;
         *d = if (*d > 0.0) & (*out <= f32::MAX) {
@@ -195,36 +199,39 @@ fn recompute(plan: &Plan, disparity: &mut [f32], out: &mut [f32]) {
     }
 }
 
-/// Ranks and targets of samples that shift by so many columns; a sample that leaves the image has no rank, and its own
-/// column for a target.
-#[inline(always)]
-fn aim(round: impl Fn(f32) -> f32, side: f32, row: Samples<'_>, ranks: &mut [u32], targets: &mut [u32]) {
-    let count = ranks.len();
-    let (disparity, reported) = (&row.disparity[..count], &row.reported[..count]);
-    let targets = &mut targets[..count];
+/// Disparities and reported depths of columns from `x` on.
+struct Samples<'a> {
+    x: usize,
+    disparity: &'a Lanes<f32>,
+    reported: &'a Lanes<f32>,
+}
+
+impl Samples<'_> {
+    /// Ranks and targets of samples that shift by so many columns; a sample that leaves the image has no rank, and its
+    /// own column for a target.
+    #[inline(always)]
     #[expect(
         clippy::cast_possible_truncation,
         reason = "images are at most 2³² columns wide"
     )]
-    let width = count as u32;
-    let limit = width as f32;
-    for x in 0..count {
-        let shift = round(side * disparity[x]);
-        // Not so where there is no sample.
-        let is_near = shift.abs() <= limit;
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "columns, and whole numbers up to their count"
-        )]
-        let (column, shift) = (x as u32, if is_near { shift } else { 0.0 } as i32);
-        let target = column.wrapping_add(shift.cast_unsigned());
-        let lands = is_near & (target < width);
-        ranks[x] = if lands {
-            reported[x].to_bits() << 1
-        } else {
-            u32::NONE
-        };
-        targets[x] = if lands { target } else { column };
+    fn aim(&self, plan: &Plan, round: impl Fn(f32) -> f32, ranks: &mut Lanes<u32>, targets: &mut Lanes<u32>) {
+        let width = plan.width as u32;
+        let limit = width as f32;
+        for lane in 0..LANES {
+            let shift = round(plan.side * self.disparity[lane]);
+            // Not so where there is no sample.
+            let is_near = shift.abs() <= limit;
+            let column = (self.x + lane) as u32;
+            let shift = simd::whole(if is_near { shift } else { 0.0 });
+            let target = column.wrapping_add(shift.cast_unsigned());
+            let lands = is_near & (target < width);
+            ranks[lane] = if lands {
+                self.reported[lane].to_bits() << 1
+            } else {
+                u32::NONE
+            };
+            targets[lane] = if lands { target } else { column };
+        }
     }
 }
 

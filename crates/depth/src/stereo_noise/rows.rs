@@ -33,10 +33,11 @@ impl Kernel for Disparities<'_> {
     }
 }
 
-/// Pixels that are lost at random: of each the low bytes of a row, then the high ones.
+/// Pixels that are lost at random.
 pub(super) struct Dropout<'a> {
     pub(super) limit: u32,
-    pub(super) bytes: &'a [u8],
+    /// Low and high ones.
+    pub(super) bytes: (&'a [u8], &'a [u8]),
     pub(super) disparities: &'a mut [f32],
 }
 
@@ -45,7 +46,7 @@ impl Kernel for Dropout<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let (low, high) = self.bytes.split_at(self.disparities.len().min(self.bytes.len()));
+        let (low, high) = self.bytes;
         for ((d, &low), &high) in self.disparities.iter_mut().zip(low).zip(high) {
             let number = u32::from(low) + 256 * u32::from(high);
             *d = if number < self.limit { 0.0 } else { *d };

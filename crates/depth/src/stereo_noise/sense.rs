@@ -8,7 +8,7 @@ use super::dilation::Dilation;
 use super::field::Field;
 use super::rows::{Disparities, Dropout, Measure, Textured};
 use super::scale::Scale;
-use super::shadow::{NEARER, Shadow};
+use super::shadow::{NEARER, Rows, Shadow};
 use super::texture::{GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
@@ -19,7 +19,10 @@ use crate::simd::{self, Level};
 const BAND: usize = 64;
 
 /// Rows are padded to multiples of this, so that loops have no ends. The padding has no surface.
-const PADDING: usize = 64;
+const PADDING: usize = 16;
+
+/// A row's low bytes for dropout are filled up to multiples of this, before its high ones.
+const DROPOUT: usize = 64;
 
 /// Rows are taken together up to so many pixels: loops of a few pixels are slow.
 const STRIP: usize = 1280;
@@ -154,7 +157,7 @@ impl Scratch {
         if scale.dilation > 0 {
             self.widen(job, first);
         } else if p.occlusion {
-            self.hide(NEARER, scale, job.level, |_| true);
+            self.hide(NEARER, scale, job.level);
             self.drop_hidden();
         }
         if job.picture.is_some() {
@@ -185,7 +188,8 @@ impl Scratch {
 
     fn make_room(&mut self, rows: usize) {
         let pixels = rows * self.stride;
-        if self.columns.len() != pixels {
+        // Strips have one stride; the last may be shorter.
+        if self.columns.len() < pixels {
             self.columns.clear();
             for _ in 0..rows {
                 self.columns.extend((0..self.stride).map(|x| x as f32));
@@ -196,20 +200,15 @@ impl Scratch {
         self.fixed.resize(pixels, 0);
     }
 
-    /// Finds what is hidden, if it is to be hidden: pixels of the strip.
-    fn hide(&mut self, nearer: f32, scale: &Scale, level: Level, is_lost: impl Fn(usize) -> bool) {
-        let (stride, image_px) = (self.stride, scale.image_px);
-        self.shadow
-            .place(level, (&self.columns, &self.disparities), stride, image_px);
-        for (row, disparities) in self.disparities.chunks_exact(stride).enumerate() {
-            let hidden = &mut self.hidden;
-            self.shadow.of_row(row, disparities, image_px, nearer, |x| {
-                let pixel = row * stride + x;
-                if is_lost(pixel) {
-                    hidden.push(pixel);
-                }
-            });
-        }
+    /// Finds what is hidden: pixels of the strip.
+    fn hide(&mut self, nearer: f32, scale: &Scale, level: Level) {
+        let rows = Rows {
+            columns: &self.columns,
+            disparities: &self.disparities,
+            stride: self.stride,
+            image_px: scale.image_px,
+        };
+        self.shadow.find(level, rows, nearer, &mut self.hidden);
     }
 
     fn drop_hidden(&mut self) {
@@ -246,16 +245,16 @@ impl Scratch {
         let widened = std::mem::take(&mut self.widened);
         if p.occlusion {
             // What is widened over the shadow is seen by both.
-            let narrow = self.disparities.clone();
-            self.hide(NEARER, scale, job.level, |pixel| {
-                narrow.get(pixel) == widened.get(pixel)
-            });
+            self.hide(NEARER, scale, job.level);
+            let narrow = &self.disparities;
+            self.hidden
+                .retain(|&pixel| narrow.get(pixel) == widened.get(pixel));
         }
         self.widened = std::mem::replace(&mut self.disparities, widened);
         // What the other direction of matching reports is as wide: it takes the place of what is beside the shadow.
         if p.occlusion && p.left_right_check {
             let threshold = p.left_right_check_threshold_px as f32 * scale.image_px;
-            self.hide(threshold.max(NEARER), scale, job.level, |_| true);
+            self.hide(threshold.max(NEARER), scale, job.level);
         }
         self.drop_hidden();
     }
@@ -279,12 +278,13 @@ impl Scratch {
     }
 
     fn drop_at_random(&mut self, job: &Job<'_>, first: usize) {
-        self.dropout.resize(2 * self.stride, 0);
+        let half = self.stride.next_multiple_of(DROPOUT);
+        self.dropout.resize(2 * half, 0);
         for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
             job.dropout.bytes(counter(y), &mut self.dropout);
             let dropout = Dropout {
                 limit: job.scale.dropout,
-                bytes: &self.dropout,
+                bytes: self.dropout.split_at(half),
                 disparities,
             };
             simd::run_at(job.level, dropout);

@@ -10,129 +10,160 @@ use crate::simd::{self, Kernel, Level};
 /// Pixels that are looked at together.
 pub(super) const BLOCK: usize = 16;
 
-/// 1.5·2²³: the sum with a number smaller than 2²² has its nearest whole number in the lowest bits.
-const ROUNDER: f32 = 12_582_912.0;
-
 /// What is farther left is out of every image.
 const LEFTMOST: f32 = -1_048_576.0;
 
 /// What hides something is this much nearer, image px: less is the slope of a surface.
 pub(super) const NEARER: f32 = 1.0;
 
-/// Places in the right image, and what is there.
+/// Places in the right image of the pixels of a strip.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shadow {
-    /// A row after the other, each with a last one that is beyond all.
+    /// And a last one that is beyond all.
     places: Vec<f32>,
-    /// The pixels that hold these places; below 0 left of the image.
-    cells: Vec<i32>,
+    /// Whether the next pixel of the row does not lie on the right.
     falls: Vec<u8>,
+    /// Of a row.
     blocks: Vec<Block>,
-    taken: Vec<f32>,
 }
 
 /// Where a block's pixels lie in the right image.
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
-    /// From left to right, up to the next block's first: as seen without occlusion.
-    in_order: bool,
     low: f32,
     high: f32,
-    /// The largest of all before, the smallest of all after.
-    before: f32,
+    /// The smallest of all after.
     after: f32,
 }
 
-impl Block {
-    fn may_be_hidden(&self) -> bool {
-        !self.in_order || self.high >= self.after
-    }
-
-    /// Whether it may hide something: within a pixel, as pixels are wide.
-    fn may_hide(&self) -> bool {
-        !self.in_order || self.low < self.before + 1.0
-    }
+/// Rows of disparities; 0 is no surface.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<'a> {
+    /// The column of each pixel.
+    pub(super) columns: &'a [f32],
+    /// Matcher px.
+    pub(super) disparities: &'a [f32],
+    /// Pixels of a row, a multiple of [`BLOCK`].
+    pub(super) stride: usize,
+    /// Image px a matcher pixel.
+    pub(super) image_px: f32,
 }
 
 impl Shadow {
-    /// Where the rows of a strip lie in the right image, `stride` pixels a row, a multiple of [`BLOCK`]. 0 is no
-    /// surface.
-    pub(super) fn place(
-        &mut self,
-        level: Level,
-        (columns, disparities): (&[f32], &[f32]),
-        stride: usize,
-        image_px: f32,
-    ) {
-        let rows = disparities.len() / stride;
-        self.places.resize(rows * (stride + 1), 0.0);
-        self.cells.resize(rows * (stride + 1), 0);
-        self.falls.resize(disparities.len(), 0);
+    /// Finds the pixels that are hidden by something at least `nearer` image px nearer, in no order.
+    pub(super) fn find(&mut self, level: Level, rows: Rows<'_>, nearer: f32, hidden: &mut Vec<usize>) {
+        self.places.resize(rows.disparities.len() + 1, 0.0);
+        self.falls.resize(rows.disparities.len(), 0);
+        self.blocks.resize(rows.stride / BLOCK, Block::default());
         let places = Places {
-            columns,
-            disparities,
-            stride,
-            image_px,
-            right: &mut self.places,
-            cells: &mut self.cells,
+            rows,
+            places: &mut self.places,
             falls: &mut self.falls,
         };
         simd::run_at(level, places);
+        let find = Find {
+            shadow: self,
+            rows,
+            nearer,
+            hidden,
+        };
+        simd::run_at(level, find);
     }
+}
 
-    /// Tells which pixels of a row of the strip are hidden by something at least `nearer` image px nearer.
-    pub(super) fn of_row(
-        &mut self,
-        row: usize,
-        disparities: &[f32],
-        image_px: f32,
-        nearer: f32,
-        mut hide: impl FnMut(usize),
-    ) {
-        let stride = disparities.len();
-        let falls = self
-            .falls
-            .get(row * stride..(row + 1) * stride)
-            .unwrap_or_default();
-        let (falls, _) = falls.as_chunks::<BLOCK>();
-        if falls.iter().all(is_in_order) {
-            return;
+/// Disparities become places.
+struct Places<'a> {
+    rows: Rows<'a>,
+    places: &'a mut [f32],
+    falls: &'a mut [u8],
+}
+
+impl Kernel for Places<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let pixels = self.rows.columns.iter().zip(self.rows.disparities);
+        for (out, (x, d)) in self.places.iter_mut().zip(pixels) {
+            let place = x - d * self.rows.image_px;
+            *out = if place > LEFTMOST { place } else { LEFTMOST };
         }
-        let all = row * (stride + 1)..(row + 1) * (stride + 1);
-        let right = self.places.get(all.clone()).unwrap_or_default();
-        let cells = self.cells.get(all).unwrap_or_default();
-        if !bound_blocks(&mut self.blocks, falls, right) {
-            return;
+        if let Some(last) = self.places.last_mut() {
+            *last = f32::INFINITY;
         }
-        self.taken.clear();
-        self.taken.resize(stride, 0.0);
-        for (b, _) in self
-            .blocks
-            .iter()
-            .enumerate()
-            .filter(|(_, block)| block.may_hide())
-        {
-            let start = b * BLOCK;
-            let block = start..start + BLOCK;
-            let (right, cells) = (&right[start..=block.end], &cells[start..=block.end]);
-            take_places(&mut self.taken, right, cells, &disparities[block], image_px);
+        let next = self.places.get(1..).unwrap_or_default();
+        for ((falls, this), next) in self.falls.iter_mut().zip(self.places.iter()).zip(next) {
+            *falls = u8::from(next <= this);
         }
-        for (b, block) in self
-            .blocks
-            .iter()
-            .enumerate()
-            .filter(|(_, block)| block.may_be_hidden())
-            .rev()
-        {
-            let mut leftmost = block.after;
-            for x in (b * BLOCK..(b + 1) * BLOCK).rev() {
-                if right[x] >= leftmost && right[x] >= 0.0 {
-                    let there = self.taken.get(index(cells[x])).copied();
-                    if there.unwrap_or(0.0) >= disparities[x] * image_px + nearer {
-                        hide(x);
+        // Not so the last of a row, whose next is the first of another.
+        for falls in self.falls.chunks_exact_mut(self.rows.stride) {
+            if let Some(last) = falls.last_mut() {
+                *last = 0;
+            }
+        }
+    }
+}
+
+/// Hidden pixels, from what lies in the wrong order.
+struct Find<'a> {
+    shadow: &'a mut Shadow,
+    rows: Rows<'a>,
+    nearer: f32,
+    hidden: &'a mut Vec<usize>,
+}
+
+impl Kernel for Find<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Rows {
+            disparities,
+            stride,
+            image_px,
+            ..
+        } = self.rows;
+        let Shadow {
+            places,
+            falls,
+            blocks,
+        } = self.shadow;
+        for (row, falls) in falls.chunks_exact(stride).enumerate() {
+            let falls = falls.as_chunks::<BLOCK>().0;
+            if falls.iter().all(is_in_order) {
+                continue;
+            }
+            let mut after = f32::INFINITY;
+            for (b, falls) in falls.iter().enumerate().rev() {
+                let start = row * stride + b * BLOCK;
+                let (places, disparities) = (&places[start..], &disparities[start..]);
+                let Some(block) = places.first_chunk::<BLOCK>() else {
+                    continue;
+                };
+                let in_order = is_in_order(falls);
+                let (low, high) = if in_order {
+                    (block[0], block[BLOCK - 1])
+                } else {
+                    (least(*block, |a, b| a < b), least(*block, |a, b| a > b))
+                };
+                blocks[b] = Block { low, high, after };
+                if !in_order || high >= after {
+                    let mut passed = passed(block, after);
+                    while passed != 0 {
+                        let x = passed.trailing_zeros() as usize;
+                        let least = disparities[x] * image_px + self.nearer;
+                        let covering = Covering {
+                            cell: places[x].trunc(),
+                            least,
+                            image_px,
+                        };
+                        if covering.is_in(&blocks[b..], places, disparities) {
+                            self.hidden.push(start + x);
+                        }
+                        passed &= passed - 1;
                     }
                 }
-                leftmost = if right[x] < leftmost { right[x] } else { leftmost };
+                after = if low < after { low } else { after };
             }
         }
     }
@@ -142,45 +173,8 @@ fn is_in_order(falls: &[u8; BLOCK]) -> bool {
     u128::from_ne_bytes(*falls) == 0
 }
 
-/// Whether any block may have hidden pixels.
-fn bound_blocks(blocks: &mut Vec<Block>, falls: &[[u8; BLOCK]], right: &[f32]) -> bool {
-    blocks.clear();
-    let mut before = f32::NEG_INFINITY;
-    blocks.extend(
-        right
-            .as_chunks::<BLOCK>()
-            .0
-            .iter()
-            .zip(falls)
-            .map(|(right, falls)| {
-                let in_order = is_in_order(falls);
-                let (low, high) = if in_order {
-                    (right[0], right[BLOCK - 1])
-                } else {
-                    (least(*right, |a, b| a < b), least(*right, |a, b| a > b))
-                };
-                let block = Block {
-                    in_order,
-                    low,
-                    high,
-                    before,
-                    after: f32::INFINITY,
-                };
-                before = before.max(high);
-                block
-            }),
-    );
-    let mut after = f32::INFINITY;
-    let mut any = false;
-    for block in blocks.iter_mut().rev() {
-        block.after = after;
-        after = after.min(block.low);
-        any |= block.may_be_hidden();
-    }
-    any
-}
-
 /// The first of all, in an order.
+#[inline(always)]
 fn least(mut values: [f32; BLOCK], is_before: impl Fn(f32, f32) -> bool) -> f32 {
     let mut half = BLOCK / 2;
     while half > 0 {
@@ -193,71 +187,55 @@ fn least(mut values: [f32; BLOCK], is_before: impl Fn(f32, f32) -> bool) -> f32 
     values[0]
 }
 
-/// The largest disparity at each place, image px. A pixel covers its place, and the next where the surface is stretched
-/// to at most twice its width there. Places have one more than disparities.
-fn take_places(taken: &mut [f32], right: &[f32], cells: &[i32], disparities: &[f32], image_px: f32) {
-    let mut take = |cell: i32, d: f32| {
-        if let Some(taken) = taken.get_mut(index(cell)) {
-            *taken = if d > *taken { d } else { *taken };
-        }
-    };
-    let places = right.windows(2).zip(cells.windows(2));
-    for ((right, cells), &d) in places.zip(disparities) {
-        take(cells[0], d * image_px);
-        if cells[1].wrapping_sub(cells[0]) == 2 && right[1] - right[0] <= 2.0 {
-            take(cells[0] + 1, d * image_px);
-        }
+/// Pixels of a block that something on their right has passed, a bit each; none beyond the left border.
+#[inline(always)]
+fn passed(places: &[f32; BLOCK], after: f32) -> u32 {
+    let (mut passed, mut leftmost) = (0, after);
+    for (i, &place) in places.iter().enumerate().rev() {
+        passed |= u32::from((place >= leftmost) & (place >= 0.0)) << i;
+        leftmost = if place < leftmost { place } else { leftmost };
     }
+    passed
 }
 
-/// Beyond every image where it is below 0.
-fn index(cell: i32) -> usize {
-    cell.cast_unsigned() as usize
-}
-
-/// Disparities become places.
-struct Places<'a> {
-    columns: &'a [f32],
-    disparities: &'a [f32],
-    stride: usize,
+/// What covers a cell of the right image: of at least this disparity, image px.
+struct Covering {
+    cell: f32,
+    least: f32,
     image_px: f32,
-    right: &'a mut [f32],
-    cells: &'a mut [i32],
-    /// Whether the next pixel does not lie on the right.
-    falls: &'a mut [u8],
 }
 
-impl Kernel for Places<'_> {
-    type Output = ();
-
+impl Covering {
+    /// Whether it is in the blocks from the pixel's own on. What is nearer is on the right.
     #[inline(always)]
-    fn run(self) {
-        let rows = self
-            .columns
-            .chunks_exact(self.stride)
-            .zip(self.disparities.chunks_exact(self.stride));
-        let rights = self.right.chunks_exact_mut(self.stride + 1);
-        let falls = self.falls.chunks_exact_mut(self.stride);
-        for (((columns, disparities), right), falls) in rows.zip(rights).zip(falls) {
-            for ((right, x), d) in right.iter_mut().zip(columns).zip(disparities) {
-                let place = x - d * self.image_px;
-                *right = if place > LEFTMOST { place } else { LEFTMOST };
+    fn is_in(&self, blocks: &[Block], places: &[f32], disparities: &[f32]) -> bool {
+        for (b, block) in blocks.iter().enumerate() {
+            if block.low < self.cell + 1.0 && block.high >= self.cell - 1.0 {
+                let pixels = b * BLOCK..(b + 1) * BLOCK;
+                let next = &places[pixels.start + 1..=pixels.end];
+                if self.is_among(&places[pixels.clone()], next, &disparities[pixels]) {
+                    return true;
+                }
             }
-            if let Some(last) = right.last_mut() {
-                *last = f32::INFINITY;
-            }
-            let next = right.get(1..).unwrap_or_default();
-            for ((falls, this), next) in falls.iter_mut().zip(right.iter()).zip(next) {
-                *falls = u8::from(next <= this);
+            if block.after >= self.cell + 1.0 {
+                return false;
             }
         }
-        for (cell, &right) in self.cells.iter_mut().zip(self.right.iter()) {
-            let shifted = right + ROUNDER;
-            let nearest = shifted
-                .to_bits()
-                .cast_signed()
-                .wrapping_sub(ROUNDER.to_bits().cast_signed());
-            *cell = nearest - i32::from(shifted - ROUNDER > right);
+        false
+    }
+
+    /// A pixel covers the cell that it lies in, and the next where the surface is stretched to at most twice its width
+    /// there. Next to the last of a row is something on the left, or nothing.
+    #[inline(always)]
+    fn is_among(&self, places: &[f32], next: &[f32], disparities: &[f32]) -> bool {
+        let (before, cell, after) = (self.cell - 1.0, self.cell, self.cell + 1.0);
+        let mut found = false;
+        for ((&place, &next), &d) in places.iter().zip(next).zip(disparities) {
+            let lies = (place >= cell) & (place < after);
+            let stretches = (next >= after) & (next < after + 1.0) & (next - place <= 2.0);
+            let reaches = (place >= before) & (place < cell) & stretches;
+            found |= (lies | reaches) & (d * self.image_px >= self.least);
         }
+        found
     }
 }

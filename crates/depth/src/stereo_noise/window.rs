@@ -50,9 +50,6 @@ pub(super) struct Slide<'a> {
     out: &'a mut [u32],
 }
 
-/// Sums that stay in registers.
-const BLOCK: usize = 64;
-
 impl Kernel for Slide<'_> {
     type Output = ();
 
@@ -84,27 +81,39 @@ impl Kernel for Slide<'_> {
     }
 }
 
+/// Blocks as wide as can be; rows are multiples of 16.
 #[inline(always)]
 fn sum_along(columns: &[u16], side: usize, out: &mut [u32]) {
-    let mut blocks = out.chunks_exact_mut(BLOCK);
+    let (wide, rest) = out.as_chunks_mut::<64>();
+    let (narrow, last) = rest.as_chunks_mut::<16>();
     let mut start = 0;
-    for block in &mut blocks {
-        let mut sums = [0u32; BLOCK];
-        for first in start..start + side {
-            let Some(columns) = columns.get(first..first + BLOCK) else {
-                break;
-            };
-            for (sum, &column) in sums.iter_mut().zip(columns) {
-                *sum = sum.wrapping_add(u32::from(column));
-            }
-        }
-        block.copy_from_slice(&sums);
-        start += BLOCK;
+    for block in wide {
+        sum_block(columns, start, side, block);
+        start += 64;
     }
-    for (x, out) in blocks.into_remainder().iter_mut().enumerate() {
+    for block in narrow {
+        sum_block(columns, start, side, block);
+        start += 16;
+    }
+    for (x, out) in last.iter_mut().enumerate() {
         let window = columns.get(start + x..).unwrap_or_default();
         *out = window.iter().take(side).map(|&column| u32::from(column)).sum();
     }
+}
+
+/// Sums that stay in registers.
+#[inline(always)]
+fn sum_block<const N: usize>(columns: &[u16], start: usize, side: usize, out: &mut [u32; N]) {
+    let mut sums = [0u32; N];
+    for first in start..start + side {
+        let Some(columns) = columns.get(first..first + N) else {
+            break;
+        };
+        for (sum, &column) in sums.iter_mut().zip(columns) {
+            *sum = sum.wrapping_add(u32::from(column));
+        }
+    }
+    *out = sums;
 }
 
 #[cfg(test)]

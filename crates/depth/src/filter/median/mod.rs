@@ -3,6 +3,8 @@ mod network;
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
+use network::{Network, Networks};
+
 use super::Pixel;
 use super::simd::{self, Level};
 
@@ -22,7 +24,7 @@ pub enum Median {
 const BAND: usize = 32;
 
 /// Pixels that are worked on together.
-const LANES: usize = 64;
+const LANES: usize = 32;
 
 impl Median {
     /// The side of the square, px.
@@ -86,35 +88,35 @@ fn bands<P: Pixel, const K: usize>(
 /// The medians of a row of 3×3 squares.
 #[inline(always)]
 pub(super) fn row3<P: Pixel>(rows: [&[P]; 3], sorted: &mut [Vec<P>], out: &mut [P]) {
-    row(rows, sorted, out, network::sort3, network::median3);
+    row(rows, sorted, out);
 }
 
 /// The medians of a row of 5×5 squares.
 #[inline(always)]
 pub(super) fn row5<P: Pixel>(rows: [&[P]; 5], sorted: &mut [Vec<P>], out: &mut [P]) {
-    row(rows, sorted, out, network::sort5, network::median5);
+    row(rows, sorted, out);
 }
 
 /// The medians of a row of 7×7 squares.
 #[inline(always)]
 pub(super) fn row7<P: Pixel>(rows: [&[P]; 7], sorted: &mut [Vec<P>], out: &mut [P]) {
-    row(rows, sorted, out, network::sort7, network::median7);
+    row(rows, sorted, out);
 }
 
 /// Sorts the columns of K rows, then takes the median of each K sorted columns. `sorted` holds K rows of a whole number of
 /// lanes and K − 1 pixels.
 #[inline(always)]
-fn row<P: Pixel, const K: usize>(
-    rows: [&[P]; K],
-    sorted: &mut [Vec<P>],
-    out: &mut [P],
-    sort: impl Fn(&mut [[P; LANES]; K]),
-    median: impl Fn([[[P; LANES]; K]; K]) -> [P; LANES],
-) {
+fn row<P: Pixel, const K: usize>(rows: [&[P]; K], sorted: &mut [Vec<P>], out: &mut [P])
+where
+    Networks: Network<K>,
+{
     let radius = K / 2;
     for x in (0..out.len()).step_by(LANES) {
-        let mut columns = rows.map(|row| load(row, x));
-        sort(&mut columns);
+        let mut columns = [[P::default(); LANES]; K];
+        for (lanes, row) in columns.iter_mut().zip(rows) {
+            *lanes = load(row, x);
+        }
+        Networks::sort(&mut columns);
         for (sorted, lanes) in sorted.iter_mut().zip(&columns) {
             sorted[x + radius..][..LANES].copy_from_slice(lanes);
         }
@@ -132,7 +134,7 @@ fn row<P: Pixel, const K: usize>(
                 lanes.copy_from_slice(&sorted[x + c..][..LANES]);
             }
         }
-        let medians = median(near);
+        let medians = Networks::median(near);
         out.copy_from_slice(&medians[..out.len()]);
     }
 }

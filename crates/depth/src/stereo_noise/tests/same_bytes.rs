@@ -193,8 +193,17 @@ proptest! {
         }
         for level in Level::available() {
             let mut found = vec![false; stride];
-            shadow.place(level, (&columns, &padded), stride, scale);
-            shadow.of_row(0, &padded, scale, 1.0, |x| found[x] = true);
+            let mut hidden = Vec::new();
+            let rows = crate::stereo_noise::shadow::Rows {
+                columns: &columns,
+                disparities: &padded,
+                stride,
+                image_px: scale,
+            };
+            shadow.find(level, rows, 1.0, &mut hidden);
+            for x in hidden {
+                found[x] = true;
+            }
             prop_assert_eq!(&found, &expected, "{:?}", level);
         }
     }

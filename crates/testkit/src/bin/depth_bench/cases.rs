@@ -1,6 +1,7 @@
 //! What is timed, by name.
 
 use std::error::Error;
+use std::sync::Arc;
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::Shot;
@@ -82,6 +83,23 @@ pub(crate) fn all<'a>(
             }),
         });
     }
+    let (small, _) = crate::room::see(106, 60);
+    let batch_pixels = BATCH.iter().product();
+    let batch: Arc<[f32]> = small
+        .pixels()
+        .iter()
+        .copied()
+        .cycle()
+        .take(batch_pixels)
+        .collect();
+    let engine = SingleView::new(sheet(), Assumptions::default())?;
+    let (items, mut out) = (batch.clone(), vec![0.0; batch_pixels]);
+    cases.push(Case {
+        name: "single_view, 4096 × 60 × 106".to_owned(),
+        pixels: batch_pixels,
+        bytes: 8 * batch_pixels,
+        work: Box::new(move |frame| Ok(engine.sense_batch(&items, BATCH, frame, 0, &random, &mut out)?)),
+    });
     let engine = SingleView::new(sheet(), Assumptions::default())?;
     cases.push(Case {
         name: "single_view, with a picture".to_owned(),
@@ -110,15 +128,6 @@ pub(crate) fn all<'a>(
             Ok(sensor.sense_batch(depth.pixels(), shape, frame, 0, &random, &mut out)?)
         }),
     });
-    let batch_pixels = BATCH.iter().product();
-    let (small, _) = crate::room::see(106, 60);
-    let batch: Vec<f32> = small
-        .pixels()
-        .iter()
-        .copied()
-        .cycle()
-        .take(batch_pixels)
-        .collect();
     let mut out = vec![0.0; batch_pixels];
     let sensor = engine.clone();
     cases.push(Case {
