@@ -47,6 +47,9 @@ pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;
 
+/// The most devices at once: each holds a table of a quarter of a megabyte.
+const MAX_DEVICES: u32 = 5000;
+
 /// As many captures as the vendor averages.
 pub const CAPTURES: u32 = 10;
 
@@ -346,11 +349,11 @@ fn check(options: &Options) -> Result<(), AccuracyError> {
             "give 1 to 1000",
         );
     }
-    if options.devices.is_some_and(|count| count == 0 || count > 100_000) {
+    if options.devices.is_some_and(|count| count == 0 || count > MAX_DEVICES) {
         return wrong(
             "devices",
             "there must be some, and not too many".to_owned(),
-            "give 1 to 100000",
+            "give 1 to 5000",
         );
     }
     if !(options.region > 0.0 && options.region <= 1.0) {
