@@ -1,9 +1,8 @@
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
-use super::Pixel;
-use super::simd::{self, Level};
-use crate::simd::whole;
+use super::{Pixel, simd};
+use crate::simd::{Level, whole};
 
 /// `DecimationFilter`: makes the image smaller by a whole number; the values stay as they are.
 ///

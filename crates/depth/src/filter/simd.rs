@@ -1,48 +1,10 @@
-//! The inner loops with the best instructions that the processor has.
-//!
-//! Each loop is written once, in plain Rust, and compiled three times; nothing is contracted or reordered, so that all
-//! copies give the same bits.
+//! The filters' inner loops as [`Kernel`]s, and numbers made pixels lane by lane.
 
-#![allow(unsafe_code)]
+#![allow(unsafe_code, reason = "numbers known to be in range are cut without a check")]
+
+use crate::simd::{Kernel, Level, run_at};
 
 use super::{DecimationMode, Pixel, decimation, median, spatial, speckle, temporal};
-
-/// Instructions to use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Level {
-    /// What every processor of the target has.
-    Baseline,
-    #[cfg(target_arch = "x86_64")]
-    Avx2,
-    #[cfg(target_arch = "x86_64")]
-    Avx512,
-}
-
-impl Level {
-    /// The best that this processor has.
-    pub(super) fn detect() -> Self {
-        Self::available().last().copied().unwrap_or(Self::Baseline)
-    }
-
-    /// All that this processor has.
-    pub(super) fn available() -> Vec<Self> {
-        let mut levels = vec![Self::Baseline];
-        #[cfg(target_arch = "x86_64")]
-        {
-            if std::arch::is_x86_feature_detected!("avx2") {
-                levels.push(Self::Avx2);
-                if std::arch::is_x86_feature_detected!("avx512f")
-                    && std::arch::is_x86_feature_detected!("avx512bw")
-                    && std::arch::is_x86_feature_detected!("avx512dq")
-                    && std::arch::is_x86_feature_detected!("avx512vl")
-                {
-                    levels.push(Self::Avx512);
-                }
-            }
-        }
-        levels
-    }
-}
 
 /// Two weights whose sum is 1, in `DepthAI`'s single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,52 +45,45 @@ impl Weight {
     }
 }
 
-macro_rules! at_every_level {
-    ($($(#[$doc:meta])* fn $name:ident = $body:path => ($($argument:ident: $type:ty),*);)*) => {$(
+macro_rules! kernels {
+    ($($(#[$doc:meta])* fn $name:ident<$rows:lifetime> = $body:path => ($($argument:ident: $type:ty),*);)*) => {$(
         $(#[$doc])*
-        pub(super) fn $name<P: Pixel>(level: Level, $($argument: $type),*) {
-            #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx2")]
-            fn avx2<P: Pixel>($($argument: $type),*) {
-                $body($($argument),*);
+        pub(super) fn $name<$rows, P: Pixel>(level: Level, $($argument: $type),*) {
+            struct Work<$rows, P: Pixel> {
+                $($argument: $type),*
             }
 
-            #[cfg(target_arch = "x86_64")]
-            #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-            fn avx512<P: Pixel>($($argument: $type),*) {
-                $body($($argument),*);
+            impl<$rows, P: Pixel> Kernel for Work<$rows, P> {
+                type Output = ();
+
+                #[inline(always)]
+                fn run(self) {
+                    $body($(self.$argument),*);
+                }
             }
 
-            match level {
-                Level::Baseline => $body($($argument),*),
-                // SAFETY: this level exists only where `available` found the processor to have its features.
-                #[cfg(target_arch = "x86_64")]
-                Level::Avx2 => unsafe { avx2($($argument),*) },
-                // SAFETY: as above.
-                #[cfg(target_arch = "x86_64")]
-                Level::Avx512 => unsafe { avx512($($argument),*) },
-            }
+            run_at(level, Work { $($argument),* });
         }
     )*};
 }
 
-at_every_level! {
+kernels! {
     /// [`decimation::row`]
-    fn decimation = decimation::row => (factor: usize, mode: DecimationMode, rows: &[&[P]], out: &mut [P]);
+    fn decimation<'a> = decimation::row => (factor: usize, mode: DecimationMode, rows: &'a [&'a [P]], out: &'a mut [P]);
     /// [`median::row3`]
-    fn median3 = median::row3 => (rows: [&[P]; 3], sorted: &mut [Vec<P>], out: &mut [P]);
+    fn median3<'a> = median::row3 => (rows: [&'a [P]; 3], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
     /// [`median::row5`]
-    fn median5 = median::row5 => (rows: [&[P]; 5], sorted: &mut [Vec<P>], out: &mut [P]);
+    fn median5<'a> = median::row5 => (rows: [&'a [P]; 5], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
     /// [`median::row7`]
-    fn median7 = median::row7 => (rows: [&[P]; 7], sorted: &mut [Vec<P>], out: &mut [P]);
+    fn median7<'a> = median::row7 => (rows: [&'a [P]; 7], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
     /// [`spatial::along`]
-    fn spatial_along = spatial::along => (settings: &spatial::Settings<P>, rows: &mut [P], tile: &mut [P]);
+    fn spatial_along<'a> = spatial::along => (settings: &'a spatial::Settings<P>, rows: &'a mut [P], tile: &'a mut [P]);
     /// [`spatial::down`]
-    fn spatial_down = spatial::down => (settings: &spatial::Settings<P>, above: &[P], row: &mut [P]);
+    fn spatial_down<'a> = spatial::down => (settings: &'a spatial::Settings<P>, above: &'a [P], row: &'a mut [P]);
     /// [`spatial::up`]
-    fn spatial_up = spatial::up => (settings: &spatial::Settings<P>, below: &[P], row: &mut [P]);
+    fn spatial_up<'a> = spatial::up => (settings: &'a spatial::Settings<P>, below: &'a [P], row: &'a mut [P]);
     /// [`temporal::update`]
-    fn temporal = temporal::update => (settings: &temporal::Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]);
+    fn temporal<'a> = temporal::update => (settings: temporal::Settings<P>, pixels: &'a mut [P], last: &'a mut [P], history: &'a mut [u8]);
     /// [`speckle::links`]
-    fn speckle_links = speckle::links => (threshold: P, rows: [&[P]; 2], links: &mut speckle::Links<'_>);
+    fn speckle_links<'a> = speckle::links => (threshold: P, rows: [&'a [P]; 2], links: &'a mut speckle::Links<'a>);
 }

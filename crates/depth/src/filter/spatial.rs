@@ -2,7 +2,8 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd::{self, Level, Weight};
+use super::simd::{self, Weight};
+use crate::simd::Level;
 
 /// `SpatialFilter`: smooths along rows and columns, both ways, and stops at edges.
 ///

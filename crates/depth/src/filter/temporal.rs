@@ -2,7 +2,8 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd::{self, Level, Weight};
+use super::simd::{self, Weight};
+use crate::simd::Level;
 
 /// `TemporalFilter`: smooths a pixel over the frames, and keeps a value that is gone for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,7 +153,7 @@ impl Temporal {
             .par_chunks_mut(PART)
             .zip(memory.history.par_chunks_mut(PART));
         pixels.zip(memories).for_each(|(pixels, (last, history))| {
-            simd::temporal(level, &settings, pixels, last, history);
+            simd::temporal(level, settings, pixels, last, history);
         });
         memory.phase = (memory.phase + 1) % 8;
     }
@@ -160,7 +161,7 @@ impl Temporal {
 
 /// One frame.
 #[inline(always)]
-pub(super) fn update<P: Pixel>(settings: &Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]) {
+pub(super) fn update<P: Pixel>(settings: Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]) {
     let zero = P::default();
     for ((pixel, last), history) in pixels.iter_mut().zip(last).zip(history) {
         let (new, old, past) = (*pixel, *last, *history);

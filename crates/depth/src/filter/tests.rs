@@ -1,9 +1,9 @@
 use oaktwin_image::Image;
 use proptest::prelude::*;
 
-use super::simd::Level;
 use super::temporal::Memory;
 use super::*;
+use crate::simd::Level;
 
 const MEDIANS: [Median; 3] = [Median::Kernel3x3, Median::Kernel5x5, Median::Kernel7x7];
 

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use network::{Network, Networks};
 
-use super::Pixel;
-use super::simd::{self, Level};
+use super::{Pixel, simd};
+use crate::simd::Level;
 
 /// `MedianFilter`: the median of a square around each pixel; outside the image its edge goes on. 0 counts as a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
