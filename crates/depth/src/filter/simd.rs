@@ -86,4 +86,6 @@ kernels! {
     fn temporal<'a> = temporal::update => (settings: temporal::Settings<P>, pixels: &'a mut [P], last: &'a mut [P], history: &'a mut [u8]);
     /// [`speckle::links`]
     fn speckle_links<'a> = speckle::links => (threshold: P, rows: [&'a [P]; 2], links: &'a mut speckle::Links<'a>);
+    /// [`speckle::lone`]
+    fn speckle_lone<'a> = speckle::lone => (threshold: P, around: [&'a [P]; 2], left: &'a mut [u8], row: &'a mut [P]);
 }

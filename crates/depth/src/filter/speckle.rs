@@ -26,7 +26,7 @@ impl Default for Speckle {
 /// Which pixels of a row belong together with their neighbours: 1 or 0.
 #[derive(Debug)]
 pub(super) struct Links<'a> {
-    /// With the one on the left.
+    /// With the one on the left; two of no value do.
     pub left: &'a mut [u8],
     /// Of the row above, with the one on the left.
     pub left_above: &'a [u8],
@@ -37,14 +37,17 @@ pub(super) struct Links<'a> {
 }
 
 impl Speckle {
+    /// An image of 2³¹ pixels or more stays as it is.
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
         let width = image.width() as usize;
-        if width == 0 || self.speckle_range == 0 {
+        if width == 0 || self.speckle_range == 0 || i32::try_from(image.pixels().len()).is_err() {
             return;
         }
         let most: u16 = P::MAX.into();
         let threshold = i32::try_from(self.difference_threshold.min(most.into())).unwrap_or_default();
-        let mut runs = self.runs(level, image, P::cut(threshold));
+        let threshold = P::cut(threshold);
+        drop_lone(level, image, threshold);
+        let mut runs = self.runs(level, image, threshold);
         runs.patches.settle();
         let mut run = 0;
         for (pixel, &left) in image.pixels_mut().iter_mut().zip(&runs.left) {
@@ -62,8 +65,8 @@ impl Speckle {
         let (mut up, mut joins) = (vec![0; width], vec![0; width]);
         let mut left = vec![0; image.pixels().len()];
         let mut patches = Patches {
-            nodes: vec![i64::MIN],
-            range: i64::from(self.speckle_range),
+            nodes: vec![i32::MIN],
+            range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
         };
         // Of each column: the run in this row and in the row above; of this row: where runs begin, where two join.
         let (mut run_of, mut run_above) = (vec![0usize; width], vec![0usize; width]);
@@ -89,7 +92,7 @@ impl Speckle {
             begins[runs] = image.width();
             let lengths = begins[..=runs]
                 .windows(2)
-                .map(|pair| i64::from(pair[1] - pair[0]));
+                .map(|pair| (pair[1] - pair[0]).cast_signed());
             let range = patches.range;
             patches
                 .nodes
@@ -104,6 +107,22 @@ impl Speckle {
     }
 }
 
+/// Makes pixels 0 that are like none of their neighbours: noise is full of them, and they need no runs.
+fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, threshold: P) {
+    let width = image.width() as usize;
+    let nothing = vec![P::default(); width];
+    let mut left = vec![0; width + 1];
+    let (mut above, mut rest) = (&nothing[..], image.pixels_mut());
+    while let Some((row, next)) = rest
+        .split_at_mut_checked(width)
+        .filter(|(row, _)| !row.is_empty())
+    {
+        let below = next.get(..width).unwrap_or(&nothing);
+        simd::speckle_lone(level, threshold, [above, below], &mut left, row);
+        (above, rest) = (row, next);
+    }
+}
+
 /// Runs of alike pixels, from 1 on.
 struct Runs {
     /// 0 where one begins.
@@ -114,9 +133,9 @@ struct Runs {
 /// A forest over runs: the trees are patches. Parents have lower numbers than their children.
 struct Patches {
     /// Below 0: a root, less the number of pixels. Else the parent. 0 is the root of all patches that stay.
-    nodes: Vec<i64>,
+    nodes: Vec<i32>,
     /// Larger patches stay.
-    range: i64,
+    range: i32,
 }
 
 impl Patches {
@@ -143,7 +162,11 @@ impl Patches {
         let (a, b) = (a.min(b), a.max(b));
         let size = self.nodes[a].saturating_add(self.nodes[b]);
         let stays = -self.range > size;
-        self.nodes[b] = if stays { 0 } else { a as i64 };
+        self.nodes[b] = if stays {
+            0
+        } else {
+            i32::try_from(a).unwrap_or_default()
+        };
         if a != 0 {
             self.nodes[a] = if stays { 0 } else { size };
         }
@@ -151,12 +174,30 @@ impl Patches {
 
     /// Makes every run's node 0 where it stays, and nothing else.
     fn settle(&mut self) {
+        self.nodes[0] = 0;
         for run in 1..self.nodes.len() {
-            // A parent has been here before its children.
-            if let Ok(parent) = usize::try_from(self.nodes[run]) {
-                self.nodes[run] = if parent == 0 { 0 } else { self.nodes[parent] };
-            }
+            // A parent has been here before its children. No branch: noise would mislead it.
+            let node = self.nodes[run];
+            let parent = self.nodes[usize::try_from(node.max(0)).unwrap_or_default()];
+            self.nodes[run] = parent | (node & (node >> 31));
         }
+    }
+}
+
+/// Makes a row's pixels 0 that are like none of their neighbours in it and in the rows above and below. `left` has one
+/// more than the row and is 0 at both ends.
+#[inline(always)]
+pub(super) fn lone<P: Pixel>(threshold: P, [above, below]: [&[P]; 2], left: &mut [u8], row: &mut [P]) {
+    let zero = P::default();
+    let linked = |a: P, b: P| u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold));
+    let pairs = row.iter().zip(row.iter().skip(1));
+    for (link, (&a, &b)) in left.iter_mut().skip(1).zip(pairs) {
+        *link = linked(a, b);
+    }
+    let sides = left.iter().zip(left.iter().skip(1));
+    for ((pixel, (left, right)), (&above, &below)) in row.iter_mut().zip(sides).zip(above.iter().zip(below)) {
+        let links = left | right | linked(*pixel, above) | linked(*pixel, below);
+        *pixel = if links == 0 { zero } else { *pixel };
     }
 }
 
@@ -167,7 +208,7 @@ pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut
     let linked = |a: P, b: P| u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold));
     let pairs = row.iter().zip(row.iter().skip(1));
     for (link, (&a, &b)) in links.left.iter_mut().skip(1).zip(pairs) {
-        *link = linked(a, b);
+        *link = linked(a, b) | u8::from((a == zero) & (b == zero));
     }
     for ((link, &a), &b) in links.up.iter_mut().zip(above).zip(row) {
         *link = linked(a, b);
