@@ -349,7 +349,10 @@ fn check(options: &Options) -> Result<(), AccuracyError> {
             "give 1 to 1000",
         );
     }
-    if options.devices.is_some_and(|count| count == 0 || count > MAX_DEVICES) {
+    if options
+        .devices
+        .is_some_and(|count| count == 0 || count > MAX_DEVICES)
+    {
         return wrong(
             "devices",
             "there must be some, and not too many".to_owned(),
