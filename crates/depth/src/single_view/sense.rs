@@ -49,6 +49,8 @@ impl Output {
 
 /// Rows of a tile: enough that the rows around it, which are computed again, are few.
 const TILE_ROWS: std::ops::RangeInclusive<usize> = 32..=128;
+/// A thread takes so many images of a batch at once; where there are fewer, the threads share each.
+const IMAGES_A_THREAD: usize = 8;
 
 pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
     let (width, height) = (shot.depth().width(), shot.depth().height());
@@ -71,9 +73,7 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
         return output;
     }
     let random = Planes::new(random, shot);
-    let tiles = plan.height.div_ceil(4 * rayon::current_num_threads());
-    let rows = tiles.clamp(*TILE_ROWS.start(), *TILE_ROWS.end());
-    let mut parts = Rows::of(&mut output, &plan, rows);
+    let mut parts = Rows::of(&mut output, &plan, tile_rows(plan.height));
     let work = |scratch: &mut Scratch, rows: &mut Rows<'_>| {
         tile::sense(&plan, shot, &random, mode, rows, scratch);
     };
@@ -107,36 +107,55 @@ pub(super) fn batch(
     }
     // An image with pixels is not longer than its array.
     let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
-    let Some((columns, rows)) = size.filter(|_| pixels > 0) else {
+    let Some((columns, lines)) = size.filter(|_| pixels > 0) else {
         return Ok(());
     };
-    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), columns, rows);
-    let items = depth
-        .par_chunks_exact(pixels)
-        .zip(out.par_chunks_exact_mut(pixels));
-    items
-        .enumerate()
-        .with_min_len(8)
-        .for_each_init(Scratch::default, |scratch, (i, (depth, out))| {
-            let Some(view) = ImageView::new(columns, rows, depth) else {
-                return;
-            };
-            let mut shot = Shot::new(view);
-            shot.frame = frame;
-            shot.item = (first_item as u32).wrapping_add(i as u32);
-            let random = Planes::new(random, &shot);
-            let height = *TILE_ROWS.end();
-            for (k, distance) in out.chunks_mut(height * width).enumerate() {
-                let mut rows = Rows {
-                    first: k * height,
-                    distance,
-                    positions: None,
-                    colors: None,
-                    imager: None,
-                    view: None,
-                };
-                tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);
+    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), columns, lines);
+    let sense = |scratch: &mut Scratch, i: usize, rows: (usize, &mut [f32])| {
+        let image = depth.get(i * pixels..(i + 1) * pixels).unwrap_or_default();
+        let Some(view) = ImageView::new(columns, lines, image) else {
+            return;
+        };
+        let mut shot = Shot::new(view);
+        shot.frame = frame;
+        shot.item = (first_item as u32).wrapping_add(i as u32);
+        let (first, distance) = rows;
+        let mut rows = Rows {
+            first,
+            distance,
+            positions: None,
+            colors: None,
+            imager: None,
+            view: None,
+        };
+        let random = Planes::new(random, &shot);
+        tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);
+    };
+    if count < IMAGES_A_THREAD * rayon::current_num_threads() {
+        let rows = tile_rows(height);
+        for (i, image) in out.chunks_exact_mut(pixels).enumerate() {
+            let tiles = image.par_chunks_mut(rows * width).enumerate();
+            tiles.for_each_init(Scratch::default, |scratch, (k, tile)| {
+                sense(scratch, i, (k * rows, tile));
+            });
+        }
+    } else {
+        let rows = *TILE_ROWS.end();
+        let images = out
+            .par_chunks_exact_mut(pixels)
+            .enumerate()
+            .with_min_len(IMAGES_A_THREAD);
+        images.for_each_init(Scratch::default, |scratch, (i, image)| {
+            for (k, tile) in image.chunks_mut(rows * width).enumerate() {
+                sense(scratch, i, (k * rows, tile));
             }
         });
+    }
     Ok(())
+}
+
+/// Rows of a tile: some tiles for each thread.
+fn tile_rows(height: usize) -> usize {
+    let rows = height.div_ceil(4 * rayon::current_num_threads());
+    rows.clamp(*TILE_ROWS.start(), *TILE_ROWS.end())
 }
