@@ -184,19 +184,25 @@ impl Patches {
     }
 }
 
+/// Whether two pixels are alike: 1 or 0. What has no value is like nothing.
+#[inline(always)]
+fn linked<P: Pixel>(threshold: P, a: P, b: P) -> u8 {
+    let zero = P::default();
+    u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold))
+}
+
 /// Makes a row's pixels 0 that are like none of their neighbours in it and in the rows above and below. `left` has one
 /// more than the row and is 0 at both ends.
 #[inline(always)]
 pub(super) fn lone<P: Pixel>(threshold: P, [above, below]: [&[P]; 2], left: &mut [u8], row: &mut [P]) {
     let zero = P::default();
-    let linked = |a: P, b: P| u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold));
     let pairs = row.iter().zip(row.iter().skip(1));
     for (link, (&a, &b)) in left.iter_mut().skip(1).zip(pairs) {
-        *link = linked(a, b);
+        *link = linked(threshold, a, b);
     }
     let sides = left.iter().zip(left.iter().skip(1));
     for ((pixel, (left, right)), (&above, &below)) in row.iter_mut().zip(sides).zip(above.iter().zip(below)) {
-        let links = left | right | linked(*pixel, above) | linked(*pixel, below);
+        let links = left | right | linked(threshold, *pixel, above) | linked(threshold, *pixel, below);
         *pixel = if links == 0 { zero } else { *pixel };
     }
 }
@@ -205,13 +211,12 @@ pub(super) fn lone<P: Pixel>(threshold: P, [above, below]: [&[P]; 2], left: &mut
 #[inline(always)]
 pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut Links<'_>) {
     let zero = P::default();
-    let linked = |a: P, b: P| u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold));
     let pairs = row.iter().zip(row.iter().skip(1));
     for (link, (&a, &b)) in links.left.iter_mut().skip(1).zip(pairs) {
-        *link = linked(a, b) | u8::from((a == zero) & (b == zero));
+        *link = linked(threshold, a, b) | u8::from((a == zero) & (b == zero));
     }
     for ((link, &a), &b) in links.up.iter_mut().zip(above).zip(row) {
-        *link = linked(a, b);
+        *link = linked(threshold, a, b);
     }
     if let (Some(join), Some(&up)) = (links.joins.first_mut(), links.up.first()) {
         *join = up;
