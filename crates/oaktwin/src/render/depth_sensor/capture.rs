@@ -71,6 +71,7 @@ pub(in crate::render) fn capture(
     let Some(Capture {
         distance,
         single_view,
+        ..
     }) = captured
     else {
         return;
