@@ -167,7 +167,8 @@ def main() -> None:
         measured = float((out > 0).sum()) / (options.envs * height * width)
         print(f"step {step}: {1000 * times[-1]:.1f} ms, {100 * measured:.2f} % measured")
     median = float(np.median(times))
-    print(f"median {1000 * median:.1f} ms a step: {options.envs / median:.0f} images/s, {options.envs * height * width / median / 1e6:.0f} Mpx/s")
+    rate = options.envs / median
+    print(f"median {1000 * median:.1f} ms a step: {rate:.0f} images/s, {rate * height * width / 1e6:.0f} Mpx/s")
 
     if uses_torch:
         # As Isaac Lab calls it: a last axis of one channel, and a copy of its own.
