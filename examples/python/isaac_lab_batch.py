@@ -78,7 +78,7 @@ class OakDepth(ModifierBase):
 
 
 def made_up_depth(envs: int, height: int, width: int, hfov_deg: float) -> np.ndarray:
-    """What robots see, 0.6 m above the ground, looking 20 degrees down at two boxes: (N, H, W), metres, inf above the horizon."""
+    """What robots see 0.6 m above the ground, looking 20 degrees down at two boxes: (N, H, W), metres, inf in the sky."""
     random = np.random.default_rng(1)
     focal = width / 2 / np.tan(np.radians(hfov_deg) / 2)
     sine, cosine = np.sin(np.radians(20)), np.cos(np.radians(20))

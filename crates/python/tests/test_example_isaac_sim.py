@@ -140,7 +140,8 @@ def test_members_annotators_and_arguments_are_those_of_the_sources(function):
 def test_nothing_of_isaac_sim_is_imported_before_it_is_started():
     at_once = [node for node in TREE.body if isinstance(node, (ast.Import, ast.ImportFrom))]
     assert {module for module, _ in imports(ast.Module(at_once, []))} == {"argparse", "pathlib", "numpy", "oaktwin"}
-    [started] = [node.lineno for node in ast.walk(FUNCTIONS["main"]) if isinstance(node, ast.Name) and node.id == "SimulationApp"]
+    names = [node for node in ast.walk(FUNCTIONS["main"]) if isinstance(node, ast.Name)]
+    [started] = [node.lineno for node in names if node.id == "SimulationApp"]
     others = [
         node.lineno
         for node in ast.walk(FUNCTIONS["main"])
