@@ -50,7 +50,7 @@ def the_program_runs():
     assert run("mdels").returncode == 2
     with tempfile.TemporaryDirectory() as folder:
         asset = Path(folder, "oak.usda")
-        done = run("build", "--model", "OAK4-D", "-o", str(asset))
+        done = run("asset", "OAK4-D", "-o", str(asset))
         assert done.returncode == 0 and asset.read_text().startswith("#usda 1.0"), done.stderr
     script = Path(sys.executable).with_name("oaktwin")
     assert subprocess.run([script, "--version"], capture_output=True, text=True).stdout.startswith("oaktwin ")
