@@ -52,7 +52,7 @@ def test_a_frame_is_a_function_of_its_number(local):
         np.load(local / f"{name}_0003.npy")
         for name in ["distance_to_image_plane", "world_from_camera", "depth_sensor_distance"]
     )
-    assert np.array_equal(sensor(depth, frame=3), measured) and (measured > 0).mean() > 0.8
+    assert np.array_equal(sensor(depth, frame=3), measured) and (measured > 0).mean() > 0.7
     assert not np.array_equal(sensor(depth, frame=2), measured)
     scene = oaktwin.Scene.open(ROOT / "examples/depth_sensor/depth_sensor.usda")
     camera = device.depth_camera().resized(*SIZE)
