@@ -1,13 +1,14 @@
 """A data set of many frames over Ray Data, on however many machines there are.
 
-    pip install "ray[data]" oaktwin
-    python ray_frames.py -o frames/ --frames 200                # on the processors of this machine
-    python ray_frames.py -o /shared/frames/ --address auto      # on a cluster whose machines have oaktwin and see /shared
-    python ray_frames.py -o frames/ --local                     # the same bytes without Ray, in one process
+    pip install "ray[data]"
+    python examples/python/ray_frames.py -o frames/ --frames 200              # on the processors of this machine
+    python examples/python/ray_frames.py -o /shared/frames/ --address auto    # on a cluster
+    python examples/python/ray_frames.py -o frames/ --local                   # the same bytes without Ray, in one process
 
 A frame is a function of (scene, pose, seed, number) and of nothing else, so it does not matter which worker makes it, when,
 in which order, or how often: a frame whose worker died is made again, and the files are those of a single process, byte for
 byte. A worker opens the scene once and writes its frames' files itself; what travels are poses and hashes.
+So the machines of a cluster need oaktwin, and all see the scene and the output folder.
 
 That does not hold for filters that remember earlier frames: a preset with DepthAI's temporal filter is refused.
 """
