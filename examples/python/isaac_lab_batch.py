@@ -78,7 +78,7 @@ class OakDepth(ModifierBase):
 
 
 def made_up_depth(envs: int, height: int, width: int, hfov_deg: float) -> np.ndarray:
-    """What robots see, 0.6 m above the ground, looking 20 degrees down at two boxes: (N, H, W), metres, inf above the horizon."""
+    """What robots see 0.6 m above the ground, looking 20 degrees down at two boxes: (N, H, W), metres, inf in the sky."""
     random = np.random.default_rng(1)
     focal = width / 2 / np.tan(np.radians(hfov_deg) / 2)
     sine, cosine = np.sin(np.radians(20)), np.cos(np.radians(20))
@@ -167,7 +167,8 @@ def main() -> None:
         measured = float((out > 0).sum()) / (options.envs * height * width)
         print(f"step {step}: {1000 * times[-1]:.1f} ms, {100 * measured:.2f} % measured")
     median = float(np.median(times))
-    print(f"median {1000 * median:.1f} ms a step: {options.envs / median:.0f} images/s, {options.envs * height * width / median / 1e6:.0f} Mpx/s")
+    rate = options.envs / median
+    print(f"median {1000 * median:.1f} ms a step: {rate:.0f} images/s, {rate * height * width / 1e6:.0f} Mpx/s")
 
     if uses_torch:
         # As Isaac Lab calls it: a last axis of one channel, and a copy of its own.

@@ -2,7 +2,7 @@
 
 With Isaac Sim's own Python, which gets this package once (an RTX GPU is needed):
 
-    ./python.sh -m pip install oaktwin
+    ./python.sh -m pip install ./crates/python      # or the wheel
     ./python.sh examples/python/isaac_sim.py --model OAK4-D --frames 3 -o oak/ --compare
 
 Writes the model's asset for the version that runs, puts it before three boxes, makes depth sensors of the asset's template
@@ -47,8 +47,8 @@ def build_scene(stage) -> None:
         box.AddTranslateOp().Set(Gf.Vec3d(*centre))
         box.AddScaleOp().Set(Gf.Vec3f(*size))
         box.CreateDisplayColorAttr([Gf.Vec3f(*colour)])
-    UsdLux.DomeLight.Define(stage, "/World/sky").CreateIntensityAttr(500.0)
-    UsdLux.DistantLight.Define(stage, "/World/sun").CreateIntensityAttr(1500.0)
+    UsdLux.DomeLight.Define(stage, "/World/sky").CreateIntensityAttr(300.0)
+    UsdLux.DistantLight.Define(stage, "/World/sun").CreateIntensityAttr(700.0)
 
 
 def reference_asset(stage, asset: Path) -> None:

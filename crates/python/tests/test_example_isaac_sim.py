@@ -140,7 +140,8 @@ def test_members_annotators_and_arguments_are_those_of_the_sources(function):
 def test_nothing_of_isaac_sim_is_imported_before_it_is_started():
     at_once = [node for node in TREE.body if isinstance(node, (ast.Import, ast.ImportFrom))]
     assert {module for module, _ in imports(ast.Module(at_once, []))} == {"argparse", "pathlib", "numpy", "oaktwin"}
-    [started] = [node.lineno for node in ast.walk(FUNCTIONS["main"]) if isinstance(node, ast.Name) and node.id == "SimulationApp"]
+    names = [node for node in ast.walk(FUNCTIONS["main"]) if isinstance(node, ast.Name)]
+    [started] = [node.lineno for node in names if node.id == "SimulationApp"]
     others = [
         node.lineno
         for node in ast.walk(FUNCTIONS["main"])
@@ -201,11 +202,18 @@ def test_the_usd_half(example, model, tmp_path):
             assert np.linalg.norm(world_from_camera.ExtractTranslation() - np.array(example.PLACE)) < 0.06
             copied = [name.GetName() for name in template.GetAttributes() if name.GetName().startswith(example.PREFIX)]
             assert len(copied) == 11 and f"{example.PREFIX}baselineMM" in copied
-            camera.ApplyAPI("OmniSensorAPI")
         assert set(cameras) == {sensor["prim"] for sensor in device.depth_sensors.values()}
         assert cameras.get("Camera_pseudo_depth_tof", (640, 480)) == (640, 480)
         box = UsdGeom.Imageable(stage.GetPrimAtPath("/World/red")).ComputeWorldBound(0, "default").ComputeAlignedRange()
         assert np.allclose(box.GetMin(), [-0.5, -0.75, 0]) and np.allclose(box.GetMax(), [0, -0.25, 0.8])
+        # What the OAK would see of it: the fronts of the boxes at 2, 2.5 and 3.5 m.
+        stage.Flatten().Export(str(tmp_path / "scene.usda"))
+        camera, world_from_body = device.depth_camera(), np.eye(4)
+        world_from_body[:3, 3] = example.PLACE
+        scene = oaktwin.Scene.open(tmp_path / "scene.usda")
+        exact = scene.render(camera, world_from_body @ camera.body_from_camera)["distance_to_image_plane"]
+        for distance in [2.0, 2.5, 3.5]:
+            assert np.mean(np.abs(exact - distance) < 1e-5) > 0.01
 
 
 # Doubles: no more than the documented arguments, and frames of a wall as our own model measures it.
