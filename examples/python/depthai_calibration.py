@@ -1,7 +1,7 @@
 """One calibration file, read by DepthAI's own library and by oaktwin: every number side by side.
 
-    pip install depthai oaktwin
-    python depthai_calibration.py calibration.json [--model OAK-D-Pro-PoE] [-o rows.json]
+    pip install depthai
+    python examples/python/depthai_calibration.py calibration.json [--model OAK-D-Pro-PoE] [-o rows.json]
 
 The file is what `CalibrationHandler.eepromToJsonFile` writes; no camera need be there. Each row has the largest difference
 of its numbers in the units of oaktwin: px, metres, degrees. DepthAI computes in single precision, oaktwin in double, so about

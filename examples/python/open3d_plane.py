@@ -1,7 +1,7 @@
 """A wall in a noisy depth image: an Open3D point cloud, a RANSAC plane on it, and how wrong both are.
 
-    pip install open3d matplotlib oaktwin
-    python open3d_plane.py [-o plane/] [--tilt 30]
+    pip install open3d matplotlib
+    python examples/python/open3d_plane.py [-o plane/] [--tilt 30]
 
 The wall stands obliquely, with a box before it that RANSAC has to ignore. At each distance its exact depth is rendered,
 an OAK's stereo errors are put on it, and Open3D makes points of it with the camera's own K. The plane is fitted to those

@@ -1,15 +1,16 @@
 """A data set of many frames over Ray Data, on however many machines there are.
 
-    pip install "ray[data]" oaktwin
-    python ray_frames.py -o frames/ --frames 200                   # on this machine's processors
-    python ray_frames.py -o /shared/frames/ --address auto         # on a cluster whose machines all see /shared
-    python ray_frames.py -o frames/ --local                        # the same bytes without Ray, in one process
+    pip install "ray[data]"
+    python examples/python/ray_frames.py -o frames/ --frames 200              # on the processors of this machine
+    python examples/python/ray_frames.py -o /shared/frames/ --address auto    # on a cluster
+    python examples/python/ray_frames.py -o frames/ --local                   # the same bytes without Ray, in one process
 
-A frame is a function of (scene, pose, seed, number) and of nothing else, so it does not matter which worker makes it, when, in
-which order, or how often: a frame whose worker died is made again, and the files are those of a single process, byte for
-byte. Each worker opens the scene once and writes its frames' files itself; what travels are numbers and hashes.
+A frame is a function of (scene, pose, seed, number) and of nothing else, so it does not matter which worker makes it, when,
+in which order, or how often: a frame whose worker died is made again, and the files are those of a single process, byte for
+byte. A worker opens the scene once and writes its frames' files itself; what travels are poses and hashes.
+So the machines of a cluster need oaktwin, and all see the scene and the output folder.
 
-That holds for everything but filters that remember earlier frames: a preset with DepthAI's temporal filter is refused.
+That does not hold for filters that remember earlier frames: a preset with DepthAI's temporal filter is refused.
 """
 
 import argparse
@@ -19,7 +20,6 @@ import json
 import math
 import os
 import signal
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -30,11 +30,16 @@ SCENE = Path(__file__).resolve().parents[1] / "depth_sensor/depth_sensor.usda"
 MANIFEST, KILLED = "frames.json", "killed.part"
 
 
-def world_from_body(number, frames):
-    """Where the device stands in frame `number`: once around the scene's middle, looking at it."""
-    angle = 2 * math.pi * number / frames
-    eye = (3 * math.cos(angle), 3 * math.sin(angle), 1.2 + 0.4 * math.sin(3 * angle))
-    return oaktwin.look_at(eye, (0, 0, 0.4), frame="body")
+def trajectory(camera, frames):
+    """What frames are made of, a number and a pose: once around the scene, looking at its middle.
+
+    Poses are data, computed once, so that no machine has its own last digit of a sine.
+    """
+    for number in range(frames):
+        angle = 2 * math.pi * number / frames
+        eye = (3 * math.cos(angle), 3 * math.sin(angle), 1.2 + 0.4 * math.sin(3 * angle))
+        world_from_camera = oaktwin.look_at(eye, (0, 0, 0.4), frame="body") @ camera.body_from_camera
+        yield {"number": number, "world_from_camera": world_from_camera.ravel().tolist()}
 
 
 class FrameWriter:
@@ -53,24 +58,25 @@ class FrameWriter:
             )
         self.scene = oaktwin.Scene.open(settings["scene"])
 
-    def images(self, number):
-        """The images of a frame by Replicator's names."""
-        pose = world_from_body(number, self.settings["frames"]) @ self.camera.body_from_camera
+    def arrays(self, row):
+        """What a frame has, by the names of its files: Replicator's for the images."""
+        pose = np.reshape(row["world_from_camera"], (4, 4))
         seen = self.scene.render(self.camera, pose, annotators=["distance_to_image_plane", "rgb"])
-        measured = self.sensor(seen["distance_to_image_plane"], seen["rgb"], frame=number)
-        return {**seen, "depth_sensor_distance": measured}
+        # Without the picture: with its dot projector on, the device finds texture everywhere.
+        measured = self.sensor(seen["distance_to_image_plane"], frame=int(row["number"]))
+        return {**seen, "depth_sensor_distance": measured, "world_from_camera": pose}
 
     def __call__(self, row):
-        """Writes the files of the frame `row["id"]`; their names and hashes."""
-        number = int(row["id"])
+        """Writes a frame's files; their names and hashes."""
+        number = int(row["number"])
         hashes = {}
-        for name, image in self.images(number).items():
+        for name, array in self.arrays(row).items():
             file = io.BytesIO()
-            np.save(file, image)
+            np.save(file, array)
             name = f"{name}_{number:04}.npy"
             hashes[name] = hashlib.sha256(file.getvalue()).hexdigest()
             self.write(number, name, file.getvalue())
-        return {"id": number, "sha256": json.dumps(hashes)}
+        return {"number": number, "sha256": json.dumps(hashes)}
 
     def part(self, name):
         return self.folder / f"{name}.{os.getpid()}.part"
@@ -82,7 +88,7 @@ class FrameWriter:
 
 
 class KilledOnce(FrameWriter):
-    """For `--kill-at`: the first worker that comes to that frame dies in the middle of a file, as if the system killed it."""
+    """For `--kill-at`: the first worker that comes to that frame dies in the middle of a file, killed as by the system."""
 
     def write(self, number, name, content):
         if number == self.settings["kill_at"]:
@@ -102,25 +108,28 @@ def remove_parts(folder):
         part.unlink()
 
 
-def with_ray(settings, address, workers, blocks):
-    """The frames' rows, made by a pool of workers."""
+def with_ray(rows, settings, address, workers, blocks):
+    """The frames' hashes, made by a pool of workers."""
     # Before the import: nothing is sent anywhere, no progress bars.
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
     os.environ.setdefault("RAY_DATA_DISABLE_PROGRESS_BARS", "1")
     import ray
 
+    # Ray counts a worker as one processor, so it shall use one.
+    own = {"log_to_driver": False, "runtime_env": {"env_vars": {"RAYON_NUM_THREADS": "1"}}}
     if address:
-        ray.init(address=address, log_to_driver=False)
+        ray.init(address=address, **own)
     else:
-        # Rows are small; no store of gigabytes is needed.
-        ray.init(num_cpus=workers, include_dashboard=False, object_store_memory=100 << 20, log_to_driver=False)
-    numbers = ray.data.range(settings["frames"], override_num_blocks=blocks)
-    # Ray restarts a worker that died and gives its rows to another.
+        # Little travels; no store of gigabytes is needed.
+        ray.init(num_cpus=workers, include_dashboard=False, object_store_memory=100 << 20, **own)
     writer = FrameWriter if settings["kill_at"] is None else KilledOnce
-    rows = numbers.map(writer, fn_constructor_args=[settings], compute=ray.data.ActorPoolStrategy(size=workers))
-    found = rows.take_all()
+    # A worker that died is started again, and its rows are given out once more.
+    made = ray.data.from_items(rows, override_num_blocks=blocks).map(
+        writer, fn_constructor_args=[settings], compute=ray.data.ActorPoolStrategy(size=workers)
+    )
+    hashes = made.take_all()
     ray.shutdown()
-    return found
+    return hashes
 
 
 def main():
@@ -128,7 +137,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-frames"), help="a folder that all machines see")
     parser.add_argument("--scene", type=Path, default=SCENE)
     parser.add_argument("--model", default="OAK-D Pro PoE")
-    parser.add_argument("--preset", default="robotics", help="DepthAI's, without a filter over time")
+    parser.add_argument("--preset", help="DepthAI's, without a filter over time: robotics, face, ...")
     parser.add_argument("--size", type=int, nargs=2, default=[640, 400], metavar=("W", "H"))
     parser.add_argument("--frames", type=int, default=24)
     parser.add_argument("--seed", type=int, default=7)
@@ -142,23 +151,24 @@ def main():
     arguments.output.mkdir(parents=True, exist_ok=True)
     remove_parts(arguments.output)
     settings = {**vars(arguments), "scene": str(arguments.scene.resolve()), "output": str(arguments.output.resolve())}
+    writer = FrameWriter(settings)  # Also with Ray: what is wrong with the settings is said here, once.
+    rows = list(trajectory(writer.camera, arguments.frames))
     if arguments.local:
-        make = FrameWriter(settings)
-        rows = [make({"id": number}) for number in range(arguments.frames)]
+        made = [writer(row) for row in rows]
     else:
-        FrameWriter(settings)  # What is wrong with the settings is said here, once.
-        blocks = arguments.blocks or 4 * arguments.workers
-        rows = with_ray(settings, arguments.address, arguments.workers, blocks)
+        blocks = arguments.blocks or min(4 * arguments.workers, arguments.frames)
+        made = with_ray(rows, settings, arguments.address, arguments.workers, blocks)
 
     hashes = {}
-    for row in sorted(rows, key=lambda row: row["id"]):
-        hashes |= json.loads(row["sha256"])
-    print(f"{len(rows)} frames, {len(hashes)} files" + (", a worker was killed" if (arguments.output / KILLED).exists() else ""))
+    for frame in sorted(made, key=lambda frame: frame["number"]):
+        hashes |= json.loads(frame["sha256"])
+    killed = ", a worker was killed" if (arguments.output / KILLED).exists() else ""
     remove_parts(arguments.output)
     manifest = json.dumps(hashes, indent=1)
     (arguments.output / MANIFEST).write_text(manifest)
-    print(f"sha256 of all: {hashlib.sha256(manifest.encode()).hexdigest()}")
+    print(f"{len(made)} frames, {len(hashes)} files{killed}")
+    print(f"sha256 of {MANIFEST}: {hashlib.sha256(manifest.encode()).hexdigest()}")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
