@@ -176,3 +176,42 @@ fn record<N: Number>(
         *out = N::of(whole(number + 0.5));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use oaktwin_camera::ImageSize;
+
+    use super::*;
+    use crate::random::{Stage, Stream};
+    use crate::simd::{Level, run_at};
+
+    #[test]
+    fn all_instructions_make_the_same() {
+        let parameters = Parameters {
+            vignetting: 0.6,
+            ..Parameters::default()
+        };
+        let intrinsics = Intrinsics::from_hfov(ImageSize::new(1283, 800), 1.3);
+        let random = Stream::new(1, "left").plane(Stage::Exposure, 2, 0);
+        let exposure = Exposure { time: 2.0, gain: 1.7 };
+        let rows = Rows::new(&parameters, &intrinsics, exposure, &random);
+        let light: Vec<f32> = (0..1283i16).map(|i| f32::from(i) / 1700.0).collect();
+        let with = |level| {
+            let mut out = vec![0u16; 1283];
+            run_at(
+                level,
+                Record {
+                    rows: &rows,
+                    y: 7,
+                    light: &light,
+                    normals: &mut vec![0.0; 1283],
+                    out: &mut out,
+                },
+            );
+            out
+        };
+        let baseline = with(Level::Baseline);
+        assert!(Level::available().iter().all(|&level| with(level) == baseline));
+        assert!(baseline.iter().any(|&number| number > 100));
+    }
+}

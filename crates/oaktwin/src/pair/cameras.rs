@@ -107,7 +107,7 @@ impl PairCameras {
         };
         let (left, right) = (record(&self.left, &left), record(&self.right, &right));
         let geometry = *self.rectify.geometry();
-        let rectified = View {
+        let truth = View {
             camera: Camera::new(geometry.left, LensModel::Pinhole),
             world_from_camera: *world_from_body * self.body_from_rectified_left(),
             clip: self.left.clip,
@@ -117,7 +117,7 @@ impl PairCameras {
             rectified_right: rectified(self.rectify.right(), &right),
             left,
             right,
-            z: renderer.depth(&rectified, Backend::Auto),
+            z: renderer.depth(&truth, Backend::Auto),
             exposure,
             geometry,
             findings,

@@ -4,8 +4,8 @@ use oaktwin_render::BeamPattern;
 
 use super::*;
 use crate::camera::math::{DAffine3, DVec3};
-use crate::camera::{Axes, ImageSize, LensModel, OpenCv, PixelPoint};
-use crate::catalog::{Catalog, Projector};
+use crate::camera::{Axes, Camera, ImageSize, LensModel, OpenCv, PixelPoint};
+use crate::catalog::{Catalog, Projector, Role};
 use crate::depth::imager::{Bits, Parameters};
 use crate::depth::rectify::Method;
 use crate::image::Image;
