@@ -5,6 +5,7 @@ use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
+use crate::docs;
 use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
 use crate::report::Report;
 use crate::workspace;
@@ -156,6 +157,14 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
         } else {
             let mut tests = pytest(&python, environment.tests, programs, args);
             report.command(&name, &mut tests, counts::of_pytest);
+        }
+        let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
+        if has_pdoc
+            && report
+                .step("manual of the Python package", || docs::build(&python))
+                .is_none()
+        {
+            report.count_failure();
         }
     }
 }
