@@ -10,8 +10,8 @@ const LEFT_OUT: [u8; 3] = [160, 164, 170];
 const INK: [u8; 3] = [60; 3];
 
 /// Places along the curve to each pixel of disparity, and the most.
-const A_PIXEL: f64 = 16.0;
-const MOST: f64 = 4000.0;
+const A_PIXEL: f64 = 40.0;
+const MOST: f64 = 8000.0;
 
 pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Systematic>) -> Vec<Figure> {
     let distances = || report.points.iter().map(|point| point.distance_m);
