@@ -1,19 +1,22 @@
 //! `cargo xtask test`: every check of the project, each as a step; one that fails does not hide the others.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
-use crate::python::{self, ENVIRONMENTS, Environment, Interpreter, PACKAGE, RENDER};
+use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
 use crate::report::Report;
 use crate::workspace;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Also the tests marked as slow: `#[ignore]` in Rust, `slow` in Python
+    /// Everything: the tests marked as slow too (`#[ignore]` in Rust, `slow` in Python), --peers, and `PyTorch`
     #[arg(long)]
     all: bool,
+    /// The Python package beside its large peers too: Ray, Rerun, Open3D
+    #[arg(long)]
+    peers: bool,
     /// Leave the Python oracles out
     #[arg(long)]
     skip_python: bool,
@@ -38,8 +41,8 @@ enum Readiness {
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
     // Mostly waiting for downloads: done beside the Rust steps.
-    let all = args.all;
-    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(all)));
+    let wanted = wanted(args);
+    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     rust_steps(&mut report, args);
     match environments {
         None => report.skip("Python oracles", "--skip-python"),
@@ -79,10 +82,20 @@ fn rust_steps(report: &mut Report, args: &Args) {
     report.command("Rust tests", &mut test, counts::of_cargo_test);
 }
 
-/// The large one only for the slow tests, which are all that it is for.
-fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
+/// The environments that are to be tested in; those with the package first to last.
+fn wanted(args: &Args) -> Vec<&'static Environment> {
+    let mut wanted: Vec<_> = ENVIRONMENTS.iter().collect();
+    wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
+    wanted.push(&BARE);
+    if args.all {
+        wanted.extend([&TORCH, &RENDER]);
+    }
+    wanted
+}
+
+fn prepare_environments(wanted: &[&'static Environment]) -> Vec<(&'static Environment, Readiness)> {
     let interpreters = Interpreter::find_all();
-    let prepare = |environment: &'static Environment| {
+    let prepare = |environment: &&'static Environment| {
         let readiness = match environment.choose(&interpreters) {
             Err(reason) => Readiness::Skipped(reason),
             Ok(interpreter) => match environment.prepare(interpreter) {
@@ -90,15 +103,9 @@ fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
                 Err(message) => Readiness::Failed(message),
             },
         };
-        (environment, readiness)
+        (*environment, readiness)
     };
-    let large = all.then_some(&RENDER);
-    ENVIRONMENTS
-        .iter()
-        .chain([&PACKAGE])
-        .chain(large)
-        .map(prepare)
-        .collect()
+    wanted.iter().map(prepare).collect()
 }
 
 fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
@@ -113,39 +120,68 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
     if any_ready && programs.is_none() {
         report.count_failure();
     }
+    // Built once, in the first environment that has what it is built with.
+    let mut wheel = None;
     for (environment, readiness) in environments {
-        let is_package = environment.name == PACKAGE.name;
-        let name = if is_package {
-            "Python package".to_owned()
+        let kind = if environment.has_package() {
+            "package"
         } else {
-            format!("Python oracles, {}", environment.name)
+            "oracles"
         };
-        match (readiness, &programs) {
-            (Readiness::Skipped(reason), _) => report.skip(&name, reason),
+        let name = format!("Python {kind}, {}", environment.name);
+        let (python, programs) = match (readiness, &programs) {
+            (Readiness::Skipped(reason), _) => {
+                report.skip(&name, reason);
+                continue;
+            }
             (Readiness::Failed(message), _) => {
                 report.step(&name, || Err::<(), _>(message));
                 report.count_failure();
+                continue;
             }
-            (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
-            (Readiness::Ready(python), Some(programs)) => {
-                let installed = !is_package
-                    || report
-                        .step("wheel of the Python package", || {
-                            python::install_package(&python, "dev")
-                        })
-                        .is_some();
-                if !installed {
-                    report.count_failure();
-                    continue;
-                }
-                report.command(
-                    &name,
-                    &mut pytest(python, environment.tests, programs, args),
-                    counts::of_pytest,
-                );
+            (Readiness::Ready(_), None) => {
+                report.skip(&name, "its programs did not build");
+                continue;
             }
+            (Readiness::Ready(python), Some(programs)) => (python, programs),
+        };
+        if environment.has_package() && !install(report, environment, &python, &mut wheel) {
+            continue;
+        }
+        if environment.name == BARE.name {
+            let mut script = interpreter(&python);
+            // Isolated: neither this checkout's packages nor the user's.
+            script.arg("-I").arg(environment.tests);
+            report.command(&name, &mut script, counts::of_pytest);
+        } else {
+            let mut tests = pytest(&python, environment.tests, programs, args);
+            report.command(&name, &mut tests, counts::of_pytest);
         }
     }
+}
+
+/// Puts the package into an environment; whether it is there.
+fn install(
+    report: &mut Report,
+    environment: &Environment,
+    python: &Path,
+    wheel: &mut Option<PathBuf>,
+) -> bool {
+    let installed = report.step(
+        &format!("wheel of the Python package, {}", environment.name),
+        || {
+            let built = match wheel.take() {
+                Some(built) => built,
+                None if environment.name == BARE.name => return Err("it was not built".to_owned()),
+                None => python::build_wheel(python, "dev")?,
+            };
+            python::install_wheel(python, wheel.insert(built))
+        },
+    );
+    if installed.is_none() {
+        report.count_failure();
+    }
+    installed.is_some()
 }
 
 fn build_programs() -> Result<Programs, String> {
@@ -167,9 +203,19 @@ fn build_programs() -> Result<Programs, String> {
     })
 }
 
-fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Command {
+/// A pinned environment's: nothing of the user's own Python gets in.
+fn interpreter(python: &Path) -> Command {
     let mut command = Command::new(python);
-    command.current_dir(workspace::root());
+    command
+        .current_dir(workspace::root())
+        .env_remove("PYTHONPATH")
+        .env_remove("PYTHONHOME")
+        .env("PYTHONDONTWRITEBYTECODE", "1");
+    command
+}
+
+fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Command {
+    let mut command = interpreter(python);
     command.args([
         "-m",
         "pytest",
@@ -187,10 +233,5 @@ fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Com
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
     command.env("OAKTWIN_DEPTH_EVAL", &programs.depth_eval);
     command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
-    // The environment is pinned: nothing of the user's own Python gets in.
-    command
-        .env_remove("PYTHONPATH")
-        .env_remove("PYTHONHOME")
-        .env("PYTHONDONTWRITEBYTECODE", "1");
     command
 }

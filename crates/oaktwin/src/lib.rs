@@ -30,6 +30,7 @@ mod csv;
 pub mod demo_room;
 pub mod files;
 pub mod fit;
+pub mod pair;
 pub mod render;
 pub mod report;
 pub mod sense;

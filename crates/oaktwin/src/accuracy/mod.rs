@@ -485,6 +485,12 @@ fn differences(stand: &Stand, options: &Options, kind: DepthKind, own_width_px: 
                 differences.push(format!("{} subpixel bits instead of 5", bits.bits()));
             }
         }
+        Engine::StereoMatching(engine) => {
+            let bits = engine.parameters().subpixel;
+            if bits != Subpixel::Bits5 {
+                differences.push(format!("{} subpixel bits instead of 5", bits.bits()));
+            }
+        }
         Engine::SingleView(_) if kind == DepthKind::Stereo => {
             differences.push("Isaac Sim's sensor has no subpixel bits".to_owned());
         }
