@@ -10,6 +10,7 @@
 
 pub mod align;
 mod choice;
+pub mod dots;
 mod error;
 pub mod filter;
 pub mod imager;
