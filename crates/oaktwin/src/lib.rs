@@ -28,6 +28,7 @@ pub mod accuracy;
 pub mod contact_sheet;
 pub mod demo_room;
 pub mod files;
+pub mod recording;
 pub mod render;
 pub mod report;
 pub mod sense;
