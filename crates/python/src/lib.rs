@@ -40,9 +40,9 @@ mod _oaktwin {
     #[pymodule_export]
     use super::align::align;
     #[pymodule_export]
-    use super::camera::Camera;
+    use super::camera::{_camera, Camera};
     #[pymodule_export]
-    use super::device::{Device, models};
+    use super::device::{_device, Device, models};
     #[pymodule_export]
     use super::error::{Error, FindingWarning};
     #[pymodule_export]

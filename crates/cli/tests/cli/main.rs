@@ -5,6 +5,7 @@
 mod accuracy;
 mod assets;
 mod bad_input;
+mod fit;
 mod output;
 mod program;
 mod render;

@@ -26,6 +26,8 @@ pub enum Stage {
     Exposure = 3,
     /// The grain of a rendered picture.
     Grain = 4,
+    /// Where a projector's dots lie.
+    Dots = 16,
 }
 
 /// The random numbers of one camera.

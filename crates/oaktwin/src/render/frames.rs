@@ -267,7 +267,13 @@ impl<'a> Station<'a> {
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
         let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64));
         if let Some(sensor) = &mut self.sensor {
-            depth_sensor::capture(sensor, &view, number as u64, options.annotators, &mut frame);
+            depth_sensor::sense_frame(
+                sensor,
+                &view.camera,
+                number as u64,
+                options.annotators,
+                &mut frame,
+            );
         }
         frame.rgb = frame.rgb.filter(|_| options.annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin::camera::{LensModel, Usd};
-use oaktwin::depth::stereo_noise;
+use oaktwin::depth::{stereo_matching, stereo_noise};
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{PlacedCamera, Written, WrittenFile};
@@ -189,6 +189,16 @@ impl SensorReport {
                 let names = stereo_noise::NAMES.iter();
                 Self {
                     engine: EngineKind::StereoNoise.as_str(),
+                    parameters: names
+                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
+                        .collect(),
+                }
+            }
+            Engine::StereoMatching(engine) => {
+                let parameters = engine.parameters();
+                let names = stereo_matching::NAMES.iter();
+                Self {
+                    engine: "stereo-matching",
                     parameters: names
                         .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
                         .collect(),

@@ -3,6 +3,7 @@
 
 mod files;
 mod filters;
+mod rectify;
 mod single_view;
 mod stereo_noise;
 
@@ -17,6 +18,8 @@ use serde_json::{Value, json};
 enum Request {
     /// Filters of disparity and depth.
     Filters(filters::Request),
+    /// Raw pairs to rectified ones.
+    Rectify(rectify::Request),
     /// Isaac Sim's sensor.
     SingleView(single_view::Request),
     /// The errors of an OAK's stereo.
@@ -26,6 +29,7 @@ enum Request {
 fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
     match serde_json::from_str(line)? {
         Request::Filters(request) => request.answer(),
+        Request::Rectify(request) => request.answer(),
         Request::SingleView(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
     }
