@@ -253,9 +253,13 @@ pub(crate) struct RenderArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The folder to write into
-    #[arg(short, long, value_name = "DIR", default_value = "oaktwin-render", value_hint = ValueHint::DirPath)]
-    pub(crate) output: PathBuf,
+    /// The folder to write into; by default oaktwin-render, or none where there is --record
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Record the frames, the cameras and their poses: .mcap for ROS 2, or .rrd for Rerun where that is built in
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) record: Option<PathBuf>,
 
     /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable. By
     /// default every depth sensor, else every camera of the scene

@@ -31,6 +31,7 @@ pub mod demo_room;
 pub mod files;
 pub mod fit;
 pub mod pair;
+pub mod recording;
 pub mod render;
 pub mod report;
 pub mod sense;
