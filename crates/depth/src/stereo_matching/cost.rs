@@ -58,16 +58,12 @@ pub(super) fn row(
 
 /// What would be matched with what is left of the right image.
 fn beyond(plan: &Plan, width: usize, out: &mut [u8]) {
-    for (x, costs) in out
-        .chunks_exact_mut(plan.candidates)
-        .enumerate()
-        .take(width.min(plan.last()))
-    {
-        for (cost, &d) in costs.iter_mut().zip(&plan.disparities) {
-            if usize::from(d) > x {
-                *cost = plan.beyond;
-            }
-        }
+    let near = out.chunks_exact_mut(plan.candidates).enumerate();
+    let mut inside = 0;
+    for (x, costs) in near.take(width.min(plan.last())) {
+        let next = plan.disparities.iter().take(plan.candidates).skip(inside);
+        inside += next.take_while(|&&d| usize::from(d) <= x).count();
+        costs.get_mut(inside..).unwrap_or_default().fill(plan.beyond);
     }
 }
 

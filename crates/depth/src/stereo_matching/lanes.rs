@@ -15,6 +15,8 @@ pub(super) trait Lane: Copy + Ord + Default + std::fmt::Debug + Send + Sync + 's
     /// Stops at the largest.
     fn plus_saturating(self, other: Self) -> Self;
     fn minus(self, other: Self) -> Self;
+    /// The largest where a byte is 255, itself where it is 0.
+    fn masked(self, mask: u8) -> Self;
     fn key(self, candidate: u8) -> Self::Key;
     /// The key's cost and its candidate.
     fn open(key: Self::Key) -> (Self, u8);
@@ -52,6 +54,12 @@ macro_rules! lane {
             #[inline(always)]
             fn minus(self, other: Self) -> Self {
                 self.wrapping_sub(other)
+            }
+
+            #[inline(always)]
+            #[expect(clippy::cast_sign_loss, reason = "all bits or none")]
+            fn masked(self, mask: u8) -> Self {
+                self | mask.cast_signed() as Self
             }
 
             #[inline(always)]

@@ -39,6 +39,7 @@
 mod census;
 mod cost;
 mod extended;
+mod inspect;
 mod lanes;
 mod names;
 mod pair;
@@ -50,6 +51,7 @@ mod refine;
 mod scan;
 mod select;
 
+pub use inspect::inspect;
 pub use names::NAMES;
 pub use pair::{Luminance, Pair, PairError};
 pub use parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};

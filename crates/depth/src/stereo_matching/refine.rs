@@ -89,51 +89,63 @@ impl Kernel for Fractions<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let width = self.fractions.len().min(self.confidence.len());
-        let [a, b, c, d, e] = self.around;
-        let shortest = [a, b, c, d, e, self.second].iter().map(|row| row.len()).min();
-        if shortest < Some(width) || self.best.len() < width {
-            return;
+        match self.interpolation {
+            Interpolation::Parabola => self.all(|[_, b, c, d, _], _| parabola(b, c, d)),
+            Interpolation::Lines => self.all(|[_, b, c, d, _], _| {
+                let (before, after) = (b - c, d - c);
+                let steeper = if before > after { before } else { after };
+                (b - d, 2.0 * steeper)
+            }),
+            Interpolation::Parabola5 => self.all(|[a, b, c, d, e], is_inside| {
+                let (slope, bend) = parabola(b, c, d);
+                let slope5 = 7.0 * (2.0 * (a - e) + (b - d));
+                let bend5 = 10.0 * (2.0 * (a + e - c) - b - d);
+                let is_five = is_inside & (bend5 > 0.0);
+                (
+                    if is_five { slope5 } else { slope },
+                    if is_five { bend5 } else { bend },
+                )
+            }),
         }
+    }
+}
+
+#[inline(always)]
+fn parabola(before: f32, own: f32, after: f32) -> (f32, f32) {
+    (before - after, 2.0 * (before - 2.0 * own + after))
+}
+
+impl Fractions<'_> {
+    /// `vertex` makes of five sums, and whether all are of candidates, a fraction's two parts.
+    #[inline(always)]
+    fn all(self, vertex: impl Fn([f32; 5], bool) -> (f32, f32)) {
+        let width = self.fractions.len();
+        let [a, b, c, d, e] = self.around.map(|sums| sums.get(..width).unwrap_or_default());
+        let sums = a
+            .iter()
+            .zip(b)
+            .zip(c)
+            .zip(d)
+            .zip(e)
+            .zip(self.second)
+            .zip(self.best);
+        let out = self.fractions.iter_mut().zip(self.confidence);
         #[expect(clippy::cast_possible_truncation, reason = "95")]
         let last = self.last as u8;
-        for x in 0..width {
-            let best = self.best[x];
-            let (y0, yn, yp) = (f32::from(c[x]), f32::from(b[x]), f32::from(d[x]));
-            let (ynn, ypp) = (f32::from(a[x]), f32::from(e[x]));
-            let slope = yn - yp;
-            let bend = 2.0 * (yn - 2.0 * y0 + yp);
-            let (over, under) = match self.interpolation {
-                Interpolation::Parabola => (slope, bend),
-                Interpolation::Lines => {
-                    let (before, after) = (yn - y0, yp - y0);
-                    let steeper = if before > after { before } else { after };
-                    (slope, 2.0 * steeper)
-                }
-                Interpolation::Parabola5 => {
-                    let bend5 = 10.0 * (2.0 * (ynn + ypp - y0) - yn - yp);
-                    let is_inside = best >= 2 && best + 2 <= last && bend5 > 0.0;
-                    let slope5 = 7.0 * (2.0 * (ynn - ypp) + slope);
-                    (
-                        if is_inside { slope5 } else { slope },
-                        if is_inside { bend5 } else { bend },
-                    )
-                }
-            };
-            let fraction = over / if under > 0.0 { under } else { 1.0 };
-            let fraction = if under > 0.0 { fraction } else { 0.0 };
-            let fraction = if fraction < 0.5 { fraction } else { 0.5 };
-            let fraction = if fraction > -0.5 { fraction } else { -0.5 };
-            let is_between = best > 0 && best < last;
-            self.fractions[x] = if is_between { fraction } else { 0.0 };
+        for (((((((a, b), c), d), e), second), &best), (fraction, confidence)) in sums.zip(out) {
+            let [a, b, c, d, e] = [a, b, c, d, e].map(|&sum| f32::from(sum));
+            let (over, under) = vertex([a, b, c, d, e], (best >= 2) & (best + 2 <= last));
+            let is_vertex = (under > 0.0) & (best > 0) & (best < last);
+            let place = over / if is_vertex { under } else { 1.0 };
+            let place = if is_vertex { place } else { 0.0 };
+            let place = if place < 0.5 { place } else { 0.5 };
+            *fraction = if place > -0.5 { place } else { -0.5 };
 
-            let second = f32::from(self.second[x]);
-            let lead = second - y0;
-            let share = 255.0 * lead / if second > 0.0 { second } else { 1.0 };
-            let share = if second > 0.0 { share } else { 0.0 };
+            let second = f32::from(*second);
+            let share = 255.0 * (second - c) / if second > 0.0 { second } else { 1.0 };
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
             let share = simd::whole(share) as u8;
-            self.confidence[x] = share;
+            *confidence = share;
         }
     }
 }

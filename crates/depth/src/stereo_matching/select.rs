@@ -2,7 +2,7 @@
 
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
-use super::plan::{Plan, Zone};
+use super::plan::{MOST, Plan, Zone};
 use crate::simd::Kernel;
 
 /// What is found in a row, for each pixel.
@@ -58,6 +58,12 @@ impl<K: Copy + Ord> RightKeys<K> {
 
     /// Each right pixel's least key, from right to left.
     pub(super) fn read(&self, plan: &Plan, width: usize, mut take: impl FnMut(usize, K)) {
+        if plan.zones.len() == 1 {
+            for (place, &key) in self.keys.iter().take(width).enumerate() {
+                take(width - 1 - place, key);
+            }
+            return;
+        }
         for place in 0..width {
             let keys = layout(&plan.zones, width).filter_map(|(zone, start, phase)| {
                 let own = start + place % zone.step * phase + place / zone.step;
@@ -69,6 +75,15 @@ impl<K: Copy + Ord> RightKeys<K> {
         }
     }
 }
+
+/// Those beside the winner at [`MOST`], and itself.
+const BESIDE: [u8; 2 * MOST + 1] = {
+    let mut mask = [0; 2 * MOST + 1];
+    mask[MOST - 1] = 255;
+    mask[MOST] = 255;
+    mask[MOST + 1] = 255;
+    mask
+};
 
 /// Finds the winners of a row.
 pub(super) struct Select<'a, S: Lane, const D: usize> {
@@ -111,13 +126,14 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
                 }
                 let (_, winner) = S::open(least);
                 let mut other = S::MAX;
+                let winner_at = usize::from(winner);
+                let Some(beside) = chunk::<u8, D>(&BESIDE, MOST - winner_at.min(MOST)) else {
+                    return;
+                };
                 for k in 0..D {
-                    #[expect(clippy::cast_possible_truncation, reason = "at most 96")]
-                    let apart = (k as u8).abs_diff(winner);
-                    other = other.min(if apart > 1 { sums[k] } else { S::MAX });
+                    other = other.min(sums[k].masked(beside[k]));
                 }
                 let at = |k: usize| sums.get(k).copied().unwrap_or_default().wide();
-                let winner_at = usize::from(winner);
                 best[x] = winner;
                 second[x] = other.wide();
                 a[x] = at(winner_at.wrapping_sub(2));
