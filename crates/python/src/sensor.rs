@@ -515,6 +515,7 @@ impl DepthSensor {
         Ok(match self.now(py, None)?.sensor.engine() {
             Engine::SingleView(_) => sensor::EngineKind::SingleView.as_str(),
             Engine::StereoNoise(_) => sensor::EngineKind::StereoNoise.as_str(),
+            Engine::StereoMatching(_) => "stereo-matching",
         })
     }
 
@@ -533,6 +534,11 @@ impl DepthSensor {
             }
             Engine::StereoNoise(engine) => {
                 for name in oaktwin::depth::stereo_noise::NAMES {
+                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
+                }
+            }
+            Engine::StereoMatching(engine) => {
+                for name in oaktwin::depth::stereo_matching::NAMES {
                     parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
                 }
             }

@@ -115,6 +115,10 @@ impl Stand {
                 let p = engine.parameters();
                 p.stereo.depth(f64::from(p.max_disparity_px()))
             }
+            Some(Engine::StereoMatching(engine)) => {
+                let p = engine.parameters();
+                p.stereo.depth(f64::from(p.max_disparity_px()))
+            }
             None => 0.0,
         }
     }
@@ -123,7 +127,7 @@ impl Stand {
     pub(super) fn carries_depth(&self) -> Option<bool> {
         match &self.units.first()?.engine {
             Engine::SingleView(engine) => Some(engine.assumptions().depth == Depth::Carried),
-            Engine::StereoNoise(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) => None,
         }
     }
 
@@ -139,7 +143,7 @@ impl Stand {
                     0.0
                 })
             }
-            Engine::StereoNoise(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) => None,
         }
     }
 
@@ -269,6 +273,10 @@ fn reach_px(engine: &Engine, width: u32, distance_m: f64) -> f64 {
             let p = engine.parameters();
             p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
         }
+        Engine::StereoMatching(engine) => {
+            let p = engine.parameters();
+            p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
+        }
     }
 }
 
@@ -286,6 +294,8 @@ fn around_px(engine: &Engine) -> u32 {
             let dilation = p.edge_dilation_px.ceil() as u32;
             dilation.saturating_add(p.window_px).min(1024)
         }
+        // Paths go over the whole image.
+        Engine::StereoMatching(_) => 1024,
     }
 }
 
@@ -294,12 +304,17 @@ fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
     match engine {
         Engine::SingleView(engine) => engine.parameters().disparity_times_depth(width).abs(),
         Engine::StereoNoise(engine) => engine.parameters().stereo.disparity(1.0),
+        Engine::StereoMatching(engine) => engine.parameters().stereo.disparity(1.0),
     }
 }
 
 /// Whether the matcher's images are not as wide as the depth image, so that a part of one is not whole pixels of the other.
 fn is_of_another_width(engine: &Engine, width: u32) -> bool {
-    matches!(engine, Engine::StereoNoise(engine) if engine.parameters().width_px != width)
+    match engine {
+        Engine::SingleView(_) => false,
+        Engine::StereoNoise(engine) => engine.parameters().width_px != width,
+        Engine::StereoMatching(_) => true,
+    }
 }
 
 /// The engine for a part of an image that leaves columns out: it counts the pixels of that part, of the same size each.
@@ -318,6 +333,7 @@ fn of_part(engine: &Engine, width: u32, part_width: u32) -> Result<Engine, Param
             parameters.width_px = part_width;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
+        Engine::StereoMatching(engine) => Engine::StereoMatching(engine.clone()),
     })
 }
 

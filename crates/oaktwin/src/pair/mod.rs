@@ -35,14 +35,12 @@
 //! ```
 
 mod cameras;
-mod dots;
 mod error;
 mod options;
 #[cfg(test)]
 mod tests;
 
 pub use cameras::PairCameras;
-pub use dots::Dots;
 pub use error::PairError;
 pub use options::PairOptions;
 

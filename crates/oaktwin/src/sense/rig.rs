@@ -82,7 +82,7 @@ fn optics(camera: &TwinCamera, lens: LensChoice) -> Camera {
 /// to where its left imager sees it; the errors of a stereo pair are those of the left image itself.
 pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
     match engine {
-        Engine::StereoNoise(_) => 0.0,
+        Engine::StereoNoise(_) | Engine::StereoMatching(_) => 0.0,
         Engine::SingleView(engine) => {
             let moved = engine
                 .parameters()

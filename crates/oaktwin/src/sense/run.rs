@@ -245,6 +245,7 @@ impl<'a> Run<'a, '_, '_> {
         let engine = match sensor.engine() {
             Engine::SingleView(_) => "single-view",
             Engine::StereoNoise(_) => "stereo-noise",
+            Engine::StereoMatching(_) => "stereo-matching",
         };
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
@@ -412,7 +413,7 @@ fn check_outputs(
         Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
         Annotator::DepthSensorOutputVisualization => match engine {
             Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) => false,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) => false,
         },
         _ => false,
     };

@@ -17,14 +17,14 @@ fn of(model: &str, index: usize, options: &SensorOptions) -> Result<(Sensor, Vec
 fn stereo(sensor: &Sensor) -> stereo_noise::Parameters {
     match sensor.engine() {
         Engine::StereoNoise(engine) => *engine.parameters(),
-        Engine::SingleView(_) => panic!("single-view"),
+        _ => panic!("another engine"),
     }
 }
 
 fn isaac(sensor: &Sensor) -> single_view::Parameters {
     match sensor.engine() {
         Engine::SingleView(engine) => *engine.parameters(),
-        Engine::StereoNoise(_) => panic!("stereo-noise"),
+        _ => panic!("another engine"),
     }
 }
 

@@ -71,6 +71,7 @@ pub fn sense_frame(
     let Some(Capture {
         distance,
         single_view,
+        ..
     }) = captured
     else {
         return;

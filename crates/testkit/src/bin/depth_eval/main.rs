@@ -5,6 +5,7 @@ mod files;
 mod filters;
 mod rectify;
 mod single_view;
+mod stereo_matching;
 mod stereo_noise;
 
 use std::error::Error;
@@ -22,6 +23,8 @@ enum Request {
     Rectify(rectify::Request),
     /// Isaac Sim's sensor.
     SingleView(single_view::Request),
+    /// An OAK's stereo on a pair.
+    StereoMatching(stereo_matching::Request),
     /// The errors of an OAK's stereo.
     StereoNoise(stereo_noise::Request),
 }
@@ -31,6 +34,7 @@ fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
         Request::Filters(request) => request.answer(),
         Request::Rectify(request) => request.answer(),
         Request::SingleView(request) => request.answer(),
+        Request::StereoMatching(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
     }
 }
