@@ -1,6 +1,6 @@
 """A walk through a small room, recorded for Rerun and for ROS 2: colour, exact and measured depth, points, poses.
 
-    pip install oaktwin rerun-sdk mcap-ros2-support matplotlib
+    pip install rerun-sdk mcap-ros2-support matplotlib
     python examples/python/rerun_mcap.py -o walk/
     rerun walk/walk.rrd        # or walk/walk.mcap, which Rerun, Foxglove and ROS 2 open:
     ros2 bag play walk/walk.mcap
