@@ -61,15 +61,17 @@ pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Syste
         },
         layers,
     }];
-    let left = pick(true, &|point| Some(point.error_px - point.fitted_px?));
+    // In thousandths: longer numbers have no room beside the axis.
+    let left = pick(true, &|point| Some(1e3 * (point.error_px - point.fitted_px?)));
     if !left.is_empty() {
         let spread: Vec<[f64; 3]> = report
             .points
             .iter()
             .filter(|point| point.is_used)
-            .filter_map(|point| Some([point.distance_m, -2.0 * point.sigma_px?, 2.0 * point.sigma_px?]))
+            .filter_map(|point| Some([point.distance_m, -2e3 * point.sigma_px?, 2e3 * point.sigma_px?]))
             .collect();
-        let range = vertical(left.iter().map(|point| point[1]));
+        let ends = spread.iter().flat_map(|point| [point[1], point[2]]);
+        let range = vertical(left.iter().map(|point| point[1]).chain(ends));
         let mut layers = vec![line(far, 0.0)];
         if !spread.is_empty() {
             layers.push(layer(
@@ -84,7 +86,7 @@ pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Syste
             subtitle: String::new(),
             x,
             y: Axis {
-                label: "deviation [px]".to_owned(),
+                label: "deviation [px / 1000]".to_owned(),
                 range,
             },
             layers,

@@ -287,6 +287,24 @@ fn what_cannot_be_told_is_said() {
     );
 }
 
+#[test]
+fn a_bias_that_no_calibration_has_is_told() {
+    let distances: Vec<f64> = (0..12).map(|i| 1.6 + 0.41 * f64::from(i)).collect();
+    let recorded = Recorded {
+        parameters: truth(-1.4, 0.1, 0.05, 7),
+        seed: 5,
+        distances_m: &distances,
+        frames: 2,
+        turned_deg: 0.0,
+    };
+    let (report, findings) = recorded.fitted(&options());
+    assert!(
+        (report.parameter("bias").unwrap().value + 1.4).abs() < 0.02,
+        "{report:?}"
+    );
+    assert_eq!(codes(&findings), ["implausible-bias"], "{findings:?}");
+}
+
 /// Distances in other units by 3 %: no bias is like that.
 #[test]
 fn a_wrong_scale_is_told() {
