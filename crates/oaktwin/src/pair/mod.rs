@@ -38,6 +38,11 @@ mod cameras;
 mod error;
 mod options;
 #[cfg(test)]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "places within an image"
+)]
 mod tests;
 
 pub use cameras::PairCameras;
