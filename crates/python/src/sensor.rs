@@ -470,6 +470,8 @@ impl DepthSensor {
     /// out: as of a call.
     ///
     /// Returns metres (or millimetres) along that camera's axis, 0 where nothing was measured.
+    ///
+    /// Raises oaktwin.Error for a camera that the device has not, TypeError for what is no array or of another type.
     #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,

@@ -34,7 +34,7 @@ impl Sensors {
         if of_sensor.is_empty() && sweep.is_none() {
             return Ok(Self::default());
         }
-        let sensor = args.sensor.options();
+        let sensor = args.sensor.options()?;
         let options = DepthSensorOptions {
             twin: oak.map(|oak| &oak.twin),
             sensor: &sensor,
