@@ -3,6 +3,7 @@
 mod accuracy;
 mod sense;
 mod sensor;
+mod stereo;
 
 use std::path::PathBuf;
 
@@ -13,7 +14,8 @@ use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use sense::SenseArgs;
-pub(crate) use sensor::SensorArgs;
+pub(crate) use sensor::{SensorArgs, SettingsArgs};
+pub(crate) use stereo::StereoArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
 #[derive(Parser, Debug)]
@@ -23,7 +25,7 @@ pub(crate) use sensor::SensorArgs;
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy), 2 error.\n\
+#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy, stereo), 2 error.\n\
     A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -52,6 +54,8 @@ pub(crate) enum Command {
     Render(Box<RenderArgs>),
     /// Make of depth images from anywhere what a model's depth sensor would report
     Sense(Box<SenseArgs>),
+    /// Match pairs of images as an OAK does
+    Stereo(Box<StereoArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file

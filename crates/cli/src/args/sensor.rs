@@ -1,6 +1,6 @@
 use clap::{Args, ValueEnum};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::depth::{filter, single_view, stereo_noise};
+use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise};
 use oaktwin::sensor::{EngineKind, SensorOptions};
 
 use super::Isaac;
@@ -13,6 +13,26 @@ pub(crate) struct SensorArgs {
     #[arg(long, value_enum)]
     pub(crate) engine: Option<Engine>,
 
+    #[command(flatten)]
+    pub(crate) settings: SettingsArgs,
+
+    /// The Isaac Sim whose defaults single-view has; by default 5.1
+    #[arg(long, value_enum)]
+    pub(crate) isaac: Option<Isaac>,
+
+    /// The seed of the noise
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u64,
+
+    /// Be one device of many: the seed of its calibration's error. By default it has none
+    #[arg(long, value_name = "N")]
+    pub(crate) device_seed: Option<u64>,
+}
+
+/// How an engine is set.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "The depth sensor")]
+pub(crate) struct SettingsArgs {
     /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
     #[arg(long, value_name = "PRESET", long_help = preset_help())]
     pub(crate) preset: Option<String>,
@@ -28,18 +48,6 @@ pub(crate) struct SensorArgs {
     /// Find disparities up to 190 px instead of 95: nearer things, the same step
     #[arg(long)]
     pub(crate) extended_disparity: bool,
-
-    /// The Isaac Sim whose defaults single-view has; by default 5.1
-    #[arg(long, value_enum)]
-    pub(crate) isaac: Option<Isaac>,
-
-    /// The seed of the noise
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(crate) seed: u64,
-
-    /// Be one device of many: the seed of its calibration's error. By default it has none
-    #[arg(long, value_name = "N")]
-    pub(crate) device_seed: Option<u64>,
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +56,8 @@ pub(crate) enum Engine {
     SingleView,
     /// As an OAK errs
     StereoNoise,
+    /// As an OAK matches the pair of its cameras
+    StereoMatching,
 }
 
 impl SensorArgs {
@@ -55,15 +65,23 @@ impl SensorArgs {
     pub(crate) fn options(&self) -> SensorOptions {
         SensorOptions {
             engine: self.engine.map(Into::into),
+            isaac: self.isaac.map(Into::into).unwrap_or_default(),
+            seed: self.seed,
+            device_seed: self.device_seed,
+            ..self.settings.options()
+        }
+    }
+}
+
+impl SettingsArgs {
+    /// As typed; the rest as by default.
+    pub(crate) fn options(&self) -> SensorOptions {
+        SensorOptions {
             preset: self.preset.clone(),
             filters: self.filters.clone(),
             parameters: self.parameters.clone(),
             extended_disparity: self.extended_disparity,
-            isaac: self.isaac.map(Into::into).unwrap_or_default(),
-            image: None,
-            name: None,
-            seed: self.seed,
-            device_seed: self.device_seed,
+            ..SensorOptions::default()
         }
     }
 }
@@ -73,6 +91,7 @@ impl From<Engine> for EngineKind {
         match engine {
             Engine::SingleView => Self::SingleView,
             Engine::StereoNoise => Self::StereoNoise,
+            Engine::StereoMatching => Self::StereoMatching,
         }
     }
 }
@@ -97,10 +116,11 @@ fn filter_help() -> String {
 fn parameter_help() -> String {
     format!(
         "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
-         {}.\nstereo-noise: {}",
+         {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias",
         single_view::Parameters::NAMES.join(", "),
         single_view::Assumptions::NAMES.join(", "),
-        stereo_noise::NAMES.join(", ")
+        stereo_noise::NAMES.join(", "),
+        stereo_matching::NAMES.join(", ")
     )
 }
 

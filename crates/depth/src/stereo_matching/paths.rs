@@ -179,8 +179,8 @@ fn relax<P: Lane, S: Lane, const D: usize>(
         }
     }
     let mut least = P::MAX;
-    for cost in own {
-        least = least.min(cost);
+    for d in 0..D {
+        least = least.min(own[d]);
     }
     for d in 0..D {
         total[d] = total[d].plus(S::of(own[d].wide()));

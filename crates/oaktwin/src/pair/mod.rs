@@ -42,6 +42,7 @@ mod options;
 mod tests;
 
 pub use cameras::PairCameras;
+pub(crate) use cameras::shifted;
 pub use dots::Dots;
 pub use error::PairError;
 pub use options::PairOptions;

@@ -12,7 +12,7 @@
 
 mod camera;
 mod geometry;
-mod name;
+pub(crate) mod name;
 mod options;
 mod picture;
 mod plan;

@@ -1,5 +1,6 @@
 use crate::camera::Intrinsics;
 use crate::catalog::DepthKind;
+use crate::depth::Engine;
 use crate::usd::asset::IsaacVersion;
 
 /// Which model of the errors.
@@ -9,9 +10,24 @@ pub enum EngineKind {
     SingleView,
     /// The errors of an OAK's stereo.
     StereoNoise,
+    /// An OAK's stereo itself, on the pair that its cameras take.
+    StereoMatching,
 }
 
 impl EngineKind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::StereoMatching];
+
+    /// That of an engine.
+    #[must_use]
+    pub fn of(engine: &Engine) -> Self {
+        match engine {
+            Engine::SingleView(_) => Self::SingleView,
+            Engine::StereoNoise(_) => Self::StereoNoise,
+            Engine::StereoMatching(_) => Self::StereoMatching,
+        }
+    }
+
     /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.
     #[must_use]
     pub fn default_for(kind: DepthKind) -> Self {
@@ -27,6 +43,7 @@ impl EngineKind {
         match self {
             Self::SingleView => "single-view",
             Self::StereoNoise => "stereo-noise",
+            Self::StereoMatching => "stereo-matching",
         }
     }
 }
