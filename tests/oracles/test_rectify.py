@@ -138,7 +138,8 @@ def mesh(camera: Camera, rotation: np.ndarray, target: np.ndarray) -> np.ndarray
 
 def alike(found: np.ndarray, expected: np.ndarray, share: float, most: float) -> None:
     off = np.abs(found.astype(float) - expected.astype(float))
-    same = np.mean(off == 0)
+    # OpenCV mixes 16 bits in single precision and rounds halves to even.
+    same = np.mean(off <= (found.dtype == np.uint16))
     print(f"same {100 * same:.4f} %, largest {off.max():.0f} of {np.iinfo(found.dtype).max}")
     assert same >= share and off.max() <= most
 
@@ -158,9 +159,8 @@ def test_every_position(ask, tmp_path, focal, coefficients, fisheye, edge_fill, 
     for camera, rotation, image, result in zip((left, right), rotations(left, right, transform), images, found):
         at = camera.map(rotation, left.matrix, camera.coefficients)
         expected = cv2.remap(image, at, None, cv2.INTER_LINEAR, **border)
-        # OpenCV mixes 16 bits in single precision. A position between two 32nds of a pixel may go either way.
-        limit = 0.9998 if dtype == np.uint8 else 0.999
-        alike(result, expected, limit, np.iinfo(dtype).max / 16)
+        # A position between two 32nds of a pixel may go either way.
+        alike(result, expected, 0.9998, np.iinfo(dtype).max / 16)
 
 
 def test_homography(ask, tmp_path):

@@ -5,6 +5,7 @@ use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
+use crate::docs;
 use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
 use crate::report::Report;
 use crate::workspace;
@@ -28,6 +29,8 @@ struct Programs {
     camera_eval: PathBuf,
     depth_eval: PathBuf,
     scene_dump: PathBuf,
+    /// With the feature `rerun`, where everything is tested.
+    rerun: Option<PathBuf>,
 }
 
 /// What became of a Python environment.
@@ -113,7 +116,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
         .iter()
         .any(|(_, readiness)| matches!(readiness, Readiness::Ready(_)));
     let programs = if any_ready {
-        report.step("programs for the oracles", build_programs)
+        report.step("programs for the oracles", || build_programs(args.all))
     } else {
         None
     };
@@ -157,6 +160,14 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             let mut tests = pytest(&python, environment.tests, programs, args);
             report.command(&name, &mut tests, counts::of_pytest);
         }
+        let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
+        if has_pdoc
+            && report
+                .step("manual of the Python package", || docs::build(&python))
+                .is_none()
+        {
+            report.count_failure();
+        }
     }
 }
 
@@ -184,7 +195,7 @@ fn install(
     installed.is_some()
 }
 
-fn build_programs() -> Result<Programs, String> {
+fn build_programs(all: bool) -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
     let names = ["oaktwin", "camera-eval", "depth-eval", "scene-dump"];
     let mut arguments = vec!["--workspace"];
@@ -200,7 +211,28 @@ fn build_programs() -> Result<Programs, String> {
         camera_eval: take("camera-eval")?,
         depth_eval: take("depth-eval")?,
         scene_dump: take("scene-dump")?,
+        rerun: if all { Some(build_with_rerun()?) } else { None },
     })
+}
+
+/// The program that writes `.rrd`, in a folder of its own: five hundred crates, and other features of those of the rest.
+fn build_with_rerun() -> Result<PathBuf, String> {
+    let folder = workspace::target().join("rerun");
+    let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
+    let arguments = [
+        "-p",
+        "oaktwin-cli",
+        "--features",
+        "rerun",
+        "--bin",
+        "oaktwin",
+        "--target-dir",
+        folder,
+    ];
+    let mut programs = workspace::build(&arguments)?;
+    programs
+        .remove("oaktwin")
+        .ok_or_else(|| "cargo built no program named oaktwin".to_owned())
 }
 
 /// A pinned environment's: nothing of the user's own Python gets in.
@@ -233,5 +265,8 @@ fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Comma
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
     command.env("OAKTWIN_DEPTH_EVAL", &programs.depth_eval);
     command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
+    if let Some(program) = &programs.rerun {
+        command.env("OAKTWIN_RERUN_BIN", program);
+    }
     command
 }

@@ -1,6 +1,8 @@
 //! What the program understands.
 
 mod accuracy;
+mod fit;
+mod pair;
 mod sense;
 mod sensor;
 mod stereo;
@@ -13,6 +15,8 @@ use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
+pub(crate) use fit::{Also, FitArgs};
+pub(crate) use pair::PairArgs;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{SensorArgs, SettingsArgs};
 pub(crate) use stereo::StereoArgs;
@@ -25,8 +29,10 @@ pub(crate) use stereo::StereoArgs;
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy, stereo), 2 error.\n\
-    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
+#[command(
+    after_help = "Exit codes: 0 good, 1 findings (check, accuracy, stereo, fit), 2 error.\n\
+    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter."
+)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -58,6 +64,8 @@ pub(crate) enum Command {
     Stereo(Box<StereoArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
+    /// Find the parameters of a depth sensor's errors in recordings of a flat target
+    Fit(Box<FitArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
@@ -229,7 +237,8 @@ pub(crate) struct AssetArgs {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The model of the errors: single-view, as Isaac Sim has it (the default), or stereo-noise, as an OAK errs"
+        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise, as an OAK errs, or stereo-matching, \
+        which matches what the two cameras of --model take"
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
@@ -251,9 +260,13 @@ pub(crate) struct RenderArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The folder to write into
-    #[arg(short, long, value_name = "DIR", default_value = "oaktwin-render", value_hint = ValueHint::DirPath)]
-    pub(crate) output: PathBuf,
+    /// The folder to write into; by default oaktwin-render, or none where there is --record
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Record the frames, the cameras and their poses: .mcap for ROS 2, or .rrd for Rerun where that is built in
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) record: Option<PathBuf>,
 
     /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable. By
     /// default every depth sensor, else every camera of the scene
@@ -280,6 +293,9 @@ pub(crate) struct RenderArgs {
 
     #[command(flatten)]
     pub(crate) sensor: SensorArgs,
+
+    #[command(flatten)]
+    pub(crate) pair: PairArgs,
 
     /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
     /// of all; a second one makes a table

@@ -11,6 +11,7 @@
 pub mod align;
 mod choice;
 mod disparity;
+pub mod dots;
 mod error;
 pub mod filter;
 pub mod imager;

@@ -26,7 +26,7 @@ pub enum Engine {
 /// # Where filters run
 /// * On stereo, as on the device, on fixed-point disparity. The disparities that can be found are spread over 0 to 8192
 ///   first, as `DepthAI`'s `getMaxDisparity` says, unless no filter changes them or the last that does is a median:
-///   `delta` and `differenceThreshold` are in these units. Filters of depth ([`Filter::is_of_depth`]) run after all others,
+///   `delta` is in these units, `differenceThreshold` in pixels of disparity. Filters of depth ([`Filter::is_of_depth`]) run after all others,
 ///   on millimetres.
 /// * On all else in their order on depth, whole millimetres.
 ///
@@ -140,7 +140,10 @@ impl Sensor {
                     let most = p.max_disparity_px();
                     let scale = rescale(self.filters.filters(), most, p.subpixel, &mut disparity);
                     let is_of_disparity = |filter: &Filter| !filter.is_of_depth();
-                    let filtered = self.filters.run_some(disparity, shot.rgb(), is_of_disparity);
+                    let integer_level = scale * f64::from(1 << p.subpixel.bits());
+                    let filtered =
+                        self.filters
+                            .run_some(disparity, shot.rgb(), integer_level, is_of_disparity);
                     engine.depth(&filtered, scale)
                 };
                 let distance = self
@@ -183,7 +186,10 @@ impl Sensor {
             let p = engine.parameters();
             let scale = rescale(filters, p.max_disparity_px(), p.subpixel, &mut disparity);
             let is_of_disparity = |filter: &Filter| !filter.is_of_depth();
-            disparity = self.filters.run_some(disparity, rgb, is_of_disparity);
+            let integer_level = scale * f64::from(1 << p.subpixel.bits());
+            disparity = self
+                .filters
+                .run_some(disparity, rgb, integer_level, is_of_disparity);
             scale
         };
         let depth = engine.depth(&disparity, scale, pair_width);
@@ -239,7 +245,7 @@ impl Chain {
         if !self.filters().iter().any(&wanted) {
             return None;
         }
-        let filtered = self.run_some(millimetres::from_metres(&depth.0), rgb, wanted);
+        let filtered = self.run_some(millimetres::from_metres(&depth.0), rgb, 1.0, wanted);
         Some(ZDepth(millimetres::to_metres(&filtered)))
     }
 }

@@ -23,6 +23,7 @@ mod frames;
 mod images;
 mod json;
 mod pose;
+mod recording;
 mod rectification;
 mod scene;
 mod sensor;
@@ -54,6 +55,8 @@ mod _oaktwin {
     use super::main;
     #[pymodule_export]
     use super::pose::look_at;
+    #[pymodule_export]
+    use super::recording::Recording;
     #[pymodule_export]
     use super::rectification::Rectification;
     #[pymodule_export]

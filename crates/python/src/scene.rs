@@ -55,6 +55,7 @@ fn cameras(file: &SceneFile) -> (Result<Vec<PlacedCamera>, CameraError>, Vec<dia
 impl Scene {
     /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
     ///
+    /// path: the file.
     /// time: the time code of a USD stage; by default the default values, and the first samples.
     /// subdivide: how often a USD stage's subdivision meshes are refined.
     /// up: which axis of a mesh file points up, "y" or "z"; by default what its format says.

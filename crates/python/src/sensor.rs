@@ -439,7 +439,7 @@ impl DepthSensor {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let eye = self.look(&mut eye, shape.size)?;
             let sensor = Arc::make_mut(&mut eye.sensor);
-            threads::install(|| sense_frame(sensor, &eye.camera, frame, &asked, &mut seen))
+            threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen))
         })?;
         let all = PyDict::new(py);
         for annotator in asked {
@@ -470,6 +470,8 @@ impl DepthSensor {
     /// out: as of a call.
     ///
     /// Returns metres (or millimetres) along that camera's axis, 0 where nothing was measured.
+    ///
+    /// Raises oaktwin.Error for a camera that the device has not, TypeError for what is no array or of another type.
     #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,

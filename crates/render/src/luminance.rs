@@ -83,14 +83,15 @@ mod tests {
     }
 
     fn room() -> Scene {
-        let mut scene = Scene::default();
-        scene.materials = [0.3, 0.8]
-            .map(|grey| Material {
-                base_color: Some([grey; 3]),
-                roughness: 1.0,
-                ..Material::default()
-            })
-            .to_vec();
+        let materials = [0.3, 0.8].map(|grey| Material {
+            base_color: Some([grey; 3]),
+            roughness: 1.0,
+            ..Material::default()
+        });
+        let mut scene = Scene {
+            materials: materials.to_vec(),
+            ..Scene::default()
+        };
         for (material, x, z) in [(0, [-9.0, 9.0], 2.0), (1, [-0.2, 0.1], 1.2)] {
             let mut mesh = fixture::rectangle(x, [-9.0, 9.0], z);
             mesh.materials = vec![MaterialSpan {

@@ -1,9 +1,12 @@
-use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise};
-use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
+use crate::context::Result;
 
 /// Which model of the depth sensor's errors, and how it is set.
 #[derive(Args, Debug)]
@@ -15,6 +18,10 @@ pub(crate) struct SensorArgs {
 
     #[command(flatten)]
     pub(crate) settings: SettingsArgs,
+
+    /// Parameters of the engine from a TOML file, as `oaktwin fit` writes it; --param counts more
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) params: Option<PathBuf>,
 
     /// The Isaac Sim whose defaults single-view has; by default 5.1
     #[arg(long, value_enum)]
@@ -61,15 +68,20 @@ pub(crate) enum Engine {
 }
 
 impl SensorArgs {
-    /// As typed; the intrinsics of the images come later.
-    pub(crate) fn options(&self) -> SensorOptions {
-        SensorOptions {
+    /// As typed, and what the file of parameters says; the intrinsics of the images come later.
+    pub(crate) fn options(&self) -> Result<SensorOptions> {
+        let mut options = SensorOptions {
             engine: self.engine.map(Into::into),
             isaac: self.isaac.map(Into::into).unwrap_or_default(),
             seed: self.seed,
             device_seed: self.device_seed,
             ..self.settings.options()
+        };
+        if let Some(path) = &self.params {
+            let applied = ParameterFile::read(path)?.apply(&mut options);
+            applied.map_err(|error| format!("{}: {error}", path.display()))?;
         }
+        Ok(options)
     }
 }
 
@@ -125,7 +137,7 @@ fn parameter_help() -> String {
 }
 
 /// `NAME=VALUE`
-fn assignment(text: &str) -> Result<(String, String), String> {
+pub(super) fn assignment(text: &str) -> std::result::Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
             Ok((name.trim().to_owned(), value.trim().to_owned()))

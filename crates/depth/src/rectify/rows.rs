@@ -53,31 +53,26 @@ pub(super) struct Remap<'a, P> {
 }
 
 /// Pixels that are gathered before they are mixed.
-const LANES: usize = 64;
+const LANES: usize = 256;
 
 impl<P: Grey> Kernel for Remap<'_, P> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let below = self.raw.get(self.stride..).unwrap_or_default();
-        let [mut a, mut b, mut c, mut d] = [[P::default(); LANES]; 4];
+        let [mut upper, mut lower] = [[[P::default(); 2]; LANES]; 2];
         let chunks =
             (self.out.chunks_mut(LANES)).zip(self.places.chunks(LANES).zip(self.parts.chunks(LANES)));
         for (out, (places, parts)) in chunks {
-            for (lane, &place) in places.iter().enumerate().take(LANES) {
+            for ((upper, lower), &place) in upper.iter_mut().zip(&mut lower).zip(places) {
                 let place = place as usize;
                 // Places are in the image by how they are made.
-                if let (Some(&[left, right]), Some(&[lower_left, lower_right])) = (
-                    self.raw.get(place..).and_then(<[P]>::first_chunk),
-                    below.get(place..).and_then(<[P]>::first_chunk),
-                ) {
-                    (a[lane], b[lane], c[lane], d[lane]) = (left, right, lower_left, lower_right);
+                if let Some(rows) = self.raw.get(place..place + self.stride + 2) {
+                    (*upper, *lower) = ([rows[0], rows[1]], [rows[self.stride], rows[self.stride + 1]]);
                 }
             }
-            let quads = a.iter().zip(&b).zip(c.iter().zip(&d));
-            for ((out, parts), ((a, b), (c, d))) in out.iter_mut().zip(parts).zip(quads) {
-                let [x, y] = [u32::from(parts[0]), u32::from(parts[1])];
+            for (((out, &[x, y]), &[a, b]), &[c, d]) in out.iter_mut().zip(parts).zip(&upper).zip(&lower) {
+                let [x, y] = [u32::from(x), u32::from(y)];
                 let top = a.number() * (32 - x) + b.number() * x;
                 let bottom = c.number() * (32 - x) + d.number() * x;
                 *out = P::of((top * (32 - y) + bottom * y + 512) >> 10);

@@ -14,7 +14,7 @@
 
 mod bands;
 mod board;
-mod distances;
+pub(crate) mod distances;
 mod eyes;
 pub mod measured;
 mod optics;
@@ -397,7 +397,11 @@ fn check(options: &Options) -> Result<(), AccuracyError> {
     Ok(())
 }
 
-fn depth_sensor<'a>(twin: &'a Twin, name: Option<&str>) -> Result<&'a TwinDepthSensor, AccuracyError> {
+/// The depth sensor by prim or kind; by default the last, the device's own.
+pub(crate) fn depth_sensor<'a>(
+    twin: &'a Twin,
+    name: Option<&str>,
+) -> Result<&'a TwinDepthSensor, AccuracyError> {
     let sensors = &twin.depth_sensors;
     let found = match name {
         None => sensors.last(),

@@ -1,10 +1,11 @@
 use oaktwin_render::{Beam, BeamPattern};
 
-use super::{Dots, Pair, PairError, PairOptions};
+use super::{Pair, PairError, PairOptions};
 use crate::camera::math::DVec3;
 use crate::camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
-use crate::catalog::{Origin, Role, Twin, TwinCamera};
+use crate::catalog::{self, Origin, Role, Twin, TwinCamera};
 use crate::depth::ParameterError;
+use crate::depth::dots::{Dots, Projector};
 use crate::depth::imager::{Imager, Recorded};
 use crate::depth::preset::Platform;
 use crate::depth::random::{Stage, Stream};
@@ -44,6 +45,16 @@ struct Lamp {
     body_from_projector: RigidTransform,
     dots: Dots,
     power: f32,
+}
+
+impl BeamPattern for Lamp {
+    fn luminance(&self, at: [f32; 2]) -> f32 {
+        self.dots.luminance(at) * self.power
+    }
+
+    fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool {
+        self.dots.is_dark_around(at, radius)
+    }
 }
 
 impl PairCameras {
@@ -145,14 +156,13 @@ impl PairCameras {
         };
         let beam = self.projector.as_ref().map(|lamp| Beam {
             world_from_beam: *world_from_body * lamp.body_from_projector,
-            pattern: &lamp.dots as &dyn BeamPattern,
+            pattern: lamp as &dyn BeamPattern,
         });
         let (mut seen, findings) = renderer.luminance(&view, Backend::Auto, beam.as_ref());
-        let power = self.projector.as_ref().map_or(0.0, |lamp| lamp.power);
         match &seen.beam {
             Some(beam) => {
                 for (light, dots) in seen.scene.pixels_mut().iter_mut().zip(beam.pixels()) {
-                    *light = *light * self.ambient + dots * power;
+                    *light = *light * self.ambient + dots;
                 }
             }
             None => {
@@ -249,9 +259,20 @@ fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {
             Axes::Ros.rotation_from(Axes::OpenCv),
             DVec3::from(place) * 1e-3,
         ),
-        dots: Dots::new(spec),
+        dots: dots(spec),
         power,
     }))
+}
+
+/// The dots of a projector of the catalog.
+pub(super) fn dots(projector: &catalog::Projector) -> Dots {
+    Dots::new(&Projector {
+        model: projector.model.clone(),
+        dots: projector.dots,
+        field_rad: [projector.hfoi_deg, projector.vfoi_deg].map(f64::to_radians),
+        dot_width_rad: projector.dot_width_mrad * 1e-3,
+        brightness: projector.brightness,
+    })
 }
 
 /// An option from 0 to `most`.

@@ -35,15 +35,18 @@
 //! ```
 
 mod cameras;
-mod dots;
 mod error;
 mod options;
 #[cfg(test)]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "places within an image"
+)]
 mod tests;
 
 pub use cameras::PairCameras;
 pub(crate) use cameras::shifted;
-pub use dots::Dots;
 pub use error::PairError;
 pub use options::PairOptions;
 

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::camera::PlacedCamera;
 use super::depth_sensor::{self, scene_annotators};
 use super::output_folder::OutputFolder;
+use super::recorder::FrameRecorder;
 use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::camera::RigidTransform;
@@ -19,7 +20,9 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, png};
-use crate::sensor::Sensor;
+use crate::recording::RecordingFileError;
+use crate::pair::PairCameras;
+use crate::sensor::{Engine, Sensor};
 
 /// What to render, and into which files.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +32,8 @@ pub struct FrameOptions<'a> {
     /// The depth sensor of each camera that has one, as [`depth_sensors`](super::depth_sensors) makes them: fresh ones.
     /// Without one a camera has none of a depth sensor's annotations.
     pub sensors: &'a [Option<Sensor>],
+    /// What takes the pairs of engines that match one; without it they measure nothing.
+    pub pair: Option<&'a PairCameras>,
     /// The sensors of a sweep, fresh ones: a sheet for each frame of each depth sensor's camera.
     pub sweep: Option<&'a SweptSensors>,
     /// How to find what a pixel sees.
@@ -41,6 +46,15 @@ pub struct FrameOptions<'a> {
     pub list_files: bool,
 }
 
+/// Where frames go.
+#[derive(Debug)]
+pub struct Outputs<'a> {
+    /// A folder for the files of Replicator's `BasicWriter`.
+    pub folder: Option<&'a mut OutputFolder>,
+    /// A recording of all frames.
+    pub recorder: Option<FrameRecorder>,
+}
+
 /// What was written.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Written {
@@ -48,6 +62,8 @@ pub struct Written {
     pub frames: usize,
     /// The files, in the order of frames, then cameras, where they were [asked for](FrameOptions::list_files).
     pub files: Vec<WrittenFile>,
+    /// The recording, which is there only when all frames are in it.
+    pub recording: Option<WrittenFile>,
     /// What the renderer had to say, each once.
     pub findings: Vec<Finding>,
     /// Whether the caller asked to stop before the end.
@@ -78,6 +94,9 @@ pub enum FramesError {
     /// A file could not be written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A recording could not be written.
+    #[error(transparent)]
+    Recording(#[from] RecordingFileError),
     /// A file could not be encoded.
     #[error("{0}")]
     Dataset(#[from] DatasetError),
@@ -89,7 +108,10 @@ pub enum FramesError {
 /// An image on its way to its files.
 struct Rendered<'a> {
     camera: &'a PlacedCamera,
+    /// Which camera it is.
+    at: usize,
     number: usize,
+    mount: RigidTransform,
     view: View,
     frame: Frame,
     sheet: Option<Image<[u8; 3]>>,
@@ -99,7 +121,7 @@ struct Rendered<'a> {
 /// lets the cameras' depth sensors look at it, and writes it. `watch` is asked before each image and after it; where it breaks, what is rendered then is dropped.
 ///
 /// The files are those of Replicator's `BasicWriter`: one camera's in the folder itself, those of several in folders by
-/// camera and annotator.
+/// camera and annotator. A recording is there when it is whole, or not at all.
 ///
 /// # Errors
 /// A file cannot be written, or there is a warning where none may be.
@@ -108,7 +130,7 @@ pub fn write_frames(
     cameras: &[PlacedCamera],
     path: &[TimedPose],
     options: &FrameOptions<'_>,
-    folder: &mut OutputFolder,
+    outputs: Outputs<'_>,
     watch: &mut dyn FnMut(Done) -> ControlFlow<()>,
 ) -> Result<Written, FramesError> {
     let poses: Vec<Option<&RigidTransform>> = if path.is_empty() {
@@ -134,8 +156,25 @@ pub fn write_frames(
     let mut stop = None;
     // The writer takes an image when it has written the one before: never more than two are there.
     let (sender, receiver) = mpsc::sync_channel::<Rendered<'_>>(0);
+    let Outputs { folder, mut recorder } = outputs;
+    let in_folders = cameras.len() > 1;
     let (files, images) = thread::scope(|scope| {
-        let writer = scope.spawn(|| write_all(receiver, folder, cameras.len() > 1, meters_per_unit, options));
+        let writer = scope.spawn(|| {
+            let mut writer =
+                folder.map(|folder| FolderWriter::new(folder, in_folders, meters_per_unit, options));
+            let mut count = 0usize;
+            for image in receiver {
+                if let Some(writer) = &mut writer {
+                    writer.write(&image)?;
+                }
+                if let Some(recorder) = &mut recorder {
+                    recorder.record(image.at, image.number, &image.mount, &image.frame)?;
+                }
+                count += 1;
+            }
+            let files = writer.map(|writer| writer.files).unwrap_or_default();
+            Ok::<_, FramesError>((files, count))
+        });
         let mut sweep = options.sweep.cloned();
         for (number, pose, at) in jobs {
             let Some(station) = stations.get_mut(at) else {
@@ -179,9 +218,17 @@ pub fn write_frames(
         Some(Ok(())) => true,
         None => false,
     };
+    let recording = match recorder.filter(|_| !is_interrupted) {
+        Some(recorder) => {
+            let (path, bytes) = recorder.finish()?;
+            Some(WrittenFile { path, bytes })
+        }
+        None => None,
+    };
     Ok(Written {
         frames: images.checked_div(cameras.len()).unwrap_or(0),
         files,
+        recording,
         findings,
         is_interrupted,
     })
@@ -192,6 +239,8 @@ struct Station<'a> {
     camera: &'a PlacedCamera,
     index: usize,
     sensor: Option<Sensor>,
+    /// Whether it, or one of a sweep, matches a pair.
+    matches: bool,
     needed: Vec<Annotator>,
 }
 
@@ -201,10 +250,12 @@ impl<'a> Station<'a> {
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
+        let is_matching = (sensor.iter()).any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)));
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
         Self {
             camera,
             index,
+            matches: is_matching || options.sweep.is_some_and(|sweep| sweep.matches(index)),
             sensor,
             needed,
         }
@@ -217,15 +268,19 @@ impl<'a> Station<'a> {
         sweep: Option<&mut SweptSensors>,
         options: &FrameOptions<'_>,
     ) -> (Rendered<'a>, Vec<Finding>) {
-        let view = self.camera.view(pose.unwrap_or(&self.camera.world_from_mount));
-        let (mut frame, findings) =
+        let mount = *pose.unwrap_or(&self.camera.world_from_mount);
+        let view = self.camera.view(&mount);
+        let pair = options.pair.filter(|_| self.matches);
+        let pair = pair.map(|pair| pair.look(renderer, &mount, number as u64));
+        let (mut frame, mut findings) =
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
-        let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64));
+        let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64, pair.as_ref()));
         if let Some(sensor) = &mut self.sensor {
             depth_sensor::sense_frame(
                 sensor,
                 &view.camera,
                 number as u64,
+                pair.as_ref(),
                 options.annotators,
                 &mut frame,
             );
@@ -234,9 +289,12 @@ impl<'a> Station<'a> {
         frame.distance_to_image_plane = frame
             .distance_to_image_plane
             .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
+        findings.extend(pair.into_iter().flat_map(|pair| pair.findings));
         let rendered = Rendered {
             camera: self.camera,
+            at: self.index,
             number,
+            mount,
             view,
             frame,
             sheet,
@@ -264,48 +322,68 @@ fn cast_instead(cameras: &[PlacedCamera], backend: Backend) -> Vec<Finding> {
         .collect()
 }
 
-/// Writes images until there are no more; the files, and the number of images.
-fn write_all(
-    images: mpsc::Receiver<Rendered<'_>>,
-    folder: &mut OutputFolder,
+/// Writes images into the folder.
+struct FolderWriter<'a> {
+    folder: &'a mut OutputFolder,
     in_folders: bool,
     meters_per_unit: f64,
-    options: &FrameOptions<'_>,
-) -> Result<(Vec<WrittenFile>, usize), FramesError> {
-    let writer = BasicWriter::new(dataset::Options {
-        extras: options.extras,
-        ..dataset::Options::default()
-    });
-    let mut files = Vec::new();
-    let mut put = |path: &str, bytes: &[u8]| -> Result<(), FramesError> {
-        let path = folder.write(Path::new(path), bytes)?;
-        if options.list_files {
+    options: &'a FrameOptions<'a>,
+    writer: BasicWriter,
+    has_metadata: bool,
+    files: Vec<WrittenFile>,
+}
+
+impl<'a> FolderWriter<'a> {
+    fn new(
+        folder: &'a mut OutputFolder,
+        in_folders: bool,
+        meters_per_unit: f64,
+        options: &'a FrameOptions<'a>,
+    ) -> Self {
+        Self {
+            folder,
+            in_folders,
+            meters_per_unit,
+            options,
+            writer: BasicWriter::new(dataset::Options {
+                extras: options.extras,
+                ..dataset::Options::default()
+            }),
+            has_metadata: false,
+            files: Vec::new(),
+        }
+    }
+
+    fn put(&mut self, path: &str, bytes: &[u8]) -> Result<(), FramesError> {
+        let path = self.folder.write(Path::new(path), bytes)?;
+        if self.options.list_files {
             let bytes = bytes.len() as u64;
-            files.push(WrittenFile { path, bytes });
+            self.files.push(WrittenFile { path, bytes });
         }
         Ok(())
-    };
-    let mut count = 0;
-    for image in images {
-        if count == 0 {
-            let metadata = writer.metadata();
-            put(metadata.path(), &metadata.bytes()?)?;
+    }
+
+    fn write(&mut self, image: &Rendered<'_>) -> Result<(), FramesError> {
+        if !std::mem::replace(&mut self.has_metadata, true) {
+            let metadata = self.writer.metadata();
+            self.put(metadata.path(), &metadata.bytes()?)?;
         }
-        let params = options
+        let params = self
+            .options
             .annotators
             .contains(&Annotator::CameraParams)
-            .then(|| image.params(meters_per_unit));
+            .then(|| image.params(self.meters_per_unit));
         let shot = Shot {
             frame: &image.frame,
             camera_params: params.as_ref(),
             number: image.number as u64,
-            render_product: in_folders.then_some(&image.camera.folder),
+            render_product: self.in_folders.then_some(&image.camera.folder),
         };
-        let listed = writer.files(&shot);
+        let listed = self.writer.files(&shot);
         let encoded: Vec<Result<Vec<u8>, DatasetError>> =
             listed.par_iter().map(dataset::DatasetFile::bytes).collect();
         for (file, bytes) in listed.iter().zip(encoded) {
-            put(file.path(), &bytes?)?;
+            self.put(file.path(), &bytes?)?;
         }
         if let Some(sheet) = &image.sheet {
             let file = format!("sweep_{:04}.png", image.number);
@@ -317,11 +395,10 @@ fn write_all(
                 path: path.clone(),
                 source,
             })?;
-            put(&path, &bytes)?;
+            self.put(&path, &bytes)?;
         }
-        count += 1;
+        Ok(())
     }
-    Ok((files, count))
 }
 
 impl Rendered<'_> {

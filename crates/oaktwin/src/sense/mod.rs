@@ -17,10 +17,10 @@ mod options;
 mod picture;
 mod plan;
 mod product;
-mod replicator;
+pub(crate) mod replicator;
 mod rig;
 mod run;
-mod source;
+pub(crate) mod source;
 mod writer;
 
 use std::path::PathBuf;

@@ -4,6 +4,7 @@
 mod configure;
 mod matching;
 mod options;
+mod parameter_file;
 mod parameters;
 
 use oaktwin_depth::random::Stream;
@@ -15,6 +16,7 @@ use configure::Preset;
 pub(crate) use matching::needs_a_pair;
 pub use matching::{calibration_error_px, platform, stereo_matching};
 pub use options::{EngineKind, SensorOptions};
+pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_matching_parameters, stereo_noise_parameters};
 
 use crate::camera::{Intrinsics, StereoGeometry};

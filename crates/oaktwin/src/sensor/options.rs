@@ -1,6 +1,9 @@
 use crate::camera::Intrinsics;
+use oaktwin_depth::ParameterError;
+
 use crate::catalog::DepthKind;
 use crate::depth::Engine;
+use crate::diagnostic::{fold_name, nearest};
 use crate::usd::asset::IsaacVersion;
 
 /// Which model of the errors.
@@ -26,6 +29,28 @@ impl EngineKind {
             Engine::StereoNoise(_) => Self::StereoNoise,
             Engine::StereoMatching(_) => Self::StereoMatching,
         }
+    }
+
+    /// The one of this name; case, hyphens and underscores do not matter.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn parse(name: &str) -> Result<Self, ParameterError> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|kind| fold_name(kind.as_str()) == fold_name(name))
+            .ok_or_else(|| {
+                let names = || Self::ALL.into_iter().map(Self::as_str);
+                let near = nearest(name, names());
+                ParameterError {
+                    name: "engine".to_owned(),
+                    what: format!("there is no engine `{name}`"),
+                    remedy: if near.is_empty() {
+                        format!("use {}", names().collect::<Vec<_>>().join(" or "))
+                    } else {
+                        format!("did you mean {}?", near.join(" or "))
+                    },
+                }
+            })
     }
 
     /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.

@@ -1,5 +1,7 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
+from pathlib import Path
+from types import TracebackType
 from typing import Any, Final, Literal, TypeVar, final, overload
 
 import numpy as np
@@ -13,6 +15,7 @@ __all__ = [
     "Filter",
     "Finding",
     "FindingWarning",
+    "Recording",
     "Rectification",
     "Scene",
     "__version__",
@@ -292,6 +295,30 @@ class Scene:
     def triangle_count(self) -> int: ...
     @property
     def bounds(self) -> list[list[float]] | None: ...
+
+@final
+class Recording:
+    def __new__(cls, path: str | PathLike[str], *, up: Literal["y", "z"] = "z") -> Recording: ...
+    def log(
+        self,
+        camera: Camera,
+        world_from_camera: npt.ArrayLike,
+        *,
+        time: float | None = None,
+        frame: int = 0,
+        depth: object | None = None,
+        measured: object | None = None,
+        rgb: object | None = None,
+        points: bool = True,
+        name: str | None = None,
+    ) -> None: ...
+    def close(self) -> None: ...
+    @property
+    def path(self) -> Path: ...
+    def __enter__(self) -> Recording: ...
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None, /
+    ) -> None: ...
 
 def models(*, catalog: str | PathLike[str] | None = None) -> list[str]: ...
 def look_at(

@@ -1,18 +1,30 @@
-//! The pattern of a dot projector.
+//! The pattern of a dot projector: how bright each direction is. Directions in, light out; it knows no scene.
 
-use oaktwin_render::BeamPattern;
+use crate::random::{Plane, Stage, Stream};
 
-use crate::catalog::Projector;
-use crate::depth::random::{Plane, Stage, Stream};
-
-/// The side of a cell, on the plane z = 1: about the width of a dot.
-const CELL: f64 = 0.008;
+/// Cells across a dot: as many places of the dark are known at once as lie in cells that no dot touches.
+const CELLS: f64 = 2.0;
 
 /// Where a dot's profile (1 − s²/r²)⁴ is a half, in units of r.
 const HALF_AT: f64 = 0.398_9;
 
 /// How near dots come to each other, in units of the side of the square that each has to itself.
 const APART: f64 = 0.7;
+
+/// A projector, as its maker describes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Projector {
+    /// Its model: projectors of one model have one pattern.
+    pub model: String,
+    /// How many dots it projects.
+    pub dots: u32,
+    /// The horizontal and the vertical field of illumination, at whose border light is half as strong, radians.
+    pub field_rad: [f64; 2],
+    /// The angle across a dot where it is half as bright as in its middle, radians.
+    pub dot_width_rad: f64,
+    /// The luminance of the middle of a dot on a white surface that faces it 1 m away.
+    pub brightness: f64,
+}
 
 /// The dots of a projector.
 ///
@@ -78,7 +90,26 @@ impl Grid {
     fn cells(&self, at: f32, radius: f32, axis: usize) -> std::ops::Range<usize> {
         let end = 2.0 * self.half[axis];
         let place = |at: f32| (at * self.per_unit + self.half[axis]).clamp(0.0, end);
-        place(at - radius) as usize..(place(at + radius).ceil() as usize).min(self.size[axis])
+        place(at - radius) as usize..(place(at + radius) as usize + 1).min(self.size[axis])
+    }
+}
+
+impl Grid {
+    /// The cells that a circle touches.
+    fn cells_within(&self, at: [f32; 2], radius: f32) -> impl Iterator<Item = usize> {
+        let grid = *self;
+        let side = 1.0 / grid.per_unit;
+        grid.cells(at[1], radius, 1).flat_map(move |row| {
+            grid.cells(at[0], radius, 0).filter_map(move |column| {
+                #[expect(clippy::cast_precision_loss, reason = "a few thousand cells")]
+                let off = [(column, 0), (row, 1)].map(|(cell, axis): (usize, usize)| {
+                    let low = (cell as f32 - grid.half[axis]) * side;
+                    (low - at[axis]).max(at[axis] - low - side).max(0.0)
+                });
+                let touches = off[0] * off[0] + off[1] * off[1] <= radius * radius;
+                touches.then_some(row * grid.size[0] + column)
+            })
+        })
     }
 }
 
@@ -87,8 +118,8 @@ impl Dots {
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub fn new(projector: &Projector) -> Self {
-        let border = [projector.hfoi_deg, projector.vfoi_deg].map(|deg| (deg.to_radians() / 2.0).tan());
-        let radius = projector.dot_width_mrad * 1e-3 / 2.0 / HALF_AT;
+        let border = [0, 1].map(|axis: usize| (projector.field_rad[axis] / 2.0).tan());
+        let radius = projector.dot_width_rad / 2.0 / HALF_AT;
         let places = places(projector, border);
         let dots: Vec<Dot> = places
             .iter()
@@ -102,24 +133,33 @@ impl Dots {
             })
             .collect();
         let farthest = 1.0 + border[0] * border[0] + border[1] * border[1];
-        let grid = Grid::new(border.map(|border| border + 1.1 * radius * farthest), CELL);
-        let mut cells: Vec<Vec<u32>> = vec![Vec::new(); grid.size[0] * grid.size[1]];
-        for (dot, index) in dots.iter().zip(0u32..) {
-            // A dot is widest along the radius, by 1/cos².
-            let reach = 1.02 * radius as f32 / dot.inverse_length2;
-            for row in grid.cells(dot.at[1], reach, 1) {
-                for column in grid.cells(dot.at[0], reach, 0) {
-                    if let Some(cell) = cells.get_mut(row * grid.size[0] + column) {
-                        cell.push(index);
-                    }
-                }
-            }
+        let border_of_cells = border.map(|border| border + 1.1 * radius * farthest);
+        let grid = Grid::new(border_of_cells, 2.0 * radius / CELLS);
+        let touched: Vec<Vec<usize>> = dots
+            .iter()
+            .map(|dot| {
+                // A dot is widest along the radius, by 1/cos².
+                let reach = 1.02 * radius as f32 / dot.inverse_length2;
+                grid.cells_within(dot.at, reach).collect()
+            })
+            .collect();
+        // The dots of a cell, one cell after the other.
+        let mut starts = vec![0u32; grid.size[0] * grid.size[1] + 1];
+        for &cell in touched.iter().flatten() {
+            starts[cell + 1] += 1;
         }
-        let mut starts = vec![0];
-        let mut of_cells = Vec::new();
-        for cell in cells {
-            of_cells.extend(cell);
-            starts.push(u32::try_from(of_cells.len()).unwrap_or(u32::MAX));
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        let mut ends = starts.clone();
+        let mut of_cells = vec![0; sum as usize];
+        for (cells, index) in touched.iter().zip(0u32..) {
+            for &cell in cells {
+                of_cells[ends[cell] as usize] = index;
+                ends[cell] += 1;
+            }
         }
         Self {
             dots,
@@ -147,10 +187,10 @@ impl Dots {
     pub fn places(&self) -> impl Iterator<Item = [f32; 2]> {
         self.dots.iter().map(|dot| dot.at)
     }
-}
 
-impl BeamPattern for Dots {
-    fn luminance(&self, at: [f32; 2]) -> f32 {
+    /// The luminance of a white surface that faces the projector 1 m away, in the direction of a place (x/z, y/z).
+    #[must_use]
+    pub fn luminance(&self, at: [f32; 2]) -> f32 {
         let (Some(column), Some(row)) = (self.grid.cell(at[0], 0), self.grid.cell(at[1], 1)) else {
             return 0.0;
         };
@@ -173,7 +213,9 @@ impl BeamPattern for Dots {
         sum * self.brightness
     }
 
-    fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool {
+    /// Whether there is no light within a radius of a place. It may say no where it could say yes.
+    #[must_use]
+    pub fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool {
         let columns = self.grid.cells(at[0], radius, 0);
         self.grid.cells(at[1], radius, 1).all(|row| {
             columns
@@ -181,9 +223,7 @@ impl BeamPattern for Dots {
                 .all(|column| self.of_cell(row * self.grid.size[0] + column).is_empty())
         })
     }
-}
 
-impl Dots {
     #[inline]
     fn of_cell(&self, cell: usize) -> &[u32] {
         let range = (self.starts.get(cell), self.starts.get(cell + 1));
@@ -242,4 +282,89 @@ fn place(random: &Plane, index: u32, border: [f64; 2]) -> [f64; 2] {
     let [a, b, ..] = random.words(index, 0);
     let uniform = |word: u32| (f64::from(word) + 0.5) / 2_147_483_648.0 - 1.0;
     [uniform(a) * border[0], uniform(b) * border[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn belago() -> Projector {
+        Projector {
+            model: "ams Belago 1.1".to_owned(),
+            dots: 4700,
+            field_rad: [78f64, 61.0].map(f64::to_radians),
+            dot_width_rad: 3e-3,
+            brightness: 3.0,
+        }
+    }
+
+    #[test]
+    #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
+    fn dots_are_as_many_as_they_should_be_apart_and_within_the_field() {
+        let spec = belago();
+        let dots = Dots::new(&spec);
+        let places: Vec<[f32; 2]> = dots.places().collect();
+        assert_eq!((dots.len(), places.len()), (4700, 4700));
+        let border = spec.field_rad.map(|field| (field / 2.0).tan() as f32);
+        assert!(
+            places
+                .iter()
+                .all(|at| at[0].abs() < border[0] && at[1].abs() < border[1])
+        );
+        let mut nearest = f32::INFINITY;
+        for (i, a) in places.iter().enumerate() {
+            for b in &places[..i] {
+                nearest = nearest.min((a[0] - b[0]).hypot(a[1] - b[1]));
+            }
+        }
+        let own = (4.0 * border[0] * border[1] / 4700.0).sqrt();
+        assert!(nearest > 0.65 * own, "{nearest} {own}");
+        // All of the field has some.
+        let full = |x: f32, y: f32| {
+            places
+                .iter()
+                .any(|at| (at[0] - x).abs() < 0.07 && (at[1] - y).abs() < 0.07)
+        };
+        for i in -10..=10i8 {
+            for j in -10..=10i8 {
+                assert!(full(
+                    f32::from(i) / 10.0 * border[0],
+                    f32::from(j) / 10.0 * border[1]
+                ));
+            }
+        }
+        assert_eq!(dots, Dots::new(&spec));
+    }
+
+    #[test]
+    fn a_dot_is_half_as_bright_at_half_its_width_and_the_dark_is_known() {
+        let spec = belago();
+        let dots = Dots::new(&spec);
+        let mut near_axis = 0;
+        for [x, y] in dots.places() {
+            let peak = dots.luminance([x, y]);
+            assert!(!dots.is_dark_around([x, y], 0.0));
+            if x.hypot(y) < 0.1 {
+                near_axis += 1;
+                assert!((peak / 3.0 - 1.0).abs() < 2e-3, "{peak}");
+                let half = dots.luminance([x + 1.5e-3, y]);
+                assert!((half / peak - 0.5).abs() < 0.02, "{half} {peak}");
+            }
+        }
+        assert!(near_axis > 20);
+        let (mut dark, mut total) = (0, 0);
+        for i in -400..400i16 {
+            for j in -300..300i16 {
+                let at = [f32::from(i) * 2.2e-3, f32::from(j) * 2.2e-3];
+                total += 1;
+                if dots.is_dark_around(at, 1e-3) {
+                    dark += 1;
+                    assert!(dots.luminance(at) == 0.0 && dots.luminance([at[0] + 7e-4, at[1] - 7e-4]) == 0.0);
+                }
+            }
+        }
+        assert!(dark * 2 > total, "{dark} of {total}");
+        assert!(dots.is_dark_around([f32::NAN, 0.0], 1.0) || dots.luminance([f32::NAN, 0.0]) == 0.0);
+        assert_eq!(dots.luminance([9.0, -9.0]), 0.0);
+    }
 }
