@@ -27,5 +27,5 @@ pub mod stereo_matching;
 pub mod stereo_noise;
 
 pub use error::{BatchError, ParameterError, ShotError};
-pub use sensor::{Capture, Engine, Sensor};
+pub use sensor::{Capture, Engine, FixedDisparity, Sensor};
 pub use shot::Shot;

@@ -439,7 +439,7 @@ impl DepthSensor {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let eye = self.look(&mut eye, shape.size)?;
             let sensor = Arc::make_mut(&mut eye.sensor);
-            threads::install(|| sense_frame(sensor, &eye.camera, frame, &asked, &mut seen))
+            threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen))
         })?;
         let all = PyDict::new(py);
         for annotator in asked {

@@ -1,9 +1,9 @@
 //! What options make of an engine: preset, filters and parameters by name.
 
 use oaktwin_depth::filter::{self, Chain, Filter};
-use oaktwin_depth::preset::{Platform, StereoConfig, time_of_flight_filters};
+use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, time_of_flight_filters};
 use oaktwin_depth::single_view::{self, Assumptions};
-use oaktwin_depth::{ParameterError, stereo_noise};
+use oaktwin_depth::{ParameterError, stereo_matching, stereo_noise};
 
 use super::{EngineKind, SensorOptions};
 use crate::catalog::{DepthKind, Twin};
@@ -27,16 +27,16 @@ impl Preset {
             return Ok(None);
         };
         let preset = match kind {
-            DepthKind::Stereo => StereoConfig::preset(platform(twin)?, name)
-                .map(Box::new)
-                .map(Self::Stereo),
+            DepthKind::Stereo => return Self::of_stereo(platform(twin)?, name).map(Some),
             DepthKind::Tof => time_of_flight_filters(name).map(Self::Filters),
         };
-        preset.map(Some).map_err(|error| ParameterError {
-            name: "preset".to_owned(),
-            what: error.what,
-            remedy: error.remedy,
-        })
+        preset.map(Some).map_err(unknown)
+    }
+
+    /// Of a platform's stereo.
+    pub(super) fn of_stereo(platform: Platform, name: &str) -> Result<Self, ParameterError> {
+        let config = StereoConfig::preset(platform, name).map_err(unknown)?;
+        Ok(Self::Stereo(Box::new(config)))
     }
 
     fn filters(&self) -> Vec<Filter> {
@@ -49,7 +49,7 @@ impl Preset {
     /// What it changes, for people.
     pub(super) fn finding(&self, options: &SensorOptions, engine: EngineKind, prim: &str) -> Finding {
         let mut changes = Vec::new();
-        if let (Self::Stereo(config), EngineKind::StereoNoise) = (self, engine) {
+        if let (Self::Stereo(config), EngineKind::StereoNoise | EngineKind::StereoMatching) = (self, engine) {
             changes.push(format!("{} subpixel bits", config.subpixel.bits()));
             if config.disparity_shift_px > 0 {
                 changes.push(format!("disparities from {} px", config.disparity_shift_px));
@@ -78,8 +78,16 @@ impl Preset {
     }
 }
 
+fn unknown(error: PresetError) -> ParameterError {
+    ParameterError {
+        name: "preset".to_owned(),
+        what: error.what,
+        remedy: error.remedy,
+    }
+}
+
 /// The processor of a device.
-fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
+pub(super) fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
     let generation = &twin.device.generation;
     [Platform::Rvc2, Platform::Rvc4]
         .into_iter()
@@ -109,9 +117,8 @@ pub(super) fn set_single_view(
     assumptions: &mut Assumptions,
     options: &SensorOptions,
 ) -> Result<(), ParameterError> {
-    let own = single_view_names();
     for (given, value) in &options.parameters {
-        let name = resolve(given, &own, &stereo_noise::NAMES, EngineKind::SingleView)?;
+        let name = resolve(given, EngineKind::SingleView)?;
         if Assumptions::NAMES.contains(&name) {
             assumptions.set(name, value)?;
         } else {
@@ -125,12 +132,36 @@ pub(super) fn set_stereo_noise(
     parameters: &mut stereo_noise::Parameters,
     options: &SensorOptions,
 ) -> Result<(), ParameterError> {
-    let others = single_view_names();
     for (given, value) in &options.parameters {
-        let name = resolve(given, &stereo_noise::NAMES, &others, EngineKind::StereoNoise)?;
-        parameters.set(name, value)?;
+        parameters.set(resolve(given, EngineKind::StereoNoise)?, value)?;
     }
     Ok(())
+}
+
+/// But for [`CALIBRATION_ERROR`], which is of the pair.
+pub(super) fn set_stereo_matching(
+    parameters: &mut stereo_matching::Parameters,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    for (given, value) in &options.parameters {
+        let name = resolve(given, EngineKind::StereoMatching)?;
+        if name != CALIBRATION_ERROR {
+            parameters.set(name, value)?;
+        }
+    }
+    Ok(())
+}
+
+/// The parameter of a device, not of its matcher.
+pub(super) const CALIBRATION_ERROR: &str = "bias";
+
+/// The parameters of an engine.
+fn names(engine: EngineKind) -> Vec<&'static str> {
+    match engine {
+        EngineKind::SingleView => single_view_names(),
+        EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
+        EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
+    }
 }
 
 fn single_view_names() -> Vec<&'static str> {
@@ -139,37 +170,27 @@ fn single_view_names() -> Vec<&'static str> {
 }
 
 /// The engine's own name for what somebody wrote.
-fn resolve<'a>(
-    given: &str,
-    own: &[&'a str],
-    others: &[&'a str],
-    engine: EngineKind,
-) -> Result<&'a str, ParameterError> {
-    let find = |names: &[&'a str]| {
-        names
-            .iter()
-            .copied()
+fn resolve(given: &str, engine: EngineKind) -> Result<&'static str, ParameterError> {
+    let find = |engine| {
+        names(engine)
+            .into_iter()
             .find(|name| fold_name(name) == fold_name(given))
     };
-    if let Some(name) = find(own) {
+    if let Some(name) = find(engine) {
         return Ok(name);
     }
-    let (what, remedy) = match find(others) {
-        Some(name) => {
-            let other = match engine {
-                EngineKind::SingleView => EngineKind::StereoNoise,
-                EngineKind::StereoNoise => EngineKind::SingleView,
-            };
-            (
-                format!(
-                    "{} has no {name}: it is a parameter of {}",
-                    engine.as_str(),
-                    other.as_str()
-                ),
-                format!("leave it out, or choose the engine {}", other.as_str()),
-            )
-        }
+    let mut others = EngineKind::ALL.into_iter();
+    let (what, remedy) = match others.find_map(|other| Some((other, find(other)?))) {
+        Some((other, name)) => (
+            format!(
+                "{} has no {name}: it is a parameter of {}",
+                engine.as_str(),
+                other.as_str()
+            ),
+            format!("leave it out, or choose the engine {}", other.as_str()),
+        ),
         None => {
+            let own = names(engine);
             let near = nearest(given, own.iter().copied());
             let remedy = if near.is_empty() {
                 format!("there are {}", own.join(", "))

@@ -2,6 +2,7 @@ use crate::camera::Intrinsics;
 use oaktwin_depth::ParameterError;
 
 use crate::catalog::DepthKind;
+use crate::depth::Engine;
 use crate::diagnostic::{fold_name, nearest};
 use crate::usd::asset::IsaacVersion;
 
@@ -12,11 +13,23 @@ pub enum EngineKind {
     SingleView,
     /// The errors of an OAK's stereo.
     StereoNoise,
+    /// An OAK's stereo itself, on the pair that its cameras take.
+    StereoMatching,
 }
 
 impl EngineKind {
-    /// All there are.
-    pub const ALL: [Self; 2] = [Self::SingleView, Self::StereoNoise];
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::StereoMatching];
+
+    /// That of an engine.
+    #[must_use]
+    pub fn of(engine: &Engine) -> Self {
+        match engine {
+            Engine::SingleView(_) => Self::SingleView,
+            Engine::StereoNoise(_) => Self::StereoNoise,
+            Engine::StereoMatching(_) => Self::StereoMatching,
+        }
+    }
 
     /// The one of this name; case, hyphens and underscores do not matter.
     ///
@@ -55,6 +68,7 @@ impl EngineKind {
         match self {
             Self::SingleView => "single-view",
             Self::StereoNoise => "stereo-noise",
+            Self::StereoMatching => "stereo-matching",
         }
     }
 }

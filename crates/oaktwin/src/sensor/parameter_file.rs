@@ -12,11 +12,12 @@
 
 use std::path::Path;
 
+use oaktwin_depth::preset::Platform;
 use oaktwin_depth::single_view::Assumptions;
-use oaktwin_depth::{ParameterError, single_view, stereo_noise};
+use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise};
 use toml::Value;
 
-use super::{EngineKind, SensorOptions, configure};
+use super::{EngineKind, SensorOptions, calibration_error_px, configure};
 use crate::camera::StereoGeometry;
 use crate::diagnostic::nearest;
 use crate::files::{self, FileError};
@@ -147,6 +148,11 @@ impl ParameterFile {
             EngineKind::StereoNoise => {
                 let mut parameters = stereo_noise::Parameters::new(stereo, 1280);
                 configure::set_stereo_noise(&mut parameters, &options)
+            }
+            EngineKind::StereoMatching => {
+                let mut parameters = stereo_matching::Parameters::new(Platform::Rvc2, stereo, 1280);
+                configure::set_stereo_matching(&mut parameters, &options)?;
+                calibration_error_px(&options).map(|_| ())
             }
             EngineKind::SingleView => {
                 let mut parameters = single_view::Parameters::ISAAC_5_1;

@@ -1,6 +1,7 @@
 use crate::camera::StereoGeometry;
 use crate::catalog::{Role, Twin, TwinDepthSensor};
-use crate::depth::{single_view, stereo_noise};
+use crate::depth::preset::Platform;
+use crate::depth::{single_view, stereo_matching, stereo_noise};
 use crate::usd::asset::IsaacVersion;
 
 /// The parameters that a render product of this sensor has, in an asset for that Isaac Sim.
@@ -50,4 +51,16 @@ pub fn stereo_noise_parameters(twin: &Twin) -> Option<stereo_noise::Parameters> 
         baseline_m: baseline.length(),
     };
     Some(stereo_noise::Parameters::new(stereo, left.intrinsics.size.width))
+}
+
+/// The parameters of the matcher of a twin, on this processor, in the mode of its cameras' used resolution; `None` where it
+/// has no pair.
+#[must_use]
+pub fn stereo_matching_parameters(twin: &Twin, platform: Platform) -> Option<stereo_matching::Parameters> {
+    let pair = stereo_noise_parameters(twin)?;
+    Some(stereo_matching::Parameters::new(
+        platform,
+        pair.stereo,
+        pair.width_px,
+    ))
 }
