@@ -188,8 +188,8 @@ fn relax<P: Lane, S: Lane, const D: usize, const LESS: bool>(
         }
     }
     let mut least = P::MAX;
-    for d in 0..D {
-        least = least.min(own[d]);
+    for cost in own {
+        least = least.min(cost);
     }
     for d in 0..D {
         total[d] = total[d].plus(S::of(own[d].wide()));
