@@ -37,7 +37,9 @@ impl PairArgs {
     pub(crate) fn imager(&self) -> Result<imager::Parameters> {
         let mut parameters = imager::Parameters::default();
         for (name, value) in &self.imager {
-            parameters.set(name, value).map_err(|error| format!("--imager: {error}"))?;
+            parameters
+                .set(name, value)
+                .map_err(|error| format!("--imager: {error}"))?;
         }
         Ok(parameters)
     }

@@ -93,9 +93,11 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
             (None, None) => FieldOfView::Known,
         };
         let (Some(baseline_m), true) = (args.baseline, field_of_view != FieldOfView::Known) else {
-            return Err("nothing says what took the images: give --calibration FILE, --model MODEL, or --fx F (or \
+            return Err(
+                "nothing says what took the images: give --calibration FILE, --model MODEL, or --fx F (or \
                         --hfov D) and --baseline METRES of a rectified pair"
-                .into());
+                    .into(),
+            );
         };
         return Ok(PairOf::Rectified {
             field_of_view,

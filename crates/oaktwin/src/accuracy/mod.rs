@@ -42,9 +42,7 @@ use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
 use crate::dataset::figure::Figure;
 use crate::diagnostic::{Finding, fold_name, nearest};
 use crate::files::FileError;
-use crate::sensor::{
-    Engine, EngineKind, ParameterError, SensorOptions, calibration_error_px, sensor,
-};
+use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, calibration_error_px, sensor};
 use eyes::Eyes;
 use measured::Curve;
 use stand::{Effort, Stand, Unit};

@@ -219,7 +219,9 @@ fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
             remedy: format!("give -{MOST_BIAS_PX} to {MOST_BIAS_PX} px"),
         });
     }
-    let own = twin.camera(Role::Right).map(|camera| camera.intrinsics.size.width);
+    let own = twin
+        .camera(Role::Right)
+        .map(|camera| camera.intrinsics.size.width);
     Ok(match (own, options.size) {
         (Some(own), Some(size)) => bias * f64::from(size.width) / f64::from(own),
         _ => bias,

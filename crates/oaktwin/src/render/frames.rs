@@ -20,8 +20,8 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, png};
-use crate::recording::RecordingFileError;
 use crate::pair::PairCameras;
+use crate::recording::RecordingFileError;
 use crate::sensor::{Engine, Sensor};
 
 /// What to render, and into which files.

@@ -44,7 +44,13 @@ pub fn put_pair(
                 own.fx,
                 before.0.fx
             );
-            findings.push(Finding::new("rectified-left", Level::Note, &camera.path, message, ""));
+            findings.push(Finding::new(
+                "rectified-left",
+                Level::Note,
+                &camera.path,
+                message,
+                "",
+            ));
         }
         let pixel_size_um =
             camera.attributes.optics.focal_length_mm * 1e3 / camera.camera.intrinsics.mean_focal_length();

@@ -23,7 +23,11 @@ pub fn stereo_matching(
     place: &str,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    if let Some((name, _)) = options.parameters.iter().find(|(name, _)| is_calibration_error(name)) {
+    if let Some((name, _)) = options
+        .parameters
+        .iter()
+        .find(|(name, _)| is_calibration_error(name))
+    {
         return Err(ParameterError {
             name: name.clone(),
             what: "a pair that was taken has the error of its own calibration".to_owned(),

@@ -56,8 +56,20 @@ pub fn pairs(left: &Path, right: &Path) -> Result<Vec<PairFiles>, FileError> {
     match (left.is_dir(), right.is_dir()) {
         (false, false) => return Ok(vec![PairFiles::new(left.to_owned(), right.to_owned())]),
         (true, true) => {}
-        (true, false) => return Err(FileError::new(right, "is no folder, and the left is", "give two folders")),
-        (false, true) => return Err(FileError::new(left, "is no folder, and the right is", "give two folders")),
+        (true, false) => {
+            return Err(FileError::new(
+                right,
+                "is no folder, and the left is",
+                "give two folders",
+            ));
+        }
+        (false, true) => {
+            return Err(FileError::new(
+                left,
+                "is no folder, and the right is",
+                "give two folders",
+            ));
+        }
     }
     let is_one = left.canonicalize().ok() == right.canonicalize().ok();
     let lefts = images(left, is_one.then_some("left"))?;
@@ -99,7 +111,9 @@ fn images(folder: &Path, word: Option<&str>) -> Result<BTreeMap<String, PathBuf>
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
         let extension = path.extension().unwrap_or_default().to_string_lossy();
-        let is_image = EXTENSIONS.iter().any(|known| extension.eq_ignore_ascii_case(known));
+        let is_image = EXTENSIONS
+            .iter()
+            .any(|known| extension.eq_ignore_ascii_case(known));
         if !is_image || !path.is_file() || word.is_some_and(|word| !has(&path, word)) {
             continue;
         }
@@ -109,9 +123,15 @@ fn images(folder: &Path, word: Option<&str>) -> Result<BTreeMap<String, PathBuf>
         }
     }
     if found.is_empty() {
-        let of = word.map(|word| format!(" with {word} in its name")).unwrap_or_default();
+        let of = word
+            .map(|word| format!(" with {word} in its name"))
+            .unwrap_or_default();
         let message = format!("holds no image{of}");
-        return Err(FileError::new(folder, message, "give a folder of PNG, JPEG or NPY"));
+        return Err(FileError::new(
+            folder,
+            message,
+            "give a folder of PNG, JPEG or NPY",
+        ));
     }
     Ok(found)
 }
@@ -128,7 +148,11 @@ fn has(path: &Path, side: &str) -> bool {
 
 /// What is the same in the names of both.
 fn key(path: &Path) -> String {
-    let is_side = |word: &String| ["left", "right"].iter().any(|side| word.eq_ignore_ascii_case(side));
+    let is_side = |word: &String| {
+        ["left", "right"]
+            .iter()
+            .any(|side| word.eq_ignore_ascii_case(side))
+    };
     let mut words = words(path);
     words.retain(|word| !is_side(word));
     words.join("_")

@@ -12,7 +12,8 @@ use crate::image::Image;
 use crate::pair::{PairCameras, PairOptions};
 use crate::sense::FieldOfView;
 use crate::sensor::{
-    Capture, Engine, ParameterError, Sensor, SensorOptions, Shot, platform, single_view, stereo_matching as sensor,
+    Capture, Engine, ParameterError, Sensor, SensorOptions, Shot, platform, single_view,
+    stereo_matching as sensor,
 };
 use crate::usd::asset::LensChoice;
 

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
-use super::StereoError;
 use crate::camera::{Camera, ImageSize};
 use crate::depth::imager::Recorded;
 use crate::depth::rectify::Method;
@@ -127,10 +127,14 @@ pub fn stereo(
         }
         let ZDepth(metres) = &seen.capture.distance;
         let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
-        matched.fill.push(measured as f64 / metres.pixels().len().max(1) as f64);
+        matched
+            .fill
+            .push(measured as f64 / metres.pixels().len().max(1) as f64);
         let products = products(&seen, &matcher.camera(), options);
         for (what, extension, bytes) in products.map_err(|error| FileError::codec(&pair.left, &error))? {
-            matched.files.push(writer.put(&pair.result(what, extension), &bytes)?);
+            matched
+                .files
+                .push(writer.put(&pair.result(what, extension), &bytes)?);
         }
     }
     Ok(Some(matched))
@@ -140,7 +144,9 @@ impl Matched {
     /// Whether something is wrong with the images.
     #[must_use]
     pub fn has_warnings(&self) -> bool {
-        self.findings.iter().any(|finding| finding.level >= Level::Warning)
+        self.findings
+            .iter()
+            .any(|finding| finding.level >= Level::Warning)
     }
 }
 
@@ -164,7 +170,10 @@ fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec
         products.push(("confidence", "npy", array(confidence)?));
     }
     if options.rectified {
-        for (name, image) in ["rectified_left", "rectified_right"].into_iter().zip(&seen.rectified) {
+        for (name, image) in ["rectified_left", "rectified_right"]
+            .into_iter()
+            .zip(&seen.rectified)
+        {
             let bytes = match image {
                 Recorded::Eight(image) => png::encode(image)?,
                 Recorded::Ten(image) => png::encode(image)?,
@@ -189,7 +198,9 @@ fn points(seen: &Seen, camera: &Camera) -> Result<Vec<u8>, CodecError> {
     let [left, _] = &seen.rectified;
     let colors = (left.width() == size.width && left.height() == size.height)
         .then(|| left.to_eight().map(|&grey| [grey, grey, grey, 255]));
-    ply::encode_measured(&positions(&camera, metres), colors.as_ref(), |[x, y, z]| [x, -y, -z])
+    ply::encode_measured(&positions(&camera, metres), colors.as_ref(), |[x, y, z]| {
+        [x, -y, -z]
+    })
 }
 
 /// Never over an input, and no result over another.

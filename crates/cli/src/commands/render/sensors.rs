@@ -3,8 +3,8 @@
 use oaktwin::camera::ImageSize;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
 use oaktwin::pair::{PairCameras, PairOptions};
+use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
 use oaktwin::sensor::{EngineKind, Sensor, calibration_error_px};
 
 use super::{Oak, asked};
@@ -67,7 +67,9 @@ pub(super) fn pair(
     let options = args.sensor.options()?;
     let sweep = asked::sweep(args)?;
     let is_swept = sweep.as_ref().map(|sweep| sweep.options(&options)).transpose();
-    let all = is_swept.map_err(|error| format!("--sweep: {error}"))?.unwrap_or_default();
+    let all = is_swept
+        .map_err(|error| format!("--sweep: {error}"))?
+        .unwrap_or_default();
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
     if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
         return match args.pair.given() {
@@ -86,7 +88,10 @@ pub(super) fn pair(
     let bias_px = calibration_error_px(&options)?;
     for swept in &all {
         if calibration_error_px(swept)?.to_bits() != bias_px.to_bits() {
-            return Err("--sweep bias: it is of the pair, which is rendered once; render with each --param bias=".into());
+            return Err(
+                "--sweep bias: it is of the pair, which is rendered once; render with each --param bias="
+                    .into(),
+            );
         }
     }
     let default = PairOptions::default();

@@ -184,7 +184,10 @@ impl SweptSensors {
 
     /// Whether one of this camera's matches a pair.
     pub(super) fn matches(&self, camera: usize) -> bool {
-        let mut own = self.sensors.iter().filter_map(|sensors| sensors.get(camera)?.as_ref());
+        let mut own = self
+            .sensors
+            .iter()
+            .filter_map(|sensors| sensors.get(camera)?.as_ref());
         own.any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)))
     }
 
