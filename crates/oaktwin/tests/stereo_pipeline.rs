@@ -196,7 +196,10 @@ fn the_error_oscillates_once_a_pixel() {
     let (bench, _) = accuracy::Bench::new(&twin, &options).unwrap();
     let measured = bench.measure(None, &|_, _| ControlFlow::Continue(())).unwrap();
     let rows = &measured.report().distances;
-    let errors: Vec<f64> = rows.iter().map(|row| row.reading.error_percent.unwrap()).collect();
+    let errors: Vec<f64> = rows
+        .iter()
+        .map(|row| row.reading.error_percent.unwrap())
+        .collect();
     let [below, far, near, above] = errors[..] else {
         panic!("{errors:?}")
     };

@@ -3,6 +3,7 @@ use oaktwin_camera::StereoGeometry;
 use super::*;
 use crate::filter::parse;
 use crate::single_view::{Assumptions, Wanted};
+use crate::stereo_matching::{self, Pair};
 use crate::stereo_noise;
 
 const WIDTH: u32 = 64;
