@@ -201,7 +201,7 @@ mod tests {
             ("", "engine: is not said"),
             (
                 "engine = 'stereo-nose'\n[parameters]\n",
-                "did you mean stereo-noise?",
+                "did you mean stereo-noise",
             ),
             ("engine = 'stereo-noise'\n", "no such table"),
             (
