@@ -24,7 +24,7 @@ class Parameters:
     """Under the names of the program's, a dot read as an underscore."""
 
     subpixelFractionalBits: int = 5
-    subpixelInterpolation: str = "PARABOLA_5"
+    subpixelInterpolation: str = "LINES"
     extendedDisparity: bool = False
     disparityShift: int = 0
     leftRightCheck: bool = True

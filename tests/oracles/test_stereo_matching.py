@@ -16,7 +16,7 @@ SETTINGS = [
     {"subpixelFractionalBits": 3, "confidenceThreshold": 15},
     {"subpixelFractionalBits": 0, "leftRightCheck": False, "confidenceThreshold": 0},
     {"subpixelFractionalBits": 4, "subpixelInterpolation": "PARABOLA"},
-    {"subpixelInterpolation": "LINES", "leftRightCheckThreshold": 0},
+    {"subpixelInterpolation": "PARABOLA_5", "leftRightCheckThreshold": 0},
     {"paths": 3, "confidenceThreshold": 0},
     {"paths": 8, "confidenceThreshold": 0},
     {"paths": 5, "confidenceThreshold": 0},

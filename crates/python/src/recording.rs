@@ -143,7 +143,7 @@ impl Recording {
         }
     }
 
-    /// The file.
+    /// The file that it is written to.
     #[getter]
     fn path(&self) -> PathBuf {
         self.path.clone()

@@ -90,7 +90,7 @@ const TABLE: [Named; 43] = [
     named!(
         "subpixelInterpolation",
         interpolation,
-        "give PARABOLA_5, PARABOLA or LINES"
+        "give LINES, PARABOLA_5 or PARABOLA"
     ),
     flag!("extendedDisparity", extended_disparity),
     field!("disparityShift", disparity_shift_px, "give whole pixels"),

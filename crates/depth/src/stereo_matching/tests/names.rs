@@ -13,7 +13,7 @@ fn each_name_changes_what_it_reads() {
             "RVC2" => "RVC4".to_owned(),
             "nearest" => "truncate".to_owned(),
             "AUTO" => "KERNEL_7x9".to_owned(),
-            "PARABOLA_5" => "LINES".to_owned(),
+            "LINES" => "PARABOLA_5".to_owned(),
             "DISPARITY_96" => "DISPARITY_64".to_owned(),
             "0x0" => "0xA82415".to_owned(),
             _ if name == "subpixelFractionalBits" => "3".to_owned(),

@@ -2,9 +2,10 @@ use super::{changed, pair, step};
 use crate::simd::Level;
 use crate::stereo_matching::StereoMatching;
 
-const SETTINGS: [&[(&str, &str)]; 7] = [
+const SETTINGS: [&[(&str, &str)]; 8] = [
     &[],
     &[("paths", "8"), ("subpixelInterpolation", "PARABOLA")],
+    &[("subpixelInterpolation", "PARABOLA_5")],
     &[("penaltyShift", "0"), ("paths", "5"), ("divisionFactor", "3")],
     &[
         ("kernelSize", "KERNEL_7x9"),
@@ -21,11 +22,7 @@ const SETTINGS: [&[(&str, &str)]; 7] = [
         ("enableMeanMode", "false"),
         ("extendedDisparity", "true"),
     ],
-    &[
-        ("disparityWidth", "DISPARITY_64"),
-        ("subpixelInterpolation", "LINES"),
-        ("paths", "3"),
-    ],
+    &[("disparityWidth", "DISPARITY_64"), ("paths", "3")],
 ];
 
 #[test]
