@@ -7,6 +7,7 @@ use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::single_view::{self, SingleView};
 use crate::stereo_noise::{self, StereoNoise};
+use crate::time_of_flight::TimeOfFlight;
 
 /// How a depth image becomes a measured one.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,8 @@ pub enum Engine {
     SingleView(SingleView),
     /// With the errors of an OAK's stereo.
     StereoNoise(StereoNoise),
+    /// As a time-of-flight camera errs.
+    TimeOfFlight(TimeOfFlight),
 }
 
 /// An engine with its filters: looks at one image after the other, and may remember earlier ones.
@@ -110,6 +113,14 @@ impl Sensor {
                 let distance = self
                     .filters
                     .run_on_metres(&depth, shot.rgb(), Filter::is_of_depth);
+                Capture {
+                    distance: distance.unwrap_or(depth),
+                    single_view: None,
+                }
+            }
+            Engine::TimeOfFlight(engine) => {
+                let depth = engine.sense(shot, &self.random);
+                let distance = self.filters.run_on_metres(&depth, shot.rgb(), |_| true);
                 Capture {
                     distance: distance.unwrap_or(depth),
                     single_view: None,

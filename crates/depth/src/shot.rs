@@ -8,6 +8,7 @@ pub struct Shot<'a> {
     depth: ImageView<'a, f32>,
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
+    radial_velocity: Option<ImageView<'a, f32>>,
     /// Its number in the sequence: noise is new in every frame.
     pub frame: u64,
     /// Its number in a batch of images of one frame, which have noise of their own: the environments of a simulator.
@@ -22,6 +23,7 @@ impl<'a> Shot<'a> {
             depth,
             rgb: None,
             positions: None,
+            radial_velocity: None,
             frame: 0,
             item: 0,
         }
@@ -47,6 +49,16 @@ impl<'a> Shot<'a> {
         Ok(self)
     }
 
+    /// With how fast what each pixel sees moves away along its ray, m/s.
+    ///
+    /// # Errors
+    /// It has another size.
+    pub fn with_radial_velocity(mut self, velocity: ImageView<'a, f32>) -> Result<Self, ShotError> {
+        self.check("image of velocities", velocity.width(), velocity.height())?;
+        self.radial_velocity = Some(velocity);
+        Ok(self)
+    }
+
     /// Metres along the optical axis.
     #[must_use]
     pub fn depth(&self) -> ImageView<'a, f32> {
@@ -63,6 +75,12 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn positions(&self) -> Option<ImageView<'a, [f32; 4]>> {
         self.positions
+    }
+
+    /// m/s away along each ray.
+    #[must_use]
+    pub fn radial_velocity(&self) -> Option<ImageView<'a, f32>> {
+        self.radial_velocity
     }
 
     fn check(&self, what: &'static str, width: u32, height: u32) -> Result<(), ShotError> {

@@ -11,8 +11,9 @@ use crate::error::wrong;
 
 pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
 
-const ENGINES: [(&str, EngineKind); 2] = [
+const ENGINES: [(&str, EngineKind); 3] = [
     (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
+    (EngineKind::TimeOfFlight.as_str(), EngineKind::TimeOfFlight),
     (EngineKind::SingleView.as_str(), EngineKind::SingleView),
 ];
 

@@ -1,6 +1,6 @@
 use clap::{Args, ValueEnum};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::depth::{filter, single_view, stereo_noise};
+use oaktwin::depth::{filter, single_view, stereo_noise, time_of_flight};
 use oaktwin::sensor::{EngineKind, SensorOptions};
 
 use super::Isaac;
@@ -9,7 +9,7 @@ use super::Isaac;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "The depth sensor")]
 pub(crate) struct SensorArgs {
-    /// The model of the errors; by default stereo-noise, single-view for time of flight
+    /// The model of the errors; by default stereo-noise, or time-of-flight
     #[arg(long, value_enum)]
     pub(crate) engine: Option<Engine>,
 
@@ -46,8 +46,10 @@ pub(crate) struct SensorArgs {
 pub(crate) enum Engine {
     /// As Isaac Sim has it
     SingleView,
-    /// As an OAK errs
+    /// As an OAK's stereo errs
     StereoNoise,
+    /// As a time-of-flight camera errs
+    TimeOfFlight,
 }
 
 impl SensorArgs {
@@ -73,6 +75,7 @@ impl From<Engine> for EngineKind {
         match engine {
             Engine::SingleView => Self::SingleView,
             Engine::StereoNoise => Self::StereoNoise,
+            Engine::TimeOfFlight => Self::TimeOfFlight,
         }
     }
 }
@@ -97,10 +100,11 @@ fn filter_help() -> String {
 fn parameter_help() -> String {
     format!(
         "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
-         {}.\nstereo-noise: {}",
+         {}.\nstereo-noise: {}.\ntime-of-flight: {}",
         single_view::Parameters::NAMES.join(", "),
         single_view::Assumptions::NAMES.join(", "),
-        stereo_noise::NAMES.join(", ")
+        stereo_noise::NAMES.join(", "),
+        time_of_flight::NAMES.join(", ")
     )
 }
 

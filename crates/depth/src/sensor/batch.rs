@@ -30,6 +30,9 @@ impl Sensor {
                 Engine::StereoNoise(engine) => {
                     engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
                 }
+                Engine::TimeOfFlight(engine) => {
+                    engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
+                }
             };
         }
         let [count, height, width] = shape;

@@ -52,7 +52,6 @@ mod rows;
 mod scale;
 mod sense;
 mod shadow;
-mod sine;
 mod table;
 #[cfg(test)]
 mod tests;

@@ -7,11 +7,12 @@ use oaktwin_depth::measure::{Optics, Quality, Region, Vendor, quality, vendor};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Depth, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 use rayon::prelude::*;
 
 use super::AccuracyError;
 use super::board::{self, Sight};
-use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
+use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, Usd};
 use crate::image::{ImageView, ZDepth};
 use crate::sensor::{Engine, ParameterError, Sensor, Shot};
 
@@ -115,6 +116,7 @@ impl Stand {
                 let p = engine.parameters();
                 p.stereo.depth(f64::from(p.max_disparity_px()))
             }
+            Some(Engine::TimeOfFlight(engine)) => engine.nearest_m(),
             None => 0.0,
         }
     }
@@ -123,7 +125,7 @@ impl Stand {
     pub(super) fn carries_depth(&self) -> Option<bool> {
         match &self.units.first()?.engine {
             Engine::SingleView(engine) => Some(engine.assumptions().depth == Depth::Carried),
-            Engine::StereoNoise(_) => None,
+            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -139,7 +141,7 @@ impl Stand {
                     0.0
                 })
             }
-            Engine::StereoNoise(_) => None,
+            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -153,7 +155,7 @@ impl Stand {
         effort: Effort,
     ) -> Result<Measured, ParameterError> {
         let width = self.intrinsics.size.width;
-        let engine = of_part(engine, width, part.intrinsics.size.width)?;
+        let engine = of_part(engine, width, &part.intrinsics)?;
         let mut sensor = Sensor::new(engine, filters.clone(), self.random);
         let images: Vec<ZDepth> = (0..effort.captures)
             .map(|frame| {
@@ -269,6 +271,7 @@ fn reach_px(engine: &Engine, width: u32, distance_m: f64) -> f64 {
             let p = engine.parameters();
             p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
         }
+        Engine::TimeOfFlight(_) => 0.0,
     }
 }
 
@@ -286,6 +289,8 @@ fn around_px(engine: &Engine) -> u32 {
             let dilation = p.edge_dilation_px.ceil() as u32;
             dilation.saturating_add(p.window_px).min(1024)
         }
+        // Those whose light a pixel sees, and those beside them for their normals.
+        Engine::TimeOfFlight(_) => 2,
     }
 }
 
@@ -294,6 +299,7 @@ fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
     match engine {
         Engine::SingleView(engine) => engine.parameters().disparity_times_depth(width).abs(),
         Engine::StereoNoise(engine) => engine.parameters().stereo.disparity(1.0),
+        Engine::TimeOfFlight(_) => 0.0,
     }
 }
 
@@ -303,7 +309,19 @@ fn is_of_another_width(engine: &Engine, width: u32) -> bool {
 }
 
 /// The engine for a part of an image that leaves columns out: it counts the pixels of that part, of the same size each.
-fn of_part(engine: &Engine, width: u32, part_width: u32) -> Result<Engine, ParameterError> {
+fn of_part(engine: &Engine, width: u32, part: &Intrinsics) -> Result<Engine, ParameterError> {
+    let part_width = part.size.width;
+    if let Engine::TimeOfFlight(engine) = engine {
+        // Where it looks is where the part was rendered from.
+        let centre = part.principal_point::<Usd>();
+        let parameters = time_of_flight::Parameters {
+            focal_length_px: part.fx,
+            width_px: part_width,
+            principal_point_px: Some([centre.x, centre.y]),
+            ..*engine.parameters()
+        };
+        return Ok(Engine::TimeOfFlight(TimeOfFlight::new(parameters)?));
+    }
     if width == part_width {
         return Ok(engine.clone());
     }
@@ -318,6 +336,7 @@ fn of_part(engine: &Engine, width: u32, part_width: u32) -> Result<Engine, Param
             parameters.width_px = part_width;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
+        Engine::TimeOfFlight(_) => engine.clone(),
     })
 }
 

@@ -18,7 +18,7 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::Image;
 use crate::image::annotation::Annotator;
-use crate::sensor::{Engine, Sensor, SensorOptions, Shot, sensor};
+use crate::sensor::{Engine, EngineKind, Sensor, SensorOptions, Shot, sensor};
 
 /// Pixels that are worked on at once.
 const PIXELS_AT_ONCE: usize = 1 << 24;
@@ -242,10 +242,7 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
         self.findings.extend(findings);
-        let engine = match sensor.engine() {
-            Engine::SingleView(_) => "single-view",
-            Engine::StereoNoise(_) => "stereo-noise",
-        };
+        let engine = EngineKind::of(sensor.engine()).as_str();
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
@@ -412,7 +409,7 @@ fn check_outputs(
         Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
         Annotator::DepthSensorOutputVisualization => match engine {
             Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) => false,
+            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => false,
         },
         _ => false,
     };
@@ -424,7 +421,8 @@ fn check_outputs(
         );
         if is_isaacs && !is_single_view {
             return Err(SenseError::option(format!(
-                "--outputs {name}: stereo-noise does not make it; leave it out, or choose --engine single-view"
+                "--outputs {name}: {} does not make it; leave it out, or choose --engine single-view",
+                EngineKind::of(engine).as_str()
             )));
         }
         if needs_picture(annotator) && !has_pictures {

@@ -1,9 +1,9 @@
 //! What options make of an engine: preset, filters and parameters by name.
 
 use oaktwin_depth::filter::{self, Chain, Filter};
-use oaktwin_depth::preset::{Platform, StereoConfig, time_of_flight_filters};
+use oaktwin_depth::preset::{Platform, StereoConfig, TimeOfFlightConfig};
 use oaktwin_depth::single_view::{self, Assumptions};
-use oaktwin_depth::{ParameterError, stereo_noise};
+use oaktwin_depth::{ParameterError, stereo_noise, time_of_flight};
 
 use super::{EngineKind, SensorOptions};
 use crate::catalog::{DepthKind, Twin};
@@ -12,8 +12,7 @@ use crate::diagnostic::{Finding, Level, fold_name, nearest};
 /// What a preset is.
 pub(super) enum Preset {
     Stereo(Box<StereoConfig>),
-    /// Of a time-of-flight sensor: its filters, on millimetres.
-    Filters(Vec<Filter>),
+    TimeOfFlight(TimeOfFlightConfig),
 }
 
 impl Preset {
@@ -30,7 +29,7 @@ impl Preset {
             DepthKind::Stereo => StereoConfig::preset(platform(twin)?, name)
                 .map(Box::new)
                 .map(Self::Stereo),
-            DepthKind::Tof => time_of_flight_filters(name).map(Self::Filters),
+            DepthKind::Tof => TimeOfFlightConfig::preset(name).map(Self::TimeOfFlight),
         };
         preset.map(Some).map_err(|error| ParameterError {
             name: "preset".to_owned(),
@@ -42,7 +41,7 @@ impl Preset {
     fn filters(&self) -> Vec<Filter> {
         match self {
             Self::Stereo(config) => config.filters(),
-            Self::Filters(filters) => filters.clone(),
+            Self::TimeOfFlight(config) => config.filters.clone(),
         }
     }
 
@@ -64,6 +63,11 @@ impl Preset {
                     "standard"
                 }
             ));
+        }
+        if let (Self::TimeOfFlight(config), EngineKind::TimeOfFlight) = (self, engine) {
+            let apart = config.phase_unwrap_error_threshold;
+            changes.push(format!("frequencies that differ by up to {apart} mm"));
+            changes.push(format!("a confidence of {}", config.confidence_threshold));
         }
         let filters = self.filters();
         let names: Vec<&str> = filters.iter().map(Filter::name).collect();
@@ -109,9 +113,8 @@ pub(super) fn set_single_view(
     assumptions: &mut Assumptions,
     options: &SensorOptions,
 ) -> Result<(), ParameterError> {
-    let own = single_view_names();
     for (given, value) in &options.parameters {
-        let name = resolve(given, &own, &stereo_noise::NAMES, EngineKind::SingleView)?;
+        let name = resolve(given, EngineKind::SingleView)?;
         if Assumptions::NAMES.contains(&name) {
             assumptions.set(name, value)?;
         } else {
@@ -125,12 +128,29 @@ pub(super) fn set_stereo_noise(
     parameters: &mut stereo_noise::Parameters,
     options: &SensorOptions,
 ) -> Result<(), ParameterError> {
-    let others = single_view_names();
     for (given, value) in &options.parameters {
-        let name = resolve(given, &stereo_noise::NAMES, &others, EngineKind::StereoNoise)?;
-        parameters.set(name, value)?;
+        parameters.set(resolve(given, EngineKind::StereoNoise)?, value)?;
     }
     Ok(())
+}
+
+pub(super) fn set_time_of_flight(
+    parameters: &mut time_of_flight::Parameters,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    for (given, value) in &options.parameters {
+        parameters.set(resolve(given, EngineKind::TimeOfFlight)?, value)?;
+    }
+    Ok(())
+}
+
+/// The parameters of an engine.
+fn names(engine: EngineKind) -> Vec<&'static str> {
+    match engine {
+        EngineKind::SingleView => single_view_names(),
+        EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
+        EngineKind::TimeOfFlight => time_of_flight::NAMES.to_vec(),
+    }
 }
 
 fn single_view_names() -> Vec<&'static str> {
@@ -139,37 +159,27 @@ fn single_view_names() -> Vec<&'static str> {
 }
 
 /// The engine's own name for what somebody wrote.
-fn resolve<'a>(
-    given: &str,
-    own: &[&'a str],
-    others: &[&'a str],
-    engine: EngineKind,
-) -> Result<&'a str, ParameterError> {
-    let find = |names: &[&'a str]| {
-        names
-            .iter()
-            .copied()
+fn resolve(given: &str, engine: EngineKind) -> Result<&'static str, ParameterError> {
+    let find = |engine| {
+        names(engine)
+            .into_iter()
             .find(|name| fold_name(name) == fold_name(given))
     };
-    if let Some(name) = find(own) {
+    if let Some(name) = find(engine) {
         return Ok(name);
     }
-    let (what, remedy) = match find(others) {
-        Some(name) => {
-            let other = match engine {
-                EngineKind::SingleView => EngineKind::StereoNoise,
-                EngineKind::StereoNoise => EngineKind::SingleView,
-            };
-            (
-                format!(
-                    "{} has no {name}: it is a parameter of {}",
-                    engine.as_str(),
-                    other.as_str()
-                ),
-                format!("leave it out, or choose the engine {}", other.as_str()),
-            )
-        }
+    let others = EngineKind::ALL.into_iter();
+    let (what, remedy) = match others.filter_map(|other| Some((other, find(other)?))).next() {
+        Some((other, name)) => (
+            format!(
+                "{} has no {name}: it is a parameter of {}",
+                engine.as_str(),
+                other.as_str()
+            ),
+            format!("leave it out, or choose the engine {}", other.as_str()),
+        ),
         None => {
+            let own = names(engine);
             let near = nearest(given, own.iter().copied());
             let remedy = if near.is_empty() {
                 format!("there are {}", own.join(", "))

@@ -1,5 +1,6 @@
 use crate::camera::Intrinsics;
 use crate::catalog::DepthKind;
+use crate::depth::Engine;
 use crate::usd::asset::IsaacVersion;
 
 /// Which model of the errors.
@@ -9,15 +10,30 @@ pub enum EngineKind {
     SingleView,
     /// The errors of an OAK's stereo.
     StereoNoise,
+    /// The errors of a time-of-flight camera.
+    TimeOfFlight,
 }
 
 impl EngineKind {
-    /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::TimeOfFlight];
+
+    /// That of an engine.
+    #[must_use]
+    pub fn of(engine: &Engine) -> Self {
+        match engine {
+            Engine::SingleView(_) => Self::SingleView,
+            Engine::StereoNoise(_) => Self::StereoNoise,
+            Engine::TimeOfFlight(_) => Self::TimeOfFlight,
+        }
+    }
+
+    /// The one that is nearest to the device: the errors of an OAK's stereo, or of its time of flight.
     #[must_use]
     pub fn default_for(kind: DepthKind) -> Self {
         match kind {
             DepthKind::Stereo => Self::StereoNoise,
-            DepthKind::Tof => Self::SingleView,
+            DepthKind::Tof => Self::TimeOfFlight,
         }
     }
 
@@ -27,6 +43,7 @@ impl EngineKind {
         match self {
             Self::SingleView => "single-view",
             Self::StereoNoise => "stereo-noise",
+            Self::TimeOfFlight => "time-of-flight",
         }
     }
 }

@@ -3,7 +3,7 @@
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
-use oaktwin::sensor::{Engine, Sensor};
+use oaktwin::sensor::{EngineKind, Sensor};
 
 use super::{Oak, asked};
 use crate::args::RenderArgs;
@@ -111,19 +111,18 @@ fn without_output(
         })
         .map(|one| one.name())
         .collect();
-    let is_stereo = |sensor: &Option<Sensor>| {
-        sensor
-            .as_ref()
-            .is_some_and(|sensor| matches!(sensor.engine(), Engine::StereoNoise(_)))
+    let other = |sensor: &Option<Sensor>| {
+        let kind = EngineKind::of(sensor.as_ref()?.engine());
+        Some(kind).filter(|kind| *kind != EngineKind::SingleView && !missing.is_empty())
     };
     let both = cameras.iter().zip(sensors);
-    both.filter(|(_, sensor)| is_stereo(sensor) && !missing.is_empty())
-        .map(|(camera, _)| {
+    both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
+        .map(|(camera, kind)| {
             Finding::new(
                 "single-view-only",
                 Level::Note,
                 &camera.path,
-                format!("stereo-noise has no {}: left out", missing.join(" and no ")),
+                format!("{} has no {}: left out", kind.as_str(), missing.join(" and no ")),
                 "",
             )
         })

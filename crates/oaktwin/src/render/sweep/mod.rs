@@ -132,11 +132,11 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
     };
     match fold_name(name).as_str() {
         "engine" => {
-            let kinds = [EngineKind::SingleView, EngineKind::StereoNoise];
-            let kind = kinds
+            let kind = EngineKind::ALL
                 .into_iter()
                 .find(|kind| fold_name(kind.as_str()) == fold_name(value));
-            options.engine = Some(kind.ok_or_else(|| wrong("give single-view or stereo-noise"))?);
+            options.engine =
+                Some(kind.ok_or_else(|| wrong("give single-view, stereo-noise or time-of-flight"))?);
         }
         "preset" => options.preset = Some(value.to_owned()),
         "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
