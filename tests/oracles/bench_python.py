@@ -1,4 +1,4 @@
-"""What calls of the Python package cost, beside the noise that people write in NumPy, in turns.
+"""What calls of the Python package cost, beside the noise that people write in NumPy and the ray casting of Open3D, in turns.
 
 Run by `cargo xtask bench python`.
 """
@@ -40,32 +40,82 @@ def seconds(call, least=0.05):
     return took / count
 
 
-def cases():
-    for shape in [(60, 106), (800, 1280), (1024, 60, 106)]:
+def turns(rounds, *calls):
+    """The median of each of several calls, which take turns."""
+    for call in calls:
+        call()
+    return [statistics.median(times) for times in zip(*([seconds(call) for call in calls] for _ in range(rounds)))]
+
+
+def line(name, pixels, own, peer=None):
+    against = "" if peer is None else f" {peer * 1e6:9.1f} us {peer / own:7.2f}"
+    print(f"{name:44} {own * 1e6:9.1f} us {pixels / own / 1e6:8.1f}{against}")
+
+
+def senses(rounds):
+    print(f"{'case':44} {'oaktwin':>12} {'Mpx/s':>8} {'NumPy':>12} {'ratio':>7}")
+    for shape in [(1, 1), (60, 106), (800, 1280), (1024, 60, 106)]:
         depth = wall(*shape)
         out, theirs = np.empty_like(depth), np.empty_like(depth)
-        yield (
-            f"stereo-noise {shape}",
-            depth.size,
-            lambda depth=depth, out=out: SENSOR(depth, out=out),
-            lambda depth=depth, out=theirs: numpy_noise(depth, out),
-        )
-    one = wall(1, 1)
-    nothing = np.empty_like(one)
-    yield "stereo-noise (1, 1): the call itself", 1, lambda: SENSOR(one), lambda: numpy_noise(one, nothing)
+        own, peer = turns(rounds, lambda: SENSOR(depth, out=out), lambda: numpy_noise(depth, theirs))
+        name = "stereo-noise (1, 1): the call itself" if depth.size == 1 else f"stereo-noise {shape}"
+        line(name, depth.size, own, peer)
+
+
+def hills(side=400):
+    """A field of 2 side^2 triangles, x right, y down, z forward, metres; it fills the image."""
+    x, y = np.meshgrid(np.linspace(-6, 6, side + 1), np.linspace(-5, 5, side + 1))
+    z = 4 + 0.4 * np.sin(3 * x) * np.cos(2 * y) + 0.05 * np.sin(19 * x + 7 * y)
+    vertices = np.stack([x, y, z], -1).reshape(-1, 3).astype(np.float32)
+    first = (np.arange(side)[:, None] * (side + 1) + np.arange(side)).ravel()
+    a, b, c, d = first, first + 1, first + side + 1, first + side + 2
+    return vertices, np.concatenate([np.stack([a, b, c], -1), np.stack([b, d, c], -1)]).astype(np.uint32)
+
+
+def renders(rounds):
+    camera = DEVICE.depth_camera()
+    pixels = camera.width * camera.height
+    vertices, faces = hills()
+    scene = oaktwin.Scene.from_triangles(vertices, faces)
+    try:
+        from open3d_import import open3d
+
+        o3d = open3d()
+    except ImportError as error:
+        print(f"\nskipped: Open3D: {error}")
+        return
+    theirs = o3d.t.geometry.RaycastingScene()
+    theirs.add_triangles(o3d.core.Tensor(vertices), o3d.core.Tensor(faces))
+    # Their rays go through (x + 0.5, y + 0.5) of a K that counts from the corner of the image.
+    k = camera.K
+    k[:2, 2] += 0.5
+    rays = theirs.create_rays_pinhole(k, np.eye(4), camera.width, camera.height)
+
+    def peer():
+        # A ray of theirs is as long as its depth: its parameter is z.
+        return theirs.cast_rays(rays)["t_hit"].numpy()
+
+    print(f"\n{f'{len(faces)} triangles, 1280 x 800':44} {'oaktwin':>12} {'Mpx/s':>8} {'Open3D':>12} {'ratio':>7}")
+    truth = peer()
+    for backend in ["auto", "raster", "ray"]:
+
+        def own(backend=backend):
+            return scene.render(camera, np.eye(4), backend=backend)["distance_to_image_plane"]
+
+        line(f"Scene.render, {backend}", pixels, *turns(rounds, own, peer))
+        depth = own()
+        both = np.isfinite(depth) & np.isfinite(truth)
+        off = np.abs(depth[both] - truth[both])
+        print(f"    hit by both {both.mean():.4%}, by one {np.mean(np.isfinite(depth) != np.isfinite(truth)):.4%}; "
+              f"apart by {np.median(off):.1e} m, 99.9 % within {np.quantile(off, 0.999):.1e} m")
+        if both.mean() < 0.99 or np.quantile(off, 0.999) > 1e-3:
+            sys.exit("error: they do not see the same")
+    print("Their rays are made beforehand; ours are part of the call.")
 
 
 def main(rounds):
-    print(f"{'case':40} {'oaktwin':>12} {'Mpx/s':>8} {'NumPy':>12} {'ratio':>7}")
-    for name, pixels, ours, theirs in cases():
-        ours(), theirs()
-        turns = [(seconds(ours), seconds(theirs)) for _ in range(rounds)]
-        own, peer = (statistics.median(times) for times in zip(*turns))
-        print(f"{name:40} {own * 1e6:9.1f} us {pixels / own / 1e6:8.1f} {peer * 1e6:9.1f} us {peer / own:7.2f}")
-    scene = oaktwin.Scene.from_triangles(np.array([[-50, -50, 3], [50, -50, 3], [0, 80, 3]]), np.array([[0, 1, 2]]))
-    camera = DEVICE.depth_camera()
-    own = statistics.median(seconds(lambda: scene.render(camera, np.eye(4))) for _ in range(rounds))
-    print(f"{'render of one triangle, 1280 x 800':40} {own * 1e6:9.1f} us {camera.width * camera.height / own / 1e6:8.1f}")
+    senses(rounds)
+    renders(rounds)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ NEEDS = {
     "test_dataset.py": ("cv2",),
     "test_filters.py": ("cv2", "depthai"),
     "test_importers.py": ("trimesh",),
+    "test_rectify.py": ("cv2", "depthai"),
     "test_render.py": ("open3d", "libusb_package"),
 }
 collect_ignore = [name for name, packages in NEEDS.items() if not all(map(find_spec, packages))]

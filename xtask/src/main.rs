@@ -8,6 +8,7 @@
 mod bench;
 mod conformance;
 mod counts;
+mod docs;
 mod python;
 mod report;
 mod schema;
@@ -38,6 +39,8 @@ enum Task {
     Bench(bench::Bench),
     /// Compare what the program renders with what Isaac Sim rendered; exit code 1 where they differ, 2 without the data.
     Conformance(conformance::Args),
+    /// Build the manual of the Python package into target/docs-python
+    Docs,
     /// Write the JSON schemas of the catalog's files anew.
     Schema,
 }
@@ -47,6 +50,7 @@ fn main() -> ExitCode {
         Task::Test(args) => return test::run(&args),
         Task::Conformance(args) => return conformance::run(&args),
         Task::Bench(bench) => bench::run(&bench),
+        Task::Docs => docs::run(),
         Task::Schema => schema::run(),
     };
     match result {

@@ -43,11 +43,32 @@ pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     },
 ];
 
-/// Where the Python package is installed and tested.
+/// Where the Python package is installed and tested, and its manual is built.
 pub(crate) const PACKAGE: Environment = Environment {
     name: "python",
     versions: ((3, 11), None),
     tests: "crates/python/tests",
+};
+
+/// The same with the peers that are large; it takes the place of [`PACKAGE`].
+pub(crate) const PEERS: Environment = Environment {
+    name: "peers",
+    versions: ((3, 11), None),
+    tests: "crates/python/tests",
+};
+
+/// `PyTorch`, several gigabytes of it, for the tests of its tensors.
+pub(crate) const TORCH: Environment = Environment {
+    name: "torch",
+    versions: ((3, 11), None),
+    tests: "crates/python/tests/test_torch.py",
+};
+
+/// What the package says it needs, the oldest of it, and nothing else: without pytest.
+pub(crate) const BARE: Environment = Environment {
+    name: "bare",
+    versions: ((3, 10), Some((3, 11))),
+    tests: "crates/python/tests/bare.py",
 };
 
 /// Open3D and the other engines that depth frames are compared with: large, so only made where they are asked for.
@@ -85,6 +106,11 @@ impl Interpreter {
 }
 
 impl Environment {
+    /// Whether the Python package is installed in it.
+    pub(crate) fn has_package(&self) -> bool {
+        self.tests.starts_with("crates/python/")
+    }
+
     /// The first interpreter that it can be made with, or why there is none.
     pub(crate) fn choose<'a>(&self, interpreters: &'a [Interpreter]) -> Result<&'a Interpreter, String> {
         let (first, last) = self.versions;
@@ -119,16 +145,29 @@ impl Environment {
     /// Makes it if it is not there as its requirements file has it; the path of its Python.
     pub(crate) fn prepare(&self, interpreter: &Interpreter) -> Result<PathBuf, String> {
         let pins = workspace::root().join(format!("tests/oracles/requirements-{}.txt", self.name));
-        let text = fs::read_to_string(&pins).map_err(|error| format!("{}: {error}", pins.display()))?;
+        let text = pinned(&pins)?;
         let stamp = format!("Python {}\n{text}", dotted(interpreter.version));
         let folder = workspace::target().join("oracles");
         prepare_in(&folder, self.name, interpreter, &pins, &stamp)
     }
 }
 
-/// Builds the Python package's wheel, with a profile of cargo's and the maturin of an environment, and installs it there,
-/// in place of any other.
-pub(crate) fn install_package(python: &Path, profile: &str) -> Result<(), String> {
+/// What a requirements file pins, with the files that it names: their texts one after the other.
+fn pinned(file: &Path) -> Result<String, String> {
+    let mut text = fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let included: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("-r ")).collect();
+    let included: Vec<_> = included
+        .iter()
+        .map(|name| file.with_file_name(name.trim()))
+        .collect();
+    for file in included {
+        text += &fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
+    }
+    Ok(text)
+}
+
+/// Builds the Python package's wheel with a profile of cargo's and the maturin of an environment; its path.
+pub(crate) fn build_wheel(python: &Path, profile: &str) -> Result<PathBuf, String> {
     let folder = workspace::target().join("oracles/wheels");
     let failed = |error: &std::io::Error| format!("{}: {error}", folder.display());
     if folder.exists() {
@@ -143,10 +182,15 @@ pub(crate) fn install_package(python: &Path, profile: &str) -> Result<(), String
     output(&mut build)?;
     let wheels = fs::read_dir(&folder).map_err(|error| failed(&error))?;
     let wheels: Result<Vec<_>, _> = wheels.map(|entry| entry.map(|entry| entry.path())).collect();
-    let wheels = wheels.map_err(|error| failed(&error))?;
-    let [wheel] = &wheels[..] else {
-        return Err(format!("maturin made {} wheels instead of one", wheels.len()));
-    };
+    let mut wheels = wheels.map_err(|error| failed(&error))?;
+    match (wheels.pop(), wheels.len()) {
+        (Some(wheel), 0) => Ok(wheel),
+        (_, more) => Err(format!("maturin made {more} wheels too many, or none")),
+    }
+}
+
+/// Installs the Python package's wheel in an environment, in place of any other.
+pub(crate) fn install_wheel(python: &Path, wheel: &Path) -> Result<(), String> {
     let mut install = Command::new(python);
     install.args([
         "-m",
@@ -271,6 +315,20 @@ mod tests {
         assert!(rubbish.exists(), "an environment with the right stamp is kept");
         make("two").unwrap();
         assert!(!rubbish.exists(), "a changed pin makes it anew");
+    }
+
+    #[test]
+    fn what_a_file_includes_is_pinned_too() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| folder.path().join(name);
+        fs::write(file("light.txt"), "numpy==1\n").unwrap();
+        fs::write(file("large.txt"), "-r light.txt\nray==2\n").unwrap();
+        let first = pinned(&file("large.txt")).unwrap();
+        assert!(first.contains("numpy==1") && first.contains("ray==2"));
+        fs::write(file("light.txt"), "numpy==2\n").unwrap();
+        assert_ne!(pinned(&file("large.txt")).unwrap(), first);
+        fs::remove_file(file("light.txt")).unwrap();
+        assert!(pinned(&file("large.txt")).unwrap_err().contains("light.txt"));
     }
 
     #[test]

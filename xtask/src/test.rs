@@ -1,19 +1,23 @@
 //! `cargo xtask test`: every check of the project, each as a step; one that fails does not hide the others.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::thread;
 
 use crate::counts::{self, Counts};
-use crate::python::{self, ENVIRONMENTS, Environment, Interpreter, PACKAGE, RENDER};
+use crate::docs;
+use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
 use crate::report::Report;
 use crate::workspace;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Also the tests marked as slow: `#[ignore]` in Rust, `slow` in Python
+    /// Everything: the tests marked as slow too (`#[ignore]` in Rust, `slow` in Python), --peers, and `PyTorch`
     #[arg(long)]
     all: bool,
+    /// The Python package beside its large peers too: Ray, Rerun, Open3D
+    #[arg(long)]
+    peers: bool,
     /// Leave the Python oracles out
     #[arg(long)]
     skip_python: bool,
@@ -25,6 +29,8 @@ struct Programs {
     camera_eval: PathBuf,
     depth_eval: PathBuf,
     scene_dump: PathBuf,
+    /// With the feature `rerun`, where everything is tested.
+    rerun: Option<PathBuf>,
 }
 
 /// What became of a Python environment.
@@ -38,8 +44,8 @@ enum Readiness {
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
     // Mostly waiting for downloads: done beside the Rust steps.
-    let all = args.all;
-    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(all)));
+    let wanted = wanted(args);
+    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     rust_steps(&mut report, args);
     match environments {
         None => report.skip("Python oracles", "--skip-python"),
@@ -79,10 +85,20 @@ fn rust_steps(report: &mut Report, args: &Args) {
     report.command("Rust tests", &mut test, counts::of_cargo_test);
 }
 
-/// The large one only for the slow tests, which are all that it is for.
-fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
+/// The environments that are to be tested in; those with the package first to last.
+fn wanted(args: &Args) -> Vec<&'static Environment> {
+    let mut wanted: Vec<_> = ENVIRONMENTS.iter().collect();
+    wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
+    wanted.push(&BARE);
+    if args.all {
+        wanted.extend([&TORCH, &RENDER]);
+    }
+    wanted
+}
+
+fn prepare_environments(wanted: &[&'static Environment]) -> Vec<(&'static Environment, Readiness)> {
     let interpreters = Interpreter::find_all();
-    let prepare = |environment: &'static Environment| {
+    let prepare = |environment: &&'static Environment| {
         let readiness = match environment.choose(&interpreters) {
             Err(reason) => Readiness::Skipped(reason),
             Ok(interpreter) => match environment.prepare(interpreter) {
@@ -90,15 +106,9 @@ fn prepare_environments(all: bool) -> Vec<(&'static Environment, Readiness)> {
                 Err(message) => Readiness::Failed(message),
             },
         };
-        (environment, readiness)
+        (*environment, readiness)
     };
-    let large = all.then_some(&RENDER);
-    ENVIRONMENTS
-        .iter()
-        .chain([&PACKAGE])
-        .chain(large)
-        .map(prepare)
-        .collect()
+    wanted.iter().map(prepare).collect()
 }
 
 fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
@@ -106,49 +116,86 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
         .iter()
         .any(|(_, readiness)| matches!(readiness, Readiness::Ready(_)));
     let programs = if any_ready {
-        report.step("programs for the oracles", build_programs)
+        report.step("programs for the oracles", || build_programs(args.all))
     } else {
         None
     };
     if any_ready && programs.is_none() {
         report.count_failure();
     }
+    // Built once, in the first environment that has what it is built with.
+    let mut wheel = None;
     for (environment, readiness) in environments {
-        let is_package = environment.name == PACKAGE.name;
-        let name = if is_package {
-            "Python package".to_owned()
+        let kind = if environment.has_package() {
+            "package"
         } else {
-            format!("Python oracles, {}", environment.name)
+            "oracles"
         };
-        match (readiness, &programs) {
-            (Readiness::Skipped(reason), _) => report.skip(&name, reason),
+        let name = format!("Python {kind}, {}", environment.name);
+        let (python, programs) = match (readiness, &programs) {
+            (Readiness::Skipped(reason), _) => {
+                report.skip(&name, reason);
+                continue;
+            }
             (Readiness::Failed(message), _) => {
                 report.step(&name, || Err::<(), _>(message));
                 report.count_failure();
+                continue;
             }
-            (Readiness::Ready(_), None) => report.skip(&name, "its programs did not build"),
-            (Readiness::Ready(python), Some(programs)) => {
-                let installed = !is_package
-                    || report
-                        .step("wheel of the Python package", || {
-                            python::install_package(&python, "dev")
-                        })
-                        .is_some();
-                if !installed {
-                    report.count_failure();
-                    continue;
-                }
-                report.command(
-                    &name,
-                    &mut pytest(python, environment.tests, programs, args),
-                    counts::of_pytest,
-                );
+            (Readiness::Ready(_), None) => {
+                report.skip(&name, "its programs did not build");
+                continue;
             }
+            (Readiness::Ready(python), Some(programs)) => (python, programs),
+        };
+        if environment.has_package() && !install(report, environment, &python, &mut wheel) {
+            continue;
+        }
+        if environment.name == BARE.name {
+            let mut script = interpreter(&python);
+            // Isolated: neither this checkout's packages nor the user's.
+            script.arg("-I").arg(environment.tests);
+            report.command(&name, &mut script, counts::of_pytest);
+        } else {
+            let mut tests = pytest(&python, environment.tests, programs, args);
+            report.command(&name, &mut tests, counts::of_pytest);
+        }
+        let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
+        if has_pdoc
+            && report
+                .step("manual of the Python package", || docs::build(&python))
+                .is_none()
+        {
+            report.count_failure();
         }
     }
 }
 
-fn build_programs() -> Result<Programs, String> {
+/// Puts the package into an environment; whether it is there.
+fn install(
+    report: &mut Report,
+    environment: &Environment,
+    python: &Path,
+    wheel: &mut Option<PathBuf>,
+) -> bool {
+    let installed = report.step(
+        &format!("wheel of the Python package, {}", environment.name),
+        || {
+            let built = match wheel.take() {
+                Some(built) => built,
+                None if environment.name == BARE.name => return Err("it was not built".to_owned()),
+                None => python::build_wheel(python, "dev")?,
+            };
+            python::install_wheel(python, wheel.insert(built))
+        },
+    );
+    if installed.is_none() {
+        report.count_failure();
+    }
+    installed.is_some()
+}
+
+fn build_programs(all: bool) -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
     let names = ["oaktwin", "camera-eval", "depth-eval", "scene-dump"];
     let mut arguments = vec!["--workspace"];
@@ -164,12 +211,43 @@ fn build_programs() -> Result<Programs, String> {
         camera_eval: take("camera-eval")?,
         depth_eval: take("depth-eval")?,
         scene_dump: take("scene-dump")?,
+        rerun: if all { Some(build_with_rerun()?) } else { None },
     })
 }
 
-fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Command {
+/// The program that writes `.rrd`, in a folder of its own: five hundred crates, and other features of those of the rest.
+fn build_with_rerun() -> Result<PathBuf, String> {
+    let folder = workspace::target().join("rerun");
+    let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
+    let arguments = [
+        "-p",
+        "oaktwin-cli",
+        "--features",
+        "rerun",
+        "--bin",
+        "oaktwin",
+        "--target-dir",
+        folder,
+    ];
+    let mut programs = workspace::build(&arguments)?;
+    programs
+        .remove("oaktwin")
+        .ok_or_else(|| "cargo built no program named oaktwin".to_owned())
+}
+
+/// A pinned environment's: nothing of the user's own Python gets in.
+fn interpreter(python: &Path) -> Command {
     let mut command = Command::new(python);
-    command.current_dir(workspace::root());
+    command
+        .current_dir(workspace::root())
+        .env_remove("PYTHONPATH")
+        .env_remove("PYTHONHOME")
+        .env("PYTHONDONTWRITEBYTECODE", "1");
+    command
+}
+
+fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Command {
+    let mut command = interpreter(python);
     command.args([
         "-m",
         "pytest",
@@ -187,10 +265,8 @@ fn pytest(python: PathBuf, tests: &str, programs: &Programs, args: &Args) -> Com
     command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
     command.env("OAKTWIN_DEPTH_EVAL", &programs.depth_eval);
     command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
-    // The environment is pinned: nothing of the user's own Python gets in.
-    command
-        .env_remove("PYTHONPATH")
-        .env_remove("PYTHONHOME")
-        .env("PYTHONDONTWRITEBYTECODE", "1");
+    if let Some(program) = &programs.rerun {
+        command.env("OAKTWIN_RERUN_BIN", program);
+    }
     command
 }

@@ -64,6 +64,7 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     names_are_free(doc, device, catalog)?;
     positive(doc, "stereo_baseline_mm", device.stereo_baseline_mm)?;
     body_and_imu(doc, device)?;
+    projector(doc, device)?;
     if device.cameras.is_empty() {
         return Err(doc.error("camera", "a device without cameras", "add a [[camera]]"));
     }
@@ -160,6 +161,46 @@ fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
         ));
     }
     Ok(())
+}
+
+/// More dots than any projector has.
+const MOST_DOTS: u32 = 1_000_000;
+
+fn projector(doc: &Document<'_>, device: &Device) -> Checked {
+    let Some(spec) = &device.projector else {
+        return Ok(());
+    };
+    if device.body.projector_mm.is_none() {
+        return Err(doc.error(
+            "projector",
+            "a projector without a place",
+            "give its place in the body as body.projector_mm",
+        ));
+    }
+    if !(1..=MOST_DOTS).contains(&spec.dots) {
+        return Err(doc.error(
+            "projector.dots",
+            format!("{} dots", spec.dots),
+            format!("give 1 to {MOST_DOTS}"),
+        ));
+    }
+    for (key, value) in [("hfoi_deg", spec.hfoi_deg), ("vfoi_deg", spec.vfoi_deg)] {
+        if !(1.0..=170.0).contains(&value) {
+            return Err(doc.error(
+                &format!("projector.{key}"),
+                format!("a field of illumination of {value}°"),
+                "give degrees, 1 to 170",
+            ));
+        }
+    }
+    for (key, value) in [
+        ("wavelength_nm", spec.wavelength_nm),
+        ("dot_width_mrad", spec.dot_width_mrad),
+        ("brightness", spec.brightness),
+    ] {
+        positive(doc, &format!("projector.{key}"), value)?;
+    }
+    sources(doc, "projector.", &spec.sources)
 }
 
 fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Checked {

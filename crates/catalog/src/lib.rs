@@ -34,7 +34,7 @@ pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
     Accuracy, AccuracyBand, AccuracyHeadline, Body, Camera, DepthKind, DepthSensor, Device, Evidence, Imu,
-    LegacyDistortion, Note, Role, Sensor,
+    LegacyDistortion, Note, Projector, Role, Sensor,
 };
 pub use schema::{device_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};

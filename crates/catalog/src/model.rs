@@ -90,6 +90,9 @@ pub struct Device {
     pub body: Body,
     /// The inertial unit.
     pub imu: Imu,
+    /// The infrared dot projector, where the device has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub projector: Option<Projector>,
     /// Distance from the left to the right optical centre, mm.
     pub stereo_baseline_mm: f64,
     /// The cameras, in the order in which the sheet's columns list them.
@@ -302,6 +305,32 @@ pub struct Body {
     /// The place of the infrared dot projector in the body frame, mm, where the device has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub projector_mm: Option<[f64; 3]>,
+    /// Where the values above come from.
+    pub source: Source,
+    /// The keys that come from elsewhere.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub sources: Sources,
+}
+
+/// The infrared dot projector of a device; its place is [`Body::projector_mm`]. It looks along +x of the body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Projector {
+    /// `ams Belago 1.1`.
+    pub model: String,
+    /// How many dots it projects.
+    pub dots: u32,
+    /// The horizontal field of illumination, at whose border the light is half as strong, degrees.
+    pub hfoi_deg: f64,
+    /// The vertical field of illumination, degrees.
+    pub vfoi_deg: f64,
+    /// Of its light, nm.
+    pub wavelength_nm: f64,
+    /// The angle across a dot where it is half as bright as in its middle, mrad.
+    pub dot_width_mrad: f64,
+    /// How bright the middle of a dot is on a surface that faces it 1 m away, at full power, in what the same surface
+    /// sends in the light of an office.
+    pub brightness: f64,
     /// Where the values above come from.
     pub source: Source,
     /// The keys that come from elsewhere.

@@ -4,7 +4,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Body, Camera, DepthSensor, Device, Imu, Sensor};
+use crate::{Body, Camera, DepthSensor, Device, Imu, Projector, Sensor};
 
 /// Where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -73,7 +73,7 @@ macro_rules! sourced {
     )*};
 }
 
-sourced!(Sensor, Device, Body, Imu, Camera, DepthSensor);
+sourced!(Sensor, Device, Body, Imu, Projector, Camera, DepthSensor);
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! What the program understands.
 
 mod accuracy;
+mod fit;
 mod sense;
 mod sensor;
 
@@ -12,6 +13,7 @@ use oaktwin::usd::{asset, optics};
 use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
+pub(crate) use fit::{Also, FitArgs};
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::SensorArgs;
 
@@ -23,8 +25,10 @@ pub(crate) use sensor::SensorArgs;
     propagate_version = true,
     arg_required_else_help = true
 )]
-#[command(after_help = "Exit codes: 0 good, 1 findings (check, accuracy), 2 error.\n\
-    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter.")]
+#[command(
+    after_help = "Exit codes: 0 good, 1 findings (check, accuracy, fit), 2 error.\n\
+    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter."
+)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -54,6 +58,8 @@ pub(crate) enum Command {
     Sense(Box<SenseArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
+    /// Find the parameters of a depth sensor's errors in recordings of a flat target
+    Fit(Box<FitArgs>),
     /// Find mistakes in the cameras and depth sensors of a USD file
     Check(CheckArgs),
     /// Print a script that completes commands in a shell
@@ -247,9 +253,13 @@ pub(crate) struct RenderArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The folder to write into
-    #[arg(short, long, value_name = "DIR", default_value = "oaktwin-render", value_hint = ValueHint::DirPath)]
-    pub(crate) output: PathBuf,
+    /// The folder to write into; by default oaktwin-render, or none where there is --record
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Record the frames, the cameras and their poses: .mcap for ROS 2, or .rrd for Rerun where that is built in
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) record: Option<PathBuf>,
 
     /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable. By
     /// default every depth sensor, else every camera of the scene

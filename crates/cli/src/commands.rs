@@ -7,6 +7,7 @@ pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod demo;
 pub(crate) mod export;
+pub(crate) mod fit;
 pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod render;

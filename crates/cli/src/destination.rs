@@ -48,58 +48,9 @@ pub(crate) fn spare_inputs<'a>(
     }
 }
 
-/// The path of an existing file as a layer in `folder` names it: `./x.usd`, `../y/x.usd`.
-pub(crate) fn relative(folder: &Path, file: &Path) -> Result<String, FileError> {
-    let absolute = |path: &Path| {
-        let path = if path.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            path
-        };
-        fs::canonicalize(path).or_else(|_| std::path::absolute(path))
-    };
-    let unknown = |_| FileError::new(file, "its absolute path cannot be found", "check the path");
-    let (folder, file) = (
-        absolute(folder).map_err(unknown)?,
-        absolute(file).map_err(unknown)?,
-    );
-    let common = folder
-        .components()
-        .zip(file.components())
-        .take_while(|(a, b)| a == b)
-        .count();
-    let up = folder.components().skip(common).map(|_| "..".to_owned());
-    let down = file
-        .components()
-        .skip(common)
-        .map(|part| part.as_os_str().to_string_lossy().into_owned());
-    let parts: Vec<String> = up.chain(down).collect();
-    let path = parts.join("/");
-    Ok(if path.starts_with("..") {
-        path
-    } else {
-        format!("./{path}")
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_layer_names_its_base_relative_to_itself() {
-        let root = tempfile::tempdir().unwrap();
-        let base = root.path().join("vendor/a.usd");
-        fs::create_dir_all(root.path().join("vendor")).unwrap();
-        fs::write(&base, "").unwrap();
-        fs::create_dir_all(root.path().join("mine/deep")).unwrap();
-        assert_eq!(relative(&root.path().join("vendor"), &base).unwrap(), "./a.usd");
-        assert_eq!(relative(root.path(), &base).unwrap(), "./vendor/a.usd");
-        assert_eq!(
-            relative(&root.path().join("mine/deep"), &base).unwrap(),
-            "../../vendor/a.usd"
-        );
-    }
 
     #[test]
     fn what_names_a_folder() {

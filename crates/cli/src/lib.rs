@@ -7,6 +7,7 @@ mod context;
 mod destination;
 mod interrupt;
 mod output;
+mod plot;
 mod progress;
 mod size;
 
@@ -57,6 +58,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Render(args) => commands::render::run(&context, args),
         Command::Sense(args) => commands::sense::run(&context, args),
         Command::Accuracy(args) => commands::accuracy::run(&context, args),
+        Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Good),
     }

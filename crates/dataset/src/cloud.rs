@@ -1,6 +1,6 @@
 //! Clouds of points: the arrays of `pointcloud`, and those of a depth sensor.
 
-use oaktwin_image::{Image, npy, ply};
+use oaktwin_image::{Image, npy};
 
 use crate::file::Fault;
 
@@ -33,30 +33,6 @@ pub(crate) fn ids(ids: &[u32]) -> Result<Vec<u8>, Fault> {
 pub(crate) fn organized<T: npy::Element>(image: &Image<[T; 4]>) -> Result<Vec<u8>, Fault> {
     let shape = [image.height() as usize, image.width() as usize, 4];
     Ok(npy::encode(&shape, image.pixels().as_flattened())?)
-}
-
-/// PLY of an image of points: those that are some, the fourth number being above 0.
-pub(crate) fn measured(
-    positions: &Image<[f32; 4]>,
-    colors: Option<&Image<[u8; 4]>>,
-) -> Result<Vec<u8>, Fault> {
-    let is_point = |point: &[f32; 4]| point[3] > 0.0;
-    let places = positions.pixels().iter();
-    let points: Vec<[f32; 3]> = places
-        .filter(|point| is_point(point))
-        .map(|&[x, y, z, _]| [x, y, z])
-        .collect();
-    let rgb: Option<Vec<[u8; 4]>> = colors.map(|colors| {
-        let both = colors.pixels().iter().zip(positions.pixels());
-        both.filter(|(_, point)| is_point(point))
-            .map(|(color, _)| *color)
-            .collect()
-    });
-    Ok(ply::encode(&ply::Cloud {
-        points: &points,
-        normals: None,
-        rgb: rgb.as_deref(),
-    })?)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Writers of data sets: the layout of Replicator's `BasicWriter`, and pictures and figures for people.
+//! Writers of data sets: the layout of Replicator's `BasicWriter`, recordings, and pictures and figures for people.
 //!
 //! A writer says which files a frame consists of; each [`DatasetFile`] is encoded when it is asked for its bytes, on any
 //! thread. Nothing is written here: whoever opens files does so whole or not at all.
@@ -29,6 +29,7 @@ mod listing;
 mod matrices;
 mod normals;
 mod options;
+pub mod recording;
 mod segmentation;
 
 pub use basic_writer::BasicWriter;

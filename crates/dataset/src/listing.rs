@@ -67,7 +67,7 @@ impl<'a> Files<'a> {
             });
             if self.options.extras.ply {
                 self.push(annotator, "depth_sensor_point_cloud", "ply", move || {
-                    cloud::measured(positions, colors)
+                    Ok(ply::encode_measured(positions, colors, |point| point)?)
                 });
             }
         }

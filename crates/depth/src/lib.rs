@@ -2,7 +2,7 @@
 //!
 //! Ground truth from any renderer is a valid input: [`Shot`]. An engine turns it into what the camera would have
 //! reported: [`single_view`] as Isaac Sim's `DepthSensorDistance` does, [`stereo_noise`] with the errors that an OAK's
-//! stereo makes; a [`Sensor`] is an engine with its filters, which may remember earlier frames.
+//! stereo makes, [`stereo_matching`] from the pair of images that its cameras took, as the device does; a [`Sensor`] is an engine with its filters, which may remember earlier frames.
 //!
 //! Input is metres along the optical axis; what is not finite and above 0 is no surface. Output is metres, 0 where
 //! nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on the seed, the camera's
@@ -10,15 +10,20 @@
 
 pub mod align;
 mod choice;
+mod disparity;
+pub mod dots;
 mod error;
 pub mod filter;
+pub mod imager;
 pub mod measure;
 pub mod preset;
 pub mod random;
+pub mod rectify;
 mod sensor;
 mod shot;
 mod simd;
 pub mod single_view;
+pub mod stereo_matching;
 pub mod stereo_noise;
 pub mod time_of_flight;
 mod turns;

@@ -3,10 +3,12 @@ mod batch;
 use oaktwin_image::{Image, ImageView, ZDepth, millimetres};
 
 use crate::Shot;
+use crate::disparity::Subpixel;
 use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::single_view::{self, SingleView};
-use crate::stereo_noise::{self, StereoNoise};
+use crate::stereo_matching::StereoMatching;
+use crate::stereo_noise::StereoNoise;
 use crate::time_of_flight::TimeOfFlight;
 
 /// How a depth image becomes a measured one.
@@ -18,6 +20,8 @@ pub enum Engine {
     StereoNoise(StereoNoise),
     /// As a time-of-flight camera errs.
     TimeOfFlight(TimeOfFlight),
+    /// From the [pair](Shot::with_pair) that its cameras took, as an OAK does. Without one, nothing is measured.
+    StereoMatching(StereoMatching),
 }
 
 /// An engine with its filters: looks at one image after the other, and may remember earlier ones.
@@ -25,7 +29,7 @@ pub enum Engine {
 /// # Where filters run
 /// * On stereo, as on the device, on fixed-point disparity. The disparities that can be found are spread over 0 to 8192
 ///   first, as `DepthAI`'s `getMaxDisparity` says, unless no filter changes them or the last that does is a median:
-///   `delta` and `differenceThreshold` are in these units. Filters of depth ([`Filter::is_of_depth`]) run after all others,
+///   `delta` is in these units, `differenceThreshold` in pixels of disparity. Filters of depth ([`Filter::is_of_depth`]) run after all others,
 ///   on millimetres.
 /// * On all else in their order on depth, whole millimetres.
 ///
@@ -50,6 +54,8 @@ pub struct Capture {
     pub distance: ZDepth,
     /// What Isaac Sim's sensor has beside it.
     pub single_view: Option<single_view::Output>,
+    /// How sure the matcher is of each pixel of a pair, 0 to 255; higher is surer. Not filtered.
+    pub confidence: Option<Image<u8>>,
 }
 
 impl Sensor {
@@ -98,6 +104,7 @@ impl Sensor {
                 Capture {
                     distance: distance.unwrap_or_else(|| output.distance.clone()),
                     single_view: Some(output),
+                    confidence: None,
                 }
             }
             Engine::StereoNoise(engine) => {
@@ -105,9 +112,14 @@ impl Sensor {
                     engine.sense(shot, &self.random)
                 } else {
                     let mut disparity = engine.disparity(shot, &self.random);
-                    let scale = rescale(self.filters.filters(), engine.parameters(), &mut disparity);
+                    let p = engine.parameters();
+                    let most = p.max_disparity_px();
+                    let scale = rescale(self.filters.filters(), most, p.subpixel, &mut disparity);
                     let is_of_disparity = |filter: &Filter| !filter.is_of_depth();
-                    let filtered = self.filters.run_some(disparity, shot.rgb(), is_of_disparity);
+                    let integer_level = scale * f64::from(1 << p.subpixel.bits());
+                    let filtered =
+                        self.filters
+                            .run_some(disparity, shot.rgb(), integer_level, is_of_disparity);
                     engine.depth(&filtered, scale)
                 };
                 let distance = self
@@ -116,6 +128,7 @@ impl Sensor {
                 Capture {
                     distance: distance.unwrap_or(depth),
                     single_view: None,
+                    confidence: None,
                 }
             }
             Engine::TimeOfFlight(engine) => {
@@ -124,8 +137,51 @@ impl Sensor {
                 Capture {
                     distance: distance.unwrap_or(depth),
                     single_view: None,
+                    confidence: None,
                 }
             }
+            Engine::StereoMatching(engine) => self.match_pair(&engine.clone(), shot),
+        }
+    }
+}
+
+impl Sensor {
+    /// What is matched, filtered. The picture for filters is the left image.
+    fn match_pair(&mut self, engine: &StereoMatching, shot: &Shot<'_>) -> Capture {
+        let (mut disparity, confidence, pair_width) = match shot.pair() {
+            Some(pair) => {
+                let matched = engine.disparity(&pair);
+                (matched.disparity, Some(matched.confidence), pair.width())
+            }
+            None => {
+                let (width, height) = (shot.depth().width(), shot.depth().height());
+                (Image::filled(width, height, 0), None, width)
+            }
+        };
+        let filters = self.filters.filters();
+        let picture = shot
+            .pair()
+            .filter(|_| filters.iter().any(Filter::needs_rgb))
+            .map(|pair| pair.left().picture());
+        let rgb = picture.as_ref().map(ImageView::from);
+        let scale = if filters.iter().all(Filter::is_of_depth) {
+            1.0
+        } else {
+            let p = engine.parameters();
+            let scale = rescale(filters, p.max_disparity_px(), p.subpixel, &mut disparity);
+            let is_of_disparity = |filter: &Filter| !filter.is_of_depth();
+            let integer_level = scale * f64::from(1 << p.subpixel.bits());
+            disparity = self
+                .filters
+                .run_some(disparity, rgb, integer_level, is_of_disparity);
+            scale
+        };
+        let depth = engine.depth(&disparity, scale, pair_width);
+        let distance = self.filters.run_on_metres(&depth, rgb, Filter::is_of_depth);
+        Capture {
+            distance: distance.unwrap_or(depth),
+            single_view: None,
+            confidence,
         }
     }
 }
@@ -140,12 +196,12 @@ const FILTERED_RANGE: f64 = 8192.0;
     clippy::cast_sign_loss,
     reason = "disparities of 16 bits; saturates"
 )]
-fn rescale(filters: &[Filter], parameters: &stereo_noise::Parameters, disparity: &mut Image<u16>) -> f64 {
+fn rescale(filters: &[Filter], most_px: u32, subpixel: Subpixel, disparity: &mut Image<u16>) -> f64 {
     let changes = |filter: &&Filter| !filter.is_of_depth() && !filter.needs_rgb();
     match filters.iter().rfind(changes) {
         None | Some(Filter::Median(_)) => 1.0,
         Some(_) => {
-            let most = parameters.max_disparity_px() << parameters.subpixel.bits();
+            let most = most_px << subpixel.bits();
             let scale = FILTERED_RANGE / f64::from(most);
             for fixed in disparity.pixels_mut() {
                 let spread = (f64::from(*fixed) * scale + 0.5) as u16;
@@ -167,7 +223,7 @@ impl Chain {
         if !self.filters().iter().any(&wanted) {
             return None;
         }
-        let filtered = self.run_some(millimetres::from_metres(&depth.0), rgb, wanted);
+        let filtered = self.run_some(millimetres::from_metres(&depth.0), rgb, 1.0, wanted);
         Some(ZDepth(millimetres::to_metres(&filtered)))
     }
 }

@@ -1,14 +1,16 @@
 use oaktwin_image::ImageView;
 
 use crate::ShotError;
+use crate::stereo_matching::Pair;
 
-/// What a sensor looks at: one ground-truth image, and what belongs to it. All images have one size.
+/// What a sensor looks at: one ground-truth image, and what belongs to it. All images but a stereo pair have one size.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot<'a> {
     depth: ImageView<'a, f32>,
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
     radial_velocity: Option<ImageView<'a, f32>>,
+    pair: Option<Pair<'a>>,
     /// Its number in the sequence: noise is new in every frame.
     pub frame: u64,
     /// Its number in a batch of images of one frame, which have noise of their own: the environments of a simulator.
@@ -24,6 +26,7 @@ impl<'a> Shot<'a> {
             rgb: None,
             positions: None,
             radial_velocity: None,
+            pair: None,
             frame: 0,
             item: 0,
         }
@@ -59,6 +62,13 @@ impl<'a> Shot<'a> {
         Ok(self)
     }
 
+    /// With the rectified pair that a stereo camera took. It may have a size of its own, which the measured depth then has.
+    #[must_use]
+    pub fn with_pair(mut self, pair: Pair<'a>) -> Self {
+        self.pair = Some(pair);
+        self
+    }
+
     /// Metres along the optical axis.
     #[must_use]
     pub fn depth(&self) -> ImageView<'a, f32> {
@@ -81,6 +91,12 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn radial_velocity(&self) -> Option<ImageView<'a, f32>> {
         self.radial_velocity
+    }
+
+    /// The rectified pair.
+    #[must_use]
+    pub fn pair(&self) -> Option<Pair<'a>> {
+        self.pair
     }
 
     fn check(&self, what: &'static str, width: u32, height: u32) -> Result<(), ShotError> {

@@ -2,7 +2,7 @@
 //!
 //! Source: Greg Turk's description of the format; the properties have the names that `Open3D` reads.
 
-use crate::CodecError;
+use crate::{CodecError, Image};
 
 const FORMAT: &str = "PLY";
 
@@ -62,6 +62,35 @@ pub fn encode(cloud: &Cloud<'_>) -> Result<Vec<u8>, CodecError> {
         }
     }
     Ok(out)
+}
+
+/// A file of the points of an image that are some, the fourth number being above 0, each moved to other axes; with their
+/// colours, where there is an image of them of the same size.
+///
+/// # Errors
+/// An image of colours that has another size.
+pub fn encode_measured(
+    positions: &Image<[f32; 4]>,
+    colors: Option<&Image<[u8; 4]>>,
+    axes: impl Fn([f32; 3]) -> [f32; 3],
+) -> Result<Vec<u8>, CodecError> {
+    let is_point = |point: &[f32; 4]| point[3] > 0.0;
+    let places = positions.pixels().iter();
+    let points: Vec<[f32; 3]> = places
+        .filter(|point| is_point(point))
+        .map(|&[x, y, z, _]| axes([x, y, z]))
+        .collect();
+    let rgb: Option<Vec<[u8; 4]>> = colors.map(|colors| {
+        let both = colors.pixels().iter().zip(positions.pixels());
+        both.filter(|(_, point)| is_point(point))
+            .map(|(color, _)| *color)
+            .collect()
+    });
+    encode(&Cloud {
+        points: &points,
+        normals: None,
+        rgb: rgb.as_deref(),
+    })
 }
 
 #[cfg(test)]

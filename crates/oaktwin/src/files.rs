@@ -45,7 +45,7 @@ impl FileError {
         Self::new(path, message, remedy)
     }
 
-    fn writing(path: &Path, error: &io::Error) -> Self {
+    pub(crate) fn writing(path: &Path, error: &io::Error) -> Self {
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("its folder does not exist", "make the folder first"),
             io::ErrorKind::PermissionDenied => ("may not be written", "choose another place with -o"),
@@ -112,48 +112,21 @@ pub fn make_folder(path: &Path) -> Result<(), FileError> {
 /// # Errors
 /// Where it cannot be written; nothing is left behind then.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-    let failed = |e: io::Error| FileError::writing(path, &e);
-    let target = match fs::symlink_metadata(path) {
-        Ok(metadata) if metadata.is_symlink() => follow(path)?,
-        _ => path.to_owned(),
-    };
-    match fs::metadata(&target) {
-        Ok(metadata) if metadata.is_dir() => {
-            return Err(FileError::new(path, "is a directory", "name a file in it"));
-        }
-        Ok(metadata) if !metadata.is_file() => {
-            let mut device = OpenOptions::new().write(true).open(&target).map_err(failed)?;
-            return device
-                .write_all(bytes)
-                .and_then(|()| device.flush())
-                .map_err(failed);
-        }
-        Ok(metadata) if metadata.permissions().readonly() => {
-            return Err(FileError::new(
-                path,
-                "is read-only",
-                "choose another place with -o, or make it writable",
-            ));
-        }
-        _ => {}
-    }
-    let temporary = Temporary::beside(&target);
-    let mut file = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(&temporary.path)
-        .map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    drop(file);
-    fs::rename(&temporary.path, &target).map_err(failed)
+    let mut parts = InParts::create(path)?;
+    parts.write(bytes)?;
+    parts.finish()?;
+    Ok(())
 }
 
-/// A file that is written in parts, and is there whole or not at all: beside its target until [`InParts::finish`].
+/// A file that is written in parts, and is there whole or not at all: beside its target until [`InParts::finish`]. Links
+/// and devices are as [`write`] has them.
 #[derive(Debug)]
 pub struct InParts {
     path: PathBuf,
-    temporary: Temporary,
+    // Closed before it is removed.
     file: File,
+    /// `None` for a device.
+    beside: Option<(Temporary, PathBuf)>,
     bytes: u64,
 }
 
@@ -163,19 +136,40 @@ impl InParts {
     /// # Errors
     /// It cannot be written, or is a folder.
     pub fn create(path: &Path) -> Result<Self, FileError> {
-        if path.is_dir() {
-            return Err(FileError::new(path, "is a directory", "name a file in it"));
-        }
-        let temporary = Temporary::beside(path);
-        let file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&temporary.path)
-            .map_err(|e| FileError::writing(path, &e))?;
+        let failed = |e: io::Error| FileError::writing(path, &e);
+        let target = match fs::symlink_metadata(path) {
+            Ok(metadata) if metadata.is_symlink() => follow(path)?,
+            _ => path.to_owned(),
+        };
+        let (file, beside) = match fs::metadata(&target) {
+            Ok(metadata) if metadata.is_dir() => {
+                return Err(FileError::new(path, "is a directory", "name a file in it"));
+            }
+            Ok(metadata) if !metadata.is_file() => (
+                OpenOptions::new().write(true).open(&target).map_err(failed)?,
+                None,
+            ),
+            Ok(metadata) if metadata.permissions().readonly() => {
+                return Err(FileError::new(
+                    path,
+                    "is read-only",
+                    "choose another place with -o, or make it writable",
+                ));
+            }
+            _ => {
+                let temporary = Temporary::beside(&target);
+                let file = OpenOptions::new()
+                    .write(true)
+                    .create_new(true)
+                    .open(&temporary.path)
+                    .map_err(failed)?;
+                (file, Some((temporary, target)))
+            }
+        };
         Ok(Self {
             path: path.to_owned(),
-            temporary,
             file,
+            beside,
             bytes: 0,
         })
     }
@@ -185,9 +179,7 @@ impl InParts {
     /// # Errors
     /// It cannot be written.
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
-        self.bytes += bytes.len() as u64;
-        self.file
-            .write_all(bytes)
+        self.write_all(bytes)
             .map_err(|e| FileError::writing(&self.path, &e))
     }
 
@@ -198,13 +190,28 @@ impl InParts {
     pub fn finish(self) -> Result<(PathBuf, u64), FileError> {
         let Self {
             path,
-            temporary,
-            file,
+            mut file,
+            beside,
             bytes,
         } = self;
+        file.flush().map_err(|e| FileError::writing(&path, &e))?;
         drop(file);
-        fs::rename(&temporary.path, &path).map_err(|e| FileError::writing(&path, &e))?;
+        if let Some((temporary, target)) = beside {
+            fs::rename(&temporary.path, target).map_err(|e| FileError::writing(&path, &e))?;
+        }
         Ok((path, bytes))
+    }
+}
+
+impl Write for InParts {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.bytes += written as u64;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
     }
 }
 
@@ -248,9 +255,61 @@ impl Drop for Temporary {
     }
 }
 
+/// The path of an existing file as a layer in `folder` names it: `./x.usd`, `../y/x.usd`.
+///
+/// # Errors
+/// An absolute path cannot be found.
+pub fn relative(folder: &Path, file: &Path) -> Result<String, FileError> {
+    let absolute = |path: &Path| {
+        let path = if path.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            path
+        };
+        fs::canonicalize(path).or_else(|_| std::path::absolute(path))
+    };
+    let unknown = |_| FileError::new(file, "its absolute path cannot be found", "check the path");
+    let (folder, file) = (
+        absolute(folder).map_err(unknown)?,
+        absolute(file).map_err(unknown)?,
+    );
+    let common = folder
+        .components()
+        .zip(file.components())
+        .take_while(|(a, b)| a == b)
+        .count();
+    let up = folder.components().skip(common).map(|_| "..".to_owned());
+    let down = file
+        .components()
+        .skip(common)
+        .map(|part| part.as_os_str().to_string_lossy().into_owned());
+    let parts: Vec<String> = up.chain(down).collect();
+    let path = parts.join("/");
+    Ok(if path.starts_with("..") {
+        path
+    } else {
+        format!("./{path}")
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_layer_names_its_base_relative_to_itself() {
+        let root = tempfile::tempdir().unwrap();
+        let base = root.path().join("vendor/a.usd");
+        fs::create_dir_all(root.path().join("vendor")).unwrap();
+        fs::write(&base, "").unwrap();
+        fs::create_dir_all(root.path().join("mine/deep")).unwrap();
+        assert_eq!(relative(&root.path().join("vendor"), &base).unwrap(), "./a.usd");
+        assert_eq!(relative(root.path(), &base).unwrap(), "./vendor/a.usd");
+        assert_eq!(
+            relative(&root.path().join("mine/deep"), &base).unwrap(),
+            "../../vendor/a.usd"
+        );
+    }
 
     fn folder() -> tempfile::TempDir {
         tempfile::tempdir().unwrap()
@@ -322,6 +381,16 @@ mod tests {
         assert!(error.contains("no space left"), "{error}");
         write(Path::new("/dev/null"), b"x").unwrap();
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn parts_of_a_device_are_written_to_it() {
+        let mut parts = InParts::create(Path::new("/dev/full")).unwrap();
+        let error = parts.write(b"x").unwrap_err().to_string();
+        assert!(error.contains("no space left"), "{error}");
+        drop(parts);
+        assert!(!fs::metadata("/dev/full").unwrap().is_file());
     }
 
     #[test]

@@ -26,8 +26,12 @@
 
 pub mod accuracy;
 pub mod contact_sheet;
+mod csv;
 pub mod demo_room;
 pub mod files;
+pub mod fit;
+pub mod pair;
+pub mod recording;
 pub mod render;
 pub mod report;
 pub mod sense;

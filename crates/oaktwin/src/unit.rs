@@ -49,8 +49,23 @@ pub fn open(
     path: &Path,
     force: bool,
 ) -> Result<(Twin, Vec<Finding>), UnitError> {
+    let (raw, _, _) = read_calibration(path)?;
+    of_raw(catalog, device, &raw, path, force)
+}
+
+/// The twin of the unit that a calibration is of that has been read; `path` is the file that it was in.
+///
+/// # Errors
+/// It is no calibration, or does not fit the model; with `force` the last is a finding.
+pub fn of_raw(
+    catalog: &Catalog,
+    device: &Device,
+    raw: &Raw,
+    path: &Path,
+    force: bool,
+) -> Result<(Twin, Vec<Finding>), UnitError> {
     let nominal = catalog.nominal(device);
-    let (_, calibration, mut findings) = read_calibration(path)?;
+    let (calibration, mut findings) = Calibration::from_raw(raw)?;
     findings.extend(calibration::check_against(&calibration, &nominal, catalog));
     accept(path, &mut findings, force)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -1,11 +1,14 @@
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use oaktwin::accuracy::{AccuracyError, Bench, CAPTURES, Options, REGION, parse_distances};
+use oaktwin::accuracy::{
+    AccuracyError, Bench, CAPTURES, MeasuredOptics, Options, REGION, measured, parse_distances,
+};
 use pyo3::prelude::*;
 
 use crate::device::Device;
-use crate::error::error;
+use crate::error::{error, reading};
 use crate::finding;
 use crate::json;
 use crate::settings::Settings;
@@ -15,7 +18,9 @@ use crate::threads;
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, captures = CAPTURES,
     region = REGION, engine = None, preset = None, filters = Vec::new(), parameters = None, seed = 0,
-    device_seed = None, extended_disparity = false, isaac = "5.1"))]
+    device_seed = None, extended_disparity = false, isaac = "5.1", measured = None, measured_from = 0.0,
+    focal_px = None, width_px = None))]
+#[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
 #[expect(clippy::too_many_arguments, reason = "options of Python")]
 pub(crate) fn accuracy<'py>(
     py: Python<'py>,
@@ -33,6 +38,10 @@ pub(crate) fn accuracy<'py>(
     device_seed: Option<u64>,
     extended_disparity: bool,
     isaac: &str,
+    measured: Option<PathBuf>,
+    measured_from: f64,
+    focal_px: Option<f64>,
+    width_px: Option<u32>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let settings = Settings {
         engine,
@@ -52,8 +61,14 @@ pub(crate) fn accuracy<'py>(
         devices,
         captures,
         region,
-        ..Options::default()
+        optics: MeasuredOptics {
+            focal_length_px: focal_px,
+            width_px,
+        },
+        from_m: measured_from,
     };
+    let read = |path: &PathBuf| measured::read(path).map_err(|error| reading(path, &error));
+    let curve = measured.as_ref().map(read).transpose()?;
     let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
     finding::warn(py, &findings)?;
     let report = threads::interruptible(py, |stop| {
@@ -64,7 +79,7 @@ pub(crate) fn accuracy<'py>(
                 ControlFlow::Continue(())
             }
         };
-        let measurement = bench.measure(None, &watch)?;
+        let measurement = bench.measure(measured.as_deref().zip(curve.as_ref()), &watch)?;
         Ok::<_, AccuracyError>(measurement.report().clone())
     })?;
     json::to_python(py, &report.map_err(error)?)

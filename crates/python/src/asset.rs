@@ -1,13 +1,16 @@
+use std::fs;
 use std::path::Path;
 
 use oaktwin::camera::ApertureOffsets;
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
-use oaktwin::usd::asset::{AssetOptions, Format, LensChoice, Target, asset};
+use oaktwin::files;
+use oaktwin::usd::asset::{self, AssetOptions, Format, LensChoice, OverrideBase, Target};
+use oaktwin::usd::stage;
 use pyo3::PyResult;
 
 use crate::choice::choose;
-use crate::error::{error, wrong};
+use crate::error::{error, reading, wrong};
 use crate::settings::ISAAC;
 
 /// What Python says of an asset.
@@ -54,12 +57,35 @@ pub(crate) fn format(path: &Path) -> PyResult<Format> {
         })
 }
 
+/// The content of a layer at `path` of overrides on somebody's asset.
+pub(crate) fn overrides(
+    twin: &Twin,
+    options: &AssetOptions,
+    format: Format,
+    base: &Path,
+    path: &Path,
+) -> PyResult<(Vec<u8>, Vec<Finding>)> {
+    let stage = stage::open(base).map_err(|error| reading(base, &error))?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = files::relative(folder, base).map_err(error)?;
+    if fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(base).is_ok_and(|base| base == path)) {
+        return Err(wrong(
+            path.display(),
+            "is the asset itself",
+            "write to another file",
+        ));
+    }
+    let base = OverrideBase::of(&stage, &name, twin).map_err(error)?;
+    let made = asset::overrides(twin, options, &base).map_err(error)?;
+    Ok((made.bytes(format).map_err(error)?, made.findings))
+}
+
 /// The file's content.
 pub(crate) fn bytes(
     twin: &Twin,
     options: &AssetOptions,
     format: Format,
 ) -> PyResult<(Vec<u8>, Vec<Finding>)> {
-    let made = asset(twin, options).map_err(error)?;
+    let made = asset::asset(twin, options).map_err(error)?;
     Ok((made.bytes(format).map_err(error)?, made.findings))
 }

@@ -34,7 +34,76 @@ pub(crate) struct Camera {
     pub(crate) body_from_camera: RigidTransform,
 }
 
+/// What a camera is, for pickles: its name, size, K, lens and coefficients, clipping range, and place on its device.
+type State = (
+    String,
+    (u32, u32),
+    [[f64; 3]; 3],
+    &'static str,
+    Vec<f64>,
+    (f64, f64),
+    [[f64; 4]; 4],
+);
+
+/// The camera of a pickle, to the last bit.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+pub(crate) fn _camera(
+    name: String,
+    size: (u32, u32),
+    k: [[f64; 3]; 3],
+    lens: &str,
+    coefficients: Vec<f64>,
+    clip: (f64, f64),
+    body_from_camera: [[f64; 4]; 4],
+) -> PyResult<Camera> {
+    let size = ImageSize::new(size.0, size.1);
+    check_size(size).map_err(error)?;
+    let lens = match lens {
+        "pinhole" => LensModel::Pinhole,
+        "opencv" => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
+        "fisheye" => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
+        other => {
+            return Err(wrong(
+                "lens",
+                format_args!("there is no `{other}`"),
+                "pickle it again",
+            ));
+        }
+    };
+    Ok(Camera {
+        name,
+        camera: camera::Camera::new(Intrinsics::from_opencv_matrix(size, k), lens),
+        clip: Clip {
+            near_m: clip.0,
+            far_m: clip.1,
+        },
+        body_from_camera: RigidTransform::from_rows(body_from_camera),
+    })
+}
+
 impl Camera {
+    fn state(&self) -> PyResult<State> {
+        let coefficients = match &self.camera.lens {
+            LensModel::Pinhole => Vec::new(),
+            LensModel::OpenCvPinhole(lens) => lens.coefficients.to_vec(),
+            LensModel::OpenCvFisheye(lens) => lens.k.to_vec(),
+            LensModel::FTheta(_) => {
+                let remedy = "open the scene that has it where it is wanted";
+                return Err(wrong(&self.name, "an f-theta lens cannot be pickled", remedy));
+            }
+        };
+        Ok((
+            self.name.clone(),
+            self.size(),
+            self.camera.intrinsics.opencv_matrix(),
+            self.lens(),
+            coefficients,
+            self.clip(),
+            self.body_from_camera.rows(),
+        ))
+    }
+
     /// One that an asset would have.
     pub(crate) fn placed(name: &str, placed: &PlacedCamera) -> Self {
         Self {
@@ -263,6 +332,11 @@ impl Camera {
                 .intrinsics
                 .cropped(corner, ImageSize::new(width, height)),
         )
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
+        let restore = py.import("oaktwin._oaktwin")?.getattr("_camera")?;
+        Ok((restore, self.state()?))
     }
 
     fn __repr__(&self) -> String {

@@ -1,10 +1,10 @@
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
-use oaktwin::camera::{RectifiedIntrinsics, RigidTransform, stereo_rectify_to};
+use oaktwin::camera::RigidTransform;
 use oaktwin::catalog::{self, Catalog, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, nearest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
@@ -28,16 +28,54 @@ use crate::settings::kind;
 const LENSES: [(&str, LensChoice); 2] = [("pinhole", LensChoice::Pinhole), ("fisheye", LensChoice::Fisheye)];
 
 /// The names of all models, as `Device` takes them.
+///
+/// catalog: a folder of your own, as of `Device`.
+///
+/// Raises oaktwin.Error for a folder or a file in it that is no catalog's.
 #[pyfunction]
-pub(crate) fn models() -> Vec<String> {
-    let devices = Catalog::builtin().devices().iter();
-    devices.map(|device| device.name.clone()).collect()
+#[pyo3(signature = (*, catalog = None))]
+pub(crate) fn models(catalog: Option<PathBuf>) -> PyResult<Vec<String>> {
+    let catalog = Models::open(catalog)?;
+    let devices = catalog.get().devices().iter();
+    Ok(devices.map(|device| device.name.clone()).collect())
+}
+
+/// The catalog that comes with the package, or with a folder of somebody's own.
+#[derive(Clone, Debug)]
+struct Models(Option<(PathBuf, Arc<Catalog>)>);
+
+impl Models {
+    fn open(folder: Option<PathBuf>) -> PyResult<Self> {
+        let open = |folder: PathBuf| {
+            let catalog = Catalog::with_dir(&folder).map_err(error)?;
+            // Where a pickle of the device finds it again.
+            let folder = std::path::absolute(&folder).unwrap_or(folder);
+            Ok::<_, PyErr>((folder, Arc::new(catalog)))
+        };
+        Ok(Self(folder.map(open).transpose()?))
+    }
+
+    fn get(&self) -> &Catalog {
+        match &self.0 {
+            Some((_, own)) => own,
+            None => Catalog::builtin(),
+        }
+    }
+
+    fn folder(&self) -> Option<&PathBuf> {
+        self.0.as_ref().map(|(folder, _)| folder)
+    }
+
+    fn entry(&self, name: &str) -> PyResult<&catalog::Device> {
+        self.get().device(name).map_err(error)
+    }
 }
 
 /// A digital twin of a Luxonis OAK: a model of the catalog, nominal, or one unit of it by its calibration.
 ///
 /// model: the name; case, spaces, hyphens and underscores do not matter: "OAK4-D", "oak-d-pro-poe". See `models()`.
 /// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
+/// catalog: a folder of TOML files, your own devices and sensors beside those that are known. A pickle reads it again.
 ///
 /// Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, its origin midway
 /// between the left and right optical centres. Metres.
@@ -48,6 +86,7 @@ pub(crate) fn models() -> Vec<String> {
 pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
+    models: Models,
     calibration: Option<Calibrated>,
     findings: Vec<diagnostic::Finding>,
 }
@@ -56,16 +95,36 @@ pub(crate) struct Device {
 struct Calibrated {
     raw: Raw,
     calibration: Calibration,
+    force: bool,
 }
 
-fn entry(name: &str) -> PyResult<&'static catalog::Device> {
-    Catalog::builtin().device(name).map_err(error)
+/// The device of a pickle; a calibration's text travels in it.
+#[pyfunction]
+pub(crate) fn _device(
+    model: &str,
+    lens: &str,
+    catalog: Option<PathBuf>,
+    calibration: Option<(String, String, bool)>,
+) -> PyResult<Device> {
+    let Some((name, text, force)) = calibration else {
+        return Device::py_new(model, lens, catalog);
+    };
+    let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
+    Device::unit(
+        Models::open(catalog)?,
+        raw,
+        Some(model),
+        Path::new(&name),
+        force,
+        lens,
+    )
 }
 
 impl Device {
     fn new(
         twin: Twin,
         lens: &str,
+        models: Models,
         calibration: Option<Calibrated>,
         findings: Vec<diagnostic::Finding>,
     ) -> PyResult<Self> {
@@ -74,9 +133,40 @@ impl Device {
         Ok(Self {
             twin: Arc::new(twin),
             lens,
+            models,
             calibration,
             findings,
         })
+    }
+
+    /// The twin of the unit that a calibration is of.
+    fn unit(
+        models: Models,
+        raw: Raw,
+        model: Option<&str>,
+        path: &Path,
+        force: bool,
+        lens: &str,
+    ) -> PyResult<Self> {
+        let failed = |error: unit::UnitError| reading(path, &error);
+        let (calibration, _) = Calibration::from_raw(&raw).map_err(|error| reading(path, &error))?;
+        let device = match model {
+            Some(model) => models.entry(model)?,
+            None => {
+                let product = &calibration.board.product_name;
+                models.get().device(product).map_err(|unknown| {
+                    let place = format!("{}: productName", path.display());
+                    wrong(place, unknown, "say model=, which unit it is")
+                })?
+            }
+        };
+        let (twin, findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(failed)?;
+        let calibrated = Calibrated {
+            raw,
+            calibration,
+            force,
+        };
+        Self::new(twin, lens, models, Some(calibrated), findings)
     }
 
     /// The camera of a role, prim or depth sensor.
@@ -129,10 +219,11 @@ impl Device {
 #[pymethods]
 impl Device {
     #[new]
-    #[pyo3(signature = (model, *, lens = "pinhole"))]
-    fn py_new(model: &str, lens: &str) -> PyResult<Self> {
-        let twin = Catalog::builtin().nominal(entry(model)?);
-        Self::new(twin, lens, None, Vec::new())
+    #[pyo3(signature = (model, *, lens = "pinhole", catalog = None))]
+    fn py_new(model: &str, lens: &str, catalog: Option<PathBuf>) -> PyResult<Self> {
+        let models = Models::open(catalog)?;
+        let twin = models.get().nominal(models.entry(model)?);
+        Self::new(twin, lens, models, None, Vec::new())
     }
 
     /// The twin of the unit that a DepthAI calibration (JSON) is of.
@@ -141,27 +232,33 @@ impl Device {
     /// model: which model the unit is; by default the file's product name says it.
     /// force: use the calibration in spite of errors found in it, which become findings.
     /// lens: as of `Device`; a calibrated camera has its own lens whatever is asked.
+    /// catalog: as of `Device`.
     ///
     /// What is odd in the file is in `findings`. Raises FileNotFoundError and other OSErrors for what cannot be read,
     /// oaktwin.Error for what is no calibration or not one of this model.
     #[staticmethod]
-    #[pyo3(signature = (path, model = None, *, force = false, lens = "pinhole"))]
+    #[pyo3(signature = (path, model = None, *, force = false, lens = "pinhole", catalog = None))]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
-    fn from_calibration(path: PathBuf, model: Option<&str>, force: bool, lens: &str) -> PyResult<Self> {
+    fn from_calibration(
+        path: PathBuf,
+        model: Option<&str>,
+        force: bool,
+        lens: &str,
+        catalog: Option<PathBuf>,
+    ) -> PyResult<Self> {
         let failed = |error: unit::UnitError| reading(&path, &error);
-        let (raw, calibration, _) = unit::read_calibration(&path).map_err(failed)?;
-        let device = match model {
-            Some(model) => entry(model)?,
-            None => {
-                let product = &calibration.board.product_name;
-                Catalog::builtin().device(product).map_err(|unknown| {
-                    let place = format!("{}: productName", path.display());
-                    wrong(place, unknown, "say model=, which unit it is")
-                })?
-            }
-        };
-        let (twin, findings) = unit::open(Catalog::builtin(), device, &path, force).map_err(failed)?;
-        Self::new(twin, lens, Some(Calibrated { raw, calibration }), findings)
+        let (raw, _, _) = unit::read_calibration(&path).map_err(failed)?;
+        Self::unit(Models::open(catalog)?, raw, model, &path, force, lens)
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let lens = LENSES.iter().find(|(_, known)| *known == self.lens);
+        let lens = lens.map_or("pinhole", |(name, _)| *name);
+        let calibration = self.calibration.as_ref();
+        let calibration = calibration.map(|own| (&own.raw.name, own.raw.to_text(), own.force));
+        let restore = py.import("oaktwin._oaktwin")?.getattr("_device")?;
+        let state = (self.name(), lens, self.models.folder(), calibration);
+        Ok((restore, state).into_pyobject(py)?.into_any())
     }
 
     /// What people call the model.
@@ -236,27 +333,13 @@ impl Device {
     /// Raises oaktwin.Error for a device without a pair, or whose cameras cannot be rectified.
     #[pyo3(signature = (*, intrinsics = "zero-disparity"))]
     fn rectification(&self, intrinsics: &str) -> PyResult<Rectification> {
-        let all = [
-            ("zero-disparity", RectifiedIntrinsics::ZeroDisparity),
-            ("free-disparity", RectifiedIntrinsics::FreeDisparity),
-            ("left-camera", RectifiedIntrinsics::LeftCamera),
-        ];
-        let choice = choose("intrinsics", intrinsics, &all)?;
         if [Role::Left, Role::Right]
             .iter()
             .any(|role| self.twin.camera(*role).is_none())
         {
             return Err(wrong(self.name(), "it has no stereo pair", "use another model"));
         }
-        let (left, right) = (self.placed("left")?, self.placed("right")?);
-        let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
-        let rectification = stereo_rectify_to(&left.camera, &right.camera, &right_from_left, choice);
-        Ok(Rectification {
-            left: left.camera,
-            right: right.camera,
-            rectification: rectification
-                .map_err(|error| wrong(self.name(), error, "calibrate the stereo pair again"))?,
-        })
+        Rectification::of(self.placed("left")?, self.placed("right")?, intrinsics)
     }
 
     /// Writes the USD asset for Isaac Sim and Omniverse.
@@ -269,11 +352,13 @@ impl Device {
     /// legacy_distortion: the old distortion attributes too.
     /// rigid_body: with mass and collider.
     /// body: with the visible body.
+    /// over: an asset of the model that is there: what is written is then a layer of overrides on it, which names it
+    ///     relative to its own folder.
     ///
     /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model cannot have or another
     /// extension, OSError for what cannot be written; no part of a file is left behind.
     #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "usd", extended_disparity = false,
-        legacy_distortion = false, rigid_body = false, body = true))]
+        legacy_distortion = false, rigid_body = false, body = true, over = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(clippy::fn_params_excessive_bools, reason = "options of Python")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
@@ -288,6 +373,7 @@ impl Device {
         legacy_distortion: bool,
         rigid_body: bool,
         body: bool,
+        over: Option<PathBuf>,
     ) -> PyResult<()> {
         let settings = AssetSettings {
             isaac,
@@ -301,7 +387,10 @@ impl Device {
         let options = settings.options(self.lens)?;
         let format = asset::format(&path)?;
         let twin = &self.twin;
-        let (bytes, findings) = py.detach(|| asset::bytes(twin, &options, format))?;
+        let (bytes, findings) = py.detach(|| match &over {
+            Some(base) => asset::overrides(twin, &options, format, base, &path),
+            None => asset::bytes(twin, &options, format),
+        })?;
         py.detach(|| oaktwin::files::write(&path, &bytes))
             .map_err(|error| writing(&path, &error))?;
         finding::warn(py, &findings)
@@ -333,7 +422,7 @@ impl Device {
 
     /// Everything known about the device, each number with its source: what `oaktwin show --json` prints.
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let report = DeviceReport::new(Catalog::builtin(), &self.twin, self.lens, self.findings.clone());
+        let report = DeviceReport::new(self.models.get(), &self.twin, self.lens, self.findings.clone());
         json::to_python(py, &report)
     }
 

@@ -24,20 +24,49 @@ pyo3::create_exception!(
     "Something odd about a result that holds: what the program prints as a warning."
 );
 
+/// The program's options, and Python's for the same.
+const OPTIONS: [(&str, &str); 18] = [
+    (" with -o", ""),
+    (", --resample for images of the model's size", ""),
+    ("--align-size", "size"),
+    ("--align", "to"),
+    ("--depth-scale", "the depth's scale"),
+    ("--engine", "engine"),
+    ("--filter", "filters"),
+    ("--focal-px", "focal_px"),
+    ("--force", "force=True"),
+    ("--from", "measured_from"),
+    ("--fx", "fx"),
+    ("--hfov", "hfov_deg"),
+    ("--scale", "scale"),
+    ("--sensor", "sensor"),
+    ("--stereo-width", "width_px"),
+    ("--subdivide", "subdivide"),
+    ("--time", "time"),
+    ("--up", "up"),
+];
+
+/// A text of the program's, with Python's names for its options.
+pub(crate) fn plain(text: &str) -> String {
+    OPTIONS
+        .iter()
+        .fold(text.to_owned(), |text, (option, name)| text.replace(option, name))
+}
+
 /// An exception of an error.
 #[expect(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
 pub(crate) fn error(error: impl ToString) -> PyErr {
-    Error::new_err(error.to_string())
+    Error::new_err(plain(&error.to_string()))
 }
 
 /// An exception that says where, what is wrong and what to do.
 pub(crate) fn wrong(what: impl Display, is: impl Display, remedy: impl Display) -> PyErr {
-    Error::new_err(format!("{what}: {is}; {remedy}"))
+    Error::new_err(plain(&format!("{what}: {is}; {remedy}")))
 }
 
 /// An error about a file that was to be read: an `OSError` where the file system is the reason.
 pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
-    let text = error.to_string();
+    let text = plain(&error.to_string());
     if path.is_dir() {
         return PyIsADirectoryError::new_err(text);
     }
@@ -49,7 +78,7 @@ pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
 
 /// An error about a file that was to be written.
 pub(crate) fn writing(path: &Path, error: &impl ToString) -> PyErr {
-    let text = error.to_string();
+    let text = plain(&error.to_string());
     if path.is_dir() {
         return PyIsADirectoryError::new_err(text);
     }

@@ -1,14 +1,14 @@
 use std::sync::{Mutex, PoisonError};
 
-use numpy::{Element, PyArray1, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::depth::filter::{self, Chain, Pixel, parse};
 use oaktwin::image::{Image, ImageView};
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use rayon::prelude::*;
 
 use crate::error::{error, wrong};
-use crate::images::{Numbers, NumbersSlice, Pictures, Shape, from_metres, part, to_metres};
+use crate::images::{Numbers, NumbersSlice, Pictures, Shape, apart, from_metres, part, put_metres, room};
 use crate::threads;
 
 /// Pixels of a batch between two looks at the signals.
@@ -22,18 +22,22 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// Raises oaktwin.Error for a name or setting that does not exist, with the nearest ones, or a value that cannot be.
 ///
-/// A call, `filter(image, rgb=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of images that have no past.
+/// A call, `filter(image, rgb=None, *, out=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of
+/// images that have no past.
 ///
 /// image: uint16 (millimetres, or disparity in fixed point), uint8 (whole disparities) or float32 metres, which are
 ///     filtered as whole millimetres. 0 is no value; in metres neither is what is not finite and above 0, or beyond
 ///     65.535 m.
 /// rgb: the pictures of the same camera, (..., H, W, 3 or 4) uint8: what "brightness" looks at.
 ///
-/// Returns a new array of the same type; smaller where a filter decimates.
+/// out: where to write: C-contiguous, of the result's shape and the image's type, and not the image itself.
+///
+/// Returns `out`, or a new array of the same type; smaller where a filter decimates.
 ///
 /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
 ///
-/// Safe to use from many threads; the frames of one filter wait for each other.
+/// Safe to use from many threads; the frames of one filter wait for each other. A pickle has the settings, not the images
+/// that were seen.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Filter {
     filters: Vec<filter::Filter>,
@@ -56,31 +60,52 @@ impl Filter {
         })
     }
 
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.filters.iter().map(ToString::to_string))
+    }
+
     /// See the class.
-    #[pyo3(signature = (image, rgb = None))]
+    #[pyo3(signature = (image, rgb = None, *, out = None))]
     fn __call__<'py>(
         &self,
         py: Python<'py>,
         image: &Bound<'py, PyAny>,
         rgb: Option<&Bound<'py, PyAny>>,
+        out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (numbers, shape) = Numbers::read("image", image)?;
         let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
         let rgb = rgb.as_deref();
+        let (width, height) =
+            Chain::<u16>::new(self.filters.clone()).size(shape.size.width, shape.size.height);
+        let dims = shape.sized(ImageSize::new(width, height)).dims();
         match numbers.slice()? {
             NumbersSlice::U8(values) => {
-                let (filtered, dims) = run(py, &self.narrow, values, rgb, shape)?;
-                array(py, filtered, dims)
+                let (result, mut room) = room::<u8>(py, out, &dims)?;
+                let room = room.as_slice_mut().map_err(error)?;
+                apart(values, room)?;
+                run(py, &self.narrow, values, rgb, shape, room)?;
+                Ok(result)
             }
             NumbersSlice::U16(values) => {
-                let (filtered, dims) = run(py, &self.wide, values, rgb, shape)?;
-                array(py, filtered, dims)
+                let (result, mut room) = room::<u16>(py, out, &dims)?;
+                let room = room.as_slice_mut().map_err(error)?;
+                apart(values, room)?;
+                run(py, &self.wide, values, rgb, shape, room)?;
+                Ok(result)
             }
             NumbersSlice::F32(values) => {
+                let (result, mut room) = room::<f32>(py, out, &dims)?;
+                let room = room.as_slice_mut().map_err(error)?;
+                apart(values, room)?;
                 let whole = py.detach(|| from_metres(values.to_vec()));
-                let (filtered, dims) = run(py, &self.wide, &whole, rgb, shape)?;
-                array(py, py.detach(|| to_metres(&filtered)), dims)
+                let mut filtered = Vec::new();
+                filtered.try_reserve_exact(room.len()).map_err(|_| no_room())?;
+                filtered.resize(room.len(), 0);
+                run(py, &self.wide, &whole, rgb, shape, &mut filtered)?;
+                py.detach(|| put_metres(&filtered, room));
+                Ok(result)
             }
         }
     }
@@ -104,18 +129,23 @@ impl Filter {
     }
 }
 
-fn array<T: Element>(py: Python<'_>, values: Vec<T>, dims: Vec<usize>) -> PyResult<Bound<'_, PyAny>> {
-    Ok(PyArray1::from_vec(py, values).reshape(dims)?.into_any())
+fn no_room() -> PyErr {
+    wrong(
+        "image",
+        "its result does not fit into the memory",
+        "give fewer images at once",
+    )
 }
 
-/// The filtered images, and their shape.
+/// Filters images into a room of the result's size.
 fn run<P: Pixel>(
     py: Python<'_>,
     chain: &Mutex<Chain<P>>,
     values: &[P],
     rgb: Option<&[[u8; 4]]>,
     shape: Shape,
-) -> PyResult<(Vec<P>, Vec<usize>)> {
+    room: &mut [P],
+) -> PyResult<()> {
     let ImageSize { width, height } = shape.size;
     let pixels = shape.pixels();
     let one = |chain: &mut Chain<P>, item: usize| {
@@ -125,43 +155,33 @@ fn run<P: Pixel>(
         let rgb = rgb.and_then(|rgb| ImageView::new(width, height, rgb));
         chain.run_seeing(image, rgb)
     };
+    let put = |image: &Image<P>, room: &mut [P]| {
+        // Both are of the chain's size.
+        let both = room.iter_mut().zip(image.pixels());
+        both.for_each(|(room, value)| *room = *value);
+    };
     let lock = || chain.lock().unwrap_or_else(PoisonError::into_inner);
     if shape.batch.is_none() {
         return py.detach(|| {
             // Taken before the pool's threads are: they never wait for it.
             let mut chain = lock();
             let chain = &mut *chain;
-            let image = threads::install(|| one(chain, 0))?;
-            let dims = shape.sized(ImageSize::new(image.width(), image.height())).dims();
-            Ok((image.into_pixels(), dims))
+            put(&threads::install(|| one(chain, 0))?, room);
+            Ok(())
         });
     }
     let mut fresh = py.detach(|| lock().clone());
     fresh.reset();
     let (out_width, out_height) = fresh.size(width, height);
-    let dims = shape.sized(ImageSize::new(out_width, out_height)).dims();
-    let mut filtered: Vec<P> = Vec::new();
-    let room = out_width as usize * out_height as usize * shape.count();
-    filtered.try_reserve_exact(room).map_err(|_| {
-        wrong(
-            "image",
-            "its result does not fit into the memory",
-            "give fewer images at once",
-        )
-    })?;
+    let out_pixels = (out_width as usize * out_height as usize).max(1);
     let at_once = (PIXELS_AT_ONCE / pixels).max(1);
-    for first in (0..shape.count()).step_by(at_once) {
+    for (part, room) in room.chunks_mut(at_once * out_pixels).enumerate() {
         py.check_signals()?;
-        let items = first..(first + at_once).min(shape.count());
-        let images: Vec<Image<P>> = threads::run(py, || {
-            items
-                .into_par_iter()
-                .map(|item| one(&mut fresh.clone(), item))
-                .collect()
+        let first = part * at_once;
+        threads::run(py, || {
+            let items = room.par_chunks_mut(out_pixels).enumerate();
+            items.for_each(|(item, room)| put(&one(&mut fresh.clone(), first + item), room));
         })?;
-        images
-            .iter()
-            .for_each(|image| filtered.extend_from_slice(image.pixels()));
     }
-    Ok((filtered, dims))
+    Ok(())
 }

@@ -12,7 +12,7 @@ use oaktwin::render::check_size;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::{contiguous, is_like, view, writable, zeros};
+use crate::array::{contiguous, is_like, is_of, view, writable, zeros};
 use crate::error::{error, wrong};
 
 /// The rows and columns of one image, or of each of a batch.
@@ -191,6 +191,12 @@ pub(crate) fn to_metres(values: &[u16]) -> Vec<f32> {
     values.iter().map(|&mm| f32::from(mm) / 1000.0).collect()
 }
 
+/// The same into an array.
+pub(crate) fn put_metres(values: &[u16], room: &mut [f32]) {
+    let both = room.iter_mut().zip(values);
+    both.for_each(|(room, &mm)| *room = f32::from(mm) / 1000.0);
+}
+
 /// Where measured depth goes: metres, or whole millimetres.
 pub(crate) enum Out<'py> {
     Metres(PyReadwriteArrayDyn<'py, f32>),
@@ -218,17 +224,10 @@ impl<'py> Out<'py> {
             };
         };
         let array = view("out", &given)?;
-        if array.shape() != shape.dims() {
-            let is = format!("has shape {:?}", array.shape());
-            return Err(wrong(
-                "out",
-                is,
-                format_args!("give one of shape {:?}", shape.dims()),
-            ));
-        }
-        let out = if crate::array::is_of::<f32>(&array) {
+        check_shape(&array, &shape.dims())?;
+        let out = if is_of::<f32>(&array) {
             Self::Metres(writable("out", &array)?)
-        } else if crate::array::is_of::<u16>(&array) {
+        } else if is_of::<u16>(&array) {
             Self::Millimetres(writable("out", &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
@@ -247,6 +246,50 @@ impl<'py> Out<'py> {
     }
 }
 
+/// Room of a shape and type: what somebody gave, or a new array. What to return, and its numbers.
+pub(crate) fn room<'py, T: Element>(
+    py: Python<'py>,
+    given: Option<Bound<'py, PyAny>>,
+    dims: &[usize],
+) -> PyResult<(Bound<'py, PyAny>, PyReadwriteArrayDyn<'py, T>)> {
+    let Some(given) = given else {
+        let array: Bound<'py, PyArrayDyn<T>> = zeros(py, dims)?;
+        let writable = array.try_readwrite().map_err(error)?;
+        return Ok((array.into_any(), writable));
+    };
+    let array = view("out", &given)?;
+    if !is_of::<T>(&array) {
+        return Err(PyTypeError::new_err(format!(
+            "out: its numbers are {}; give the image's type, {}",
+            array.dtype(),
+            T::get_dtype(py)
+        )));
+    }
+    check_shape(&array, dims)?;
+    Ok((given, writable("out", &array)?))
+}
+
+fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> {
+    if out.shape() == dims {
+        return Ok(());
+    }
+    let is = format!("has shape {:?}", out.shape());
+    Err(wrong("out", is, format_args!("give one of shape {dims:?}")))
+}
+
+/// Refuses to write to what is read.
+pub(crate) fn apart<A, B>(read: &[A], written: &[B]) -> PyResult<()> {
+    let ((start, end), (first, last)) = (bytes(written), bytes(read));
+    if start < last && first < end {
+        return Err(wrong(
+            "out",
+            "is the memory of what is read",
+            "give an array of its own",
+        ));
+    }
+    Ok(())
+}
+
 fn made<'py, T: Element>(
     py: Python<'py>,
     shape: Shape,
@@ -260,19 +303,12 @@ fn made<'py, T: Element>(
 impl OutSlice<'_> {
     /// Refuses to write to what is read.
     pub(crate) fn check_apart(&self, depth: DepthSlice<'_>) -> PyResult<()> {
-        let (start, end) = match self {
-            Self::Metres(values) => bytes(values),
-            Self::Millimetres(values) => bytes(values),
-        };
-        let (first, last) = depth.range();
-        if start < last && first < end {
-            return Err(wrong(
-                "out",
-                "is the memory of the depth itself",
-                "give an array of its own",
-            ));
+        match (self, depth) {
+            (Self::Metres(out), DepthSlice::Metres(depth)) => apart(depth, out),
+            (Self::Metres(out), DepthSlice::Millimetres(depth)) => apart(depth, out),
+            (Self::Millimetres(out), DepthSlice::Metres(depth)) => apart(depth, out),
+            (Self::Millimetres(out), DepthSlice::Millimetres(depth)) => apart(depth, out),
         }
-        Ok(())
     }
 
     /// Writes a part, from a pixel on, that `make` fills with metres.

@@ -23,6 +23,7 @@ mod frames;
 mod images;
 mod json;
 mod pose;
+mod recording;
 mod rectification;
 mod scene;
 mod sensor;
@@ -39,9 +40,9 @@ mod _oaktwin {
     #[pymodule_export]
     use super::align::align;
     #[pymodule_export]
-    use super::camera::Camera;
+    use super::camera::{_camera, Camera};
     #[pymodule_export]
-    use super::device::{Device, models};
+    use super::device::{_device, Device, models};
     #[pymodule_export]
     use super::error::{Error, FindingWarning};
     #[pymodule_export]
@@ -54,6 +55,8 @@ mod _oaktwin {
     use super::main;
     #[pymodule_export]
     use super::pose::look_at;
+    #[pymodule_export]
+    use super::recording::Recording;
     #[pymodule_export]
     use super::rectification::Rectification;
     #[pymodule_export]

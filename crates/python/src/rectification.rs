@@ -1,19 +1,54 @@
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use oaktwin::camera::math::DMat3;
-use oaktwin::camera::{self, Intrinsics, undistort_rectify_map};
+use oaktwin::camera::{self, Intrinsics, RectifiedIntrinsics, stereo_rectify_to, undistort_rectify_map};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
+use crate::camera::Camera;
 use crate::choice::choose;
+use crate::error::wrong;
 use crate::pose::matrix;
 use crate::threads;
 
+const INTRINSICS: [(&str, RectifiedIntrinsics); 3] = [
+    ("zero-disparity", RectifiedIntrinsics::ZeroDisparity),
+    ("free-disparity", RectifiedIntrinsics::FreeDisparity),
+    ("left-camera", RectifiedIntrinsics::LeftCamera),
+];
+
 /// A stereo pair turned so that rows meet: cv2.stereoRectify's numbers, and the maps for cv2.remap.
+///
+/// left, right: the cameras, with their places on the device. `Device.rectification` has a device's.
+/// intrinsics: of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
+///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
+///
+/// Raises oaktwin.Error for cameras that cannot be rectified.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Rectification {
-    pub(crate) left: camera::Camera,
-    pub(crate) right: camera::Camera,
-    pub(crate) rectification: camera::Rectification,
+    left: Camera,
+    right: Camera,
+    intrinsics: &'static str,
+    rectification: camera::Rectification,
+}
+
+impl Rectification {
+    pub(crate) fn of(left: Camera, right: Camera, intrinsics: &str) -> PyResult<Self> {
+        let choice = choose("intrinsics", intrinsics, &INTRINSICS)?;
+        let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
+        let rectification = stereo_rectify_to(&left.camera, &right.camera, &right_from_left, choice);
+        let rectification = rectification.map_err(|error| {
+            let pair = format!("{}, {}", left.name, right.name);
+            wrong(pair, error, "calibrate the stereo pair again")
+        })?;
+        let name = INTRINSICS.iter().find(|(_, known)| *known == choice);
+        Ok(Self {
+            left,
+            right,
+            intrinsics: name.map_or("zero-disparity", |(name, _)| *name),
+            rectification,
+        })
+    }
 }
 
 fn rotation<'py>(py: Python<'py>, matrix: DMat3) -> PyResult<Bound<'py, PyArray2<f64>>> {
@@ -22,6 +57,18 @@ fn rotation<'py>(py: Python<'py>, matrix: DMat3) -> PyResult<Bound<'py, PyArray2
 
 #[pymethods]
 impl Rectification {
+    #[new]
+    #[pyo3(signature = (left, right, *, intrinsics = "zero-disparity"))]
+    fn new(left: &Camera, right: &Camera, intrinsics: &str) -> PyResult<Self> {
+        Self::of(left.clone(), right.clone(), intrinsics)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((Camera, Camera), Bound<'py, PyDict>)> {
+        let options = PyDict::new(py);
+        options.set_item("intrinsics", self.intrinsics)?;
+        Ok(((self.left.clone(), self.right.clone()), options))
+    }
+
     /// (3, 3): rotates points of the left camera's frame into the rectified one.
     #[getter(R1)]
     fn r1<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
@@ -73,8 +120,8 @@ impl Rectification {
     /// Positions may lie outside the image; NaN where the lens sees nothing. Raises oaktwin.Error for another camera.
     fn maps<'py>(&self, py: Python<'py>, camera: &str) -> PyResult<Bound<'py, PyArray3<f32>>> {
         let own = &self.rectification;
-        let left = (&self.left, own.rectified_from_left, &own.left);
-        let right = (&self.right, own.rectified_from_right, &own.right);
+        let left = (&self.left.camera, own.rectified_from_left, &own.left);
+        let right = (&self.right.camera, own.rectified_from_right, &own.right);
         let (camera, rotation, rectified): (_, _, &Intrinsics) =
             choose("camera", camera, &[("left", left), ("right", right)])?;
         let map = threads::run(py, || {

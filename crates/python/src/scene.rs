@@ -1,16 +1,16 @@
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{
-    AnnotateOptions, Backend, OpenOptions, Renderer, SceneFile, annotation_bytes, annotator, available_bytes,
-    frame_bytes, gib,
+    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, Renderer, SceneCameraOptions,
+    SceneFile, annotation_bytes, annotator, available_bytes, frame_bytes, gib, scene_cameras,
 };
 use oaktwin::scene::{self, Instance, Label, Mesh, Up};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 
 use crate::array::{contiguous, view};
 use crate::camera::Camera;
@@ -18,25 +18,44 @@ use crate::choice::choose;
 use crate::error::{error, reading, wrong};
 use crate::finding::{self, Finding};
 use crate::frames::Frames;
-use crate::pose::poses;
+use crate::pose::{poses, rows};
 use crate::threads;
 
 const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
 
 /// Triangles to be rendered on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
 ///
-/// The world's axes are the file's own; its unit is the metre, whatever the file's was. Safe to use from many threads.
+/// The world's axes are the file's own; its unit is the metre, whatever the file's was. Safe to use from many threads. A
+/// pickle opens the file again; triangles travel in it.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Scene {
     renderer: Renderer,
-    origin: String,
+    origin: Origin,
+    cameras: Result<Vec<PlacedCamera>, CameraError>,
     findings: Vec<diagnostic::Finding>,
+}
+
+/// Where a scene comes from, which is what a pickle holds.
+enum Origin {
+    File { path: PathBuf, options: OpenOptions },
+    Triangles,
+}
+
+/// The cameras of a file's own, and what is odd about them.
+fn cameras(file: &SceneFile) -> (Result<Vec<PlacedCamera>, CameraError>, Vec<diagnostic::Finding>) {
+    match scene_cameras(file, &SceneCameraOptions::default()) {
+        Ok((cameras, findings)) => (Ok(cameras), findings),
+        Err(CameraError::NoCamera { .. }) => (Ok(Vec::new()), Vec::new()),
+        // Only of interest to whom asks for them.
+        Err(error) => (Err(error), Vec::new()),
+    }
 }
 
 #[pymethods]
 impl Scene {
     /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
     ///
+    /// path: the file.
     /// time: the time code of a USD stage; by default the default values, and the first samples.
     /// subdivide: how often a USD stage's subdivision meshes are refined.
     /// up: which axis of a mesh file points up, "y" or "z"; by default what its format says.
@@ -46,7 +65,6 @@ impl Scene {
     /// read, oaktwin.Error for what is no scene, or an option that its kind does not have.
     #[staticmethod]
     #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None))]
-    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn open(
         py: Python<'_>,
         path: PathBuf,
@@ -62,11 +80,15 @@ impl Scene {
             scale,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
-        let file = opened.map_err(|error| reading(&path, &error))?;
-        let name = path.file_name().unwrap_or(Path::new("").as_os_str());
+        let mut file = opened.map_err(|error| reading(&path, &error))?;
+        let (cameras, odd) = cameras(&file);
+        file.findings.extend(odd);
+        // Where a pickle of the scene finds it again.
+        let path = std::path::absolute(&path).unwrap_or(path);
         Ok(Self {
             renderer: Renderer::new(file.scene),
-            origin: name.to_string_lossy().into_owned(),
+            origin: Origin::File { path, options },
+            cameras,
             findings: file.findings,
         })
     }
@@ -129,7 +151,8 @@ impl Scene {
         };
         Ok(Self {
             renderer: Renderer::new(scene),
-            origin: "from triangles".to_owned(),
+            origin: Origin::Triangles,
+            cameras: Ok(Vec::new()),
             findings: Vec::new(),
         })
     }
@@ -199,6 +222,59 @@ impl Scene {
         frames.finish(py, &asked)
     }
 
+    /// The cameras of the file's own, those that `oaktwin render` renders: those of every depth sensor's product, else all.
+    /// A dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres, the camera's axes
+    /// OpenCV's: `scene.render(*scene.cameras["/World/Camera"])`.
+    ///
+    /// One that cannot be rendered is left out and in `findings`; raises oaktwin.Error where none can be.
+    #[getter]
+    fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for placed in self.cameras.as_ref().map_err(error)? {
+            let world_from_camera = rows(py, &(placed.world_from_mount * placed.mount_from_camera))?;
+            let camera = Camera::placed(&placed.path, placed);
+            all.set_item(&placed.path, (camera, world_from_camera))?;
+        }
+        Ok(all)
+    }
+
+    /// A file is opened again where the pickle is; triangles travel in it.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let partial = py.import("functools")?.getattr("partial")?;
+        let own = py.get_type::<Self>();
+        let options = PyDict::new(py);
+        match &self.origin {
+            Origin::File { path, options: said } => {
+                options.set_item("time", said.time)?;
+                options.set_item("subdivide", said.subdivide)?;
+                options.set_item("up", said.up.map(up_name))?;
+                options.set_item("scale", said.scale)?;
+                let open = partial.call((own.getattr("open")?,), Some(&options))?;
+                Ok((open, PyTuple::new(py, [path])?))
+            }
+            Origin::Triangles => {
+                let scene = self.renderer.scene();
+                let mesh = scene
+                    .meshes
+                    .first()
+                    .map(|mesh| (&mesh.positions, &mesh.triangles));
+                let (positions, triangles) =
+                    mesh.ok_or_else(|| wrong("scene", "has no mesh", "make it again"))?;
+                let labels = scene.instances.iter().flat_map(|instance| &instance.labels);
+                options.set_item("up", up_name(scene.up))?;
+                options.set_item("label", labels.map(|label| &label.name).next())?;
+                let vertices = PyArray1::from_slice(py, positions.as_flattened());
+                let faces = PyArray1::from_slice(py, triangles.as_flattened());
+                let arrays = [
+                    vertices.reshape([positions.len(), 3])?.into_any(),
+                    faces.reshape([triangles.len(), 3])?.into_any(),
+                ];
+                let make = partial.call((own.getattr("from_triangles")?,), Some(&options))?;
+                Ok((make, PyTuple::new(py, arrays)?))
+            }
+        }
+    }
+
     /// What is missing in the file or was left out.
     #[getter]
     fn findings(&self) -> Vec<Finding> {
@@ -208,10 +284,7 @@ impl Scene {
     /// The axis of the world that points up, "y" or "z".
     #[getter]
     fn up(&self) -> &'static str {
-        match self.renderer.scene().up {
-            Up::Y => "y",
-            Up::Z => "z",
-        }
+        up_name(self.renderer.scene().up)
     }
 
     /// How many triangles are rendered: those of every instance.
@@ -234,15 +307,26 @@ impl Scene {
 
     fn __repr__(&self) -> String {
         let scene = self.renderer.scene();
+        let origin = match &self.origin {
+            Origin::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy(),
+            Origin::Triangles => "from triangles".into(),
+        };
         format!(
             "<oaktwin.Scene {}: {} meshes, {} instances, {} triangles, {} lights, {} up>",
-            self.origin,
+            origin,
             scene.meshes.len(),
             scene.instances.len(),
             self.triangle_count(),
             scene.lights.len(),
             self.up()
         )
+    }
+}
+
+fn up_name(up: Up) -> &'static str {
+    match up {
+        Up::Y => "y",
+        Up::Z => "z",
     }
 }
 
@@ -257,7 +341,7 @@ fn scene_annotator(name: &str) -> PyResult<Annotator> {
         ));
     }
     if found.is_of_depth_sensor() {
-        let remedy = "give distance_to_image_plane to a DepthSensor";
+        let remedy = "give distance_to_image_plane (and rgb) to DepthSensor.annotate";
         return Err(wrong(name, "is what a sensor makes of a scene's depth", remedy));
     }
     Ok(found)

@@ -1,21 +1,24 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
+use numpy::{Element, PyArray1, PyArrayMethods};
 use oaktwin::camera::{self, ImageSize};
 use oaktwin::catalog::{Twin, TwinDepthSensor};
 use oaktwin::diagnostic;
-use oaktwin::image::ImageView;
+use oaktwin::image::annotation::{Annotator, Frame};
+use oaktwin::image::{Image, ImageView, ZDepth};
+use oaktwin::render::{annotator, sense_frame};
 use oaktwin::sense::{self, AlignTo, FieldOfView};
 use oaktwin::sensor::{self, Engine, Sensor, SensorOptions, Shot, single_view};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::align::{aligned, fill, role};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape, part};
-use crate::settings::{Settings, kind};
+use crate::settings::{Settings, isaac_name, kind};
 use crate::threads;
 
 /// Pixels of a batch between two looks at the signals.
@@ -60,9 +63,11 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
 ///
-/// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other.
+/// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other. A pickle has the
+/// settings, and a calibration with its device, but not the images that were seen.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
+    device: Py<Device>,
     twin: Arc<Twin>,
     depth: TwinDepthSensor,
     options: SensorOptions,
@@ -214,6 +219,60 @@ impl DepthSensor {
     }
 }
 
+/// One that a depth sensor has something to say to.
+fn sensor_annotator(name: &str) -> PyResult<Annotator> {
+    let found = annotator(name).map_err(error)?;
+    if found.is_of_depth_sensor() {
+        return Ok(found);
+    }
+    let remedy = "render the scene with it";
+    Err(wrong(name, "is no annotator of a depth sensor", remedy))
+}
+
+/// What was sensed for an annotator, as an array.
+fn sensed<'py>(
+    py: Python<'py>,
+    annotator: Annotator,
+    frame: &mut Frame,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    Ok(match annotator {
+        Annotator::DepthSensorDistance => {
+            let image = frame.depth_sensor_distance.take();
+            image.map(|image| array(py, image.0)).transpose()?
+        }
+        Annotator::DepthSensorImager => {
+            let image = frame.depth_sensor_imager.take();
+            image.map(|image| array(py, image)).transpose()?
+        }
+        Annotator::DepthSensorPointCloudPosition => {
+            let image = frame.depth_sensor_point_cloud_position.take();
+            image.map(|image| colours(py, image)).transpose()?
+        }
+        Annotator::DepthSensorPointCloudColor => {
+            let image = frame.depth_sensor_point_cloud_color.take();
+            image.map(|image| colours(py, image)).transpose()?
+        }
+        Annotator::DepthSensorOutputVisualization => {
+            let image = frame.depth_sensor_output_visualization.take();
+            image.map(|image| colours(py, image)).transpose()?
+        }
+        _ => None,
+    })
+}
+
+fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bound<'_, PyAny>> {
+    let dims = [image.height() as usize, image.width() as usize];
+    Ok(PyArray1::from_vec(py, image.into_pixels())
+        .reshape(dims)?
+        .into_any())
+}
+
+fn colours<T: Element>(py: Python<'_>, image: Image<[T; 4]>) -> PyResult<Bound<'_, PyAny>> {
+    let dims = [image.height() as usize, image.width() as usize, 4];
+    let values = image.into_pixels().into_flattened();
+    Ok(PyArray1::from_vec(py, values).reshape(dims)?.into_any())
+}
+
 #[pymethods]
 impl DepthSensor {
     #[new]
@@ -225,7 +284,7 @@ impl DepthSensor {
     )]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn new(
-        device: &Device,
+        device: &Bound<'_, Device>,
         sensor: Option<&str>,
         engine: Option<&str>,
         preset: Option<String>,
@@ -251,6 +310,7 @@ impl DepthSensor {
             name,
         };
         let options = settings.options()?;
+        let (whole, device) = (device, device.get());
         let twin = &device.twin;
         let depth = sense::depth_sensor(twin, kind(sensor)?).map_err(error)?.clone();
         let field_of_view = match (fx, hfov_deg) {
@@ -262,6 +322,7 @@ impl DepthSensor {
         // By the model's own size: so what is wrong is told now.
         let eye = Self::eye(twin, &depth, &options, field_of_view, None)?;
         Ok(Self {
+            device: whole.clone().unbind(),
             twin: Arc::clone(twin),
             depth,
             options,
@@ -269,6 +330,28 @@ impl DepthSensor {
             lens: device.lens,
             eye: Mutex::new(eye),
         })
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Py<Device>,), Bound<'py, PyDict>)> {
+        let (own, options) = (&self.options, PyDict::new(py));
+        let (fx, hfov_deg) = match self.field_of_view {
+            FieldOfView::Known => (None, None),
+            FieldOfView::FocalLength(fx) => (Some(fx), None),
+            FieldOfView::Degrees(hfov) => (None, Some(hfov)),
+        };
+        options.set_item("sensor", self.depth.spec.kind.as_str())?;
+        options.set_item("engine", own.engine.map(sensor::EngineKind::as_str))?;
+        options.set_item("preset", &own.preset)?;
+        options.set_item("filters", &own.filters)?;
+        options.set_item("parameters", own.parameters.clone().into_py_dict(py)?)?;
+        options.set_item("seed", own.seed)?;
+        options.set_item("device_seed", own.device_seed)?;
+        options.set_item("extended_disparity", own.extended_disparity)?;
+        options.set_item("isaac", isaac_name(own.isaac))?;
+        options.set_item("fx", fx)?;
+        options.set_item("hfov_deg", hfov_deg)?;
+        options.set_item("name", &own.name)?;
+        Ok(((&self.device,), options))
     }
 
     /// See the class.
@@ -310,6 +393,66 @@ impl DepthSensor {
         Ok(result)
     }
 
+    /// What Isaac Sim's annotators of the depth sensor report of one image, in one capture.
+    ///
+    /// depth: exact depth (H, W), as of a call.
+    /// rgb: the picture, (H, W, 3 or 4) uint8, as of a call; the colours and the imager come from it.
+    /// annotators: Replicator's names: "depth_sensor_distance", "depth_sensor_point_cloud_position",
+    ///     "depth_sensor_point_cloud_color", "depth_sensor_imager", "depth_sensor_output_visualization".
+    /// frame: as of a call.
+    ///
+    /// Returns a dictionary by name: "depth_sensor_distance" (H, W) float32 metres, 0 where nothing was measured, the same
+    /// as of a call; positions (H, W, 4) float32 metres in the camera's frame with USD's axes (x right, y up, z backward)
+    /// and 1, colours (H, W, 4) uint8, both 0 where nothing was measured; the imager (H, W) float32, 0 to 1; the
+    /// visualization (H, W, 4) uint8. The last two only "single-view" has.
+    ///
+    /// Raises oaktwin.Error for other names, for what the engine does not make, and for what needs a picture without one.
+    #[pyo3(signature = (depth, rgb = None, *, annotators, frame = 0))]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn annotate<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        rgb: Option<&Bound<'py, PyAny>>,
+        annotators: Vec<String>,
+        frame: u64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let asked = annotators.iter().map(|name| sensor_annotator(name));
+        let asked = asked.collect::<PyResult<Vec<_>>>()?;
+        let (depth, shape) = Depth::read("depth", depth)?;
+        if shape.batch.is_some() {
+            return Err(wrong("depth", "is a batch", "give one image (H, W)"));
+        }
+        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+        let ImageSize { width, height } = shape.size;
+        let mut seen = Frame {
+            distance_to_image_plane: Image::new(width, height, depth.slice()?.metres().into_owned())
+                .map(ZDepth),
+            rgb: pictures
+                .as_ref()
+                .map(Pictures::rgba)
+                .transpose()?
+                .and_then(|rgb| Image::new(width, height, rgb.into_owned())),
+            ..Frame::default()
+        };
+        py.detach(|| {
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            let eye = self.look(&mut eye, shape.size)?;
+            let sensor = Arc::make_mut(&mut eye.sensor);
+            threads::install(|| sense_frame(sensor, &eye.camera, frame, &asked, &mut seen))
+        })?;
+        let all = PyDict::new(py);
+        for annotator in asked {
+            let image = sensed(py, annotator, &mut seen)?.ok_or_else(|| {
+                let is = "is not made of what was given";
+                let remedy = "give rgb=, or take the engine single-view";
+                wrong(annotator.name(), is, remedy)
+            })?;
+            all.set_item(annotator.name(), image)?;
+        }
+        Ok(all)
+    }
+
     /// Forgets all earlier frames.
     fn reset(&self, py: Python<'_>) {
         py.detach(|| {
@@ -327,6 +470,8 @@ impl DepthSensor {
     /// out: as of a call.
     ///
     /// Returns metres (or millimetres) along that camera's axis, 0 where nothing was measured.
+    ///
+    /// Raises oaktwin.Error for a camera that the device has not, TypeError for what is no array or of another type.
     #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,
@@ -367,7 +512,7 @@ impl DepthSensor {
     /// "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(sensor::EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
+        Ok(sensor::EngineKind::name_of(self.now(py, None)?.sensor.engine()))
     }
 
     /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
@@ -390,6 +535,11 @@ impl DepthSensor {
             }
             Engine::TimeOfFlight(engine) => {
                 for name in oaktwin::depth::time_of_flight::NAMES {
+                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
+                }
+            }
+            Engine::StereoMatching(engine) => {
+                for name in oaktwin::depth::stereo_matching::NAMES {
                     parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
                 }
             }

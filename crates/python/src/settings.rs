@@ -11,6 +11,12 @@ use crate::error::wrong;
 
 pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
 
+/// As `isaac=` takes it.
+pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
+    let found = ISAAC.iter().find(|(_, version)| *version == isaac);
+    found.map_or("5.1", |(name, _)| *name)
+}
+
 const ENGINES: [(&str, EngineKind); 3] = [
     (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
     (EngineKind::TimeOfFlight.as_str(), EngineKind::TimeOfFlight),

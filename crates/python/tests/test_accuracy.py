@@ -35,6 +35,41 @@ def test_without_matplotlib(device, monkeypatch):
         got.plot()
 
 
+def test_a_measured_unit_is_the_programs(program, tmp_path, device):
+    curve = tmp_path / "unit.csv"
+    curve.write_text("distance_m,depth_error_percent\n1,0.2\n2,0.5\n3,0.9\n4,1.6\n")
+    got = oaktwin.accuracy(device, distances=[1, 3], devices=3, captures=2, measured=curve, measured_from=1.5, focal_px=790.0,
+                           width_px=1280)
+    said = ["accuracy", "OAK4-D", "--distances", "1,3", "--devices", "3", "--captures", "2", "--measured", curve, "--from", "1.5",
+            "--focal-px", "790", "--stereo-width", "1280", "--json"]
+    assert got.report == json.loads(program(*said, code=0 if got.is_good else 1))
+    assert got.report["measured"] and "measured" not in oaktwin.accuracy(device, distances=[1], devices=1, captures=1).report
+    with pytest.raises(FileNotFoundError):
+        oaktwin.accuracy(device, measured=tmp_path / "none.csv")
+    curve.write_text("a,b\n1,2\n")
+    with pytest.raises(oaktwin.Error, match="no column distance_m"):
+        oaktwin.accuracy(device, measured=curve)
+
+
+def test_a_drawn_figure(device, tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    got = oaktwin.accuracy(device, distances="1:8:1", devices=5, captures=2)
+    axes = got.plot()
+    line, *_ = axes.get_lines()
+    table = got.to_numpy()
+    assert np.array_equal(line.get_xdata(), table["distance_m"]) and np.array_equal(line.get_ydata(), table["error_percent"])
+    assert axes.get_xlabel() == "distance [m]" and "OAK4-D" in axes.get_title()
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["stereo-noise", "published"]
+    axes.figure.savefig(tmp_path / "figure.png")
+    picture = matplotlib.image.imread(tmp_path / "figure.png")
+    # Something is drawn within the axes, in the line's colour and the band's.
+    assert len(np.unique(picture.reshape(-1, picture.shape[-1]), axis=0)) > 50
+    own = matplotlib.pyplot.figure().subplots()
+    assert got.plot(own) is own and own.get_lines()
+    matplotlib.pyplot.close("all")
+
+
 def test_on_somebodys_axes(device):
     """Any object with the methods of Matplotlib's axes will do."""
 

@@ -1,10 +1,12 @@
 import copy
 import json
+import re
 
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import ROOT
 
 
 def test_models(program):
@@ -139,6 +141,50 @@ def test_usd(program, tmp_path, device):
         device.write_usd(tmp_path / "ours.usd", isaac="4.5")
     with pytest.raises(oaktwin.Error):
         oaktwin.Device("OAK-D ToF").write_usd(tmp_path / "ours.usd", extended_disparity=True)
+
+
+@pytest.mark.filterwarnings("ignore::oaktwin.FindingWarning")
+def test_overrides(program, tmp_path, calibration):
+    (tmp_path / "vendor").mkdir()
+    base = tmp_path / "vendor/oak.usda"
+    nominal, device = oaktwin.Device("OAK-D Pro PoE"), oaktwin.Device.from_calibration(calibration)
+    nominal.write_usd(base)
+    device.write_usd(tmp_path / "ours.usda", over=base)
+    program("asset", "OAK-D Pro PoE", "--calibration", calibration, "--over", base, "-o", tmp_path / "theirs.usda")
+    with pytest.raises(oaktwin.Error, match="nothing to override"):
+        nominal.write_usd(tmp_path / "none.usda", over=base)
+    text = (tmp_path / "ours.usda").read_text()
+    assert text == (tmp_path / "theirs.usda").read_text() and "./vendor/oak.usda" in text
+    for error, said, over in [
+        (FileNotFoundError, "none.usd", tmp_path / "none.usd"),
+        (oaktwin.Error, "is the asset itself", tmp_path / "ours.usda"),
+    ]:
+        with pytest.raises(error, match=said):
+            device.write_usd(tmp_path / "ours.usda", over=over)
+    (tmp_path / "empty.usda").write_text("#usda 1.0\n")
+    with pytest.raises(oaktwin.Error, match="empty.usda"):
+        device.write_usd(tmp_path / "ours.usda", over=tmp_path / "empty.usda")
+    assert (tmp_path / "ours.usda").read_text() == text
+
+
+def test_a_catalog_of_ones_own(program, tmp_path):
+    built_in = ROOT / "crates/catalog/data/devices/oak4_d.toml"
+    own = built_in.read_text().replace('id = "oak4_d"', 'id = "mine"').replace('name = "OAK4-D"', 'name = "Mine"')
+    own = re.sub(r'^aliases = .*$', 'aliases = ["My own"]', own.replace('prim = "oak4_d"', 'prim = "mine"'), flags=re.M)
+    (tmp_path / "mine.toml").write_text(own)
+    assert oaktwin.models(catalog=tmp_path) == [*oaktwin.models(), "Mine"]
+    device = oaktwin.Device("mine", catalog=tmp_path)
+    shown = json.loads(program("--catalog", tmp_path, "show", "Mine", "--json"))
+    assert device.report() == (shown[0] if isinstance(shown, list) else shown)
+    assert copy.deepcopy(device).report() == device.report()
+    with pytest.raises(oaktwin.Error):
+        oaktwin.Device("Mine")
+    for folder in [tmp_path / "none", tmp_path / "mine.toml"]:
+        with pytest.raises(oaktwin.Error):
+            oaktwin.Device("Mine", catalog=folder)
+    (tmp_path / "bad.toml").write_text("id =")
+    with pytest.raises(oaktwin.Error, match="bad.toml"):
+        oaktwin.models(catalog=tmp_path)
 
 
 def test_findings_are_warnings(tmp_path):

@@ -72,6 +72,48 @@ def test_chains(image):
     assert chain(np.empty((0, 40, 60), np.uint16)).shape[0] == 0
 
 
+def test_results_are_written_in_place(image):
+    metres, small = (image / 1000).astype(np.float32), (image >> 3).astype(np.uint8)
+    for text in ["median:size=5", "decimation:factor=3"]:
+        for one in [image, metres, small]:
+            chain = oaktwin.Filter(text)
+            batch = np.stack([one, one[::-1], one])
+            for what in [one, batch, batch[:0]]:
+                expected = chain(what)
+                whole = np.full((2, *expected.shape), 7, one.dtype)
+                assert chain(what, out=whole[0]) is not None
+                assert np.array_equal(whole[0], expected) and (whole[1] == 7).all()
+    out = np.zeros_like(image)
+    assert oaktwin.filters.median(image, size=3, out=out) is out
+    assert np.array_equal(out, oaktwin.filters.median(image, size=3))
+    rgb = np.full((*image.shape, 3), 200, np.uint8)
+    assert oaktwin.filters.brightness(image, rgb, min=100, max=250, out=out) is out and np.array_equal(out, image)
+
+
+def test_bad_rooms(image):
+    median = oaktwin.Filter("median")
+    frozen = np.zeros_like(image)
+    frozen.flags.writeable = False
+    for error, text, out in [
+        (oaktwin.Error, "out: has shape", np.zeros((3, 3), np.uint16)),
+        (oaktwin.Error, "out: has shape", np.zeros((1, *image.shape), np.uint16)),
+        (TypeError, "give the image's type, uint16", np.zeros(image.shape, np.float32)),
+        (TypeError, "give the image's type, uint16", np.zeros(image.shape, ">u2")),
+        (TypeError, "list is no array", [[0]]),
+        (oaktwin.Error, "C-contiguous", np.zeros(image.shape, np.uint16, order="F")),
+        (oaktwin.Error, "read-only", frozen),
+        (oaktwin.Error, "give an array of its own", image),
+        (oaktwin.Error, "give an array of its own", memoryview(image)),
+    ]:
+        with pytest.raises(error) as raised:
+            median(image, out=out)
+        assert text in str(raised.value)
+    both = np.zeros((3, *image.shape), np.uint16)
+    with pytest.raises(oaktwin.Error, match="give an array of its own"):
+        median(both[:2], out=both[1:])
+    assert not frozen.any()
+
+
 def test_bad_filters(image):
     for text, call in [
         ("there is no filter \"medium\"; did you mean median?", lambda: oaktwin.Filter("medium")),

@@ -178,6 +178,41 @@ def test_what_cannot_be_aligned(device, room):
         oaktwin.align(room[0], left, rgb, target_from_source=2 * np.eye(4) - np.diag([0, 0, 0, 1]))
 
 
+def test_nothing_names_the_programs_options(device, room, tmp_path, calibration):
+    """Errors, findings and their remedies speak to who writes Python."""
+    said = [str(finding) for finding in [*oaktwin.DepthSensor(device, seed=1).findings]]
+    sensor = oaktwin.DepthSensor(device)
+    sensor(room[0])
+    said += [f"{finding} {finding.remedy}" for finding in sensor.findings]
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (tmp_path / "a.usda").write_text("#usda 1.0\n")
+    for call in [
+        lambda: oaktwin.DepthSensor(device, fx=-1),
+        lambda: oaktwin.DepthSensor(device, hfov_deg=200),
+        lambda: oaktwin.DepthSensor(device, sensor="tof"),
+        lambda: oaktwin.DepthSensor(device, engine="single-view", parameters={"window": 3}),
+        lambda: oaktwin.DepthSensor(oaktwin.Device("OAK-D ToF"), engine="stereo-noise"),
+        lambda: sensor.align(room[0], "tof"),
+        lambda: sensor.align(room[0], size=(0, 3)),
+        lambda: oaktwin.Scene.open(tmp_path / "a.obj", time=1),
+        lambda: oaktwin.Scene.open(tmp_path / "a.obj", subdivide=1),
+        lambda: oaktwin.Scene.open(tmp_path / "a.usda", up="y"),
+        lambda: oaktwin.Scene.open(tmp_path / "a.usda", scale=2),
+        lambda: device.write_usd("/nowhere/at/all.usd"),
+        lambda: oaktwin.Device.from_calibration(calibration, "OAK-D ToF"),
+        lambda: oaktwin.accuracy(device, focal_px=-1),
+        lambda: oaktwin.accuracy(device, width_px=1),
+        lambda: oaktwin.accuracy(device, distances=[-1]),
+        lambda: oaktwin.accuracy(device, region=2),
+        lambda: oaktwin.accuracy(device, sensor="tof"),
+        lambda: oaktwin.accuracy(device, devices=0),
+    ]:
+        with pytest.raises((oaktwin.Error, OSError)) as raised:
+            call()
+        said.append(str(raised.value))
+    assert not [text for text in said if " -" in text.replace(" -1", "") or "--" in text]
+
+
 @pytest.mark.parametrize(
     "options, text",
     [
@@ -214,7 +249,8 @@ def test_errors_have_the_programs_text(program, tmp_path, device, room):
         with pytest.raises(oaktwin.Error) as raised:
             oaktwin.DepthSensor(device, **options)
         printed = program("sense", "--model", "OAK4-D", "-o", tmp_path / "out", *said, tmp_path / "depth_0000.npy", code=2)
-        assert printed == f"error: {raised.value}\n"
+        # Python's names for the options.
+        assert printed.replace("--fx", "fx") == f"error: {raised.value}\n"
 
 
 def test_bad_calls(device, room):

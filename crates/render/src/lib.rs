@@ -7,6 +7,7 @@ mod annotate;
 mod backend;
 #[cfg(test)]
 mod fixture;
+mod luminance;
 mod raster;
 mod ray;
 mod rays;
@@ -17,7 +18,9 @@ mod visibility;
 
 pub use annotate::AnnotateOptions;
 pub use backend::Backend;
+pub use luminance::Luminance;
 pub use ray::Ray;
 pub use renderer::Renderer;
+pub use shade::{Beam, BeamPattern};
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};

@@ -1,9 +1,12 @@
-use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::depth::{filter, single_view, stereo_noise, time_of_flight};
-use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
+use crate::context::Result;
 
 /// Which model of the depth sensor's errors, and how it is set.
 #[derive(Args, Debug)]
@@ -24,6 +27,10 @@ pub(crate) struct SensorArgs {
     /// Set a parameter of the engine by its name; repeatable
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
     pub(crate) parameters: Vec<(String, String)>,
+
+    /// Parameters of the engine from a TOML file, as `oaktwin fit` writes it; --param counts more
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) params: Option<PathBuf>,
 
     /// Find disparities up to 190 px instead of 95: nearer things, the same step
     #[arg(long)]
@@ -53,9 +60,9 @@ pub(crate) enum Engine {
 }
 
 impl SensorArgs {
-    /// As typed; the intrinsics of the images come later.
-    pub(crate) fn options(&self) -> SensorOptions {
-        SensorOptions {
+    /// As typed, and what the file of parameters says; the intrinsics of the images come later.
+    pub(crate) fn options(&self) -> Result<SensorOptions> {
+        let mut options = SensorOptions {
             engine: self.engine.map(Into::into),
             preset: self.preset.clone(),
             filters: self.filters.clone(),
@@ -66,7 +73,12 @@ impl SensorArgs {
             name: None,
             seed: self.seed,
             device_seed: self.device_seed,
+        };
+        if let Some(path) = &self.params {
+            let applied = ParameterFile::read(path)?.apply(&mut options);
+            applied.map_err(|error| format!("{}: {error}", path.display()))?;
         }
+        Ok(options)
     }
 }
 
@@ -109,7 +121,7 @@ fn parameter_help() -> String {
 }
 
 /// `NAME=VALUE`
-fn assignment(text: &str) -> Result<(String, String), String> {
+fn assignment(text: &str) -> std::result::Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
             Ok((name.trim().to_owned(), value.trim().to_owned()))

@@ -4,13 +4,12 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Mutex;
 
-use oaktwin::accuracy::{self, Bench, MeasuredOptics, Measurement, Options, Watch, measured};
-use oaktwin::files;
-use oaktwin::image::png;
+use oaktwin::accuracy::{self, Bench, MeasuredOptics, Options, measured};
 use oaktwin::render;
 
 use crate::args::{AccuracyArgs, Lens, UnitArgs};
 use crate::context::{Context, Exit, Result};
+use crate::plot::Plot;
 use crate::progress::Progress;
 use crate::{destination, output};
 
@@ -42,7 +41,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     };
     let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), &watch)?;
     if let Some(plot) = &plot {
-        plot.draw(&measurement, &watch)?;
+        plot.draw(&[measurement.figure(&watch)?])?;
     }
     drop(progress);
     let report = measurement.report();
@@ -70,7 +69,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
 fn options(args: &AccuracyArgs) -> Result<Options> {
     Ok(Options {
         sensor: args.sensor.clone(),
-        engine: args.engine.options(),
+        engine: args.engine.options()?,
         distances_m: args
             .distances
             .as_deref()
@@ -85,36 +84,4 @@ fn options(args: &AccuracyArgs) -> Result<Options> {
         },
         from_m: args.from,
     })
-}
-
-/// A file to draw into.
-struct Plot<'a> {
-    file: &'a Path,
-    is_svg: bool,
-}
-
-impl<'a> Plot<'a> {
-    /// In the format that its extension says.
-    fn new(file: &'a Path) -> Result<Self> {
-        let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
-        let is_svg = extension == "svg";
-        if !is_svg && extension != "png" {
-            return Err(format!(
-                "{}: is neither SVG nor PNG; name it FILE.svg or FILE.png",
-                file.display()
-            )
-            .into());
-        }
-        Ok(Self { file, is_svg })
-    }
-
-    fn draw(&self, measurement: &Measurement, watch: Watch<'_>) -> Result<()> {
-        let figure = measurement.figure(watch)?;
-        let bytes = if self.is_svg {
-            figure.svg().into_bytes()
-        } else {
-            png::encode(&figure.picture())?
-        };
-        Ok(files::write(self.file, &bytes)?)
-    }
 }

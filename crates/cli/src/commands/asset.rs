@@ -119,7 +119,7 @@ fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> R
     } else {
         args.output.parent().map(Path::to_owned).unwrap_or_default()
     };
-    let name = destination::relative(&folder, base)?;
+    let name = files::relative(&folder, base)?;
     Ok(asset::overrides(
         twin,
         options,

@@ -22,6 +22,7 @@ use report::Report;
 use sensors::Sensors;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
+    let output = asked::output(args)?;
     let annotators = asked::annotators(args)?;
     let size = size::parse("--resolution", args.resolution.as_deref())?;
     let path = match &args.trajectory {
@@ -41,15 +42,29 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     findings.extend(more);
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
+    interrupt::watch()?;
+    let recorder = match &args.record {
+        Some(file) => {
+            let (up, is_alone) = (scene.scene.up, output.is_none());
+            let (recorder, more) =
+                render::FrameRecorder::create(file, up, &cameras, &path, &annotators, is_alone)?;
+            findings.extend(more);
+            Some(recorder)
+        }
+        None => None,
+    };
     if let Some(finding) = findings
         .iter()
         .find(|finding| args.strict && finding.level >= Level::Warning)
     {
         return Err(format!("{}: {finding}", args.scene.display()).into());
     }
-    check_memory(&cameras, &annotators, &sensors)?;
-    interrupt::watch()?;
-    let mut folder = OutputFolder::prepare(&args.output)?;
+    check_memory(&cameras, &annotators, &sensors, recorder.is_some())?;
+    let mut folder = output.as_deref().map(OutputFolder::prepare).transpose()?;
+    let outputs = render::Outputs {
+        folder: folder.as_mut(),
+        recorder,
+    };
     let renderer = Renderer::new(scene.scene);
     let options = FrameOptions {
         annotators: &annotators,
@@ -69,7 +84,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
             ControlFlow::Continue(())
         }
     };
-    let written = render::write_frames(&renderer, &cameras, &path, &options, &mut folder, &mut watch);
+    let written = render::write_frames(&renderer, &cameras, &path, &options, outputs, &mut watch);
     drop(progress);
     let mut written = written?;
     findings.append(&mut written.findings);
@@ -77,7 +92,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let calibration_findings = oak.map(|oak| oak.calibration_findings).unwrap_or_default();
     let frames = path.len().max(1);
     let report = Report::new(
-        args,
+        (args, output.as_deref()),
         &annotators,
         (&cameras, &sensors.own),
         written,
@@ -167,10 +182,23 @@ fn own_cameras(
 }
 
 /// Refuses images that this machine has no memory for, where it says how much it has.
-fn check_memory(cameras: &[PlacedCamera], annotators: &[Annotator], sensors: &Sensors) -> Result<()> {
+fn check_memory(
+    cameras: &[PlacedCamera],
+    annotators: &[Annotator],
+    sensors: &Sensors,
+    is_recorded: bool,
+) -> Result<()> {
     let mut made = render::scene_annotators(annotators, !sensors.own.is_empty());
     made.extend(annotators.iter().filter(|one| one.is_of_depth_sensor()));
-    let needs = |camera: &&PlacedCamera| render::frame_bytes(camera.camera.intrinsics.size, &made);
+    let needs = |camera: &&PlacedCamera| {
+        let size = camera.camera.intrinsics.size;
+        let recorded = if is_recorded {
+            render::record_bytes(size)
+        } else {
+            0
+        };
+        render::frame_bytes(size, &made) + recorded
+    };
     let Some(largest) = cameras.iter().max_by_key(needs) else {
         return Ok(());
     };

@@ -5,10 +5,12 @@
 mod accuracy;
 mod assets;
 mod bad_input;
+mod fit;
 mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_record;
 mod render_sensor;
 mod sense;
 mod sense_bad_input;

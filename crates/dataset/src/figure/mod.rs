@@ -88,3 +88,22 @@ impl Figure {
         picture::painted(&layout::marks(self))
     }
 }
+
+/// An SVG document of figures one below the other.
+#[must_use]
+pub fn svg_of(figures: &[Figure]) -> String {
+    match figures {
+        [one] => one.svg(),
+        all => svg::stacked(&all.iter().map(layout::marks).collect::<Vec<_>>()),
+    }
+}
+
+/// A picture of figures one below the other, at twice the size of the SVG.
+#[must_use]
+pub fn picture_of(figures: &[Figure]) -> Image<[u8; 3]> {
+    let pictures: Vec<Image<[u8; 3]>> = figures.iter().map(Figure::picture).collect();
+    let width = pictures.first().map_or(0, Image::width);
+    let height = pictures.iter().map(Image::height).sum();
+    let pixels = pictures.iter().flat_map(Image::pixels).copied().collect();
+    Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(width, height, [255; 3]))
+}

@@ -7,12 +7,35 @@ use super::layout::{Anchor, HEIGHT, Mark, Marks, WIDTH};
 /// A font's size to the height of its capitals: that of Helvetica and its kin.
 const SIZE_OF_CAPITALS: f32 = 1.0 / 0.72;
 
+/// One document of several, one below the other.
+pub(super) fn stacked(all: &[Marks]) -> String {
+    let height = HEIGHT * all.len() as f32;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\">\n"
+    );
+    for (number, marks) in all.iter().enumerate() {
+        let _ = write!(
+            svg,
+            "<g transform=\"translate(0 {})\">\n{}</g>\n",
+            HEIGHT * number as f32,
+            one(marks, number)
+        );
+    }
+    svg + "</svg>\n"
+}
+
 pub(super) fn written(marks: &Marks) -> String {
+    one(marks, 0)
+}
+
+/// The document of one; what several in one file must not share is named by its number.
+fn one(marks: &Marks, number: usize) -> String {
     let [left, top, right, bottom] = marks.frame;
+    let frame = frame_of(number);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
          font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n\
-         <clipPath id=\"frame\"><rect x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/></clipPath>\n\
+         <clipPath id=\"{frame}\"><rect x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/></clipPath>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         right - left,
         bottom - top,
@@ -30,7 +53,7 @@ pub(super) fn written(marks: &Marks) -> String {
                 "<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{opacity}\"{}/>",
                 path(corners),
                 hex(*color),
-                cut(*is_cut)
+                cut(*is_cut, &frame)
             ),
             Mark::Line {
                 points,
@@ -42,7 +65,7 @@ pub(super) fn written(marks: &Marks) -> String {
                 "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"{}/>",
                 path(points),
                 hex(*color),
-                cut(*is_cut)
+                cut(*is_cut, &frame)
             ),
             Mark::Text {
                 at: [x, y],
@@ -87,8 +110,20 @@ fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-fn cut(is_cut: bool) -> &'static str {
-    if is_cut { " clip-path=\"url(#frame)\"" } else { "" }
+fn frame_of(number: usize) -> String {
+    if number == 0 {
+        "frame".to_owned()
+    } else {
+        format!("frame{number}")
+    }
+}
+
+fn cut(is_cut: bool, frame: &str) -> String {
+    if is_cut {
+        format!(" clip-path=\"url(#{frame})\"")
+    } else {
+        String::new()
+    }
 }
 
 fn escaped(text: &str) -> String {
@@ -135,6 +170,32 @@ mod tests {
         let svg = figure("<4 m & more\u{1}", Shape::Line(Vec::new())).svg();
         assert!(svg.contains(">&lt;4 m &amp; more </text>"), "{svg}");
         assert!(svg.ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn figures_below_one_another_have_frames_of_their_own() {
+        let one = figure("upper", Shape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
+        let two = figure("lower", Shape::Dots(vec![[0.5, 0.5]]));
+        let svg = super::super::svg_of(&[one.clone(), two.clone()]);
+        for once in [
+            "id=\"frame\"",
+            "id=\"frame1\"",
+            ">upper<",
+            ">lower<",
+            "translate(0 560)",
+        ] {
+            assert_eq!(svg.matches(once).count(), 1, "{once}");
+        }
+        assert!(svg.contains("url(#frame1)"));
+        assert_eq!(svg.matches("<svg").count(), svg.matches("</svg>").count());
+        let picture = super::super::picture_of(&[one.clone(), two.clone()]);
+        let (upper, lower) = (one.picture(), two.picture());
+        assert_eq!(
+            (picture.width(), picture.height()),
+            (upper.width(), 2 * upper.height())
+        );
+        assert_eq!(picture.pixels(), [upper.pixels(), lower.pixels()].concat());
+        assert_eq!(super::super::svg_of(std::slice::from_ref(&one)), one.svg());
     }
 
     #[test]

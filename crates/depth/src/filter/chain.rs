@@ -65,14 +65,16 @@ impl<P: Pixel> Chain<P> {
     /// Filters the next image of a sequence, of which there may be a picture.
     #[must_use]
     pub fn run_seeing(&mut self, image: Image<P>, rgb: Option<ImageView<'_, [u8; 4]>>) -> Image<P> {
-        self.run_some(image, rgb, |_| true)
+        self.run_some(image, rgb, 1.0, |_| true)
     }
 
-    /// As [`Chain::run_seeing`], of the filters only those that are wanted.
+    /// As [`Chain::run_seeing`], of the filters only those that are wanted. An integer level of disparity is so many pixel
+    /// values: the unit of [`Speckle::difference_threshold`](super::Speckle).
     pub(crate) fn run_some(
         &mut self,
         mut image: Image<P>,
         rgb: Option<ImageView<'_, [u8; 4]>>,
+        integer_level: f64,
         wanted: impl Fn(&Filter) -> bool,
     ) -> Image<P> {
         let level = Level::detect();
@@ -84,7 +86,7 @@ impl<P: Pixel> Chain<P> {
                 Filter::Median(median) => median.run(level, &mut image),
                 Filter::Spatial(spatial) => spatial.run(level, &mut image),
                 Filter::Temporal(temporal) => temporal.run(level, &mut image, memory),
-                Filter::Speckle(speckle) => speckle.run(level, &mut image),
+                Filter::Speckle(speckle) => speckle.of_levels(integer_level).run(level, &mut image),
                 Filter::Decimation(decimation) => image = decimation.run(level, &image),
                 Filter::Threshold(threshold) => threshold.run(&mut image),
                 Filter::Brightness(brightness) => {

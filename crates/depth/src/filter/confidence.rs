@@ -5,8 +5,8 @@ use crate::simd::{self, Kernel, Level, whole};
 /// `DepthAI`'s `ToFDepthConfidenceFilter`, bit for bit as on a host: what is too dark for its distance is lost.
 ///
 /// The confidence is 100·a/√(d/2) of amplitude a and depth d in millimetres, in single precision; where either is 0 it
-/// is 6 553 500, so that what has no amplitude is kept. The image of confidences has its lowest 16 bits. A threshold of 0
-/// switches it off: then that image is the amplitude's.
+/// is 6 553 500, so that what has no amplitude is kept. The image of confidences has its lowest 16 bits, and 65 535 where
+/// either is 0. A threshold of 0 switches it off: then that image is the amplitude's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthConfidence {
     /// `confidenceThreshold`: what has less is lost. `DepthAI`'s default is 0.1.
@@ -60,6 +60,9 @@ impl DepthConfidence {
     }
 }
 
+/// The confidence of what has no amplitude or depth.
+const WITHOUT: f32 = 6_553_500.0;
+
 struct Rows<'a> {
     threshold: f32,
     amplitude: &'a [u16],
@@ -75,16 +78,16 @@ impl Kernel for Rows<'_> {
         let pixels = self.depth.iter_mut().zip(self.confidence).zip(self.amplitude);
         for ((depth, out), &amplitude) in pixels {
             let (a, d) = (f32::from(amplitude), f32::from(*depth));
-            let least = if a < d { a } else { d };
-            let confidence = a / (d / 2.0).sqrt();
-            let confidence = if least < 1e-12 { 65535.0 } else { confidence } * 100.0;
+            let nothing = (amplitude == 0) | (*depth == 0);
+            let confidence = 100.0 * (a / (d / 2.0).sqrt());
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "the lowest bits, as there"
             )]
             let low = whole(confidence) as u16;
-            *out = low;
+            *out = if nothing { u16::MAX } else { low };
+            let confidence = if nothing { WITHOUT } else { confidence };
             *depth = if confidence < self.threshold { 0 } else { *depth };
         }
     }

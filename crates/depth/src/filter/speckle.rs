@@ -10,7 +10,8 @@ use crate::simd::Level;
 pub struct Speckle {
     /// `speckleRange`: a patch of up to so many pixels is dropped.
     pub speckle_range: u32,
-    /// `differenceThreshold`: the largest step between two neighbours of a patch, in pixel values.
+    /// `differenceThreshold`: the largest step between two neighbours of a patch, in pixel values; inside a stereo engine in
+    /// integer levels of disparity (the description of `DepthAI`'s `SpeckleFilter`), pixels, whatever the subpixel steps.
     pub difference_threshold: u32,
 }
 
@@ -37,6 +38,19 @@ pub(super) struct Links<'a> {
 }
 
 impl Speckle {
+    /// The same in pixel values, of which an integer level is so many.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the cast saturates"
+    )]
+    pub(super) fn of_levels(self, integer_level: f64) -> Self {
+        Self {
+            difference_threshold: (f64::from(self.difference_threshold) * integer_level + 0.5) as u32,
+            ..self
+        }
+    }
+
     /// An image of 2³¹ pixels or more stays as it is.
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
         let width = image.width() as usize;

@@ -8,12 +8,14 @@
 //! Images are metres along the optical axis; what is not finite and above 0 is no value. Captures are images of one
 //! camera that does not move, in one size. Nothing here is limited to stereo but the RMS in pixels.
 
+mod autocovariance;
 mod plane;
 mod quality;
 mod region;
 mod statistics;
 mod vendor;
 
+pub use autocovariance::Autocovariance;
 pub use plane::Plane;
 pub use quality::{Optics, Quality, quality};
 pub use region::Region;

@@ -38,7 +38,7 @@ impl Region {
     }
 
     /// Its rows in an image, left to right; of what lies outside the image, nothing.
-    pub(super) fn rows_of<'a>(&self, image: ImageView<'a, f32>) -> impl Iterator<Item = &'a [f32]> + use<'a> {
+    pub fn rows_of<'a>(&self, image: ImageView<'a, f32>) -> impl Iterator<Item = &'a [f32]> + use<'a> {
         let width = image.width();
         let columns = self.columns.start.min(width) as usize..self.columns.end.min(width) as usize;
         let rows = self.rows.clone();

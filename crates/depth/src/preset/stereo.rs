@@ -2,6 +2,7 @@ use super::{PresetError, TIME_OF_FLIGHT_PRESETS, is_named};
 use crate::filter::{
     Brightness, Decimation, DecimationMode, Filter, Median, Spatial, Speckle, Temporal, Threshold,
 };
+use crate::stereo_matching;
 use crate::stereo_noise::{self, Subpixel};
 
 /// The processor of a device: presets differ.
@@ -145,6 +146,12 @@ pub struct StereoConfig {
     pub disparity_shift_px: u32,
     /// `leftRightCheckThreshold`; none where there is no such check.
     pub left_right_check_threshold: Option<u32>,
+    /// Whose penalties of paths count.
+    pub platform: Platform,
+    /// `noiseThresholdOffset` and `noiseThresholdScale` of RVC4's census transform.
+    pub noise_threshold: [i32; 2],
+    /// `defaultValue` of RVC4's `p1Config` and `p2Config` where they are not adaptive.
+    pub fixed_penalties: Option<[u32; 2]>,
     /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: what is above it is kept. That of `DepthAI` 2 is 255 less this.
     pub confidence_threshold: u8,
     /// `filteringOrder`
@@ -173,6 +180,9 @@ impl Default for StereoConfig {
             extended_disparity: false,
             disparity_shift_px: 0,
             left_right_check_threshold: Some(10),
+            platform: Platform::Rvc2,
+            noise_threshold: [0, 0],
+            fixed_penalties: None,
             confidence_threshold: 55,
             filtering_order: [
                 FilterStage::Median,
@@ -287,6 +297,7 @@ impl StereoConfig {
 
     fn rvc4(preset: Preset) -> Self {
         let extended = Self {
+            platform: Platform::Rvc4,
             extended_disparity: true,
             ..Self::default()
         };
@@ -294,6 +305,8 @@ impl StereoConfig {
             Preset::Default | Preset::Density | Preset::FastDensity | Preset::HighDensity => Self {
                 left_right_check_threshold: Some(4),
                 confidence_threshold: 20,
+                noise_threshold: [0, -40],
+                fixed_penalties: Some([20, 85]),
                 median: Some(Median::Kernel5x5),
                 speckle: Some(Speckle {
                     speckle_range: 200,
@@ -307,6 +320,8 @@ impl StereoConfig {
             },
             _ => Self {
                 confidence_threshold: 97,
+                noise_threshold: [0, 84],
+                fixed_penalties: Some([16, 65]),
                 ..extended
             },
         }
@@ -341,5 +356,26 @@ impl StereoConfig {
             parameters.left_right_check_threshold_px = threshold;
         }
         parameters.confidence_threshold = self.confidence_threshold;
+    }
+
+    /// Configures the matcher: as [`StereoConfig::apply_to`], the census transform's noise and the penalties of paths.
+    pub fn apply_to_matching(&self, parameters: &mut stereo_matching::Parameters) {
+        parameters.subpixel = self.subpixel;
+        parameters.extended_disparity = self.extended_disparity;
+        parameters.disparity_shift_px = self.disparity_shift_px;
+        parameters.left_right_check = self.left_right_check_threshold.is_some();
+        if let Some(threshold) = self.left_right_check_threshold {
+            parameters.left_right_check_threshold_px = threshold;
+        }
+        parameters.confidence_threshold = self.confidence_threshold;
+        parameters.platform = self.platform;
+        [
+            parameters.noise_threshold_offset,
+            parameters.noise_threshold_scale,
+        ] = self.noise_threshold;
+        if let Some([p1, p2]) = self.fixed_penalties {
+            (parameters.p1.adaptive, parameters.p1.default) = (false, p1);
+            (parameters.p2.adaptive, parameters.p2.default) = (false, p2);
+        }
     }
 }

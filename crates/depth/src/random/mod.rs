@@ -30,6 +30,8 @@ pub enum Stage {
     Correlation = 5,
     /// The constant errors of a time-of-flight sensor's pixels.
     FixedPattern = 6,
+    /// Where a projector's dots lie.
+    Dots = 16,
 }
 
 /// The random numbers of one camera.

@@ -12,7 +12,8 @@ impl Sensor {
     /// filters that remember begin anew in each.
     ///
     /// # Errors
-    /// `depth`, the pictures or `out` have another length than the shape says; nothing is written then.
+    /// `depth`, the pictures or `out` have another length than the shape says, or the engine matches pairs, which are not
+    /// here; nothing is written then.
     pub fn sense_batch(
         &self,
         depth: &[f32],
@@ -33,7 +34,11 @@ impl Sensor {
                 Engine::TimeOfFlight(engine) => {
                     engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
                 }
+                Engine::StereoMatching(_) => Err(no_pairs(shape)),
             };
+        }
+        if matches!(self.engine, Engine::StereoMatching(_)) {
+            return Err(no_pairs(shape));
         }
         let [count, height, width] = shape;
         let fits = |what, shape: [usize; 3], length| {
@@ -91,5 +96,14 @@ impl Sensor {
                 },
             );
         Ok(())
+    }
+}
+
+/// A batch has no pairs to match.
+fn no_pairs(shape: [usize; 3]) -> BatchError {
+    BatchError {
+        what: "stereo pairs",
+        shape,
+        length: 0,
     }
 }

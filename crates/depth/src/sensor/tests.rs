@@ -3,6 +3,7 @@ use oaktwin_camera::StereoGeometry;
 use super::*;
 use crate::filter::parse;
 use crate::single_view::{Assumptions, Wanted};
+use crate::stereo_noise;
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 20;
@@ -54,7 +55,8 @@ fn disparities_are_spread_for_all_but_a_median_at_the_end() {
         let filters: Vec<Filter> = filters.iter().map(|text| parse(text).unwrap()).collect();
         let mut disparity = Image::filled(3, 1, 0u16);
         disparity.pixels_mut().copy_from_slice(&[0, 1, 3040]);
-        let scale = rescale(&filters, &parameters(), &mut disparity);
+        let p = parameters();
+        let scale = rescale(&filters, p.max_disparity_px(), p.subpixel, &mut disparity);
         (scale, disparity.into_pixels())
     };
     let (as_it_was, spread) = ((1.0, vec![0, 1, 3040]), (8192.0 / 3040.0, vec![0, 3, 8192]));
@@ -139,6 +141,24 @@ fn frames_depend_on_earlier_ones_with_a_temporal_filter_only() {
     assert_ne!(
         frame(&mut remembering, 1),
         frame(&mut stereo(&["temporal:delta=255,alpha=0.1"]), 1)
+    );
+}
+
+#[test]
+fn speckles_are_told_apart_in_pixels_of_disparity() {
+    // A wall aslant: neighbours differ by more than a subpixel step, by less than a pixel of disparity.
+    let wall = |x: u32, _| 0.8 + 0.02 * x as f32;
+    let pixels = (0..WIDTH * HEIGHT).map(|i| wall(i % WIDTH, i / WIDTH)).collect();
+    let depth = Image::new(WIDTH, HEIGHT, pixels).unwrap();
+    let seen = |filters: &[&str]| {
+        let shot = Shot::new((&depth).into());
+        let distance = stereo(filters).capture(&shot, Wanted::default()).distance;
+        distance.0.pixels().iter().filter(|&&z| z > 0.0).count()
+    };
+    assert_eq!(seen(&["speckle:range=50,difference=2"]), seen(&[]));
+    assert_eq!(
+        seen(&["speckle:range=50,difference=2", "spatial:delta=20"]),
+        seen(&["spatial:delta=20"])
     );
 }
 

@@ -52,21 +52,21 @@ mod rows;
 mod scale;
 mod sense;
 mod shadow;
-mod table;
 #[cfg(test)]
 mod tests;
 mod texture;
 mod window;
 
+pub use crate::disparity::{DepthRounding, Subpixel};
 pub use names::NAMES;
-pub use parameters::{DEVICE_BIAS_SIGMA_PX, DepthRounding, Parameters, Subpixel};
+pub use parameters::{DEVICE_BIAS_SIGMA_PX, Parameters};
 
 use std::fmt;
 
 use oaktwin_image::{Image, ZDepth};
 
 use self::sense::Job;
-use self::table::DepthTable;
+use crate::disparity::DepthTable;
 use crate::random::Stream;
 use crate::{ParameterError, Shot};
 
@@ -92,7 +92,7 @@ impl StereoNoise {
     /// A parameter out of its range.
     pub fn new(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.check()?;
-        let table = DepthTable::new(&parameters, 1.0, parameters.max_fixed_disparity());
+        let table = DepthTable::new(&parameters.fixed(), 1.0, parameters.max_fixed_disparity());
         Ok(Self { parameters, table })
     }
 
@@ -125,7 +125,7 @@ impl StereoNoise {
         let table = if scale == 1.0 && u32::from(last) <= self.table.last() {
             &self.table
         } else {
-            rescaled = DepthTable::new(&self.parameters, scale, u32::from(last));
+            rescaled = DepthTable::new(&self.parameters.fixed(), scale, u32::from(last));
             &rescaled
         };
         let mut out = Image::filled(disparity.width(), disparity.height(), 0.0);

@@ -5,8 +5,9 @@ use std::str::FromStr;
 
 use oaktwin_diagnostic::{fold_name, nearest};
 
-use super::parameters::{DepthRounding, Parameters, Subpixel};
+use super::parameters::Parameters;
 use crate::ParameterError;
+use crate::disparity::{DepthRounding, Subpixel};
 
 /// One parameter: its name, how to read and to change it, and what it may be.
 struct Named {

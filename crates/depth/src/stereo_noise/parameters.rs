@@ -1,6 +1,7 @@
 use oaktwin_camera::StereoGeometry;
 
 use crate::ParameterError;
+use crate::disparity::{DepthRounding, Fixed, Subpixel};
 use crate::random::{Stage, Stream, standard_normal};
 
 /// What a stereo camera measures with, and how wrong it is. Lengths in pixels are in matcher pixels, those of an image
@@ -45,49 +46,6 @@ pub struct Parameters {
     pub window_px: u32,
     /// `depthRounding`: how depth becomes whole millimetres.
     pub depth_rounding: DepthRounding,
-}
-
-/// The fractional bits of a disparity.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Subpixel {
-    /// Whole pixels.
-    Off,
-    /// Eighths.
-    Bits3,
-    /// Sixteenths.
-    Bits4,
-    /// Thirty-seconds.
-    #[default]
-    Bits5,
-}
-
-impl Subpixel {
-    /// How many bits.
-    #[must_use]
-    pub const fn bits(self) -> u32 {
-        match self {
-            Self::Off => 0,
-            Self::Bits3 => 3,
-            Self::Bits4 => 4,
-            Self::Bits5 => 5,
-        }
-    }
-
-    /// The step, px.
-    #[must_use]
-    pub fn step_px(self) -> f64 {
-        1.0 / f64::from(1u32 << self.bits())
-    }
-}
-
-/// How depth becomes whole millimetres. What the device does is not published.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DepthRounding {
-    /// The nearest, halves up.
-    #[default]
-    Nearest,
-    /// The one below.
-    Truncate,
 }
 
 /// The spread of devices' calibration bias, px: an estimate, with which the median of 200 devices stays inside the
@@ -147,6 +105,16 @@ impl Parameters {
     #[must_use]
     pub fn max_fixed_disparity(&self) -> u32 {
         (self.max_disparity_px() - self.disparity_shift_px) << self.subpixel.bits()
+    }
+
+    /// What its disparity images count in.
+    pub(crate) fn fixed(&self) -> Fixed {
+        Fixed {
+            stereo: self.stereo,
+            subpixel: self.subpixel,
+            shift_px: self.disparity_shift_px,
+            rounding: self.depth_rounding,
+        }
     }
 
     /// Whether these make a sensor.

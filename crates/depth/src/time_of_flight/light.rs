@@ -131,7 +131,6 @@ impl<'a> Kernel for Returns<'a> {
     type Output = ();
 
     #[inline(always)]
-    #[expect(clippy::needless_range_loop, reason = "fifteen rows at once")]
     fn run(self) {
         let Lamp {
             signal,

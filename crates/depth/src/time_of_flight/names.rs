@@ -96,8 +96,8 @@ const TABLE: [Named; 27] = [
         name: "ambient",
         get: |p| text(&p.ambient_e),
         set: |p, value| match value {
-            "indoor" => Some(p.ambient_e = INDOOR_E),
-            "outdoor" => Some(p.ambient_e = OUTDOOR_E),
+            "indoor" => put(&mut p.ambient_e, &INDOOR_E.to_string()),
+            "outdoor" => put(&mut p.ambient_e, &OUTDOOR_E.to_string()),
             _ => put(&mut p.ambient_e, value),
         },
         values: "give indoor, outdoor, or electrons",

@@ -67,7 +67,6 @@ impl<'a> Kernel for Sample<'a> {
     type Output = ();
 
     #[inline(always)]
-    #[expect(clippy::needless_range_loop, reason = "eight rows at once")]
     fn run(self) {
         let n = self.turns.len();
         let padded = |row: &'a [f32]| row.get(..n + 2);
@@ -154,7 +153,6 @@ impl Kernel for Unwrap<'_> {
     type Output = ();
 
     #[inline(always)]
-    #[expect(clippy::needless_range_loop, reason = "four rows at once")]
     fn run(self) {
         let Unwrapping { turn_m, weights, .. } = *self.unwrapping;
         let [turns0, turns1] = self.sampled.turns.each_ref();
@@ -211,8 +209,7 @@ impl Kernel for Decode<'_> {
     #[inline(always)]
     #[expect(
         clippy::cast_possible_truncation,
-        clippy::needless_range_loop,
-        reason = "whole numbers are in the low 16 bits; ten rows at once"
+        reason = "whole numbers are in the low 16 bits"
     )]
     fn run(self) {
         let n = self.depth.len();

@@ -175,7 +175,6 @@ impl<'a> Job<'a> {
 }
 
 /// Where a row is kept.
-#[expect(clippy::cast_sign_loss, reason = "0, 1 or 2")]
 fn slot(y: isize) -> usize {
     y.rem_euclid(3) as usize
 }

@@ -1,6 +1,7 @@
 //! At which distances to measure.
 
 use super::AccuracyError;
+use crate::csv::{Row, Wrong, wrong};
 
 /// Where a depth image in whole millimetres ends.
 pub const FARTHEST_M: f64 = 65.535;
@@ -61,6 +62,17 @@ pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
         z if z > FARTHEST_M => Err("is farther than 65.535 m, where a depth image in millimetres ends"),
         z => Ok(z),
     }
+}
+
+/// The distance in a row of a table.
+pub(crate) fn in_row<const N: usize>(row: &Row<'_, N>, at: usize) -> Result<f64, Wrong> {
+    let distance_m = row.number(at)?;
+    check(distance_m).map_err(|what| {
+        wrong(
+            format!("line {}: distance_m: {distance_m} {what}", row.line),
+            "give metres",
+        )
+    })
 }
 
 /// Round distances from the nearest to the farthest, both included where the nearest is rounded up to 0.1 m.

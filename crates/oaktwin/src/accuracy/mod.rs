@@ -10,7 +10,7 @@
 
 mod bands;
 mod board;
-mod distances;
+pub(crate) mod distances;
 pub mod measured;
 mod optics;
 mod plot;
@@ -384,7 +384,11 @@ fn check(options: &Options) -> Result<(), AccuracyError> {
     Ok(())
 }
 
-fn depth_sensor<'a>(twin: &'a Twin, name: Option<&str>) -> Result<&'a TwinDepthSensor, AccuracyError> {
+/// The depth sensor by prim or kind; by default the last, the device's own.
+pub(crate) fn depth_sensor<'a>(
+    twin: &'a Twin,
+    name: Option<&str>,
+) -> Result<&'a TwinDepthSensor, AccuracyError> {
     let sensors = &twin.depth_sensors;
     let found = match name {
         None => sensors.last(),
@@ -476,6 +480,12 @@ fn differences(stand: &Stand, options: &Options, kind: DepthKind, own_width_px: 
     }
     match &unit.engine {
         Engine::StereoNoise(engine) => {
+            let bits = engine.parameters().subpixel;
+            if bits != Subpixel::Bits5 {
+                differences.push(format!("{} subpixel bits instead of 5", bits.bits()));
+            }
+        }
+        Engine::StereoMatching(engine) => {
             let bits = engine.parameters().subpixel;
             if bits != Subpixel::Bits5 {
                 differences.push(format!("{} subpixel bits instead of 5", bits.bits()));

@@ -117,6 +117,10 @@ impl Stand {
                 p.stereo.depth(f64::from(p.max_disparity_px()))
             }
             Some(Engine::TimeOfFlight(engine)) => engine.nearest_m(),
+            Some(Engine::StereoMatching(engine)) => {
+                let p = engine.parameters();
+                p.stereo.depth(f64::from(p.max_disparity_px()))
+            }
             None => 0.0,
         }
     }
@@ -125,7 +129,7 @@ impl Stand {
     pub(super) fn carries_depth(&self) -> Option<bool> {
         match &self.units.first()?.engine {
             Engine::SingleView(engine) => Some(engine.assumptions().depth == Depth::Carried),
-            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -141,7 +145,7 @@ impl Stand {
                     0.0
                 })
             }
-            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -272,6 +276,10 @@ fn reach_px(engine: &Engine, width: u32, distance_m: f64) -> f64 {
             p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
         }
         Engine::TimeOfFlight(_) => 0.0,
+        Engine::StereoMatching(engine) => {
+            let p = engine.parameters();
+            p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
+        }
     }
 }
 
@@ -291,6 +299,8 @@ fn around_px(engine: &Engine) -> u32 {
         }
         // Those whose light a pixel sees, and those beside them for their normals.
         Engine::TimeOfFlight(_) => 2,
+        // Paths go over the whole image.
+        Engine::StereoMatching(_) => 1024,
     }
 }
 
@@ -300,12 +310,17 @@ fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
         Engine::SingleView(engine) => engine.parameters().disparity_times_depth(width).abs(),
         Engine::StereoNoise(engine) => engine.parameters().stereo.disparity(1.0),
         Engine::TimeOfFlight(_) => 0.0,
+        Engine::StereoMatching(engine) => engine.parameters().stereo.disparity(1.0),
     }
 }
 
 /// Whether the matcher's images are not as wide as the depth image, so that a part of one is not whole pixels of the other.
 fn is_of_another_width(engine: &Engine, width: u32) -> bool {
-    matches!(engine, Engine::StereoNoise(engine) if engine.parameters().width_px != width)
+    match engine {
+        Engine::SingleView(_) | Engine::TimeOfFlight(_) => false,
+        Engine::StereoNoise(engine) => engine.parameters().width_px != width,
+        Engine::StereoMatching(_) => true,
+    }
 }
 
 /// The engine for a part of an image that leaves columns out: it counts the pixels of that part, of the same size each.
@@ -336,6 +351,7 @@ fn of_part(engine: &Engine, width: u32, part: &Intrinsics) -> Result<Engine, Par
             parameters.width_px = part_width;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
+        Engine::StereoMatching(engine) => Engine::StereoMatching(engine.clone()),
         Engine::TimeOfFlight(_) => engine.clone(),
     })
 }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::camera::PlacedCamera;
 use super::depth_sensor::{self, scene_annotators};
 use super::output_folder::OutputFolder;
+use super::recorder::FrameRecorder;
 use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::camera::RigidTransform;
@@ -19,6 +20,7 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, png};
+use crate::recording::RecordingFileError;
 use crate::sensor::Sensor;
 
 /// What to render, and into which files.
@@ -41,6 +43,15 @@ pub struct FrameOptions<'a> {
     pub list_files: bool,
 }
 
+/// Where frames go.
+#[derive(Debug)]
+pub struct Outputs<'a> {
+    /// A folder for the files of Replicator's `BasicWriter`.
+    pub folder: Option<&'a mut OutputFolder>,
+    /// A recording of all frames.
+    pub recorder: Option<FrameRecorder>,
+}
+
 /// What was written.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Written {
@@ -48,6 +59,8 @@ pub struct Written {
     pub frames: usize,
     /// The files, in the order of frames, then cameras, where they were [asked for](FrameOptions::list_files).
     pub files: Vec<WrittenFile>,
+    /// The recording, which is there only when all frames are in it.
+    pub recording: Option<WrittenFile>,
     /// What the renderer had to say, each once.
     pub findings: Vec<Finding>,
     /// Whether the caller asked to stop before the end.
@@ -78,6 +91,9 @@ pub enum FramesError {
     /// A file could not be written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A recording could not be written.
+    #[error(transparent)]
+    Recording(#[from] RecordingFileError),
     /// A file could not be encoded.
     #[error("{0}")]
     Dataset(#[from] DatasetError),
@@ -89,7 +105,10 @@ pub enum FramesError {
 /// An image on its way to its files.
 struct Rendered<'a> {
     camera: &'a PlacedCamera,
+    /// Which camera it is.
+    at: usize,
     number: usize,
+    mount: RigidTransform,
     view: View,
     frame: Frame,
     sheet: Option<Image<[u8; 3]>>,
@@ -99,7 +118,7 @@ struct Rendered<'a> {
 /// lets the cameras' depth sensors look at it, and writes it. `watch` is asked before each image and after it; where it breaks, what is rendered then is dropped.
 ///
 /// The files are those of Replicator's `BasicWriter`: one camera's in the folder itself, those of several in folders by
-/// camera and annotator.
+/// camera and annotator. A recording is there when it is whole, or not at all.
 ///
 /// # Errors
 /// A file cannot be written, or there is a warning where none may be.
@@ -108,7 +127,7 @@ pub fn write_frames(
     cameras: &[PlacedCamera],
     path: &[TimedPose],
     options: &FrameOptions<'_>,
-    folder: &mut OutputFolder,
+    outputs: Outputs<'_>,
     watch: &mut dyn FnMut(Done) -> ControlFlow<()>,
 ) -> Result<Written, FramesError> {
     let poses: Vec<Option<&RigidTransform>> = if path.is_empty() {
@@ -134,8 +153,25 @@ pub fn write_frames(
     let mut stop = None;
     // The writer takes an image when it has written the one before: never more than two are there.
     let (sender, receiver) = mpsc::sync_channel::<Rendered<'_>>(0);
+    let Outputs { folder, mut recorder } = outputs;
+    let in_folders = cameras.len() > 1;
     let (files, images) = thread::scope(|scope| {
-        let writer = scope.spawn(|| write_all(receiver, folder, cameras.len() > 1, meters_per_unit, options));
+        let writer = scope.spawn(|| {
+            let mut writer =
+                folder.map(|folder| FolderWriter::new(folder, in_folders, meters_per_unit, options));
+            let mut count = 0usize;
+            for image in receiver {
+                if let Some(writer) = &mut writer {
+                    writer.write(&image)?;
+                }
+                if let Some(recorder) = &mut recorder {
+                    recorder.record(image.at, image.number, &image.mount, &image.frame)?;
+                }
+                count += 1;
+            }
+            let files = writer.map(|writer| writer.files).unwrap_or_default();
+            Ok::<_, FramesError>((files, count))
+        });
         let mut sweep = options.sweep.cloned();
         for (number, pose, at) in jobs {
             let Some(station) = stations.get_mut(at) else {
@@ -179,9 +215,17 @@ pub fn write_frames(
         Some(Ok(())) => true,
         None => false,
     };
+    let recording = match recorder.filter(|_| !is_interrupted) {
+        Some(recorder) => {
+            let (path, bytes) = recorder.finish()?;
+            Some(WrittenFile { path, bytes })
+        }
+        None => None,
+    };
     Ok(Written {
         frames: images.checked_div(cameras.len()).unwrap_or(0),
         files,
+        recording,
         findings,
         is_interrupted,
     })
@@ -217,12 +261,19 @@ impl<'a> Station<'a> {
         sweep: Option<&mut SweptSensors>,
         options: &FrameOptions<'_>,
     ) -> (Rendered<'a>, Vec<Finding>) {
-        let view = self.camera.view(pose.unwrap_or(&self.camera.world_from_mount));
+        let mount = *pose.unwrap_or(&self.camera.world_from_mount);
+        let view = self.camera.view(&mount);
         let (mut frame, findings) =
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
         let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64));
         if let Some(sensor) = &mut self.sensor {
-            depth_sensor::capture(sensor, &view, number as u64, options.annotators, &mut frame);
+            depth_sensor::sense_frame(
+                sensor,
+                &view.camera,
+                number as u64,
+                options.annotators,
+                &mut frame,
+            );
         }
         frame.rgb = frame.rgb.filter(|_| options.annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame
@@ -230,7 +281,9 @@ impl<'a> Station<'a> {
             .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
         let rendered = Rendered {
             camera: self.camera,
+            at: self.index,
             number,
+            mount,
             view,
             frame,
             sheet,
@@ -258,48 +311,68 @@ fn cast_instead(cameras: &[PlacedCamera], backend: Backend) -> Vec<Finding> {
         .collect()
 }
 
-/// Writes images until there are no more; the files, and the number of images.
-fn write_all(
-    images: mpsc::Receiver<Rendered<'_>>,
-    folder: &mut OutputFolder,
+/// Writes images into the folder.
+struct FolderWriter<'a> {
+    folder: &'a mut OutputFolder,
     in_folders: bool,
     meters_per_unit: f64,
-    options: &FrameOptions<'_>,
-) -> Result<(Vec<WrittenFile>, usize), FramesError> {
-    let writer = BasicWriter::new(dataset::Options {
-        extras: options.extras,
-        ..dataset::Options::default()
-    });
-    let mut files = Vec::new();
-    let mut put = |path: &str, bytes: &[u8]| -> Result<(), FramesError> {
-        let path = folder.write(Path::new(path), bytes)?;
-        if options.list_files {
+    options: &'a FrameOptions<'a>,
+    writer: BasicWriter,
+    has_metadata: bool,
+    files: Vec<WrittenFile>,
+}
+
+impl<'a> FolderWriter<'a> {
+    fn new(
+        folder: &'a mut OutputFolder,
+        in_folders: bool,
+        meters_per_unit: f64,
+        options: &'a FrameOptions<'a>,
+    ) -> Self {
+        Self {
+            folder,
+            in_folders,
+            meters_per_unit,
+            options,
+            writer: BasicWriter::new(dataset::Options {
+                extras: options.extras,
+                ..dataset::Options::default()
+            }),
+            has_metadata: false,
+            files: Vec::new(),
+        }
+    }
+
+    fn put(&mut self, path: &str, bytes: &[u8]) -> Result<(), FramesError> {
+        let path = self.folder.write(Path::new(path), bytes)?;
+        if self.options.list_files {
             let bytes = bytes.len() as u64;
-            files.push(WrittenFile { path, bytes });
+            self.files.push(WrittenFile { path, bytes });
         }
         Ok(())
-    };
-    let mut count = 0;
-    for image in images {
-        if count == 0 {
-            let metadata = writer.metadata();
-            put(metadata.path(), &metadata.bytes()?)?;
+    }
+
+    fn write(&mut self, image: &Rendered<'_>) -> Result<(), FramesError> {
+        if !std::mem::replace(&mut self.has_metadata, true) {
+            let metadata = self.writer.metadata();
+            self.put(metadata.path(), &metadata.bytes()?)?;
         }
-        let params = options
+        let params = self
+            .options
             .annotators
             .contains(&Annotator::CameraParams)
-            .then(|| image.params(meters_per_unit));
+            .then(|| image.params(self.meters_per_unit));
         let shot = Shot {
             frame: &image.frame,
             camera_params: params.as_ref(),
             number: image.number as u64,
-            render_product: in_folders.then_some(&image.camera.folder),
+            render_product: self.in_folders.then_some(&image.camera.folder),
         };
-        let listed = writer.files(&shot);
+        let listed = self.writer.files(&shot);
         let encoded: Vec<Result<Vec<u8>, DatasetError>> =
             listed.par_iter().map(dataset::DatasetFile::bytes).collect();
         for (file, bytes) in listed.iter().zip(encoded) {
-            put(file.path(), &bytes?)?;
+            self.put(file.path(), &bytes?)?;
         }
         if let Some(sheet) = &image.sheet {
             let file = format!("sweep_{:04}.png", image.number);
@@ -311,11 +384,10 @@ fn write_all(
                 path: path.clone(),
                 source,
             })?;
-            put(&path, &bytes)?;
+            self.put(&path, &bytes)?;
         }
-        count += 1;
+        Ok(())
     }
-    Ok((files, count))
 }
 
 impl Rendered<'_> {

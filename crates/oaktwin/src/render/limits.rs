@@ -37,6 +37,12 @@ pub fn frame_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     12 * pixels + 4 * annotation_bytes(size, annotators)
 }
 
+/// How much memory a recording takes for a frame, bytes: its rays, its largest message, and what that is compressed to.
+#[must_use]
+pub fn record_bytes(size: ImageSize) -> u64 {
+    40 * u64::from(size.width) * u64::from(size.height)
+}
+
 /// How much memory what these annotators say of a frame takes, bytes.
 #[must_use]
 pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {

@@ -44,6 +44,7 @@ mod names;
 mod oak;
 mod output_folder;
 mod pose;
+mod recorder;
 mod scene_camera;
 mod scene_file;
 mod sweep;
@@ -51,14 +52,17 @@ pub mod trajectory;
 
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
-pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators};
-pub use frames::{Done, FrameOptions, FramesError, Written, WrittenFile, write_frames};
-pub use limits::{MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib};
+pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
+pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, WrittenFile, write_frames};
+pub use limits::{
+    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
+};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
 pub use output_folder::OutputFolder;
 pub use pose::{PoseError, look_at, pose};
+pub use recorder::{FrameRecorder, record_annotators};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
 pub use sweep::{Axis, MOST_VALUES, Sweep, SweepError, SweptSensors};

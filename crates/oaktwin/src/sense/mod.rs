@@ -12,15 +12,15 @@
 
 mod camera;
 mod geometry;
-mod name;
+pub(crate) mod name;
 mod options;
 mod picture;
 mod plan;
 mod product;
-mod replicator;
+pub(crate) mod replicator;
 mod rig;
 mod run;
-mod source;
+pub(crate) mod source;
 mod writer;
 
 use std::path::PathBuf;

@@ -9,19 +9,19 @@ const GROUND_TRUTH: [&str; 3] = ["distance_to_image_plane", "distance_to_camera"
 
 /// A file's name, taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Name {
+pub(crate) struct Name {
     /// Without the number.
-    pub(super) base: String,
+    pub(crate) base: String,
     /// The frame.
-    pub(super) number: Option<u64>,
+    pub(crate) number: Option<u64>,
     /// The number as it is written.
-    pub(super) digits: String,
+    pub(crate) digits: String,
     /// What the annotator's name says.
-    pub(super) kind: Option<InputKind>,
+    pub(crate) kind: Option<InputKind>,
 }
 
 impl Name {
-    pub(super) fn of(path: &Path) -> Self {
+    pub(crate) fn of(path: &Path) -> Self {
         /// Of the largest number that is surely read.
         const MOST_DIGITS: usize = 18;
         let stem = path
@@ -49,7 +49,7 @@ impl Name {
     }
 
     /// What comes before `depth_sensor_distance` in a result's name.
-    pub(super) fn prefix(&self) -> String {
+    pub(crate) fn prefix(&self) -> String {
         let base = self.base.trim_end_matches("_millimetres");
         let base = base.strip_suffix("_depth").unwrap_or(base);
         if base.is_empty() || GROUND_TRUTH.contains(&base) {
@@ -60,7 +60,7 @@ impl Name {
     }
 
     /// What comes after it.
-    pub(super) fn suffix(&self) -> String {
+    pub(crate) fn suffix(&self) -> String {
         match self.number {
             Some(_) => format!("_{}", self.digits),
             None => String::new(),

@@ -222,26 +222,9 @@ fn ply_file(
     colors: Option<&Image<[u8; 4]>>,
     frame: CloudFrame,
 ) -> Result<Product, CodecError> {
-    let is_point = |point: &[f32; 4]| point[3] > 0.0;
-    let points: Vec<[f32; 3]> = positions
-        .pixels()
-        .iter()
-        .filter(|point| is_point(point))
-        .map(|&[x, y, z, _]| match frame {
-            CloudFrame::Optical => [x, -y, -z],
-            CloudFrame::Ros => [-z, -x, y],
-        })
-        .collect();
-    let rgb: Option<Vec<[u8; 4]>> = colors.map(|colors| {
-        let both = colors.pixels().iter().zip(positions.pixels());
-        both.filter(|(_, point)| is_point(point))
-            .map(|(color, _)| *color)
-            .collect()
-    });
-    let bytes = ply::encode(&ply::Cloud {
-        points: &points,
-        normals: None,
-        rgb: rgb.as_deref(),
+    let bytes = ply::encode_measured(positions, colors, |[x, y, z]| match frame {
+        CloudFrame::Optical => [x, -y, -z],
+        CloudFrame::Ros => [-z, -x, y],
     })?;
     Ok(Product {
         annotator: Annotator::DepthSensorPointCloudPosition.name(),

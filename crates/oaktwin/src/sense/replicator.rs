@@ -16,26 +16,26 @@ const DEPTH: [(&str, InputKind); 2] = [
 
 /// One camera's frames.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct CameraFolder {
+pub(crate) struct CameraFolder {
     /// Below the folder that was named; empty where the files lie flat in it.
-    pub(super) name: PathBuf,
+    pub(crate) name: PathBuf,
     /// Whether each annotator has a folder of its own.
-    pub(super) by_annotator: bool,
+    pub(crate) by_annotator: bool,
     /// By their numbers.
-    pub(super) frames: Vec<FrameFiles>,
+    pub(crate) frames: Vec<FrameFiles>,
 }
 
 /// The files of one frame.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct FrameFiles {
-    pub(super) depth: PathBuf,
-    pub(super) kind: InputKind,
-    pub(super) rgb: Option<PathBuf>,
-    pub(super) params: Option<PathBuf>,
+pub(crate) struct FrameFiles {
+    pub(crate) depth: PathBuf,
+    pub(crate) kind: InputKind,
+    pub(crate) rgb: Option<PathBuf>,
+    pub(crate) params: Option<PathBuf>,
 }
 
 /// The cameras whose depth is in a folder, by name.
-pub(super) fn cameras(folder: &Path) -> Result<Vec<CameraFolder>, FileError> {
+pub(crate) fn cameras(folder: &Path) -> Result<Vec<CameraFolder>, FileError> {
     let mut found = Vec::new();
     if let Some(frames) = frames(folder, folder, folder, false)? {
         found.push(CameraFolder {
@@ -116,7 +116,7 @@ fn frames(
     Ok(None)
 }
 
-fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+pub(crate) fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let unreadable =
         |error: std::io::Error| FileError::new(folder, format!("cannot be read ({error})"), "check the path");
     let mut paths = Vec::new();
@@ -127,7 +127,7 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(paths)
 }
 
-fn files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+pub(crate) fn files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(entries(folder)?
         .into_iter()
         .filter(|path| path.is_file())

@@ -83,7 +83,7 @@ fn optics(camera: &TwinCamera, lens: LensChoice) -> Camera {
 /// are those of time of flight.
 pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
     match engine {
-        Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => 0.0,
+        Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => 0.0,
         Engine::SingleView(engine) => {
             let moved = engine
                 .parameters()

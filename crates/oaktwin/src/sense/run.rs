@@ -242,7 +242,7 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
         self.findings.extend(findings);
-        let engine = EngineKind::of(sensor.engine()).as_str();
+        let engine = EngineKind::name_of(sensor.engine());
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
@@ -409,7 +409,7 @@ fn check_outputs(
         Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
         Annotator::DepthSensorOutputVisualization => match engine {
             Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) | Engine::TimeOfFlight(_) => false,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => false,
         },
         _ => false,
     };
@@ -422,7 +422,7 @@ fn check_outputs(
         if is_isaacs && !is_single_view {
             return Err(SenseError::option(format!(
                 "--outputs {name}: {} does not make it; leave it out, or choose --engine single-view",
-                EngineKind::of(engine).as_str()
+                EngineKind::name_of(engine)
             )));
         }
         if needs_picture(annotator) && !has_pictures {

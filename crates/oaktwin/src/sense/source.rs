@@ -14,11 +14,11 @@ use crate::render::check_size;
 const MOST_BYTES: u64 = 4 << 30;
 
 /// One depth file, of one image or many.
-pub(super) struct Source {
+pub(crate) struct Source {
     path: PathBuf,
     /// How many images, where it is a batch.
-    pub(super) batch: Option<usize>,
-    pub(super) size: ImageSize,
+    pub(crate) batch: Option<usize>,
+    pub(crate) size: ImageSize,
     data: Data,
 }
 
@@ -36,7 +36,7 @@ enum Data {
 
 impl Source {
     /// Opens a file. Whole numbers are `scale` metres a unit.
-    pub(super) fn open(path: &Path, scale: f64) -> Result<Self, FileError> {
+    pub(crate) fn open(path: &Path, scale: f64) -> Result<Self, FileError> {
         let unreadable = |error: std::io::Error| {
             if error.kind() == std::io::ErrorKind::NotFound {
                 FileError::new(path, "there is no such file", "check the path")
@@ -56,7 +56,7 @@ impl Source {
     }
 
     /// Of whatever comes; `length` is how much, where that is known.
-    pub(super) fn read(
+    pub(crate) fn read(
         path: &Path,
         mut reader: Box<dyn Read + Send>,
         length: Option<u64>,
@@ -181,7 +181,7 @@ impl Source {
     }
 
     /// The next image, as its file has it: metres. `None` after the last.
-    pub(super) fn next(&mut self) -> Result<Option<Image<f32>>, FileError> {
+    pub(crate) fn next(&mut self) -> Result<Option<Image<f32>>, FileError> {
         match &mut self.data {
             Data::Images(images) => Ok(images.next()),
             Data::Numbers { left: 0, .. } => Ok(None),

@@ -3,6 +3,7 @@
 
 mod configure;
 mod options;
+mod parameter_file;
 mod parameters;
 
 use oaktwin_depth::random::Stream;
@@ -13,6 +14,7 @@ pub use oaktwin_depth::{Capture, Engine, ParameterError, Sensor, Shot, single_vi
 
 use configure::Preset;
 pub use options::{EngineKind, SensorOptions};
+pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
 
 use crate::camera::{Intrinsics, StereoGeometry};

@@ -1,6 +1,9 @@
 use crate::camera::Intrinsics;
+use oaktwin_depth::ParameterError;
+
 use crate::catalog::DepthKind;
 use crate::depth::Engine;
+use crate::diagnostic::{fold_name, nearest};
 use crate::usd::asset::IsaacVersion;
 
 /// Which model of the errors.
@@ -15,16 +18,39 @@ pub enum EngineKind {
 }
 
 impl EngineKind {
-    /// All of them.
+    /// All there are.
     pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::TimeOfFlight];
 
-    /// That of an engine.
+    /// The one of this name; case, hyphens and underscores do not matter.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn parse(name: &str) -> Result<Self, ParameterError> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|kind| fold_name(kind.as_str()) == fold_name(name))
+            .ok_or_else(|| {
+                let names = || Self::ALL.into_iter().map(Self::as_str);
+                let near = nearest(name, names());
+                ParameterError {
+                    name: "engine".to_owned(),
+                    what: format!("there is no engine `{name}`"),
+                    remedy: if near.is_empty() {
+                        format!("use {}", names().collect::<Vec<_>>().join(" or "))
+                    } else {
+                        format!("did you mean {}?", near.join(" or "))
+                    },
+                }
+            })
+    }
+
+    /// The name of an engine.
     #[must_use]
-    pub fn of(engine: &Engine) -> Self {
+    pub const fn name_of(engine: &Engine) -> &'static str {
         match engine {
-            Engine::SingleView(_) => Self::SingleView,
-            Engine::StereoNoise(_) => Self::StereoNoise,
-            Engine::TimeOfFlight(_) => Self::TimeOfFlight,
+            Engine::SingleView(_) => Self::SingleView.as_str(),
+            Engine::StereoNoise(_) => Self::StereoNoise.as_str(),
+            Engine::StereoMatching(_) => "stereo-matching",
+            Engine::TimeOfFlight(_) => Self::TimeOfFlight.as_str(),
         }
     }
 

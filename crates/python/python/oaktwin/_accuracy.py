@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 from collections.abc import Mapping, Sequence
 from importlib import import_module
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -109,6 +110,10 @@ def accuracy(
     device_seed: int | None = None,
     extended_disparity: bool = False,
     isaac: str = "5.1",
+    measured: str | PathLike[str] | None = None,
+    measured_from: float = 0.0,
+    focal_px: float | None = None,
+    width_px: int | None = None,
 ) -> Accuracy:
     """Measures a twin as the vendor measures the camera: a textured board at each distance, of many devices the median.
 
@@ -117,9 +122,15 @@ def accuracy(
     devices: how many; by default 200 where they differ and `device_seed` chooses none.
     captures: images of each board, 1 to 1000.
     region: the side of the region that is measured, as a share of the image's, above 0, up to 1.
+    measured: a CSV file with the columns distance_m and depth_error_percent, somebody's measurements of a unit: they are laid
+        over the curve, and `report["measured"]` compares.
+    measured_from: nearer ones do not count, metres.
+    focal_px: the focal length of the unit that was measured, px of images `width_px` wide; by default the device's own.
+    width_px: the width of the images it was measured with: 1280 at 800P, 640 at 480P and 400P.
     The others are those of `DepthSensor`.
 
-    Ctrl-C ends it. Raises `oaktwin.Error` for what cannot be measured.
+    Ctrl-C ends it. Raises `oaktwin.Error` for what cannot be measured, FileNotFoundError and other OSErrors for a file that
+    cannot be read.
     """
     report = _oaktwin.accuracy(
         device,
@@ -136,5 +147,9 @@ def accuracy(
         device_seed=device_seed,
         extended_disparity=extended_disparity,
         isaac=isaac,
+        measured=measured,
+        measured_from=measured_from,
+        focal_px=focal_px,
+        width_px=width_px,
     )
     return Accuracy(report)

@@ -1,5 +1,7 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
+from pathlib import Path
+from types import TracebackType
 from typing import Any, Final, Literal, TypeVar, final, overload
 
 import numpy as np
@@ -13,9 +15,12 @@ __all__ = [
     "Filter",
     "Finding",
     "FindingWarning",
+    "Recording",
     "Rectification",
     "Scene",
     "__version__",
+    "_camera",
+    "_device",
     "_read_from",
     "accuracy",
     "align",
@@ -93,9 +98,18 @@ class Camera:
     def body_from_camera(self) -> _Float64: ...
     def resized(self, width: int, height: int, *, keep_aspect_ratio: bool = True) -> Camera: ...
     def cropped(self, x: float, y: float, width: int, height: int) -> Camera: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Rectification:
+    def __new__(
+        cls,
+        left: Camera,
+        right: Camera,
+        *,
+        intrinsics: Literal["zero-disparity", "free-disparity", "left-camera"] = "zero-disparity",
+    ) -> Rectification: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Camera, Camera], dict[str, Any]]: ...
     @property
     def R1(self) -> _Float64: ...
     @property
@@ -112,10 +126,18 @@ class Rectification:
 
 @final
 class Device:
-    def __new__(cls, model: str, *, lens: _Lens = "pinhole") -> Device: ...
+    def __new__(
+        cls, model: str, *, lens: _Lens = "pinhole", catalog: str | PathLike[str] | None = None
+    ) -> Device: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
     @staticmethod
     def from_calibration(
-        path: str | PathLike[str], model: str | None = None, *, force: bool = False, lens: _Lens = "pinhole"
+        path: str | PathLike[str],
+        model: str | None = None,
+        *,
+        force: bool = False,
+        lens: _Lens = "pinhole",
+        catalog: str | PathLike[str] | None = None,
     ) -> Device: ...
     @property
     def name(self) -> str: ...
@@ -143,6 +165,7 @@ class Device:
         legacy_distortion: bool = False,
         rigid_body: bool = False,
         body: bool = True,
+        over: str | PathLike[str] | None = None,
     ) -> None: ...
     def to_ros(self) -> dict[str, str]: ...
     def to_opencv(self) -> dict[str, str]: ...
@@ -179,6 +202,10 @@ class DepthSensor:
     ) -> npt.NDArray[Any]: ...
     @overload
     def __call__(self, depth: object, rgb: object | None = None, *, frame: int = 0, out: _Out) -> _Out: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Device], dict[str, Any]]: ...
+    def annotate(
+        self, depth: object, rgb: object | None = None, *, annotators: Sequence[str], frame: int = 0
+    ) -> dict[str, npt.NDArray[Any]]: ...
     def reset(self) -> None: ...
     @overload
     def align(
@@ -223,9 +250,14 @@ class DepthSensor:
 class Filter:
     def __new__(cls, *filters: str) -> Filter: ...
     @overload
-    def __call__(self, image: npt.NDArray[_Image], rgb: object | None = None) -> npt.NDArray[_Image]: ...
+    def __call__(
+        self, image: npt.NDArray[_Image], rgb: object | None = None, *, out: None = None
+    ) -> npt.NDArray[_Image]: ...
     @overload
-    def __call__(self, image: object, rgb: object | None = None) -> npt.NDArray[Any]: ...
+    def __call__(self, image: object, rgb: object | None = None, *, out: None = None) -> npt.NDArray[Any]: ...
+    @overload
+    def __call__(self, image: object, rgb: object | None = None, *, out: _Out) -> _Out: ...
+    def __getnewargs__(self) -> tuple[str, ...]: ...
     def reset(self) -> None: ...
 
 @final
@@ -252,6 +284,9 @@ class Scene:
         backend: Literal["auto", "raster", "ray"] = "auto",
         smooth_edges: bool = True,
     ) -> dict[str, Any]: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    @property
+    def cameras(self) -> dict[str, tuple[Camera, _Float64]]: ...
     @property
     def findings(self) -> list[Finding]: ...
     @property
@@ -261,7 +296,31 @@ class Scene:
     @property
     def bounds(self) -> list[list[float]] | None: ...
 
-def models() -> list[str]: ...
+@final
+class Recording:
+    def __new__(cls, path: str | PathLike[str], *, up: Literal["y", "z"] = "z") -> Recording: ...
+    def log(
+        self,
+        camera: Camera,
+        world_from_camera: npt.ArrayLike,
+        *,
+        time: float | None = None,
+        frame: int = 0,
+        depth: object | None = None,
+        measured: object | None = None,
+        rgb: object | None = None,
+        points: bool = True,
+        name: str | None = None,
+    ) -> None: ...
+    def close(self) -> None: ...
+    @property
+    def path(self) -> Path: ...
+    def __enter__(self) -> Recording: ...
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None, /
+    ) -> None: ...
+
+def models(*, catalog: str | PathLike[str] | None = None) -> list[str]: ...
 def look_at(
     eye: Sequence[float] | _Float64,
     target: Sequence[float] | _Float64,
@@ -315,6 +374,25 @@ def accuracy(
     device_seed: int | None = None,
     extended_disparity: bool = False,
     isaac: str = "5.1",
+    measured: str | PathLike[str] | None = None,
+    measured_from: float = 0.0,
+    focal_px: float | None = None,
+    width_px: int | None = None,
 ) -> dict[str, Any]: ...
 def main(arguments: Sequence[str]) -> int: ...
+def _camera(
+    name: str,
+    size: tuple[int, int],
+    k: Sequence[Sequence[float]],
+    lens: str,
+    coefficients: Sequence[float],
+    clip: tuple[float, float],
+    body_from_camera: Sequence[Sequence[float]],
+) -> Camera: ...
+def _device(
+    model: str,
+    lens: str,
+    catalog: str | PathLike[str] | None,
+    calibration: tuple[str, str, bool] | None,
+) -> Device: ...
 def _read_from(depth: object) -> int: ...

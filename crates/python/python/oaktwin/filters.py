@@ -1,7 +1,8 @@
 """DepthAI's filters one by one, bit for bit as its host runs them.
 
 Each takes an image (H, W) or a batch (N, H, W): uint16 (millimetres, or disparity in fixed point), uint8 (whole disparities)
-or float32 metres, which are filtered as whole millimetres; it returns a new array of the same type. 0 is no value. Names and
+or float32 metres, which are filtered as whole millimetres; it returns `out`, where it is given, or a new array of the same
+type. 0 is no value. Names and
 defaults are DepthAI's. The temporal filter remembers: `temporal` returns a `Filter` to be called with one frame after the
 other. All raise `oaktwin.Error` for a setting out of its range, TypeError for what is no array or of another type.
 """
@@ -22,9 +23,14 @@ def _text(name: str, **settings: object) -> str:
     return f"{name}:{said}"
 
 
-def median(image: object, *, size: int | None = None) -> npt.NDArray[Any]:
+def _run(text: str, image: object, rgb: object | None, out: Any) -> npt.NDArray[Any]:
+    result: npt.NDArray[Any] = Filter(text)(image, rgb, out=out)
+    return result
+
+
+def median(image: object, *, size: int | None = None, out: object | None = None) -> npt.NDArray[Any]:
     """The median of 3x3, 5x5 or 7x7 pixels; `size` is 3, 5 or 7."""
-    return Filter(_text("median", size=size))(image)
+    return _run(_text("median", size=size), image, None, out)
 
 
 def spatial(
@@ -34,35 +40,42 @@ def spatial(
     delta: int | None = None,
     radius: int | None = None,
     iterations: int | None = None,
+    out: object | None = None,
 ) -> npt.NDArray[Any]:
     """Smooths along rows and columns, and stops at edges.
 
     alpha: 0 to 1, how much a pixel keeps of itself. delta: a step from here on is an edge, 0 to 255, in the image's units.
     radius: holes as wide as this are filled, px. iterations: passes.
     """
-    return Filter(_text("spatial", alpha=alpha, delta=delta, radius=radius, iterations=iterations))(image)
+    return _run(_text("spatial", alpha=alpha, delta=delta, radius=radius, iterations=iterations), image, None, out)
 
 
-def speckle(image: object, *, range: int | None = None, difference: int | None = None) -> npt.NDArray[Any]:
+def speckle(
+    image: object, *, range: int | None = None, difference: int | None = None, out: object | None = None
+) -> npt.NDArray[Any]:
     """Removes islands of up to `range` pixels whose neighbours differ by no more than `difference`, in the image's units."""
-    return Filter(_text("speckle", range=range, difference=difference))(image)
+    return _run(_text("speckle", range=range, difference=difference), image, None, out)
 
 
-def decimation(image: object, *, factor: int | None = None, mode: str | None = None) -> npt.NDArray[Any]:
+def decimation(
+    image: object, *, factor: int | None = None, mode: str | None = None, out: object | None = None
+) -> npt.NDArray[Any]:
     """Makes the image smaller by `factor`, 1 to 4; `mode` by DepthAI's name."""
-    return Filter(_text("decimation", factor=factor, mode=mode))(image)
+    return _run(_text("decimation", factor=factor, mode=mode), image, None, out)
 
 
-def threshold(image: object, *, min: int | None = None, max: int | None = None) -> npt.NDArray[Any]:
+def threshold(
+    image: object, *, min: int | None = None, max: int | None = None, out: object | None = None
+) -> npt.NDArray[Any]:
     """Removes what is nearer than `min` or farther than `max`, millimetres."""
-    return Filter(_text("threshold", min=min, max=max))(image)
+    return _run(_text("threshold", min=min, max=max), image, None, out)
 
 
 def brightness(
-    image: object, rgb: object, *, min: int | None = None, max: int | None = None
+    image: object, rgb: object, *, min: int | None = None, max: int | None = None, out: object | None = None
 ) -> npt.NDArray[Any]:
     """Removes what is darker than `min` or brighter than `max`, 0 to 255, in `rgb`, (..., H, W, 3 or 4) uint8."""
-    return Filter(_text("brightness", min=min, max=max))(image, rgb)
+    return _run(_text("brightness", min=min, max=max), image, rgb, out)
 
 
 def temporal(

@@ -16,7 +16,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
 
 use crate::rays::Rays;
-use crate::shade::{Corners, corners_of};
+use crate::shade::{Corners, Sight, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
 
 pub(crate) use semantics::Semantics;
@@ -98,7 +98,14 @@ impl Renderer {
                 seen: self.visibility(&corner_view, backend),
             });
             let caster = self.ray_caster();
-            let (rgb, missing) = (self.shader()).shade(scene, caster, view, rays, seen, corners.as_ref());
+            let sight = Sight {
+                scene,
+                caster,
+                view,
+                rays,
+                seen,
+            };
+            let (rgb, missing) = self.shader().shade(sight, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
         }

@@ -6,7 +6,6 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::Studio;
-use super::tone::Encoder;
 use crate::annotate::SurfaceFinder;
 use crate::ray::Stack;
 use crate::rays::Rays;
@@ -40,29 +39,34 @@ pub(crate) fn corners_of(view: &View) -> View {
     corners
 }
 
+/// The pixels at outlines, row by row.
+pub(super) fn outlines_of(seen: &Visibility, rgb: &Image<[u8; 4]>) -> Vec<Vec<u32>> {
+    (0..rgb.height())
+        .into_par_iter()
+        .map(|y| outlines(seen, rgb, y))
+        .collect()
+}
+
 /// Where one thing ends and another begins a pixel becomes half of what its centre sees and half of what its four corners
-/// do. Coverage stays the centre's, as in all other annotations.
-pub(super) fn smooth(
+/// do; `put` writes that into the image. Coverage stays the centre's, as in all other annotations.
+pub(super) fn smooth<T: Send>(
     studio: &Studio<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
-    rgb: &mut Image<[u8; 4]>,
+    outlines: &[Vec<u32>],
+    image: &mut Image<T>,
+    put: impl Fn(&mut T, Vec3) + Sync,
 ) {
-    let (width, height) = (rgb.width(), rgb.height());
-    let outlines: Vec<Vec<u32>> = (0..height)
-        .into_par_iter()
-        .map(|y| outlines(seen, rgb, y))
-        .collect();
-    let encoder = Encoder::new();
+    let (width, height) = (image.width(), image.height());
     let row_length = (width as usize).max(1);
-    let rows = rgb.pixels_mut().par_chunks_mut(row_length);
+    let rows = image.pixels_mut().par_chunks_mut(row_length);
     rows.zip(outlines).zip(0..height).for_each_init(
         || (SurfaceFinder::new(studio.scene, studio.view), Stack::new()),
         |(finder, stack), ((row, outlines), y)| {
             // The corners on the right of one pixel are those on the left of the next.
             let mut last: Option<(u32, [Vec3; 2])> = None;
-            for x in outlines {
+            for &x in outlines {
                 let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], finder, stack);
                 let left = match last {
                     Some((column, colors)) if column == x => colors,
@@ -72,11 +76,8 @@ pub(super) fn smooth(
                 last = Some((x + 1, right));
                 let around = left[0] + left[1] + right[0] + right[1];
                 let centre = colors.get(x, y).copied().map_or(Vec3::ZERO, Vec3::from);
-                let [r, g, b] = (centre * 0.5 + around * 0.125)
-                    .to_array()
-                    .map(|value| encoder.srgb(value));
                 if let Some(pixel) = row.get_mut(x as usize) {
-                    *pixel = [r, g, b, pixel[3]];
+                    put(pixel, centre * 0.5 + around * 0.125);
                 }
             }
         },

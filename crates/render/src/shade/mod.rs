@@ -4,9 +4,11 @@
 //! light that bounces is a constant. It is no path tracer. There is no randomness in it: which part of a lamp a place
 //! looks at follows from its place in the image, and smoothing over the pattern's period makes all pixels alike.
 
+mod beam;
 mod coarse;
 mod dome;
 mod edges;
+mod film;
 mod harmonics;
 mod lamp;
 mod occlusion;
@@ -27,16 +29,17 @@ use oaktwin_image::Image;
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
+pub use self::beam::{Beam, BeamPattern};
 use self::coarse::{Coarse, place};
 pub(crate) use self::edges::{Corners, corners_of};
+use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
 use self::paint::{Paint, paints};
 use self::pattern::Pattern;
 use self::reflect::{Facet, radiance};
-use self::rig::Rig;
+use self::rig::{Rig, WHITE, luminance};
 use self::textures::Textures;
-use self::tone::{Encoder, tone};
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
@@ -58,6 +61,23 @@ struct Studio<'a> {
     paints: Vec<Paint<'a>>,
     occlusion: Occlusion<'a>,
     coarse: Coarse,
+    film: Film,
+}
+
+/// What colour is worked out of: a scene, its triangles' tree, a view and what that sees.
+#[derive(Clone, Copy)]
+pub(crate) struct Sight<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) caster: &'a RayCaster,
+    pub(crate) view: &'a View,
+    pub(crate) rays: &'a Rays<'a>,
+    pub(crate) seen: &'a Visibility,
+}
+
+/// Of the scene's light, and of a beam's.
+pub(crate) struct Greys {
+    pub(crate) scene: Image<f32>,
+    pub(crate) beam: Option<Image<f32>>,
 }
 
 impl Shader {
@@ -75,13 +95,78 @@ impl Shader {
     /// of the scene.
     pub(crate) fn shade(
         &self,
-        scene: &Scene,
-        caster: &RayCaster,
-        view: &View,
-        rays: &Rays<'_>,
-        seen: &Visibility,
+        sight: Sight<'_>,
         corners: Option<&Corners<'_>>,
     ) -> (Image<[u8; 4]>, Vec<Finding>) {
+        self.with_studio(sight, Film::Tones, |studio| {
+            let colors = studio.centres(sight.rays, sight.seen);
+            let mut rgb = film::developed(studio.film, &colors, sight.seen);
+            if let Some(corners) = corners {
+                let outlines = edges::outlines_of(sight.seen, &rgb);
+                edges::smooth(
+                    studio,
+                    corners,
+                    sight.seen,
+                    &colors,
+                    &outlines,
+                    &mut rgb,
+                    |pixel, color| {
+                        let [r, g, b] = Film::Tones.srgb(color);
+                        *pixel = [r, g, b, pixel[3]];
+                    },
+                );
+            }
+            rgb
+        })
+    }
+
+    /// Linear luminance of what is seen, 1 being a white diffuse surface in typical light, with smooth outlines; and what
+    /// a beam adds to it. The findings are those of [`Shader::shade`].
+    pub(crate) fn luminance(
+        &self,
+        sight: Sight<'_>,
+        corners: Option<&Corners<'_>>,
+        beam: Option<&Beam<'_>>,
+    ) -> (Greys, Vec<Finding>) {
+        self.with_studio(sight, Film::Linear, |studio| {
+            let colors = studio.centres(sight.rays, sight.seen);
+            let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
+            let mut grey = colors.map(|color| value(Vec3::from(*color)));
+            if let Some(corners) = corners {
+                let rgb = film::developed(studio.film, &colors, sight.seen);
+                let outlines = edges::outlines_of(sight.seen, &rgb);
+                edges::smooth(
+                    studio,
+                    corners,
+                    sight.seen,
+                    &colors,
+                    &outlines,
+                    &mut grey,
+                    |pixel, color| {
+                        *pixel = value(color);
+                    },
+                );
+            }
+            Greys {
+                scene: grey,
+                beam: beam.map(|beam| studio.beam(&sight, beam)),
+            }
+        })
+    }
+
+    fn with_studio<T>(
+        &self,
+        sight: Sight<'_>,
+        film: Film,
+        work: impl FnOnce(&Studio<'_>) -> T,
+    ) -> (T, Vec<Finding>) {
+        let Sight {
+            scene,
+            caster,
+            view,
+            rays,
+            seen,
+        } = sight;
         let findings = self.decode(scene, &seen.hits);
         let emitters: Vec<Emitter> = (self.rig.lamps.iter())
             .map(|lamp| lamp.seen_from(view.world_from_camera.translation))
@@ -101,23 +186,9 @@ impl Shader {
             paints: paints(scene, &self.textures),
             occlusion,
             coarse,
+            film,
         };
-        let colors = studio.centres(rays, seen);
-        let encoder = Encoder::new();
-        let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
-        rgb.pixels_mut()
-            .par_iter_mut()
-            .with_min_len(4096)
-            .zip(colors.pixels())
-            .zip(seen.hits.pixels())
-            .for_each(|((pixel, color), hit)| {
-                let [r, g, b] = color.map(|value| encoder.srgb(value));
-                *pixel = [r, g, b, if hit.is_miss() { 0 } else { 255 }];
-            });
-        if let Some(corners) = corners {
-            edges::smooth(&studio, corners, seen, &colors, &mut rgb);
-        }
-        (rgb, findings)
+        (work(&studio), findings)
     }
 
     /// Decodes the textures of what is seen; says which it could not.
@@ -159,7 +230,7 @@ impl Shader {
 }
 
 impl Studio<'_> {
-    /// The tone-mapped colour of what each pixel's centre sees; black where the lens sees nothing.
+    /// The colour, on film, of what each pixel's centre sees; black where the lens sees nothing.
     fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
         let mut colors = Image::filled(width, height, [0.0; 3]);
@@ -182,7 +253,7 @@ impl Studio<'_> {
         colors
     }
 
-    /// The tone-mapped colour of what a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a
+    /// The colour, on film, of what a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a
     /// pixel below.
     #[expect(clippy::too_many_arguments, reason = "all that is known of a ray")]
     fn color<'a>(
@@ -202,7 +273,7 @@ impl Studio<'_> {
         };
         let Some(surface) = surface else {
             let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return toned(self.rig.background(direction));
+            return self.film.exposed(self.rig.background(direction));
         };
         let place = place(&surface, self.view);
         let light = self
@@ -220,15 +291,12 @@ impl Studio<'_> {
             next.map(|ray| ray.map_or([f64::NAN; 3], |ray| surface.weights_of(ray))),
         );
         let emitters = self.occlusion.emitters;
-        toned(radiance(&facet, &finish, &light, emitters, self.rig))
+        self.film
+            .exposed(radiance(&facet, &finish, &light, emitters, self.rig))
     }
 
     fn paint(&self, surface: &Surface<'_>, triangle: u32) -> &Paint<'_> {
         let material = surface.mesh.material(triangle);
         (material.and_then(|index| self.paints.get(index as usize))).unwrap_or(&Paint::BARE)
     }
-}
-
-fn toned(radiance: Vec3) -> Vec3 {
-    Vec3::from(radiance.to_array().map(tone))
 }

@@ -17,7 +17,7 @@ use crate::ray::{Ray, RayCaster, Stack};
 const BOUNCE: f32 = 0.22;
 
 /// What a white surface in typical light has before the tone curve.
-const WHITE: f32 = 0.8;
+pub(super) const WHITE: f32 = 0.8;
 
 /// At how many places the light is measured.
 const MOST_WITNESSES: usize = 1024;

@@ -2,6 +2,7 @@ use oaktwin_camera::{ApertureOffsets, ImageSize, Usd, UsdOptics};
 use oaktwin_catalog::{LegacyDistortion, Origin, Twin, TwinCamera};
 
 use super::{AssetError, AssetOptions, IsaacVersion, Target, describe, float, lens, pose};
+use crate::nvidia::SENSOR_SCHEMA;
 use crate::text::{Prim, Value};
 
 /// What a camera prim has of its own beside optics and place.
@@ -44,6 +45,9 @@ pub(super) fn base(
 ) -> Prim {
     let optics = optics(twin, camera, options);
     let mut prim = Prim::def("Camera", traits.name);
+    if options.isaac == IsaacVersion::V6 && options.target == Target::Isaac {
+        prim.api_schemas.push(SENSOR_SCHEMA.into());
+    }
     prim.set(
         "clippingRange",
         Value::Float2([

@@ -190,6 +190,10 @@ fn the_version_decides_about_old_names_types_and_render_variables() {
         names.filter(|name| name.starts_with("omni:")).count()
     };
     assert_eq!((depth_attributes(&old), depth_attributes(&new)), (11, 11));
+    for camera in ["Camera_rgb_imx378", "Camera_left_ov9282", "Camera_pseudo_depth"] {
+        assert!(prim(&old, camera).api_schemas.is_empty());
+        assert_eq!(prim(&new, camera).api_schemas, ["OmniSensorAPI"]);
+    }
 
     let rgb = "Camera_rgb_imx378";
     assert_eq!(number(prim(&old, rgb), "fthetaMaxFov"), 82.0);

@@ -3,6 +3,7 @@ use oaktwin_diagnostic::{Finding, Level};
 use super::rule::Rule;
 use super::scene::{Generation, Scene};
 use crate::lens;
+use crate::nvidia::SENSOR_SCHEMA;
 pub(super) use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::Prim;
 
@@ -30,9 +31,6 @@ pub(super) const OVRTX_SCHEMA: Rule = Rule {
     what: "the depth sensor follows ovrtx's schema, whose attribute list is not public: Isaac Sim does not read it",
     remedy: "",
 };
-
-/// Names and tick rate only, beside any sensor schema.
-const IDENTITY_SCHEMA: &str = "OmniSensorAPI";
 
 struct Family {
     schema: fn(&str) -> bool,
@@ -124,9 +122,10 @@ fn conflicts(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
         if !prim.has_api(CAMERA_SCHEMA) {
             continue;
         }
-        let other = prim.api_schemas.iter().find(|name| {
-            name.starts_with("OmniSensor") && *name != CAMERA_SCHEMA && *name != IDENTITY_SCHEMA
-        });
+        let other = prim
+            .api_schemas
+            .iter()
+            .find(|name| name.starts_with("OmniSensor") && *name != CAMERA_SCHEMA && *name != SENSOR_SCHEMA);
         if let Some(other) = other {
             findings.push(SCHEMA_CONFLICT.at(
                 &prim.path,

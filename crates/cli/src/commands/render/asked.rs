@@ -1,5 +1,7 @@
 //! From what was typed to what is meant.
 
+use std::path::PathBuf;
+
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
 use oaktwin::dataset::Extras;
@@ -9,6 +11,28 @@ use oaktwin::scene::Up;
 
 use crate::args::RenderArgs;
 use crate::context::Result;
+
+/// The folder, where one is to be written.
+pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
+    if args.output.is_some() || args.record.is_none() {
+        let folder = args.output.clone();
+        return Ok(folder.or_else(|| Some(PathBuf::from("oaktwin-render"))));
+    }
+    let files = [
+        ("--png16", args.png16),
+        ("--exr", args.exr),
+        ("--ply", args.ply),
+        ("--preview", args.preview),
+        ("--sweep", !args.sweep.is_empty()),
+    ];
+    match files.iter().find(|(_, is_asked)| *is_asked) {
+        Some((option, _)) => Err(format!(
+            "{option} writes files, which --record has no place for: name a folder with -o"
+        )
+        .into()),
+        None => Ok(None),
+    }
+}
 
 /// Those that are named, and those that a file beside them is made from.
 pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
@@ -27,6 +51,9 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     };
     if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
         chosen.push(Annotator::DistanceToImagePlane);
+    }
+    if args.record.is_some() {
+        chosen = render::record_annotators(&chosen);
     }
     if args.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
         chosen.push(Annotator::Pointcloud);

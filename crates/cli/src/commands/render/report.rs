@@ -2,10 +2,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin::camera::{LensModel, Usd};
-use oaktwin::depth::{stereo_noise, time_of_flight};
+use oaktwin::depth::{stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{PlacedCamera, Written};
+use oaktwin::render::{PlacedCamera, Written, WrittenFile};
 use oaktwin::sensor::{Engine, EngineKind, Sensor, single_view};
 use serde::Serialize;
 
@@ -17,7 +17,10 @@ use crate::output;
 #[derive(Debug, Serialize)]
 pub(super) struct Report<'a> {
     scene: &'a Path,
-    output: &'a Path,
+    /// The folder, where one is written.
+    output: Option<&'a Path>,
+    /// The recording, where it is whole.
+    recording: Option<FileReport>,
     /// Whole ones.
     frames: usize,
     #[serde(skip)]
@@ -35,7 +38,7 @@ pub(super) struct Report<'a> {
 #[derive(Debug, Serialize)]
 struct CameraReport<'a> {
     path: &'a str,
-    folder: PathBuf,
+    folder: Option<PathBuf>,
     resolution: [u32; 2],
     fx: f64,
     fy: f64,
@@ -61,9 +64,18 @@ struct FileReport {
     bytes: u64,
 }
 
+impl FileReport {
+    fn new(file: WrittenFile) -> Self {
+        Self {
+            path: file.path,
+            bytes: file.bytes,
+        }
+    }
+}
+
 impl<'a> Report<'a> {
     pub(super) fn new(
-        args: &'a RenderArgs,
+        (args, output): (&'a RenderArgs, Option<&'a Path>),
         annotators: &[Annotator],
         (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
         written: Written,
@@ -74,7 +86,8 @@ impl<'a> Report<'a> {
         let is_flat = cameras.len() == 1;
         Self {
             scene: &args.scene,
-            output: &args.output,
+            output,
+            recording: written.recording.map(FileReport::new),
             frames: written.frames,
             wanted_frames,
             is_interrupted: written.is_interrupted,
@@ -84,17 +97,10 @@ impl<'a> Report<'a> {
                 .enumerate()
                 .map(|(at, camera)| {
                     let sensor = sensors.get(at).and_then(Option::as_ref);
-                    CameraReport::new(camera, sensor, &args.output, is_flat)
+                    CameraReport::new(camera, sensor, output, is_flat)
                 })
                 .collect(),
-            files: written
-                .files
-                .into_iter()
-                .map(|file| FileReport {
-                    path: file.path,
-                    bytes: file.bytes,
-                })
-                .collect(),
+            files: written.files.into_iter().map(FileReport::new).collect(),
             findings,
             calibration_findings,
         }
@@ -102,12 +108,17 @@ impl<'a> Report<'a> {
 
     pub(super) fn print(&self, args: &RenderArgs) -> Result<()> {
         if self.is_interrupted {
-            output::say(&format!(
-                "interrupted: {} of {} frames are whole in {}",
-                self.frames,
-                self.wanted_frames,
-                self.output.display()
-            ));
+            if let Some(folder) = self.output {
+                output::say(&format!(
+                    "interrupted: {} of {} frames are whole in {}",
+                    self.frames,
+                    self.wanted_frames,
+                    folder.display()
+                ));
+            }
+            if let Some(file) = &args.record {
+                output::say(&format!("interrupted: {} was not written", file.display()));
+            }
         }
         if args.json {
             return output::print_json(self);
@@ -119,29 +130,36 @@ impl<'a> Report<'a> {
         let mut text = String::new();
         for camera in &self.cameras {
             let [width, height] = camera.resolution;
+            if let Some(folder) = &camera.folder {
+                text += &format!("{}  ", folder.display());
+            }
             text += &format!(
-                "{}  {}, {width}x{height}, {} {}\n",
-                camera.folder.display(),
+                "{}, {width}x{height}, {} {}\n",
                 camera.path,
                 self.frames,
                 if self.frames == 1 { "frame" } else { "frames" }
             );
+        }
+        if let Some(recording) = &self.recording {
+            text += &format!("{}  {} bytes\n", recording.path.display(), recording.bytes);
         }
         output::print(&text)
     }
 }
 
 impl<'a> CameraReport<'a> {
-    fn new(camera: &'a PlacedCamera, sensor: Option<&Sensor>, output: &Path, is_flat: bool) -> Self {
+    fn new(camera: &'a PlacedCamera, sensor: Option<&Sensor>, output: Option<&Path>, is_flat: bool) -> Self {
         let intrinsics = camera.camera.intrinsics;
         let centre = intrinsics.principal_point::<Usd>();
         Self {
             path: &camera.path,
-            folder: if is_flat {
-                output.to_owned()
-            } else {
-                output.join(&camera.folder)
-            },
+            folder: output.map(|output| {
+                if is_flat {
+                    output.to_owned()
+                } else {
+                    output.join(&camera.folder)
+                }
+            }),
             resolution: [intrinsics.size.width, intrinsics.size.height],
             fx: intrinsics.fx,
             fy: intrinsics.fy,
@@ -181,6 +199,16 @@ impl SensorReport {
                 let names = time_of_flight::NAMES.iter();
                 Self {
                     engine: EngineKind::TimeOfFlight.as_str(),
+                    parameters: names
+                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
+                        .collect(),
+                }
+            }
+            Engine::StereoMatching(engine) => {
+                let parameters = engine.parameters();
+                let names = stereo_matching::NAMES.iter();
+                Self {
+                    engine: "stereo-matching",
                     parameters: names
                         .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
                         .collect(),

@@ -34,7 +34,7 @@ impl Sensors {
         if of_sensor.is_empty() && sweep.is_none() {
             return Ok(Self::default());
         }
-        let sensor = args.sensor.options();
+        let sensor = args.sensor.options()?;
         let options = DepthSensorOptions {
             twin: oak.map(|oak| &oak.twin),
             sensor: &sensor,
@@ -112,17 +112,17 @@ fn without_output(
         .map(|one| one.name())
         .collect();
     let other = |sensor: &Option<Sensor>| {
-        let kind = EngineKind::of(sensor.as_ref()?.engine());
-        Some(kind).filter(|kind| *kind != EngineKind::SingleView && !missing.is_empty())
+        let name = EngineKind::name_of(sensor.as_ref()?.engine());
+        Some(name).filter(|name| *name != EngineKind::SingleView.as_str() && !missing.is_empty())
     };
     let both = cameras.iter().zip(sensors);
     both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
-        .map(|(camera, kind)| {
+        .map(|(camera, name)| {
             Finding::new(
                 "single-view-only",
                 Level::Note,
                 &camera.path,
-                format!("{} has no {}: left out", kind.as_str(), missing.join(" and no ")),
+                format!("{name} has no {}: left out", missing.join(" and no ")),
                 "",
             )
         })

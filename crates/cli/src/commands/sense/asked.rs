@@ -13,7 +13,7 @@ use crate::size;
 pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
     let size = size::parse("--align-size", args.align_size.as_deref())?;
     Ok(SenseOptions {
-        sensor: args.engine.options(),
+        sensor: args.engine.options()?,
         kind: args.sensor.map(Into::into),
         input_kind: args.input_kind.map(Into::into),
         depth_scale: args.depth_scale,

@@ -1,7 +1,6 @@
 //! What a depth sensor reports of a rendered frame.
 
-use oaktwin_render::View;
-
+use crate::camera::Camera;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, ZDepth};
 use crate::sense::positions;
@@ -36,10 +35,11 @@ pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64) -> Option<Shot<
     }
 }
 
-/// Adds what is asked for of a sensor to a frame that has what it looks at.
-pub(in crate::render) fn capture(
+/// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
+/// is what both are of. What cannot be made of them is left out.
+pub fn sense_frame(
     sensor: &mut Sensor,
-    view: &View,
+    camera: &Camera,
     number: u64,
     asked: &[Annotator],
     frame: &mut Frame,
@@ -54,7 +54,7 @@ pub(in crate::render) fn capture(
         .distance_to_image_plane
         .as_ref()
         .filter(|_| wants_positions && is_single_view)
-        .map(|z| positions(&view.camera, &z.0));
+        .map(|z| positions(camera, &z.0));
     let captured = shot(frame, number).and_then(|shot| {
         let shot = match &seen {
             Some(seen) => shot.with_positions(seen.into()).ok()?,
@@ -71,6 +71,7 @@ pub(in crate::render) fn capture(
     let Some(Capture {
         distance,
         single_view,
+        ..
     }) = captured
     else {
         return;
@@ -82,8 +83,7 @@ pub(in crate::render) fn capture(
         frame.depth_sensor_output_visualization = output.view;
     } else {
         // Nothing has moved: a pixel's point is where its ray reaches what it measured.
-        frame.depth_sensor_point_cloud_position =
-            wants_positions.then(|| positions(&view.camera, &distance.0));
+        frame.depth_sensor_point_cloud_position = wants_positions.then(|| positions(camera, &distance.0));
         frame.depth_sensor_point_cloud_color = frame
             .rgb
             .as_ref()

@@ -5,8 +5,8 @@ mod stage;
 
 use std::collections::BTreeMap;
 
-pub use capture::scene_annotators;
-pub(super) use capture::{capture, shot};
+pub(super) use capture::shot;
+pub use capture::{scene_annotators, sense_frame};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::catalog::Twin;

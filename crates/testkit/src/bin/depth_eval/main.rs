@@ -3,8 +3,11 @@
 
 mod files;
 mod filters;
+mod rectify;
 mod single_view;
+mod stereo_matching;
 mod stereo_noise;
+mod time_of_flight;
 
 use std::error::Error;
 use std::io::{self, BufRead, Write};
@@ -17,17 +20,29 @@ use serde_json::{Value, json};
 enum Request {
     /// Filters of disparity and depth.
     Filters(filters::Request),
+    /// Raw pairs to rectified ones.
+    Rectify(rectify::Request),
     /// Isaac Sim's sensor.
     SingleView(single_view::Request),
+    /// An OAK's stereo on a pair.
+    StereoMatching(stereo_matching::Request),
     /// The errors of an OAK's stereo.
     StereoNoise(stereo_noise::Request),
+    /// The errors of time of flight.
+    TimeOfFlight(time_of_flight::Request),
+    /// `DepthAI`'s filter of its depth.
+    DepthConfidence(time_of_flight::Confidence),
 }
 
 fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
     match serde_json::from_str(line)? {
         Request::Filters(request) => request.answer(),
+        Request::Rectify(request) => request.answer(),
         Request::SingleView(request) => request.answer(),
+        Request::StereoMatching(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
+        Request::TimeOfFlight(request) => request.answer(),
+        Request::DepthConfidence(request) => request.answer(),
     }
 }
 

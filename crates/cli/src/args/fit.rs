@@ -1,0 +1,112 @@
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum, ValueHint};
+
+use super::SensorArgs;
+
+#[derive(Args, Debug)]
+#[command(
+    next_line_help = true,
+    mut_arg("seed", |arg| arg.hide(true)),
+    mut_arg("device_seed", |arg| arg.hide(true)),
+    mut_arg("filters", |arg| arg.hide(true)),
+    mut_arg("isaac", |arg| arg.hide(true)),
+    after_help = "RECORDING is a folder of depth images of a flat target, perpendicular to the camera, and a table \
+    distances.csv in it: the columns file (an image, an NPY batch, or a folder of images) and distance_m. Or a folder in \
+    the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance. Or a CSV of errors with \
+    the columns distance_m and depth_error_percent: then bias, pixel locking and focal length alone. Images without true \
+    distances tell the noise alone. Depth is along the optical axis, NPY in metres or 16-bit PNG, EXR, PFM; record without \
+    post filters, several frames of each distance, at distances on all phases of a pixel of disparity.\n\n\
+    PARAMS.toml is for --params of sense, accuracy and render.\n\n\
+    Ends with 1 where a parameter cannot be found, or something is odd in the recording."
+)]
+pub(crate) struct FitArgs {
+    /// Folders of depth images, tables of distances, or a curve of errors
+    #[arg(required = true, value_name = "RECORDING", value_hint = ValueHint::AnyPath)]
+    pub(crate) recordings: Vec<PathBuf>,
+
+    /// The model
+    #[arg(long)]
+    pub(crate) model: String,
+
+    /// The file to write the parameters into
+    #[arg(short, long, value_name = "PARAMS.toml", value_hint = ValueHint::FilePath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// The depth sensor by kind (stereo, tof) or prim; by default the stereo pair
+    #[arg(long, value_name = "KIND|PRIM")]
+    pub(crate) sensor: Option<String>,
+
+    /// Fit this too: the focal length, by which distances become disparities
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub(crate) fit: Vec<Also>,
+
+    /// Errors count from this distance on, metres
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub(crate) from: f64,
+
+    /// The side of the region in the middle that is measured, percent of the image's
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION, allow_negative_numbers = true)]
+    pub(crate) region: f64,
+
+    /// Metres to a unit of whole numbers
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 0.001,
+        allow_negative_numbers = true
+    )]
+    pub(crate) depth_scale: f64,
+
+    #[command(flatten)]
+    pub(crate) engine: SensorArgs,
+
+    /// The DepthAI calibration (JSON) of one unit: its optics
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "The recorded unit")]
+    pub(crate) calibration: Option<PathBuf>,
+
+    /// Use a calibration in spite of the errors found in it
+    #[arg(long, requires = "calibration", help_heading = "The recorded unit")]
+    pub(crate) force: bool,
+
+    /// Its focal length, pixels of the width below
+    #[arg(
+        long,
+        value_name = "F",
+        allow_negative_numbers = true,
+        help_heading = "The recorded unit"
+    )]
+    pub(crate) focal_px: Option<f64>,
+
+    /// The width of its matcher's images: 1280 at 800P, 640 at 480P and 400P
+    #[arg(long, value_name = "W", help_heading = "The recorded unit")]
+    pub(crate) stereo_width: Option<u32>,
+
+    /// Draw the errors, the curve through them and what it leaves: svg or png
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
+    pub(crate) plot: Option<PathBuf>,
+
+    /// Threads; by default one a core
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=1024),
+        help_heading = "Output"
+    )]
+    pub(crate) threads: Option<u32>,
+
+    /// Print JSON
+    #[arg(long, help_heading = "Output")]
+    pub(crate) json: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Also {
+    /// The focal length
+    Focal,
+}

@@ -1,0 +1,82 @@
+mod text;
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Mutex;
+
+use oaktwin::accuracy::MeasuredOptics;
+use oaktwin::fit::{self, Options};
+use oaktwin::{files, render};
+
+use crate::args::{Also, FitArgs, Lens, UnitArgs};
+use crate::context::{Context, Exit, Result};
+use crate::plot::Plot;
+use crate::progress::Progress;
+use crate::{destination, output};
+
+pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
+    let plot = args.plot.as_deref().map(Plot::new).transpose()?;
+    let unit = UnitArgs {
+        calibration: args.calibration.clone(),
+        force: args.force,
+        lens: Lens::Pinhole,
+    };
+    let options = Options {
+        sensor: args.sensor.clone(),
+        engine: args.engine.options()?,
+        optics: MeasuredOptics {
+            focal_length_px: args.focal_px,
+            width_px: args.stereo_width,
+        },
+        region: args.region / 100.0,
+        depth_scale: args.depth_scale,
+        from_m: args.from,
+        fits_focal_length: args.fit.contains(&Also::Focal),
+    };
+    let (twin, mut findings) = context.twin(&args.model, &unit)?;
+    let written = [args.output.as_deref(), args.plot.as_deref()];
+    for file in written.into_iter().flatten() {
+        let inputs = args.recordings.iter().map(|path| Some(path.as_path()));
+        let others = [args.calibration.as_deref(), args.engine.params.as_deref()];
+        destination::spare_inputs(file, inputs.chain(others))?;
+    }
+    if let Some(threads) = args.threads {
+        render::use_threads(threads as usize);
+    }
+    let progress = Mutex::new(Progress::new());
+    let watch = |done: u64, of: u64| {
+        if let Ok(mut progress) = progress.lock() {
+            progress.at(done, of);
+        }
+        ControlFlow::Continue(())
+    };
+    let (fit, more) = fit::fit(&twin, &args.recordings, &options, &watch)?;
+    drop(progress);
+    findings.extend(more);
+    let report = fit.report();
+    if let Some(file) = &args.output {
+        files::write(file, report.toml().as_bytes())?;
+    }
+    if let Some(plot) = &plot {
+        plot.draw(&fit.figures())?;
+    }
+    if args.json {
+        output::print_json(report)?;
+    } else {
+        let mut text = text::report(report);
+        for file in written.into_iter().flatten() {
+            text += &format!("Written: {}\n", file.display());
+        }
+        output::print(&text)?;
+    }
+    let about = args
+        .calibration
+        .as_deref()
+        .unwrap_or(Path::new(&twin.device.name));
+    output::say_findings(about, &findings);
+    Ok(if report.is_good {
+        Exit::Good
+    } else {
+        Exit::Findings
+    })
+}

@@ -1,0 +1,144 @@
+//! A fit for people.
+
+use std::fmt::Write;
+
+use oaktwin::catalog::Table;
+use oaktwin::fit::{FittedPoint, Parameter, Report, Target};
+
+use crate::output;
+
+/// More targets than fit on a page are not listed.
+const MOST_TARGETS: usize = 40;
+
+pub(super) fn report(report: &Report) -> String {
+    let mut text = format!(
+        "{}, {}, {}: focal length {:.2} px at {} px, baseline {:.1} mm, steps of {} px\n",
+        report.model,
+        report.sensor,
+        report.engine,
+        report.focal_length_px,
+        report.width_px,
+        1e3 * report.baseline_m,
+        report.step_px
+    );
+    if !report.targets.is_empty() {
+        text += &targets(report);
+    }
+    text += &parameters(report);
+    text += "\n";
+    for missing in &report.not_found {
+        let _ = writeln!(text, "Not found: {} ({})", missing.name, missing.why);
+    }
+    if let Some(curve) = &report.curve {
+        let what = if report.is_absolute {
+            "absolute errors"
+        } else {
+            "errors"
+        };
+        let from = if report.from_m > 0.0 {
+            format!(" from {} m on", report.from_m)
+        } else {
+            String::new()
+        };
+        let r2 = curve
+            .r_squared
+            .map_or_else(|| "R2 is not defined".to_owned(), |r2| format!("R2 = {r2:.4}"));
+        let _ = writeln!(
+            text,
+            "The curve leaves {:.4} px, {:.3} % of the distance (RMS over {} {what}{from}); {r2}",
+            curve.rms_px, curve.rms_percent, curve.points
+        );
+        if let Some(scatter) = curve.scatter {
+            let _ = writeln!(
+                text,
+                "The points scatter {scatter:.2} times as much as their noise explains"
+            );
+        }
+    }
+    text
+}
+
+fn parameters(report: &Report) -> String {
+    let rows = report.parameters.iter().map(|parameter| {
+        let [value, low, high] = cells(parameter);
+        vec![
+            parameter.name.to_owned(),
+            value,
+            low,
+            high,
+            parameter.unit.to_owned(),
+            parameter.what.to_owned(),
+        ]
+    });
+    let header = ["Parameter", "Value", "95 % from", "to", "Unit", "What"];
+    output::number_table(&Table {
+        title: String::new(),
+        header: header.map(str::to_owned).to_vec(),
+        rows: rows.collect(),
+    })
+}
+
+fn cells(parameter: &Parameter) -> [String; 3] {
+    let number = |value: f64| {
+        if parameter.name == "window" || parameter.name == "width" {
+            format!("{value:.0}")
+        } else if value.abs() >= 10.0 {
+            format!("{value:.2}")
+        } else {
+            format!("{value:.4}")
+        }
+    };
+    let none = if parameter.is_fitted { "-" } else { "given" };
+    let [low, high] = match parameter.interval_95 {
+        Some(ends) => ends.map(number),
+        None => [none.to_owned(), none.to_owned()],
+    };
+    [number(parameter.value), low, high]
+}
+
+fn targets(report: &Report) -> String {
+    let header = [
+        "Distance\n[m]",
+        "\nFrames",
+        "Fill\n[%]",
+        "Error\n[%]",
+        "Error\n[px]",
+        "Curve\n[px]",
+        "Temporal\n[px]",
+        "Fixed\n[px]",
+        "\nTarget",
+    ];
+    let row = |(number, target): (usize, &Target)| {
+        // A target that is not straight has many.
+        let mean = |of: &dyn Fn(&FittedPoint) -> Option<f64>| {
+            let points = report.points.iter().filter(|point| point.target == Some(number));
+            let values: Vec<f64> = points.filter_map(of).collect();
+            (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+        };
+        vec![
+            fixed(target.distance_m, 3),
+            target.frames.to_string(),
+            fixed(Some(100.0 * target.fill_rate), 1),
+            fixed(mean(&|point| Some(point.error_percent)), 2),
+            fixed(mean(&|point| Some(point.error_px)), 3),
+            fixed(mean(&|point| point.fitted_px), 3),
+            fixed(target.temporal_noise_px, 3),
+            fixed(target.fixed_pattern_px, 3),
+            target.name.clone(),
+        ]
+    };
+    let shown = report.targets.iter().enumerate().take(MOST_TARGETS);
+    let mut text = output::number_table(&Table {
+        title: String::new(),
+        header: header.map(str::to_owned).to_vec(),
+        rows: shown.map(row).collect(),
+    });
+    if report.targets.len() > MOST_TARGETS {
+        let _ = writeln!(text, "and {} more targets", report.targets.len() - MOST_TARGETS);
+    }
+    text
+}
+
+fn fixed(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+}

@@ -1,0 +1,41 @@
+//! Figures as files.
+
+use std::path::Path;
+
+use oaktwin::dataset::figure::{self, Figure};
+use oaktwin::files;
+use oaktwin::image::png;
+
+use crate::context::Result;
+
+/// A file to draw into.
+pub(crate) struct Plot<'a> {
+    pub(crate) file: &'a Path,
+    is_svg: bool,
+}
+
+impl<'a> Plot<'a> {
+    /// In the format that its extension says.
+    pub(crate) fn new(file: &'a Path) -> Result<Self> {
+        let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+        let is_svg = extension == "svg";
+        if !is_svg && extension != "png" {
+            return Err(format!(
+                "{}: is neither SVG nor PNG; name it FILE.svg or FILE.png",
+                file.display()
+            )
+            .into());
+        }
+        Ok(Self { file, is_svg })
+    }
+
+    /// Draws figures one below the other.
+    pub(crate) fn draw(&self, figures: &[Figure]) -> Result<()> {
+        let bytes = if self.is_svg {
+            figure::svg_of(figures).into_bytes()
+        } else {
+            png::encode(&figure::picture_of(figures))?
+        };
+        Ok(files::write(self.file, &bytes)?)
+    }
+}

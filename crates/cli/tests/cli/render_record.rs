@@ -1,0 +1,260 @@
+//! `render --record`: what is in the file, what is refused, what is left behind.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use crate::program::Program;
+
+const ROOM: &str = include_str!("fixtures/room.usda");
+const CRATE: &str = include_str!("fixtures/crate.obj");
+
+const OAK: [&str; 5] = ["render", "crate.obj", "--model", "oak4-d", "--trajectory"];
+
+fn program() -> Program {
+    let program = Program::new();
+    program.put("room.usda", ROOM);
+    program.put("crate.obj", CRATE);
+    program.put(
+        "path.txt",
+        "10.5 0 -2 0.5 0 0 0.7071 0.7071\n10.75 0 -1.5 0.5 0 0 0.7071 0.7071\n",
+    );
+    program.put("undone.txt", "0 0 -2 0.5 0 0 0 1\n-1 0 -2 0.5 0 0 0 1\n");
+    program
+}
+
+/// How many messages there are of each topic, and all times.
+fn messages(program: &Program, name: &str) -> (BTreeMap<String, usize>, Vec<u64>) {
+    let file = fs::read(program.path(name)).unwrap();
+    let (mut counts, mut times) = (BTreeMap::new(), Vec::new());
+    for message in mcap::MessageStream::new(&file).unwrap() {
+        let message = message.unwrap();
+        *counts.entry(message.channel.topic.clone()).or_default() += 1;
+        times.push(message.log_time);
+    }
+    times.dedup();
+    (counts, times)
+}
+
+fn counts<const N: usize>(expected: [(&str, usize); N]) -> BTreeMap<String, usize> {
+    expected.map(|(topic, count)| (topic.to_owned(), count)).into()
+}
+
+#[test]
+fn a_trajectory_of_an_oak() {
+    let program = program();
+    let more = |file| {
+        let annotators = "rgb,pointcloud,depth_sensor_distance";
+        let own = [
+            "path.txt",
+            "--resolution",
+            "64x40",
+            "--annotators",
+            annotators,
+            "--record",
+            file,
+        ];
+        [&OAK[..], &own].concat()
+    };
+    let said = program.good(&more("a.mcap"));
+    let bytes = fs::metadata(program.path("a.mcap")).unwrap().len();
+    assert_eq!(
+        said,
+        format!("OAK4-D/Camera_pseudo_depth, 64x40, 2 frames\na.mcap  {bytes} bytes\n")
+    );
+    let expected = counts([
+        ("/Camera_pseudo_depth/camera_info", 2),
+        ("/Camera_pseudo_depth/depth", 2),
+        ("/Camera_pseudo_depth/depth_points", 2),
+        ("/Camera_pseudo_depth/measured", 2),
+        ("/Camera_pseudo_depth/measured_points", 2),
+        ("/Camera_pseudo_depth/rgb", 2),
+        ("/tf", 2),
+        ("/tf_static", 1),
+    ]);
+    assert_eq!(
+        messages(&program, "a.mcap"),
+        (expected, vec![10_500_000_000, 10_750_000_000])
+    );
+    assert_eq!(
+        program.names(),
+        ["a.mcap", "crate.obj", "path.txt", "room.usda", "undone.txt"]
+    );
+    program.good(&more("b.mcap"));
+    let read = |name: &str| fs::read(program.path(name)).unwrap();
+    assert!(read("a.mcap") == read("b.mcap"), "the same bytes");
+}
+
+#[test]
+fn several_cameras_beside_a_folder() {
+    let program = program();
+    let run = [
+        &OAK[..4],
+        &[
+            "--camera",
+            "left",
+            "--camera",
+            "right",
+            "--resolution",
+            "64x40",
+            "--annotators",
+        ],
+        &[
+            "distance_to_image_plane,normals",
+            "--look-at",
+            "0",
+            "-2",
+            "0.5",
+            "0",
+            "0",
+            "0",
+        ],
+        &["--record", "a.mcap", "-o", "out", "--json"],
+    ]
+    .concat();
+    let report: serde_json::Value = serde_json::from_str(&program.good(&run)).unwrap();
+    assert_eq!(report["recording"]["path"], "a.mcap");
+    assert_eq!(report["output"], "out");
+    assert_eq!(report["findings"][0]["code"], "not-recorded");
+    let names: Vec<&str> = report["cameras"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|camera| camera["folder"].as_str().unwrap().rsplit_once('/').unwrap().1)
+        .collect();
+    let topics = [
+        (format!("/{}/camera_info", names[0]), 1),
+        (format!("/{}/camera_info", names[1]), 1),
+        (format!("/{}/depth", names[0]), 1),
+        (format!("/{}/depth", names[1]), 1),
+        ("/tf".to_owned(), 1),
+        ("/tf_static".to_owned(), 1),
+    ];
+    assert_eq!(messages(&program, "a.mcap").0, BTreeMap::from(topics));
+    assert_eq!(report["files"].as_array().unwrap().len(), 1 + 2 * 2);
+}
+
+#[test]
+fn a_camera_of_the_scene_without_a_folder() {
+    let program = program();
+    let run = [
+        "render",
+        "room.usda",
+        "--camera",
+        "/World/Left",
+        "--record",
+        "a.mcap",
+        "--json",
+    ];
+    let ended = program.run(&run);
+    let report: serde_json::Value =
+        serde_json::from_str(&ended.stdout).unwrap_or_else(|_| panic!("{}", ended.stderr));
+    assert_eq!(report["output"], serde_json::Value::Null);
+    assert_eq!(report["cameras"][0]["folder"], serde_json::Value::Null);
+    let (counts, times) = messages(&program, "a.mcap");
+    assert_eq!(times, [0]);
+    assert_eq!(counts["/Left/rgb"], 1);
+}
+
+#[test]
+fn what_is_refused() {
+    let program = program();
+    fs::create_dir(program.path("folder.mcap")).unwrap();
+    let mut all = String::new();
+    let mut try_out = |arguments: &[&str]| {
+        all += &format!(
+            "$ oaktwin {}\n{}",
+            arguments.join(" "),
+            program.refused(arguments)
+        );
+    };
+    let room = ["render", "room.usda", "--record"];
+    for name in ["a.bag", "a", "no/a.mcap", "folder.mcap", "room.usda/a.mcap"] {
+        try_out(&[&room[..], &[name]].concat());
+    }
+    try_out(&[&room[..], &["a.mcap", "--png16"]].concat());
+    try_out(&[&room[..], &["a.mcap", "--annotators", "rgb,normals", "--strict"]].concat());
+    try_out(&[&OAK[..], &["undone.txt", "--record", "a.mcap"]].concat());
+    insta::assert_snapshot!(all);
+}
+
+#[cfg(not(feature = "rerun"))]
+#[test]
+fn rrd_names_its_feature() {
+    let refused = program().refused(&["render", "room.usda", "--record", "a.rrd"]);
+    assert_eq!(
+        refused,
+        "error: a.rrd: this build cannot write .rrd, which needs the feature `rerun`; name a .mcap file, or build it in: \
+         cargo build --release -p oaktwin-cli --features rerun\n"
+    );
+}
+
+/// A limit on the size of files stands for a disk that fills up.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fills_up_leaves_nothing() {
+    let program = program();
+    let before = program.names();
+    let script = format!(
+        "trap '' XFSZ; ulimit -f 1; exec '{}' render room.usda --record a.mcap",
+        env!("CARGO_BIN_EXE_oaktwin")
+    );
+    let output = std::process::Command::new("bash")
+        .args(["-c", &script])
+        .current_dir(program.folder())
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.starts_with("error: a.mcap: ") && message.lines().count() == 1,
+        "{message}"
+    );
+    assert_eq!(program.names(), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_nothing() {
+    use std::process::{Command, Stdio};
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    let program = program();
+    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(200_000));
+    let before = program.names();
+    let mut child = program
+        .command(
+            &[
+                &OAK[..],
+                &["long.txt", "--record", "a.mcap", "--resolution", "64x40"],
+            ]
+            .concat(),
+        )
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let begun = |name: &String| {
+        name.ends_with(".part") && fs::metadata(program.path(name)).is_ok_and(|file| file.len() > 0)
+    };
+    while !program.names().iter().any(begun) {
+        assert_eq!(child.try_wait().unwrap(), None, "ended before its first frames");
+        sleep(Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(130), "{message}");
+    assert!(
+        message.starts_with("interrupted: a.mcap was not written\n"),
+        "{message}"
+    );
+    assert_eq!(program.names(), before);
+}

@@ -1,0 +1,71 @@
+//! A lens as ROS says it.
+
+use oaktwin_camera::LensModel;
+
+/// The name of the distortion model, and its coefficients.
+pub(super) struct Distortion {
+    pub(super) model: &'static str,
+    pub(super) d: Vec<f64>,
+}
+
+/// ROS's models: `plumb_bob` (k1 k2 p1 p2 k3), `rational_polynomial` (and k4 k5 k6), `equidistant` (k1 k2 k3 k4). `None`
+/// for what is none of them.
+pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
+    let coefficients = match lens {
+        LensModel::Pinhole => [0.0; 14],
+        LensModel::OpenCvPinhole(lens) => lens.coefficients,
+        LensModel::OpenCvFisheye(lens) => {
+            return Some(Distortion {
+                model: "equidistant",
+                d: lens.k.to_vec(),
+            });
+        }
+        LensModel::FTheta(_) => return None,
+    };
+    let (rational, [k4, k5, k6]) = (&coefficients[..8], [5, 6, 7].map(|at| coefficients[at]));
+    Some(if [k4, k5, k6] == [0.0; 3] {
+        Distortion {
+            model: "plumb_bob",
+            d: rational[..5].to_vec(),
+        }
+    } else {
+        Distortion {
+            model: "rational_polynomial",
+            d: rational.to_vec(),
+        }
+    })
+}
+
+/// What a recording's camera information cannot say of a lens; the images and the clouds of points are right all the same.
+#[must_use]
+pub fn ros_lens_loss(lens: &LensModel) -> Option<&'static str> {
+    match lens {
+        LensModel::FTheta(_) => Some("ROS has no f-theta lens: its camera_info is left out"),
+        LensModel::OpenCvPinhole(lens) if lens.coefficients[8..].iter().any(|c| *c != 0.0) => {
+            Some("ROS has no thin prism and no tilt: its camera_info has the first eight coefficients only")
+        }
+        LensModel::Pinhole | LensModel::OpenCvPinhole(_) | LensModel::OpenCvFisheye(_) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin_camera::{OpenCvFisheye, OpenCvPinhole};
+
+    #[test]
+    fn each_lens_has_its_model() {
+        let opencv = |numbers: &[f64]| LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(numbers).unwrap());
+        let of = |lens: &LensModel| distortion(lens).map(|found| (found.model, found.d));
+        assert_eq!(of(&LensModel::Pinhole), Some(("plumb_bob", vec![0.0; 5])));
+        let five = [0.1, 0.2, 0.3, 0.4, 0.5];
+        assert_eq!(of(&opencv(&five)), Some(("plumb_bob", five.to_vec())));
+        let eight = [0.1, 0.2, 0.3, 0.4, 0.5, 0.0, 0.0, 0.6];
+        assert_eq!(of(&opencv(&eight)), Some(("rational_polynomial", eight.to_vec())));
+        let fisheye = LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&five[..4]).unwrap());
+        assert_eq!(of(&fisheye), Some(("equidistant", five[..4].to_vec())));
+        assert!(ros_lens_loss(&fisheye).is_none() && ros_lens_loss(&opencv(&eight)).is_none());
+        let prism = [0.1, 0.2, 0.3, 0.4, 0.5, 0.0, 0.0, 0.6, 0.01];
+        assert!(ros_lens_loss(&opencv(&prism)).is_some());
+    }
+}

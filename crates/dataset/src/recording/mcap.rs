@@ -1,0 +1,313 @@
+//! Recordings as MCAP files of ROS 2's messages.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::io::Write;
+
+use mcap::records::MessageHeader;
+use mcap::write::NoSeek;
+use mcap::{Compression, McapError, WriteOptions, Writer};
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Axes, RigidTransform};
+use oaktwin_image::Image;
+
+use super::cdr::Cdr;
+use super::lens::distortion;
+use super::message::{self, Header, Transform};
+use super::schema::Schema;
+use super::{
+    CameraId, Moment, RecordedCamera, Recorder, RecordingError, Time, check_camera, check_moment, cloud,
+    names,
+};
+
+/// Bytes of messages that are compressed at once, so that a reader finds its way; a longer message is a chunk of its own.
+const CHUNK: u64 = 4 << 20;
+
+/// The root of all frames.
+const WORLD: &str = "world";
+
+/// Writes MCAP, profile `ros2`: the same moments give the same bytes.
+///
+/// | topic | message |
+/// |---|---|
+/// | `/NAME/rgb` | `sensor_msgs/msg/Image`, `rgb8` |
+/// | `/NAME/depth`, `/NAME/measured` | `sensor_msgs/msg/Image`, `32FC1` metres or `16UC1` millimetres |
+/// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
+/// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, a point a pixel, NaN where there is none |
+/// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
+///
+/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, in which images and clouds are; a camera without a body is
+/// `world` → `NAME` itself. Chunks are compressed with zstd, on one thread.
+pub struct Mcap<W: Write> {
+    writer: Writer<NoSeek<W>>,
+    /// A message, whose memory all share.
+    cdr: Cdr,
+    names: BTreeSet<String>,
+    cameras: Vec<Station>,
+    bodies: Vec<Carrier>,
+    channels: BTreeMap<String, Channel>,
+    /// Whether a camera has come since the static transforms were last written.
+    statics_are_due: bool,
+}
+
+/// A camera, and what its messages need.
+struct Station {
+    camera: RecordedCamera,
+    optical_frame: String,
+    /// Its own axes' frame, on a carrier or moving itself.
+    frame: String,
+    /// Into the bodies; `None` where the camera moves itself.
+    carrier: Option<usize>,
+    /// Made for the first cloud.
+    rays: Option<Image<[f32; 2]>>,
+    last: Option<(Time, RigidTransform)>,
+}
+
+/// A body of cameras.
+struct Carrier {
+    name: String,
+    frame: String,
+    last: Option<(Time, RigidTransform)>,
+}
+
+#[derive(Clone, Copy)]
+struct Channel {
+    id: u16,
+    sequence: u32,
+}
+
+impl<W: Write> Mcap<W> {
+    /// Begins a recording.
+    ///
+    /// # Errors
+    /// The output cannot be written.
+    pub fn new(output: W) -> Result<Self, RecordingError> {
+        let options = WriteOptions::new()
+            .profile("ros2")
+            .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
+            .chunk_size(Some(CHUNK))
+            // The fastest: noise does not compress, whatever the effort.
+            .compression(Some(Compression::Zstd))
+            .compression_level(1)
+            // Where several compress, the bytes depend on how many.
+            .compression_threads(0)
+            .disable_seeking(true);
+        Ok(Self {
+            writer: options.create(NoSeek::new(output)).map_err(failed)?,
+            cdr: Cdr::default(),
+            names: BTreeSet::from([WORLD.to_owned()]),
+            cameras: Vec::new(),
+            bodies: Vec::new(),
+            channels: BTreeMap::new(),
+            statics_are_due: false,
+        })
+    }
+
+    /// Writes the message that `self.cdr` holds.
+    fn put(&mut self, topic: &str, schema: Schema, time: Time) -> Result<(), RecordingError> {
+        let channel = match self.channels.get_mut(topic) {
+            Some(channel) => channel,
+            None => {
+                let made = self
+                    .writer
+                    .add_schema(schema.name(), "ros2msg", schema.text().as_bytes());
+                let made =
+                    made.and_then(|schema| self.writer.add_channel(schema, topic, "cdr", &metadata(topic)));
+                let channel = Channel {
+                    id: made.map_err(failed)?,
+                    sequence: 0,
+                };
+                self.channels.entry(topic.to_owned()).or_insert(channel)
+            }
+        };
+        let header = MessageHeader {
+            channel_id: channel.id,
+            sequence: channel.sequence,
+            log_time: time.nanoseconds(),
+            publish_time: time.nanoseconds(),
+        };
+        channel.sequence = channel.sequence.wrapping_add(1);
+        self.writer
+            .write_to_known_channel(&header, self.cdr.bytes())
+            .map_err(failed)
+    }
+
+    /// All transforms that never change, in one message: who subscribes late gets the last message only.
+    fn put_statics(&mut self, time: Time) -> Result<(), RecordingError> {
+        let header = |frame| Header { time, frame };
+        let mut all = Vec::new();
+        for station in &self.cameras {
+            let carrier = station.carrier.and_then(|at| self.bodies.get(at));
+            if let (Some(carrier), Some(body)) = (carrier, &station.camera.body) {
+                all.push(Transform {
+                    header: header(&carrier.frame),
+                    child: &station.frame,
+                    parent_from_child: body.body_from_camera * optical_from_camera(),
+                });
+            }
+            all.push(Transform {
+                header: header(&station.frame),
+                child: &station.optical_frame,
+                parent_from_child: optical_from_camera().inverse(),
+            });
+        }
+        message::transforms(&mut self.cdr, all.into_iter());
+        self.put("/tf_static", Schema::Tf, time)
+    }
+
+    /// Where the camera or its body stands, unless another camera has said so.
+    fn put_pose(&mut self, at: usize, moment: &Moment<'_>) -> Result<(), RecordingError> {
+        let Some(station) = self.cameras.get_mut(at) else {
+            return Err(RecordingError::NoCamera);
+        };
+        let pose = moment.world_from_mount;
+        let (last, child, pose) = match station.carrier.and_then(|at| self.bodies.get_mut(at)) {
+            Some(carrier) => (&mut carrier.last, &carrier.frame, pose),
+            None => (&mut station.last, &station.frame, pose * optical_from_camera()),
+        };
+        if last.replace((moment.time, pose)) == Some((moment.time, pose)) {
+            return Ok(());
+        }
+        let transform = Transform {
+            header: Header {
+                time: moment.time,
+                frame: WORLD,
+            },
+            child,
+            parent_from_child: pose,
+        };
+        message::transforms(&mut self.cdr, [transform].into_iter());
+        self.put("/tf", Schema::Tf, moment.time)
+    }
+
+    /// What is seen: `station` is on loan from `self.cameras`.
+    fn put_images(&mut self, station: &mut Station, moment: &Moment<'_>) -> Result<(), RecordingError> {
+        let time = moment.time;
+        let head = Header {
+            time,
+            frame: &station.optical_frame,
+        };
+        let topic = |what: &str| format!("/{}/{what}", station.frame);
+        let camera = &station.camera.camera;
+        if let Some(distortion) = distortion(&camera.lens) {
+            message::camera_info(&mut self.cdr, head, &camera.intrinsics, &distortion);
+            self.put(&topic("camera_info"), Schema::CameraInfo, time)?;
+        }
+        if let Some(rgb) = moment.rgb {
+            message::rgb(&mut self.cdr, head, rgb);
+            self.put(&topic("rgb"), Schema::Image, time)?;
+        }
+        for (name, depth) in [("depth", moment.depth), ("measured", moment.measured)] {
+            if let Some(depth) = depth {
+                message::depth(&mut self.cdr, head, depth);
+                self.put(&topic(name), Schema::Image, time)?;
+            }
+        }
+        let clouds = [
+            ("depth_points", moment.depth.filter(|_| moment.depth_points)),
+            (
+                "measured_points",
+                moment.measured.filter(|_| moment.measured_points),
+            ),
+        ];
+        for (name, depth) in clouds {
+            if let Some(depth) = depth {
+                let rays = station.rays.get_or_insert_with(|| cloud::rays(camera));
+                message::points(&mut self.cdr, head, rays, depth, moment.rgb);
+                self.put(&topic(name), Schema::PointCloud2, time)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<W: Write> Recorder for Mcap<W> {
+    type Output = W;
+
+    fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
+        check_camera(camera)?;
+        let carrier = camera.body.as_ref().map(|body| {
+            let known = self.bodies.iter().position(|carrier| carrier.name == body.name);
+            known.unwrap_or_else(|| {
+                self.bodies.push(Carrier {
+                    name: body.name.clone(),
+                    frame: names::unique(&body.name, &mut self.names),
+                    last: None,
+                });
+                self.bodies.len() - 1
+            })
+        });
+        let frame = names::unique(&camera.name, &mut self.names);
+        self.cameras.push(Station {
+            camera: camera.clone(),
+            optical_frame: names::unique(&format!("{frame}_optical_frame"), &mut self.names),
+            frame,
+            carrier,
+            rays: None,
+            last: None,
+        });
+        self.statics_are_due = true;
+        Ok(CameraId(self.cameras.len() - 1))
+    }
+
+    fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
+        let station = self.cameras.get(camera.0).ok_or(RecordingError::NoCamera)?;
+        check_moment(&station.camera, moment)?;
+        if std::mem::take(&mut self.statics_are_due) {
+            self.put_statics(moment.time)?;
+        }
+        self.put_pose(camera.0, moment)?;
+        // Out of the list while its images are written.
+        let mut cameras = std::mem::take(&mut self.cameras);
+        let written = match cameras.get_mut(camera.0) {
+            Some(station) => self.put_images(station, moment),
+            None => Err(RecordingError::NoCamera),
+        };
+        self.cameras = cameras;
+        written
+    }
+
+    fn finish(mut self) -> Result<W, RecordingError> {
+        self.writer.finish().map_err(failed)?;
+        Ok(self.writer.into_inner().into_inner())
+    }
+}
+
+impl<W: Write> fmt::Debug for Mcap<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cameras = self.cameras.iter().map(|station| &station.frame);
+        f.debug_struct("Mcap")
+            .field("cameras", &cameras.collect::<Vec<_>>())
+            .finish_non_exhaustive()
+    }
+}
+
+/// From a camera's own axes, a body's, to those of its optical frame.
+fn optical_from_camera() -> RigidTransform {
+    RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Ros), DVec3::ZERO)
+}
+
+/// What a player has to know: that static transforms are kept for who comes late (the numbers are those of `rmw`: keep the
+/// last one, reliable, transient local, automatic, no limits).
+fn metadata(topic: &str) -> BTreeMap<String, String> {
+    let forever = "{sec: 9223372036, nsec: 854775807}";
+    let qos = format!(
+        "- history: 1\n  depth: 1\n  reliability: 1\n  durability: 1\n  deadline: {forever}\n  lifespan: {forever}\n  \
+         liveliness: 1\n  liveliness_lease_duration: {forever}\n  avoid_ros_namespace_conventions: false"
+    );
+    if topic == "/tf_static" {
+        BTreeMap::from([("offered_qos_profiles".to_owned(), qos)])
+    } else {
+        BTreeMap::new()
+    }
+}
+
+fn failed(error: McapError) -> RecordingError {
+    match error {
+        McapError::Io(error) => RecordingError::Io(error),
+        other => RecordingError::Format(other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

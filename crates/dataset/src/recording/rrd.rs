@@ -1,0 +1,309 @@
+//! Recordings that Rerun's viewer opens.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::io::Write;
+use std::time::Duration;
+
+use oaktwin_camera::{OpenCv, RigidTransform};
+use oaktwin_image::Image;
+use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
+use rerun::sink::MemorySinkStorage;
+use rerun::{RecordingStream, RecordingStreamBuilder};
+
+use super::{
+    CameraId, DepthView, Moment, RecordedCamera, Recorder, RecordingError, check_camera, check_moment, cloud,
+    names,
+};
+
+/// The timeline that everything is on.
+const TIMELINE: &str = "time";
+
+/// Writes Rerun's own format.
+///
+/// | entity | what |
+/// |---|---|
+/// | `world` | `ViewCoordinates`: which way is up |
+/// | `world/BODY`, `world/BODY/NAME` | `Transform3D`; an entity's axes are the camera's optical frame |
+/// | `world/BODY/NAME/image` | `Pinhole`: the frustum |
+/// | `world/BODY/NAME/image/rgb` | `Image` |
+/// | `world/BODY/NAME/image/depth`, `…/measured` | `DepthImage`, with its `meter` |
+/// | `world/BODY/NAME/depth_points`, `…/measured_points` | `Points3D` |
+///
+/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is as it comes: the viewer
+/// leaves out what is 0 or infinite. The file has ids and clock times of Rerun's, so that no two have the same bytes.
+pub struct Rrd<W: Write> {
+    stream: RecordingStream,
+    /// What the stream says, until it is written.
+    said: MemorySinkStorage,
+    encoder: Encoder<W>,
+    names: BTreeSet<String>,
+    cameras: Vec<Station>,
+    /// Names and entities.
+    bodies: Vec<(String, String)>,
+}
+
+struct Station {
+    camera: RecordedCamera,
+    entity: String,
+    /// What moves.
+    mount: String,
+    /// Made for the first cloud.
+    rays: Option<Image<[f32; 2]>>,
+}
+
+impl<W: Write> Rrd<W> {
+    /// Begins a recording in a world whose z axis is up, or else its y axis.
+    ///
+    /// # Errors
+    /// The output cannot be written.
+    pub fn new(output: W, is_z_up: bool) -> Result<Self, RecordingError> {
+        let (stream, said) = RecordingStreamBuilder::new("oaktwin").memory().map_err(failed)?;
+        let version = rerun::build_info().version;
+        let options = EncodingOptions::PROTOBUF_COMPRESSED;
+        let up = if is_z_up {
+            rerun::ViewCoordinates::RIGHT_HAND_Z_UP()
+        } else {
+            rerun::ViewCoordinates::RIGHT_HAND_Y_UP()
+        };
+        stream.log_static("world", &up).map_err(failed)?;
+        Ok(Self {
+            stream,
+            said,
+            encoder: Encoder::new_eager(version, options, output).map_err(not_written)?,
+            names: BTreeSet::new(),
+            cameras: Vec::new(),
+            bodies: Vec::new(),
+        })
+    }
+
+    /// Writes what was said since the last time.
+    fn write(&mut self) -> Result<(), RecordingError> {
+        for message in self.said.take() {
+            self.encoder.append(&message).map_err(not_written)?;
+        }
+        Ok(())
+    }
+}
+
+impl<W: Write> Recorder for Rrd<W> {
+    type Output = W;
+
+    fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
+        check_camera(camera)?;
+        let parent = match &camera.body {
+            None => "world".to_owned(),
+            Some(body) => match self.bodies.iter().find(|(name, _)| *name == body.name) {
+                Some((_, entity)) => entity.clone(),
+                None => {
+                    let entity = format!("world/{}", names::unique(&body.name, &mut self.names));
+                    self.bodies.push((body.name.clone(), entity.clone()));
+                    entity
+                }
+            },
+        };
+        let entity = format!("{parent}/{}", names::unique(&camera.name, &mut self.names));
+        if let Some(body) = &camera.body {
+            self.stream
+                .log_static(entity.as_str(), &transform(&body.body_from_camera))
+                .map_err(failed)?;
+        }
+        self.stream
+            .log_static(format!("{entity}/image"), &pinhole(camera))
+            .map_err(failed)?;
+        let mount = if camera.body.is_some() {
+            parent
+        } else {
+            entity.clone()
+        };
+        self.cameras.push(Station {
+            camera: camera.clone(),
+            entity,
+            mount,
+            rays: None,
+        });
+        self.write()?;
+        Ok(CameraId(self.cameras.len() - 1))
+    }
+
+    fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
+        let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
+        check_moment(&station.camera, moment)?;
+        let stream = &self.stream;
+        // Of the calling thread, which may be another one each time.
+        stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
+        stream
+            .log(station.mount.as_str(), &transform(&moment.world_from_mount))
+            .map_err(failed)?;
+        let entity = &station.entity;
+        let size = station.camera.camera.intrinsics.size;
+        let size = [size.width, size.height];
+        if let Some(rgb) = moment.rgb {
+            let bytes: Vec<u8> = rgb.pixels().iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+            let image = rerun::Image::from_rgb24(bytes, size);
+            stream
+                .log(format!("{entity}/image/rgb"), &image)
+                .map_err(failed)?;
+        }
+        let depths = [
+            ("depth", moment.depth, moment.depth_points),
+            ("measured", moment.measured, moment.measured_points),
+        ];
+        for (name, depth, has_points) in depths {
+            let Some(depth) = depth else { continue };
+            stream
+                .log(format!("{entity}/image/{name}"), &depth_image(depth, size))
+                .map_err(failed)?;
+            if has_points {
+                let rays = station
+                    .rays
+                    .get_or_insert_with(|| cloud::rays(&station.camera.camera));
+                stream
+                    .log(format!("{entity}/{name}_points"), &points(rays, depth, moment))
+                    .map_err(failed)?;
+            }
+        }
+        self.write()
+    }
+
+    fn finish(mut self) -> Result<W, RecordingError> {
+        self.write()?;
+        self.encoder.finish().map_err(not_written)?;
+        self.encoder.into_inner().map_err(not_written)
+    }
+}
+
+impl<W: Write> fmt::Debug for Rrd<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let cameras = self.cameras.iter().map(|station| &station.entity);
+        f.debug_struct("Rrd")
+            .field("cameras", &cameras.collect::<Vec<_>>())
+            .finish_non_exhaustive()
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "Rerun's numbers are in single precision"
+)]
+fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
+    let q = parent_from_child.quaternion();
+    let rotation = rerun::Quaternion::from_xyzw([q.x, q.y, q.z, q.w].map(|part| part as f32));
+    let translation = parent_from_child.translation.to_array().map(|part| part as f32);
+    rerun::Transform3D::from_translation_rotation(translation, rotation)
+}
+
+/// Its depth clouds have pixel (0, 0) at 0, as OpenCV has.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "Rerun's numbers are in single precision"
+)]
+fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
+    let intrinsics = camera.camera.intrinsics;
+    let centre = intrinsics.principal_point::<OpenCv>();
+    rerun::Pinhole::from_focal_length_and_resolution(
+        [intrinsics.fx as f32, intrinsics.fy as f32],
+        [intrinsics.size.width as f32, intrinsics.size.height as f32],
+    )
+    .with_principal_point([centre.x as f32, centre.y as f32])
+}
+
+fn depth_image(depth: DepthView<'_>, size: [u32; 2]) -> rerun::DepthImage {
+    let (bytes, kind, meter): (Vec<u8>, _, f32) = match depth {
+        DepthView::Metres(image) => (
+            image.pixels().iter().flat_map(|z| z.to_le_bytes()).collect(),
+            rerun::ChannelDatatype::F32,
+            1.0,
+        ),
+        DepthView::Millimetres(image) => (
+            image.pixels().iter().flat_map(|mm| mm.to_le_bytes()).collect(),
+            rerun::ChannelDatatype::U16,
+            1000.0,
+        ),
+    };
+    rerun::DepthImage::from_data_type_and_bytes(bytes, size, kind).with_meter(meter)
+}
+
+fn points(rays: &Image<[f32; 2]>, depth: DepthView<'_>, moment: &Moment<'_>) -> rerun::Points3D {
+    let all = cloud::points(rays, depth);
+    let colors = moment.rgb.map(|rgb| rgb.pixels());
+    let (mut places, mut painted) = (Vec::new(), Vec::new());
+    for (at, point) in all.enumerate().filter(|(_, point)| !point[2].is_nan()) {
+        places.push(point);
+        if let Some(&[r, g, b, _]) = colors.and_then(|colors| colors.get(at)) {
+            painted.push(rerun::Color::from_rgb(r, g, b));
+        }
+    }
+    let points = rerun::Points3D::new(places);
+    if painted.is_empty() {
+        points
+    } else {
+        points.with_colors(painted)
+    }
+}
+
+fn failed(error: impl fmt::Display) -> RecordingError {
+    RecordingError::Format(format!("Rerun: {error}"))
+}
+
+fn not_written(error: EncodeError) -> RecordingError {
+    match error {
+        EncodeError::Write(error) => RecordingError::Io(error),
+        other => failed(other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Body, Time};
+    use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel};
+
+    fn recorded<W: Write>(output: W) -> Result<W, RecordingError> {
+        let mut recorder = Rrd::new(output, true)?;
+        let id = recorder.add_camera(&RecordedCamera {
+            name: "left".to_owned(),
+            camera: Camera::new(
+                Intrinsics::from_hfov(ImageSize::new(4, 3), 1.2),
+                LensModel::Pinhole,
+            ),
+            body: Some(Body {
+                name: "OAK".to_owned(),
+                body_from_camera: RigidTransform::IDENTITY,
+            }),
+        })?;
+        let depth = Image::filled(4, 3, 1.5f32);
+        for frame in 0..3 {
+            let time = Time::of_frame(frame, 30.0)?;
+            let moment = Moment {
+                measured: Some(DepthView::Metres((&depth).into())),
+                measured_points: true,
+                ..Moment::new(time, RigidTransform::IDENTITY)
+            };
+            recorder.record(id, &moment)?;
+        }
+        recorder.finish()
+    }
+
+    #[test]
+    fn a_recording_is_one() {
+        let file = recorded(Vec::new()).unwrap();
+        assert!(file.starts_with(b"RRF2"));
+        let text = String::from_utf8_lossy(&file);
+        assert!(text.contains("/world/OAK/left/image/measured"));
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error() {
+        struct Full;
+        impl Write for Full {
+            fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+                Err(std::io::ErrorKind::StorageFull.into())
+            }
+            fn flush(&mut self) -> std::io::Result<()> {
+                Ok(())
+            }
+        }
+        assert!(matches!(recorded(Full), Err(RecordingError::Io(_))));
+    }
+}

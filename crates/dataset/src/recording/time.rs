@@ -1,0 +1,82 @@
+//! When something was.
+
+use super::RecordingError;
+
+/// Nanoseconds since the clock's beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Time {
+    nanoseconds: u64,
+}
+
+const SECOND: u64 = 1_000_000_000;
+
+/// The stamps of ROS 2 count seconds in 31 bits.
+const END_S: f64 = 2_147_483_648.0;
+
+impl Time {
+    /// Seconds, rounded to the nearest nanosecond.
+    ///
+    /// # Errors
+    /// Before the clock's beginning, or from 2³¹ s on, which no stamp of ROS can say.
+    pub fn from_seconds(seconds: f64) -> Result<Self, RecordingError> {
+        // False for a NaN.
+        let fits = (0.0..END_S).contains(&seconds);
+        if !fits {
+            return Err(RecordingError::Time { seconds });
+        }
+        let whole = seconds.floor();
+        let rest = ((seconds - whole) * 1e9).round();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "both are whole, and in their ranges"
+        )]
+        let nanoseconds = whole as u64 * SECOND + rest as u64;
+        Ok(Self {
+            nanoseconds: nanoseconds.min((1 << 31) * SECOND - 1),
+        })
+    }
+
+    /// The time of a frame, from 0 on, of a film of `rate` frames a second.
+    ///
+    /// # Errors
+    /// As [`from_seconds`](Self::from_seconds).
+    pub fn of_frame(frame: u64, rate: f64) -> Result<Self, RecordingError> {
+        #[expect(clippy::cast_precision_loss, reason = "there are fewer than 2^53 frames")]
+        let seconds = frame as f64 / rate;
+        Self::from_seconds(seconds)
+    }
+
+    /// Nanoseconds since the clock's beginning.
+    #[must_use]
+    pub fn nanoseconds(self) -> u64 {
+        self.nanoseconds
+    }
+
+    /// Whole seconds, and the nanoseconds after them.
+    pub(super) fn stamp(self) -> (i32, u32) {
+        let (seconds, rest) = (self.nanoseconds / SECOND, self.nanoseconds % SECOND);
+        (
+            i32::try_from(seconds).unwrap_or(i32::MAX),
+            u32::try_from(rest).unwrap_or(0),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seconds_are_rounded_to_nanoseconds() {
+        let stamp = |seconds| Time::from_seconds(seconds).map(Time::stamp).ok();
+        assert_eq!(stamp(0.0), Some((0, 0)));
+        assert_eq!(stamp(1.5), Some((1, 500_000_000)));
+        assert_eq!(stamp(0.999_999_999_9), Some((1, 0)));
+        assert_eq!(stamp(2_147_483_647.75), Some((i32::MAX, 750_000_000)));
+        for none in [-1e-9, f64::NAN, f64::INFINITY, 2_147_483_648.0] {
+            assert_eq!(stamp(none), None, "{none}");
+        }
+        assert_eq!(Time::of_frame(1, 30.0).unwrap().nanoseconds(), 33_333_333);
+    }
+}

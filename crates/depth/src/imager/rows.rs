@@ -1,0 +1,217 @@
+//! Row by row, from light to numbers.
+
+use oaktwin_camera::{Intrinsics, Usd};
+use oaktwin_image::ImageView;
+use rayon::prelude::*;
+
+use super::{Exposure, Parameters};
+use crate::random::Plane;
+use crate::simd::{self, Kernel, whole};
+
+/// Rows that a thread takes at a time.
+const ROWS: usize = 16;
+
+/// A recorded number.
+pub(super) trait Number: Copy + Default + Send {
+    /// Of a whole number that it can be.
+    fn of(value: i32) -> Self;
+}
+
+impl Number for u8 {
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    fn of(value: i32) -> Self {
+        value as Self
+    }
+}
+
+impl Number for u16 {
+    #[inline(always)]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 to 1023"
+    )]
+    fn of(value: i32) -> Self {
+        value as Self
+    }
+}
+
+/// How light falls off from the middle of an image.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Falloff {
+    /// The share of cos⁴.
+    share: f32,
+    per_pixel: [f32; 2],
+    centre: [f32; 2],
+}
+
+impl Falloff {
+    #[expect(clippy::cast_possible_truncation, reason = "a share, in single precision")]
+    pub(super) fn new(intrinsics: &Intrinsics, share: f64) -> Self {
+        let centre = intrinsics.principal_point::<Usd>();
+        Self {
+            share: share as f32,
+            per_pixel: [(1.0 / intrinsics.fx) as f32, (1.0 / intrinsics.fy) as f32],
+            centre: [centre.x as f32, centre.y as f32],
+        }
+    }
+
+    /// cos⁴ of the angle from the axis is 1/(1 + x² + y²)², (x, y) being the place on the plane z = 1.
+    #[inline(always)]
+    pub(super) fn at(&self, x: u32, y: u32) -> f32 {
+        let [x, y] = [(x, 0), (y, 1)].map(|(place, axis): (u32, usize)| {
+            (place.cast_signed() as f32 + 0.5 - self.centre[axis]) * self.per_pixel[axis]
+        });
+        let t = 1.0 + x * x + y * y;
+        1.0 - self.share * (1.0 - 1.0 / (t * t))
+    }
+}
+
+/// All that rows have in common.
+pub(super) struct Rows<'a> {
+    random: &'a Plane,
+    falloff: Falloff,
+    /// Electrons of light 1.
+    electrons: f32,
+    /// More than these change nothing.
+    most_electrons: f32,
+    read_variance: f32,
+    per_electron: f32,
+    largest: f32,
+    noise: bool,
+}
+
+impl<'a> Rows<'a> {
+    #[expect(clippy::cast_possible_truncation, reason = "in single precision")]
+    pub(super) fn new(
+        parameters: &Parameters,
+        intrinsics: &Intrinsics,
+        exposure: Exposure,
+        random: &'a Plane,
+    ) -> Self {
+        let full = parameters.full_well_e;
+        let largest = f32::from(parameters.bits.max());
+        Self {
+            random,
+            falloff: Falloff::new(intrinsics, parameters.vignetting),
+            electrons: (full * exposure.time) as f32,
+            most_electrons: (100.0 * full) as f32,
+            read_variance: (parameters.read_noise_e * parameters.read_noise_e) as f32,
+            per_electron: (f64::from(largest) * exposure.gain / full) as f32,
+            largest,
+            noise: parameters.noise,
+        }
+    }
+
+    pub(super) fn record<N: Number>(&self, light: ImageView<'_, f32>, out: &mut [N]) {
+        let width = (light.width() as usize).max(1);
+        let bands = out
+            .par_chunks_mut(width * ROWS)
+            .zip(light.pixels().par_chunks(width * ROWS));
+        bands.enumerate().for_each_init(
+            || vec![0.0; width],
+            |normals, (band, (out, light))| {
+                let rows = out.chunks_exact_mut(width).zip(light.chunks_exact(width));
+                for ((out, light), y) in rows.zip(band * ROWS..) {
+                    simd::run(Record {
+                        rows: self,
+                        y: u32::try_from(y).unwrap_or(u32::MAX),
+                        light,
+                        normals,
+                        out,
+                    });
+                }
+            },
+        );
+    }
+}
+
+struct Record<'a, N> {
+    rows: &'a Rows<'a>,
+    y: u32,
+    light: &'a [f32],
+    normals: &'a mut [f32],
+    out: &'a mut [N],
+}
+
+impl<N: Number> Kernel for Record<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self {
+            rows,
+            y,
+            light,
+            normals,
+            out,
+        } = self;
+        // Without noise they stay 0.
+        if rows.noise {
+            rows.random.normals_here(y, normals);
+        }
+        if rows.falloff.share > 0.0 {
+            record(rows, light, normals, out, |x| rows.falloff.at(x, y));
+        } else {
+            record(rows, light, normals, out, |_| 1.0);
+        }
+    }
+}
+
+#[inline(always)]
+fn record<N: Number>(
+    rows: &Rows<'_>,
+    light: &[f32],
+    normals: &[f32],
+    out: &mut [N],
+    falloff: impl Fn(u32) -> f32,
+) {
+    for (((out, &light), &normal), x) in out.iter_mut().zip(light).zip(normals).zip(0u32..) {
+        let electrons = light * rows.electrons * falloff(x);
+        let electrons = if electrons > 0.0 { electrons } else { 0.0 };
+        let electrons = electrons.min(rows.most_electrons);
+        let noisy = electrons + (electrons + rows.read_variance).sqrt() * normal;
+        let number = (noisy * rows.per_electron).max(0.0).min(rows.largest);
+        *out = N::of(whole(number + 0.5));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use oaktwin_camera::ImageSize;
+
+    use super::*;
+    use crate::random::{Stage, Stream};
+    use crate::simd::{Level, run_at};
+
+    #[test]
+    fn all_instructions_make_the_same() {
+        let parameters = Parameters {
+            vignetting: 0.6,
+            ..Parameters::default()
+        };
+        let intrinsics = Intrinsics::from_hfov(ImageSize::new(1283, 800), 1.3);
+        let random = Stream::new(1, "left").plane(Stage::Exposure, 2, 0);
+        let exposure = Exposure { time: 2.0, gain: 1.7 };
+        let rows = Rows::new(&parameters, &intrinsics, exposure, &random);
+        let light: Vec<f32> = (0..1283i16).map(|i| f32::from(i) / 1700.0).collect();
+        let with = |level| {
+            let mut out = vec![0u16; 1283];
+            run_at(
+                level,
+                Record {
+                    rows: &rows,
+                    y: 7,
+                    light: &light,
+                    normals: &mut vec![0.0; 1283],
+                    out: &mut out,
+                },
+            );
+            out
+        };
+        let baseline = with(Level::Baseline);
+        assert!(Level::available().iter().all(|&level| with(level) == baseline));
+        assert!(baseline.iter().any(|&number| number > 100));
+    }
+}

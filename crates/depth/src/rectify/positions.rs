@@ -1,0 +1,74 @@
+//! Where the pixels of a rectified image lie in the raw one.
+
+use oaktwin_camera::math::DMat3;
+use oaktwin_camera::{
+    Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvPinhole, PixelPoint, undistort_rectify_map,
+};
+
+use super::Method;
+
+/// Pixels between the nodes of a mesh (`StereoDepth`'s `meshStep`).
+const STEP: u32 = 16;
+
+/// `[x, y]` in the OpenCV convention for each pixel, row by row; NaN where a ray looks back.
+pub(super) fn positions(
+    camera: &Camera,
+    rectified_from_camera: DMat3,
+    rectified: &Intrinsics,
+    method: Method,
+) -> Vec<[f32; 2]> {
+    match method.for_camera(camera) {
+        Method::Auto | Method::Homography => {
+            let straight = Camera::new(camera.intrinsics, LensModel::Pinhole);
+            undistort_rectify_map(&straight, rectified_from_camera, rectified).collect()
+        }
+        Method::Mesh => mesh(camera, rectified_from_camera, rectified),
+        Method::Full => undistort_rectify_map(camera, rectified_from_camera, rectified).collect(),
+    }
+}
+
+fn mesh(camera: &Camera, rectified_from_camera: DMat3, rectified: &Intrinsics) -> Vec<[f32; 2]> {
+    let lens = match camera.lens {
+        LensModel::OpenCvPinhole(lens) => LensModel::OpenCvPinhole(first_eight(&lens)),
+        other => other,
+    };
+    let camera = Camera::new(camera.intrinsics, lens);
+    let size = rectified.size;
+    let nodes = ImageSize::new(size.width.div_ceil(STEP) + 1, size.height.div_ceil(STEP) + 1);
+    // A node is a pixel of an image that is so much smaller, with the first pixels' centres in one place.
+    let step = f64::from(STEP);
+    let centre = rectified.principal_point::<OpenCv>();
+    let coarse = Intrinsics::new(
+        nodes,
+        rectified.fx / step,
+        rectified.fy / step,
+        PixelPoint::<OpenCv>::new(centre.x / step, centre.y / step),
+    );
+    let at: Vec<[f32; 2]> = undistort_rectify_map(&camera, rectified_from_camera, &coarse).collect();
+    let node = |x: u32, y: u32| {
+        at.get(y as usize * nodes.width as usize + x as usize)
+            .copied()
+            .unwrap_or([f32::NAN; 2])
+    };
+    #[expect(clippy::cast_precision_loss, reason = "below 16")]
+    let part = |at: u32| (at % STEP) as f32 / STEP as f32;
+    (0..size.height)
+        .flat_map(|y| (0..size.width).map(move |x| (x, y)))
+        .map(|(x, y)| {
+            let (column, row) = (x / STEP, y / STEP);
+            let top = mixed(node(column, row), node(column + 1, row), part(x));
+            let bottom = mixed(node(column, row + 1), node(column + 1, row + 1), part(x));
+            mixed(top, bottom, part(y))
+        })
+        .collect()
+}
+
+fn first_eight(lens: &OpenCvPinhole) -> OpenCvPinhole {
+    let mut coefficients = lens.coefficients;
+    coefficients[8..].fill(0.0);
+    OpenCvPinhole { coefficients }
+}
+
+fn mixed(a: [f32; 2], b: [f32; 2], part: f32) -> [f32; 2] {
+    [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
+}

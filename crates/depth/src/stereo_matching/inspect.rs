@@ -1,0 +1,216 @@
+//! What is wrong with a pair, as far as the images show it.
+
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::pair::Pair;
+use super::parameters::Parameters;
+
+/// Columns and rows around a point that are compared.
+const WINDOW: [usize; 2] = [6, 3];
+
+/// Rows that a point is looked for above and below, px.
+const MOST_ROWS: usize = 16;
+
+/// Cells of a row and of a column of the image, each of which gives one point.
+const CELLS: [usize; 2] = [24, 14];
+
+/// Grey levels that a point's neighbours differ by, along and across, at least.
+const TEXTURE: u32 = 10;
+
+/// Fewer points say nothing.
+const FEWEST: usize = 12;
+
+/// A place is another if points differ this many times less there.
+const BETTER: f64 = 1.5;
+
+/// The share of pixels that may be as bright as can be.
+const SATURATED: f64 = 0.4;
+
+/// What about a pair, or about what is searched in it, makes depth wrong or none. Each finding is a warning:
+/// `range-beyond-image`, `saturated`, `no-texture`, `pair-swapped`, `vertical-offset`.
+#[must_use]
+pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
+    let warn =
+        |code, place: &str, message, remedy: &str| Finding::new(code, Level::Warning, place, message, remedy);
+    let mut findings = Vec::new();
+    let (width, height) = (pair.width() as usize, pair.height() as usize);
+    let last = parameters.max_disparity_px() as usize;
+    if last >= width {
+        findings.push(warn(
+            "range-beyond-image",
+            "disparity range",
+            format!("the search goes to {last} px, the images are {width} px wide"),
+            "give larger images, or a smaller disparityShift",
+        ));
+    }
+    let more = pair.left().bits() - 8;
+    let grey = [pair.left(), pair.right()].map(|image| {
+        let levels = image.levels().into_iter();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 bits")]
+        let levels: Vec<u8> = levels.map(|level| (level >> more) as u8).collect();
+        levels
+    });
+    for (name, grey) in ["left image", "right image"].into_iter().zip(&grey) {
+        let bright = grey.iter().filter(|&&level| level >= 254).count();
+        #[expect(clippy::cast_precision_loss, reason = "a share")]
+        let share = bright as f64 / grey.len().max(1) as f64;
+        if share > SATURATED {
+            findings.push(warn(
+                "saturated",
+                name,
+                format!("{:.0} % of its pixels are as bright as can be", share * 100.0),
+                "expose it shorter",
+            ));
+        }
+    }
+    let look = Look {
+        width,
+        height,
+        left: &grey[0],
+        right: &grey[1],
+        reach: last.min(width / 3),
+    };
+    let points = look.points();
+    if points.len() < FEWEST {
+        findings.push(warn(
+            "no-texture",
+            "left image",
+            format!(
+                "only {} places in it have a texture that can be matched",
+                points.len()
+            ),
+            "light it, switch the dot projector on, or look at something with a texture",
+        ));
+        return findings;
+    }
+    let (as_given, swapped) = (
+        look.difference(&points, 0, false),
+        look.difference(&points, 0, true),
+    );
+    let mut offsets: Vec<(f64, isize)> = Vec::new();
+    let most = MOST_ROWS.cast_signed();
+    for is_swapped in [false, true] {
+        offsets.extend((-most..=most).map(|rows| (look.difference(&points, rows, is_swapped), rows)));
+    }
+    let nearest = |a: &&(f64, isize), b: &&(f64, isize)| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs()));
+    let is_swapped = match offsets.split_at(2 * MOST_ROWS + 1) {
+        (given, other) => {
+            let least =
+                |offsets: &[(f64, isize)]| offsets.iter().min_by(nearest).map_or(f64::MAX, |best| best.0);
+            least(given) > BETTER * least(other).max(0.5)
+        }
+    };
+    if is_swapped {
+        findings.push(warn(
+            "pair-swapped",
+            "stereo pair",
+            "what is in the left image is farther right in the right one".to_owned(),
+            "swap the left and the right image",
+        ));
+    }
+    let start = if is_swapped { 2 * MOST_ROWS + 1 } else { 0 };
+    let own = offsets.get(start..start + 2 * MOST_ROWS + 1).unwrap_or_default();
+    if let Some(&(least, rows)) = own.iter().min_by(nearest) {
+        let level = if is_swapped { swapped } else { as_given };
+        if rows != 0 && level > BETTER * least.max(0.5) {
+            let to = if rows > 0 { "lower" } else { "higher" };
+            findings.push(warn(
+                "vertical-offset",
+                "stereo pair",
+                format!(
+                    "the right image has things about {} px {to} than the left",
+                    rows.abs()
+                ),
+                "rectify both with the calibration of this device",
+            ));
+        }
+    }
+    findings
+}
+
+struct Look<'a> {
+    width: usize,
+    height: usize,
+    left: &'a [u8],
+    right: &'a [u8],
+    /// Columns that a point is looked for sideways.
+    reach: usize,
+}
+
+impl Look<'_> {
+    fn at(&self, image: &[u8], x: usize, y: usize) -> u32 {
+        image.get(y * self.width + x).copied().unwrap_or_default().into()
+    }
+
+    /// The most textured place of each cell, where it has any.
+    fn points(&self) -> Vec<[usize; 2]> {
+        let [side, up] = [WINDOW[0] + 1, WINDOW[1] + 1];
+        let (left, top) = (self.reach + side, MOST_ROWS.min(self.height / 8) + up);
+        let mut points = Vec::new();
+        let (Some(columns), Some(rows)) = (
+            self.width.checked_sub(2 * left).filter(|&columns| columns > 0),
+            self.height.checked_sub(2 * top).filter(|&rows| rows > 0),
+        ) else {
+            return points;
+        };
+        let (cell_width, cell_height) = (columns.div_ceil(CELLS[0]), rows.div_ceil(CELLS[1]));
+        for y0 in (top..top + rows).step_by(cell_height) {
+            for x0 in (left..left + columns).step_by(cell_width) {
+                let mut best = (TEXTURE, None);
+                for y in y0..(y0 + cell_height).min(top + rows) {
+                    for x in x0..(x0 + cell_width).min(left + columns) {
+                        let along = self
+                            .at(self.left, x + 1, y)
+                            .abs_diff(self.at(self.left, x - 1, y));
+                        let across = self
+                            .at(self.left, x, y + 1)
+                            .abs_diff(self.at(self.left, x, y - 1));
+                        let texture = along.min(across);
+                        if texture > best.0 {
+                            best = (texture, Some([x, y]));
+                        }
+                    }
+                }
+                points.extend(best.1);
+            }
+        }
+        points
+    }
+
+    /// The mean grey levels by which points differ from where they fit best, so many rows below; to the left, or swapped
+    /// to the right.
+    fn difference(&self, points: &[[usize; 2]], rows: isize, is_swapped: bool) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for &[x, y] in points {
+            let Some(there) = y.checked_add_signed(rows) else {
+                continue;
+            };
+            if there < WINDOW[1] || there + WINDOW[1] >= self.height {
+                continue;
+            }
+            let least = (0..=self.reach).map(|d| {
+                let to = if is_swapped { x + d } else { x - d };
+                let mut total = 0;
+                for dy in 0..=2 * WINDOW[1] {
+                    let own = (y + dy - WINDOW[1]) * self.width + x - WINDOW[0];
+                    let other = (there + dy - WINDOW[1]) * self.width + to - WINDOW[0];
+                    let own = self.left.get(own..own + 2 * WINDOW[0] + 1).unwrap_or_default();
+                    let other = self
+                        .right
+                        .get(other..other + 2 * WINDOW[0] + 1)
+                        .unwrap_or_default();
+                    total += own
+                        .iter()
+                        .zip(other)
+                        .map(|(a, b)| u32::from(a.abs_diff(*b)))
+                        .sum::<u32>();
+                }
+                total
+            });
+            sum += f64::from(least.min().unwrap_or(0));
+            count += 1.0;
+        }
+        let area = (2.0 * 6.0 + 1.0) * (2.0 * 3.0 + 1.0);
+        if count > 0.0 { sum / count / area } else { f64::MAX }
+    }
+}

@@ -1,0 +1,291 @@
+//! Parameters by name, for command lines and presets.
+
+use std::fmt::Display;
+use std::str::FromStr;
+
+use oaktwin_diagnostic::{fold_name, nearest};
+
+use super::parameters::Parameters;
+use crate::ParameterError;
+use crate::choice::Choice;
+use crate::disparity::{DepthRounding, Subpixel};
+use crate::preset::Platform;
+
+/// One parameter: its name, how to read and to change it, and what it may be.
+struct Named {
+    name: &'static str,
+    get: fn(&Parameters) -> String,
+    set: fn(&mut Parameters, &str) -> Option<()>,
+    values: &'static str,
+}
+
+/// A parameter that is a field of a type that reads as text.
+macro_rules! field {
+    ($name:literal, $($field:ident).+, $values:literal) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$($field).+),
+            set: |p, value| put(&mut p.$($field).+, value),
+            values: $values,
+        }
+    };
+}
+
+/// A switch.
+macro_rules! flag {
+    ($name:literal, $($field:ident).+) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$($field).+),
+            set: |p, value| flag(value).map(|value| p.$($field).+ = value),
+            values: "give true or false",
+        }
+    };
+}
+
+/// One of a few names.
+macro_rules! named {
+    ($name:literal, $field:ident, $values:literal) => {
+        Named {
+            name: $name,
+            get: |p| p.$field.text().to_owned(),
+            set: |p, value| pick(value).map(|value| p.$field = value),
+            values: $values,
+        }
+    };
+}
+
+const TABLE: [Named; 43] = [
+    field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
+    field!("baseline", stereo.baseline_m, "give metres, 0.075"),
+    field!("width", width_px, "give whole pixels, 1280"),
+    Named {
+        name: "subpixel",
+        get: |p| text(&(p.subpixel != Subpixel::Off)),
+        set: |p, value| {
+            match (flag(value)?, p.subpixel) {
+                (false, _) => p.subpixel = Subpixel::Off,
+                (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
+                (true, _) => {}
+            }
+            Some(())
+        },
+        values: "give true or false",
+    },
+    Named {
+        name: "subpixelFractionalBits",
+        get: |p| text(&p.subpixel.bits()),
+        set: |p, value| {
+            p.subpixel = match value.parse().ok()? {
+                0 => Subpixel::Off,
+                3 => Subpixel::Bits3,
+                4 => Subpixel::Bits4,
+                5 => Subpixel::Bits5,
+                _ => return None,
+            };
+            Some(())
+        },
+        values: "give 0, 3, 4 or 5",
+    },
+    named!(
+        "subpixelInterpolation",
+        interpolation,
+        "give PARABOLA_5, PARABOLA or LINES"
+    ),
+    flag!("extendedDisparity", extended_disparity),
+    field!("disparityShift", disparity_shift_px, "give whole pixels"),
+    flag!("leftRightCheck", left_right_check),
+    field!(
+        "leftRightCheckThreshold",
+        left_right_check_threshold_px,
+        "give whole pixels, 0 to 128"
+    ),
+    field!(
+        "confidenceThreshold",
+        confidence_threshold,
+        "give a whole number, 0 (keep all) to 255"
+    ),
+    field!("numInvalidateEdgePixels", invalid_edge_px, "give whole pixels"),
+    named!(
+        "kernelSize",
+        kernel_size,
+        "give AUTO, KERNEL_5x5, KERNEL_7x7 or KERNEL_7x9"
+    ),
+    Named {
+        name: "kernelMask",
+        get: |p| format!("{:#X}", p.kernel_mask),
+        set: |p, value| {
+            let digits = value.strip_prefix("0x").or_else(|| value.strip_prefix("0X"));
+            p.kernel_mask = match digits {
+                Some(digits) => u64::from_str_radix(digits, 16).ok()?,
+                None => value.parse().ok()?,
+            };
+            Some(())
+        },
+        values: "give bits, 0xA82415, or 0 for DepthAI's choice",
+    },
+    flag!("enableMeanMode", mean_mode),
+    field!(
+        "censusTransform.threshold",
+        census_threshold,
+        "give whole grey levels"
+    ),
+    field!(
+        "noiseThresholdOffset",
+        noise_threshold_offset,
+        "give whole grey levels"
+    ),
+    field!(
+        "noiseThresholdScale",
+        noise_threshold_scale,
+        "give a whole number"
+    ),
+    named!(
+        "disparityWidth",
+        disparity_width,
+        "give DISPARITY_64 or DISPARITY_96"
+    ),
+    flag!("enableCompanding", companding),
+    field!("alpha", alpha, "give a whole number, 0 to 255"),
+    field!("beta", beta, "give a whole number, 0 to 255"),
+    field!(
+        "linearEquationParameters.threshold",
+        cost_threshold,
+        "give a whole number, 1 to 127"
+    ),
+    field!("divisionFactor", division_factor, "give a whole number, 1 to 255"),
+    Named {
+        name: "platform",
+        get: |p| p.platform.name().to_owned(),
+        set: |p, value| {
+            let known = [Platform::Rvc2, Platform::Rvc4];
+            p.platform = known.into_iter().find(|known| known.name() == value)?;
+            Some(())
+        },
+        values: "give RVC2 or RVC4",
+    },
+    field!("horizontalPenaltyCostP1", horizontal_p1, "give a whole number"),
+    field!("horizontalPenaltyCostP2", horizontal_p2, "give a whole number"),
+    field!("verticalPenaltyCostP1", vertical_p1, "give a whole number"),
+    field!("verticalPenaltyCostP2", vertical_p2, "give a whole number"),
+    field!("penaltyShift", penalty_shift, "give whole bits, 0 to 15"),
+    flag!("p1Config.enableAdaptive", p1.adaptive),
+    field!("p1Config.defaultValue", p1.default, "give a whole number"),
+    field!("p1Config.edgeValue", p1.edge, "give a whole number"),
+    field!("p1Config.smoothValue", p1.smooth, "give a whole number"),
+    flag!("p2Config.enableAdaptive", p2.adaptive),
+    field!("p2Config.defaultValue", p2.default, "give a whole number"),
+    field!("p2Config.edgeValue", p2.edge, "give a whole number"),
+    field!("p2Config.smoothValue", p2.smooth, "give a whole number"),
+    field!("edgeThreshold", edge_threshold, "give whole grey levels"),
+    field!("smoothThreshold", smooth_threshold, "give whole grey levels"),
+    field!("paths", paths, "give 3, 4, 5, 6 or 8"),
+    Named {
+        name: "depthRounding",
+        get: |p| {
+            match p.depth_rounding {
+                DepthRounding::Nearest => "nearest",
+                DepthRounding::Truncate => "truncate",
+            }
+            .to_owned()
+        },
+        set: |p, value| {
+            p.depth_rounding = match value {
+                "nearest" => DepthRounding::Nearest,
+                "truncate" => DepthRounding::Truncate,
+                _ => return None,
+            };
+            Some(())
+        },
+        values: "give nearest or truncate",
+    },
+    Named {
+        name: "confidenceThresholdV2",
+        get: |p| text(&p.confidence_threshold_v2()),
+        set: |p, value| {
+            p.set_confidence_threshold_v2(value.parse().ok()?);
+            Some(())
+        },
+        values: "give a whole number, 0 to 255 (keep all)",
+    },
+];
+
+/// The names of all parameters: `DepthAI`'s where it has one.
+pub const NAMES: [&str; TABLE.len()] = {
+    let mut names = [""; TABLE.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = TABLE[at].name;
+        at += 1;
+    }
+    names
+};
+
+impl Parameters {
+    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
+    ///
+    /// # Errors
+    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
+    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
+        let named = find(name)?;
+        let mut changed = *self;
+        (named.set)(&mut changed, value.trim()).ok_or_else(|| {
+            ParameterError::new(
+                named.name,
+                format!("`{value}` is none of its values"),
+                named.values,
+            )
+        })?;
+        // What was wrong before is not this value's fault.
+        match changed.check() {
+            Err(error) if error.name == named.name => Err(error),
+            _ => {
+                *self = changed;
+                Ok(())
+            }
+        }
+    }
+
+    /// One of [`NAMES`], as [`Parameters::set`] takes it.
+    ///
+    /// # Errors
+    /// No such name.
+    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
+        find(name).map(|named| (named.get)(self))
+    }
+}
+
+fn find(name: &str) -> Result<&'static Named, ParameterError> {
+    let folded = fold_name(name);
+    let found = TABLE.iter().find(|named| fold_name(named.name) == folded);
+    found.ok_or_else(|| {
+        let near = nearest(name, NAMES);
+        let remedy = if near.is_empty() {
+            format!("use one of {}", NAMES.join(", "))
+        } else {
+            format!("did you mean {}?", near.join(", "))
+        };
+        ParameterError::new(name, "stereo-matching has no such parameter", remedy)
+    })
+}
+
+fn text(value: &impl Display) -> String {
+    value.to_string()
+}
+
+fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
+    *field = value.parse().ok()?;
+    Some(())
+}
+
+fn pick<C: Choice>(value: &str) -> Option<C> {
+    C::CHOICES.iter().copied().find(|choice| choice.text() == value)
+}
+
+fn flag(value: &str) -> Option<bool> {
+    match value {
+        "true" | "1" => Some(true),
+        "false" | "0" => Some(false),
+        _ => None,
+    }
+}

@@ -1,0 +1,154 @@
+use oaktwin_image::{Image, ImageView};
+
+/// What a monochrome camera recorded.
+#[derive(Clone, Copy, Debug)]
+pub enum Luminance<'a> {
+    /// 0 to 255.
+    Bits8(ImageView<'a, u8>),
+    /// 0 to 1023; what is above counts as that.
+    Bits10(ImageView<'a, u16>),
+}
+
+impl<'a> From<ImageView<'a, u8>> for Luminance<'a> {
+    fn from(image: ImageView<'a, u8>) -> Self {
+        Self::Bits8(image)
+    }
+}
+
+impl<'a> From<ImageView<'a, u16>> for Luminance<'a> {
+    fn from(image: ImageView<'a, u16>) -> Self {
+        Self::Bits10(image)
+    }
+}
+
+impl Luminance<'_> {
+    /// Columns, px.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        match self {
+            Self::Bits8(image) => image.width(),
+            Self::Bits10(image) => image.width(),
+        }
+    }
+
+    /// Rows, px.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        match self {
+            Self::Bits8(image) => image.height(),
+            Self::Bits10(image) => image.height(),
+        }
+    }
+
+    /// Bits of a pixel.
+    #[must_use]
+    pub const fn bits(&self) -> u32 {
+        match self {
+            Self::Bits8(_) => 8,
+            Self::Bits10(_) => 10,
+        }
+    }
+
+    /// As grey sRGB of 8 bits.
+    pub(crate) fn picture(&self) -> Image<[u8; 4]> {
+        let more = self.bits() - 8;
+        let grey = self.levels().into_iter().map(|level| {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 bits")]
+            let level = (level >> more) as u8;
+            [level, level, level, 255]
+        });
+        let none = || Image::filled(0, 0, [0; 4]);
+        Image::new(self.width(), self.height(), grey.collect()).unwrap_or_else(none)
+    }
+
+    /// Its pixels, row by row.
+    pub(super) fn levels(&self) -> Vec<i16> {
+        match self {
+            Self::Bits8(image) => image.pixels().iter().map(|&level| level.into()).collect(),
+            #[expect(clippy::cast_possible_wrap, reason = "10 bits")]
+            Self::Bits10(image) => image
+                .pixels()
+                .iter()
+                .map(|&level| level.min(1023) as i16)
+                .collect(),
+        }
+    }
+}
+
+/// A rectified pair: a point of the scene is on one row of both, in the right image farther left.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<'a> {
+    left: Luminance<'a>,
+    right: Luminance<'a>,
+}
+
+/// Images that make no pair.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("stereo pair: {what}; {remedy}")]
+pub struct PairError {
+    /// What is wrong.
+    pub what: String,
+    /// What to do.
+    pub remedy: &'static str,
+}
+
+impl<'a> Pair<'a> {
+    /// Of the rectified left and right images.
+    ///
+    /// # Errors
+    /// Two sizes, two numbers of bits, or no pixels.
+    pub fn new(left: impl Into<Luminance<'a>>, right: impl Into<Luminance<'a>>) -> Result<Self, PairError> {
+        let (left, right) = (left.into(), right.into());
+        let error = |what, remedy| Err(PairError { what, remedy });
+        if (left.width(), left.height()) != (right.width(), right.height()) {
+            return error(
+                format!(
+                    "the left image is {}x{}, the right one {}x{}",
+                    left.width(),
+                    left.height(),
+                    right.width(),
+                    right.height()
+                ),
+                "rectify both into one size",
+            );
+        }
+        if left.bits() != right.bits() {
+            return error(
+                format!(
+                    "the left image has {} bits, the right one {}",
+                    left.bits(),
+                    right.bits()
+                ),
+                "give both with 8 bits or both with 10",
+            );
+        }
+        if left.width() == 0 || left.height() == 0 {
+            return error("its images have no pixels".to_owned(), "give images with pixels");
+        }
+        Ok(Self { left, right })
+    }
+
+    /// The left image, in whose pixels disparities are.
+    #[must_use]
+    pub fn left(&self) -> Luminance<'a> {
+        self.left
+    }
+
+    /// The right image.
+    #[must_use]
+    pub fn right(&self) -> Luminance<'a> {
+        self.right
+    }
+
+    /// Columns of each, px.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.left.width()
+    }
+
+    /// Rows of each, px.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.left.height()
+    }
+}

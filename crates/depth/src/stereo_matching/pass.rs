@@ -1,0 +1,120 @@
+//! One pass of the matcher over a pair.
+//!
+//! Two scans go over the rows, one downward and one upward, on two threads. They meet in the middle, each leaving sums
+//! behind; then each adds to what the other has left, and finishes those rows. Sums are the same in whatever order.
+
+use super::census::{Census, Source};
+use super::lanes::Lane;
+use super::plan::{Plan, Width};
+use super::scan::{Scan, View};
+use crate::simd::Level;
+
+/// Memory of a pass, kept for the next.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Workspace {
+    census: [Census; 2],
+    narrow: Scans<u8, u8>,
+    mixed: Scans<u8, u16>,
+    wide: Scans<u16, u16>,
+}
+
+#[derive(Clone, Debug)]
+struct Scans<P: Lane, S: Lane> {
+    down: Scan<P, S>,
+    up: Scan<P, S>,
+    /// Of each pixel, candidates innermost.
+    sums: Vec<S>,
+}
+
+impl<P: Lane, S: Lane> Default for Scans<P, S> {
+    fn default() -> Self {
+        Self {
+            down: Scan::default(),
+            up: Scan::default(),
+            sums: Vec::new(),
+        }
+    }
+}
+
+/// Matches a left and a right image of one size; fills all of `disparity`, steps from the shift or 0, and `confidence`.
+pub(super) fn run(
+    level: Level,
+    plan: &Plan,
+    images: [&Source<'_>; 2],
+    memory: &mut Workspace,
+    disparity: &mut [u16],
+    confidence: &mut [u8],
+) {
+    let [left, right] = &mut memory.census;
+    rayon::join(
+        || left.make(level, plan, images[0], false),
+        || right.make(level, plan, images[1], true),
+    );
+    let view = View {
+        level,
+        plan,
+        census: [left, right],
+        width: images[0].width,
+    };
+    let out = (disparity, confidence);
+    match (plan.width, plan.candidates) {
+        (Width::Narrow, 64) => memory.narrow.run::<64>(view, out),
+        (Width::Narrow, _) => memory.narrow.run::<96>(view, out),
+        (Width::Mixed, 64) => memory.mixed.run::<64>(view, out),
+        (Width::Mixed, _) => memory.mixed.run::<96>(view, out),
+        (Width::Wide, 64) => memory.wide.run::<64>(view, out),
+        (Width::Wide, _) => memory.wide.run::<96>(view, out),
+    }
+}
+
+impl<P: Lane, S: Lane> Scans<P, S> {
+    fn run<const D: usize>(&mut self, view: View<'_>, (disparity, confidence): (&mut [u16], &mut [u8])) {
+        let Self { down, up, sums } = self;
+        let width = view.width;
+        let (height, length) = (disparity.len() / width, width * D);
+        if sums.len() != height * length {
+            sums.clear();
+            sums.resize(height * length, S::default());
+        }
+        let middle = height / 2;
+        let (above, below) = sums.split_at_mut(middle * length);
+        rayon::join(
+            || {
+                down.begin(view);
+                for (y, sums) in above.chunks_exact_mut(length).enumerate() {
+                    down.row::<D>(view, y, false, sums, false);
+                }
+            },
+            || {
+                up.begin(view);
+                for (y, sums) in below.chunks_exact_mut(length).enumerate().rev() {
+                    up.row::<D>(view, middle + y, true, sums, false);
+                }
+            },
+        );
+        let (disparity_above, disparity_below) = disparity.split_at_mut(middle * width);
+        let (confidence_above, confidence_below) = confidence.split_at_mut(middle * width);
+        rayon::join(
+            || {
+                let rows = below
+                    .chunks_exact_mut(length)
+                    .zip(disparity_below.chunks_exact_mut(width))
+                    .zip(confidence_below.chunks_exact_mut(width));
+                for (y, ((sums, disparity), confidence)) in rows.enumerate() {
+                    down.row::<D>(view, middle + y, false, sums, true);
+                    down.finish::<D>(view, sums, disparity, confidence);
+                }
+            },
+            || {
+                let rows = above
+                    .chunks_exact_mut(length)
+                    .zip(disparity_above.chunks_exact_mut(width))
+                    .zip(confidence_above.chunks_exact_mut(width));
+                for (y, ((sums, disparity), confidence)) in rows.enumerate().rev() {
+                    up.row::<D>(view, y, true, sums, true);
+                    up.finish::<D>(view, sums, disparity, confidence);
+                }
+            },
+        );
+    }
+}

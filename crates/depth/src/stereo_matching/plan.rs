@@ -1,0 +1,250 @@
+//! What parameters mean for a pair of some size.
+
+use super::parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
+use crate::preset::Platform;
+
+/// Most candidates.
+pub(super) const MOST: usize = 96;
+
+/// Candidates at even steps of disparity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Zone {
+    /// Its first candidate.
+    pub(super) start: usize,
+    pub(super) count: usize,
+    /// The disparity of the first, px.
+    pub(super) first: usize,
+    /// px.
+    pub(super) step: usize,
+}
+
+/// How one pass is done.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub(super) zones: Vec<Zone>,
+    pub(super) candidates: usize,
+    /// Of each candidate, px.
+    pub(super) disparities: [u16; MOST],
+    pub(super) shift: u16,
+    /// Rows and columns of the census window, and its pixels that count, from its top left one.
+    pub(super) window: [usize; 2],
+    pub(super) pixels: Vec<[usize; 2]>,
+    pub(super) mean_mode: bool,
+    /// Grey levels of 8 bits.
+    pub(super) census_threshold: i32,
+    pub(super) census_scale: i32,
+    pub(super) alpha: u32,
+    pub(super) beta: u32,
+    pub(super) threshold: u32,
+    /// The cost of what would be matched beyond the image: what is there counts as a rather good match, better than a
+    /// wrong one, so that it is found, and found to be unseen.
+    pub(super) beyond: u8,
+    pub(super) penalties: Penalties,
+    /// Of the scan from above, and of the one from below.
+    pub(super) paths: [usize; 2],
+    pub(super) division: u8,
+    pub(super) width: Width,
+    pub(super) check: Option<u16>,
+    pub(super) confidence: u8,
+    pub(super) invalid_edge: usize,
+    pub(super) bits: u32,
+    pub(super) interpolation: Interpolation,
+}
+
+/// The penalties of paths.
+#[derive(Clone, Debug)]
+pub(super) enum Penalties {
+    /// Along the row, and from the row before.
+    Fixed([[u16; 2]; 2]),
+    /// By the difference of grey levels.
+    Adaptive(Box<[[u16; 2]; 256]>),
+}
+
+/// What costs and sums fit into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Width {
+    /// Costs and sums into 8 bits.
+    Narrow,
+    /// Costs into 8 bits, sums into 16.
+    Mixed,
+    /// Into 16 bits.
+    Wide,
+}
+
+/// `DepthAI`'s masks: every other pixel of every other row, row by row without the middle.
+const MASKS: [u64; 3] = [0xA8_2415, 0xAA02_A815_4055, 0x2AA0_0AA8_0554_0155];
+
+impl Plan {
+    /// For a pass over images `width` px wide.
+    pub(super) fn new(p: &Parameters, width: usize) -> Self {
+        let (window, mask) = match p.kernel_size {
+            CensusKernel::Auto | CensusKernel::Kernel5x5 => ([5, 5], MASKS[0]),
+            CensusKernel::Kernel7x7 => ([7, 7], MASKS[1]),
+            CensusKernel::Kernel7x9 => ([7, 9], MASKS[2]),
+        };
+        let mask = match p.kernel_mask {
+            0 if width > 640 => mask,
+            0 => u64::MAX,
+            own => own,
+        };
+        let pixels = pixels(window, mask);
+        let most = ((u32::from(p.alpha) * 255 + u32::from(p.beta) * 8 * counter(pixels.len())) >> 5)
+            .min(p.cost_threshold.into());
+        let penalties = match p.platform {
+            Platform::Rvc2 => {
+                let pair = |p1: u32, p2: u32| pair(p1 >> p.penalty_shift, p2 >> p.penalty_shift);
+                Penalties::Fixed([
+                    pair(p.horizontal_p1, p.horizontal_p2),
+                    pair(p.vertical_p1, p.vertical_p2),
+                ])
+            }
+            Platform::Rvc4 if p.p1.adaptive || p.p2.adaptive => {
+                let of = |penalty: &AdaptivePenalty, difference: u32| {
+                    if !penalty.adaptive {
+                        penalty.default
+                    } else if difference > p.edge_threshold {
+                        penalty.edge
+                    } else if difference < p.smooth_threshold {
+                        penalty.smooth
+                    } else {
+                        penalty.default
+                    }
+                };
+                let mut table = Box::new([[0; 2]; 256]);
+                for (difference, own) in (0..).zip(table.iter_mut()) {
+                    *own = pair(of(&p.p1, difference), of(&p.p2, difference));
+                }
+                Penalties::Adaptive(table)
+            }
+            Platform::Rvc4 => Penalties::Fixed([pair(p.p1.default, p.p2.default); 2]),
+        };
+        let paths = match p.paths {
+            3 => [2, 1],
+            4 => [2, 2],
+            5 => [4, 1],
+            6 => [4, 2],
+            _ => [4, 4],
+        };
+        let largest = most + penalties.largest();
+        let sum = largest * counter(paths[0] + paths[1]);
+        let zones = zones(p);
+        let mut disparities = [0; MOST];
+        for zone in &zones {
+            for k in 0..zone.count {
+                if let Some(own) = disparities.get_mut(zone.start + k) {
+                    *own = narrow(counter(zone.first + k * zone.step));
+                }
+            }
+        }
+        Self {
+            candidates: p.candidates() as usize,
+            zones,
+            disparities,
+            shift: narrow(p.disparity_shift_px),
+            window,
+            pixels,
+            mean_mode: p.mean_mode,
+            census_threshold: p.census_threshold.cast_signed() + p.noise_threshold_offset,
+            census_scale: p.noise_threshold_scale,
+            alpha: p.alpha.into(),
+            beta: p.beta.into(),
+            threshold: p.cost_threshold.into(),
+            #[expect(clippy::cast_possible_truncation, reason = "at most 127")]
+            beyond: (most / 4) as u8,
+            width: match (largest, sum) {
+                (_, ..=255) => Width::Narrow,
+                (..=255, _) => Width::Mixed,
+                _ => Width::Wide,
+            },
+            penalties,
+            paths,
+            division: p.division_factor.max(1),
+            check: p
+                .left_right_check
+                .then_some(narrow(p.left_right_check_threshold_px)),
+            confidence: p.confidence_threshold,
+            invalid_edge: p.invalid_edge_px as usize,
+            bits: p.subpixel.bits(),
+            interpolation: p.interpolation,
+        }
+    }
+
+    /// The largest disparity, px.
+    pub(super) fn last(&self) -> usize {
+        self.zones
+            .last()
+            .map_or(0, |zone| zone.first + (zone.count - 1) * zone.step)
+    }
+
+    /// Bytes of a pixel's census transform: those that there is a matcher for.
+    pub(super) fn planes(&self) -> usize {
+        match self.pixels.len().div_ceil(8) {
+            0 | 1 => 1,
+            2 => 2,
+            3 => 3,
+            4..=6 => 6,
+            _ => 8,
+        }
+    }
+}
+
+impl Penalties {
+    fn largest(&self) -> u32 {
+        let all = match self {
+            Self::Fixed(pairs) => pairs.as_slice(),
+            Self::Adaptive(table) => table.as_slice(),
+        };
+        all.iter().map(|pair| u32::from(pair[1])).max().unwrap_or(0)
+    }
+}
+
+/// The window's pixels that the mask has, from its top left one.
+fn pixels([rows, columns]: [usize; 2], mask: u64) -> Vec<[usize; 2]> {
+    let middle = rows * columns / 2;
+    let others = (0..rows * columns).filter(|&place| place != middle);
+    let last = rows * columns - 2;
+    others
+        .enumerate()
+        .filter(|(bit, _)| mask >> (last - bit) & 1 == 1)
+        .map(|(_, place)| [place / columns, place % columns])
+        .collect()
+}
+
+fn zones(p: &Parameters) -> Vec<Zone> {
+    let counts: &[usize] = match (p.disparity_width, p.companding) {
+        (DisparityWidth::Disparity96, false) => &[96],
+        (DisparityWidth::Disparity96, true) => &[48, 32, 16],
+        (DisparityWidth::Disparity64, false) => &[64],
+        (DisparityWidth::Disparity64, true) => &[32, 16, 16],
+    };
+    let (mut start, mut first, mut step) = (0, p.disparity_shift_px as usize, 1);
+    counts
+        .iter()
+        .map(|&count| {
+            let zone = Zone {
+                start,
+                count,
+                first,
+                step,
+            };
+            start += count;
+            first += count * step;
+            step *= 2;
+            zone
+        })
+        .collect()
+}
+
+/// A step of one is never dearer than any.
+fn pair(p1: u32, p2: u32) -> [u16; 2] {
+    [narrow(p1.min(p2)), narrow(p2)]
+}
+
+fn narrow(value: u32) -> u16 {
+    u16::try_from(value).unwrap_or(u16::MAX)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "small numbers")]
+fn counter(value: usize) -> u32 {
+    value as u32
+}

@@ -1,0 +1,151 @@
+//! Fractions of disparities, confidence, and what is lost.
+
+use super::parameters::Interpolation;
+use super::plan::Plan;
+use super::select::Found;
+use crate::simd::{self, Kernel, Level};
+
+/// No candidate of the right image.
+pub(super) const NONE: u16 = u16::MAX;
+
+/// Memory for a row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Refined {
+    /// Steps of disparity from the winner.
+    fractions: Vec<f32>,
+    /// The winning disparity of each right pixel, px, or [`NONE`].
+    pub(super) right: Vec<u16>,
+}
+
+/// A row's disparities, in steps from the shift, 0 for none; and its confidence.
+pub(super) fn row(
+    level: Level,
+    plan: &Plan,
+    found: &Found,
+    memory: &mut Refined,
+    disparity: &mut [u16],
+    confidence: &mut [u8],
+) {
+    let width = disparity.len();
+    memory.fractions.resize(width, 0.0);
+    let [a, b, c, d, e] = found.around.each_ref().map(Vec::as_slice);
+    simd::run_at(
+        level,
+        Fractions {
+            interpolation: plan.interpolation,
+            last: plan.candidates - 1,
+            best: &found.best,
+            around: [a, b, c, d, e],
+            second: &found.second,
+            fractions: &mut memory.fractions,
+            confidence,
+        },
+    );
+    let unit = f32::from(1u16 << plan.bits);
+    for x in 0..width {
+        let candidate = usize::from(found.best[x]);
+        let own = plan.disparities[candidate];
+        let Some(partner) = x.checked_sub(own.into()) else {
+            disparity[x] = 0;
+            continue;
+        };
+        let agrees = plan.check.is_none_or(|threshold| {
+            let other = memory.right.get(partner).copied().unwrap_or(NONE);
+            other != NONE && other.abs_diff(own) <= threshold
+        });
+        let fraction = memory.fractions[x];
+        // The step to the neighbour that the fraction goes to.
+        let toward = if fraction < 0.0 {
+            candidate.wrapping_sub(1)
+        } else {
+            candidate + 1
+        };
+        let neighbour = plan.disparities.get(toward).copied().unwrap_or(own);
+        let step = f32::from(neighbour.abs_diff(own).max(1));
+        let exact = (f32::from(own - plan.shift) + fraction * step) * unit;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates"
+        )]
+        let fixed = (exact + 0.5) as u16;
+        let is_kept = agrees && confidence[x] >= plan.confidence && x >= plan.invalid_edge;
+        disparity[x] = if is_kept { fixed } else { 0 };
+    }
+}
+
+struct Fractions<'a> {
+    interpolation: Interpolation,
+    last: usize,
+    best: &'a [u8],
+    around: [&'a [u16]; 5],
+    second: &'a [u16],
+    fractions: &'a mut [f32],
+    confidence: &'a mut [u8],
+}
+
+impl Kernel for Fractions<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        match self.interpolation {
+            Interpolation::Parabola => self.all(|[_, b, c, d, _], _| parabola(b, c, d)),
+            Interpolation::Lines => self.all(|[_, b, c, d, _], _| {
+                let (before, after) = (b - c, d - c);
+                let steeper = if before > after { before } else { after };
+                (b - d, 2.0 * steeper)
+            }),
+            Interpolation::Parabola5 => self.all(|[a, b, c, d, e], is_inside| {
+                let (slope, bend) = parabola(b, c, d);
+                let slope5 = 7.0 * (2.0 * (a - e) + (b - d));
+                let bend5 = 10.0 * (2.0 * (a + e - c) - b - d);
+                let is_five = is_inside & (bend5 > 0.0);
+                (
+                    if is_five { slope5 } else { slope },
+                    if is_five { bend5 } else { bend },
+                )
+            }),
+        }
+    }
+}
+
+#[inline(always)]
+fn parabola(before: f32, own: f32, after: f32) -> (f32, f32) {
+    (before - after, 2.0 * (before - 2.0 * own + after))
+}
+
+impl Fractions<'_> {
+    /// `vertex` makes of five sums, and whether all are of candidates, a fraction's two parts.
+    #[inline(always)]
+    fn all(self, vertex: impl Fn([f32; 5], bool) -> (f32, f32)) {
+        let width = self.fractions.len();
+        let [a, b, c, d, e] = self.around.map(|sums| sums.get(..width).unwrap_or_default());
+        let sums = a
+            .iter()
+            .zip(b)
+            .zip(c)
+            .zip(d)
+            .zip(e)
+            .zip(self.second)
+            .zip(self.best);
+        let out = self.fractions.iter_mut().zip(self.confidence);
+        #[expect(clippy::cast_possible_truncation, reason = "95")]
+        let last = self.last as u8;
+        for (((((((a, b), c), d), e), second), &best), (fraction, confidence)) in sums.zip(out) {
+            let [a, b, c, d, e] = [a, b, c, d, e].map(|&sum| f32::from(sum));
+            let (over, under) = vertex([a, b, c, d, e], (best >= 2) & (best + 2 <= last));
+            let is_vertex = (under > 0.0) & (best > 0) & (best < last);
+            let place = over / if is_vertex { under } else { 1.0 };
+            let place = if is_vertex { place } else { 0.0 };
+            let place = if place < 0.5 { place } else { 0.5 };
+            *fraction = if place > -0.5 { place } else { -0.5 };
+
+            let second = f32::from(*second);
+            let share = 255.0 * (second - c) / if second > 0.0 { second } else { 1.0 };
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+            let share = simd::whole(share) as u8;
+            *confidence = share;
+        }
+    }
+}

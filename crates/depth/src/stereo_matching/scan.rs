@@ -1,0 +1,217 @@
+//! A scan over the rows of an image, downward from left to right, or upward from right to left.
+
+use super::census::Census;
+use super::cost::{self, Stepped};
+use super::lanes::Lane;
+use super::paths::{FROM_ROW, Penalties, Row, Slots};
+use super::plan::{self, Plan};
+use super::refine::{self, NONE, Refined};
+use super::select::{Found, RightKeys, Select};
+use crate::simd::{self, Kernel, Level};
+
+/// What both scans look at.
+#[derive(Clone, Copy)]
+pub(super) struct View<'a> {
+    pub(super) level: Level,
+    pub(super) plan: &'a Plan,
+    /// Of the left image, and of the right one from right to left.
+    pub(super) census: [&'a Census; 2],
+    pub(super) width: usize,
+}
+
+/// Where a scan is, and its memory.
+#[derive(Clone, Debug)]
+pub(super) struct Scan<P: Lane, S: Lane> {
+    slots: [Slots<P>; FROM_ROW],
+    /// Rows that it has seen.
+    number: usize,
+    costs: Vec<u8>,
+    stepped: Stepped,
+    penalties: [Vec<[P; 2]>; 1 + FROM_ROW],
+    found: Found,
+    right: RightKeys<S::Key>,
+    refined: Refined,
+}
+
+impl<P: Lane, S: Lane> Default for Scan<P, S> {
+    fn default() -> Self {
+        Self {
+            slots: Default::default(),
+            number: 0,
+            costs: Vec::new(),
+            stepped: Stepped::default(),
+            penalties: Default::default(),
+            found: Found::default(),
+            right: RightKeys::default(),
+            refined: Refined::default(),
+        }
+    }
+}
+
+impl<P: Lane, S: Lane> Scan<P, S> {
+    /// Before the first row.
+    pub(super) fn begin(&mut self, view: View<'_>) {
+        let candidates = view.plan.candidates;
+        self.number = 0;
+        for slots in &mut self.slots {
+            slots.reset(view.width, candidates);
+        }
+        self.costs.resize(view.width * candidates, 0);
+        self.found.resize(view.width);
+    }
+
+    /// The next row's costs along paths, in `sums`, or added to them.
+    pub(super) fn row<const D: usize>(
+        &mut self,
+        view: View<'_>,
+        y: usize,
+        is_up: bool,
+        sums: &mut [S],
+        adds: bool,
+    ) {
+        cost::row(
+            view.level,
+            view.plan,
+            view.census,
+            y,
+            &mut self.stepped,
+            &mut self.costs,
+        );
+        self.set_penalties(view, y, is_up);
+        match view.plan.paths[usize::from(is_up)] {
+            1 => self.follow::<D, 1>(view.level, is_up, sums, adds),
+            2 => self.follow::<D, 2>(view.level, is_up, sums, adds),
+            _ => self.follow::<D, 4>(view.level, is_up, sums, adds),
+        }
+        self.number += 1;
+    }
+
+    fn follow<const D: usize, const PATHS: usize>(
+        &mut self,
+        level: Level,
+        is_up: bool,
+        sums: &mut [S],
+        adds: bool,
+    ) {
+        let penalties = self.penalties.each_ref().map(|pairs| Penalties { pairs });
+        let row = Row::<P, S, D, PATHS> {
+            costs: &self.costs,
+            sums,
+            slots: &mut self.slots,
+            number: self.number,
+            penalties,
+            is_mirrored: is_up,
+            adds,
+        };
+        simd::run_at(level, row);
+    }
+
+    /// Of each pixel in the order of the scan.
+    fn set_penalties(&mut self, view: View<'_>, y: usize, is_up: bool) {
+        let table = match &view.plan.penalties {
+            plan::Penalties::Fixed([along, from_row]) => {
+                let pairs = [along, from_row, from_row, from_row];
+                for (own, pair) in self.penalties.iter_mut().zip(pairs) {
+                    own.clear();
+                    own.push(pair.map(P::of));
+                }
+                return;
+            }
+            plan::Penalties::Adaptive(table) => table,
+        };
+        let before = match (self.number, is_up) {
+            (0, _) => y,
+            (_, true) => y + 1,
+            (_, false) => y - 1,
+        };
+        let [left, _] = view.census;
+        let (own, before) = (left.levels(y), left.levels(before));
+        let last = view.width - 1;
+        let of = |i: usize| if is_up { last - i } else { i };
+        let level = |row: &[u8], i: usize| row.get(of(i.min(last))).copied().unwrap_or_default();
+        for (path, pairs) in self.penalties.iter_mut().enumerate() {
+            pairs.clear();
+            pairs.extend((0..view.width).map(|i| {
+                let from = match path {
+                    0 => level(own, i.saturating_sub(1)),
+                    1 => level(before, i),
+                    2 => level(before, i.saturating_sub(1)),
+                    _ => level(before, i + 1),
+                };
+                let difference = usize::from(level(own, i).abs_diff(from));
+                table.get(difference).copied().unwrap_or_default().map(P::of)
+            }));
+        }
+    }
+
+    /// What all sums of a row say.
+    pub(super) fn finish<const D: usize>(
+        &mut self,
+        view: View<'_>,
+        sums: &mut [S],
+        disparity: &mut [u16],
+        confidence: &mut [u8],
+    ) {
+        let plan = view.plan;
+        if plan.division > 1 {
+            let by = f32::from(plan.division);
+            simd::run_at(view.level, Divide { sums: &mut *sums, by });
+        }
+        let right = plan.check.map(|_| {
+            self.right.reset(plan, view.width, S::LAST);
+            &mut self.right
+        });
+        simd::run_at(
+            view.level,
+            Select::<S, D> {
+                plan,
+                sums,
+                found: &mut self.found,
+                right,
+            },
+        );
+        if plan.check.is_some() {
+            let right = &mut self.refined.right;
+            right.resize(view.width, NONE);
+            self.right.read(plan, view.width, |x, key| {
+                let (_, candidate) = S::open(key);
+                let found = plan.disparities.get(usize::from(candidate));
+                if let Some(right) = right.get_mut(x) {
+                    *right = if key == S::LAST {
+                        NONE
+                    } else {
+                        found.copied().unwrap_or(NONE)
+                    };
+                }
+            });
+        }
+        refine::row(
+            view.level,
+            plan,
+            &self.found,
+            &mut self.refined,
+            disparity,
+            confidence,
+        );
+    }
+}
+
+/// Whole quotients: of 16 bits by 8, single precision is exact enough for them.
+struct Divide<'a, S> {
+    sums: &'a mut [S],
+    by: f32,
+}
+
+impl<S: Lane> Kernel for Divide<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for sum in self.sums {
+            let quotient = simd::whole(f32::from(sum.wide()) / self.by);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "16 bits")]
+            let quotient = quotient as u16;
+            *sum = S::of(quotient);
+        }
+    }
+}

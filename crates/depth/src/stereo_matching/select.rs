@@ -1,0 +1,175 @@
+//! The winner takes all: each pixel's candidate of the least sum, and each right pixel's.
+
+use super::lanes::Lane;
+use super::paths::{chunk, chunk_mut};
+use super::plan::{MOST, Plan, Zone};
+use crate::simd::Kernel;
+
+/// What is found in a row, for each pixel.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found {
+    /// The winning candidate.
+    pub(super) best: Vec<u8>,
+    /// The sums of the winner and of two candidates on each side; those beyond the range are not looked at.
+    pub(super) around: [Vec<u16>; 5],
+    /// The least sum of the others but those beside the winner.
+    pub(super) second: Vec<u16>,
+}
+
+impl Found {
+    pub(super) fn resize(&mut self, width: usize) {
+        self.best.resize(width, 0);
+        self.second.resize(width, 0);
+        for around in &mut self.around {
+            around.resize(width, 0);
+        }
+    }
+}
+
+/// The keys of a row of the right image: of each zone from right to left, in the zone's steps.
+#[derive(Clone, Debug)]
+pub(super) struct RightKeys<K> {
+    keys: Vec<K>,
+}
+
+impl<K> Default for RightKeys<K> {
+    fn default() -> Self {
+        Self { keys: Vec::new() }
+    }
+}
+
+/// Where a zone's keys are: its first, how many a phase has.
+fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = (&Zone, usize, usize)> {
+    zones.iter().scan(0, move |first, zone| {
+        let phase = (width + zone.first).div_ceil(zone.step) + zone.count;
+        let start = *first;
+        *first += phase * zone.step;
+        Some((zone, start, phase))
+    })
+}
+
+impl<K: Copy + Ord> RightKeys<K> {
+    pub(super) fn reset(&mut self, plan: &Plan, width: usize, last: K) {
+        let room = layout(&plan.zones, width).map(|(zone, start, phase)| start + phase * zone.step);
+        let room = room.last().unwrap_or(0);
+        self.keys.clear();
+        self.keys.resize(room, last);
+    }
+
+    /// Each right pixel's least key, from right to left.
+    pub(super) fn read(&self, plan: &Plan, width: usize, mut take: impl FnMut(usize, K)) {
+        if plan.zones.len() == 1 {
+            for (place, &key) in self.keys.iter().take(width).enumerate() {
+                take(width - 1 - place, key);
+            }
+            return;
+        }
+        for place in 0..width {
+            let keys = layout(&plan.zones, width).filter_map(|(zone, start, phase)| {
+                let own = start + place % zone.step * phase + place / zone.step;
+                self.keys.get(own).copied()
+            });
+            if let Some(least) = keys.min() {
+                take(width - 1 - place, least);
+            }
+        }
+    }
+}
+
+/// Those beside the winner at [`MOST`], and itself.
+const BESIDE: [u8; 2 * MOST + 1] = {
+    let mut mask = [0; 2 * MOST + 1];
+    mask[MOST - 1] = 255;
+    mask[MOST] = 255;
+    mask[MOST + 1] = 255;
+    mask
+};
+
+/// Finds the winners of a row.
+pub(super) struct Select<'a, S: Lane, const D: usize> {
+    pub(super) plan: &'a Plan,
+    pub(super) sums: &'a [S],
+    pub(super) found: &'a mut Found,
+    /// Where the directions are to be compared.
+    pub(super) right: Option<&'a mut RightKeys<S::Key>>,
+}
+
+/// Pixels so far apart meet no common pixel of the right image: what one has written is not read at once by the next.
+const APART: usize = 8;
+
+impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let width = self.sums.len() / D;
+        let Found { best, around, second } = self.found;
+        if best.len() < width || second.len() < width || around.iter().any(|row| row.len() < width) {
+            return;
+        }
+        let [a, b, c, d, e] = around;
+        let mut right = self.right.map(|right| right.keys.as_mut_slice());
+        let stride = width.div_ceil(APART).max(D + 1);
+        for start in 0..stride {
+            let mut x = start;
+            while x < width {
+                let Some(sums) = chunk::<S, D>(self.sums, x * D) else {
+                    return;
+                };
+                let mut keys = [S::LAST; D];
+                let mut least = S::LAST;
+                for k in 0..D {
+                    #[expect(clippy::cast_possible_truncation, reason = "at most 96")]
+                    let key = sums[k].key(k as u8);
+                    keys[k] = key;
+                    least = least.min(key);
+                }
+                let (_, winner) = S::open(least);
+                let mut other = S::MAX;
+                let winner_at = usize::from(winner);
+                let Some(beside) = chunk::<u8, D>(&BESIDE, MOST - winner_at.min(MOST)) else {
+                    return;
+                };
+                for k in 0..D {
+                    other = other.min(sums[k].masked(beside[k]));
+                }
+                let at = |k: usize| sums.get(k).copied().unwrap_or_default().wide();
+                best[x] = winner;
+                second[x] = other.wide();
+                a[x] = at(winner_at.wrapping_sub(2));
+                b[x] = at(winner_at.wrapping_sub(1));
+                c[x] = at(winner_at);
+                d[x] = at(winner_at + 1);
+                e[x] = at(winner_at + 2);
+                if let Some(right) = &mut right {
+                    if self.plan.zones.len() == 1 {
+                        let zone_first = self.plan.disparities[0];
+                        let place = width - 1 - x + usize::from(zone_first);
+                        if let Some(right) = chunk_mut::<S::Key, D>(right, place) {
+                            for k in 0..D {
+                                right[k] = right[k].min(keys[k]);
+                            }
+                        }
+                    } else {
+                        zoned(&self.plan.zones, width, x, &keys, right);
+                    }
+                }
+                x += stride;
+            }
+        }
+    }
+}
+
+/// As where there is one zone.
+#[inline(always)]
+fn zoned<K: Copy + Ord>(zones: &[Zone], width: usize, x: usize, keys: &[K], right: &mut [K]) {
+    for (zone, start, phase) in layout(zones, width) {
+        let place = width - 1 - x + zone.first;
+        let first = start + place % zone.step * phase + place / zone.step;
+        let own = keys.get(zone.start..zone.start + zone.count).unwrap_or_default();
+        let right = right.get_mut(first..first + zone.count).unwrap_or_default();
+        for (right, &key) in right.iter_mut().zip(own) {
+            *right = (*right).min(key);
+        }
+    }
+}

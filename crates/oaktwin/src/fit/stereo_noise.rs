@@ -1,0 +1,301 @@
+//! The systematic error of `stereo_noise`: d + β − a·sin(2π(d + β)), and where it is asked for the focal length, by which
+//! distances become disparities.
+//!
+//! What is made small is the error of depth times disparity: to first order that of disparity, in the pixels of the
+//! nominal focal length, so that no focal length makes it small by itself. A grid comes first, for the error repeats with
+//! every pixel; then least squares from its best places.
+
+use std::f64::consts::TAU;
+
+use super::least_squares::{Problem, Solution, derivatives, solve};
+
+/// A measured error at a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Point {
+    /// True depth, m.
+    pub(super) depth_m: f64,
+    /// How much too far, as a share of the depth.
+    pub(super) error: f64,
+    /// The standard error in disparity, px, where it is known.
+    pub(super) sigma_px: Option<f64>,
+}
+
+/// What is fitted to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Errors<'a> {
+    pub(super) points: &'a [Point],
+    /// Nominal disparity times depth, px·m.
+    pub(super) px_m: f64,
+    /// Whether the errors have lost their sign.
+    pub(super) is_absolute: bool,
+}
+
+/// What was found: bias, px; amplitude of pixel locking, px; focal length as a share of the nominal, if it was free.
+#[derive(Clone, Debug)]
+pub(super) struct Systematic {
+    pub(super) solution: Solution,
+    /// Whether the standard errors of the points were known.
+    pub(super) is_known: bool,
+    /// Another solution that is as good: its parameters.
+    pub(super) rival: Option<Vec<f64>>,
+}
+
+/// Focal lengths farther from the nominal are no lens' tolerance.
+const FOCAL_RANGE: f64 = 0.12;
+
+/// Grid: bias and amplitude, px.
+const GRID_PX: f64 = 0.025;
+const AMPLITUDES: u32 = 17;
+/// From so many px of deviation on, one is as bad as another to the grid.
+const WILD_PX: f64 = 0.6;
+
+/// From how many places of the grid the way goes down.
+const STARTS: usize = 8;
+
+impl Errors<'_> {
+    /// The error of depth under such parameters, as a share of it.
+    pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
+        let [bias, locking] = [parameters[0], parameters[1]];
+        let disparity = self.disparity(parameters, depth_m);
+        let measured = disparity + bias - locking * (TAU * (disparity + bias)).sin();
+        // What comes near 0 px is infinitely far, and no start for anything.
+        let error = disparity / measured.max(1e-3 * disparity) - 1.0;
+        if self.is_absolute { error.abs() } else { error }
+    }
+
+    /// Of a true depth, px.
+    fn disparity(&self, parameters: &[f64], depth_m: f64) -> f64 {
+        self.px_m * parameters.get(2).copied().unwrap_or(1.0) / depth_m
+    }
+
+    /// An error of depth in pixels of disparity: below 0 it is too far.
+    pub(super) fn in_px(&self, error: f64, depth_m: f64) -> f64 {
+        let px = -self.px_m / depth_m * error / (1.0 + error);
+        if self.is_absolute { px.abs() } else { px }
+    }
+
+    /// Half of the interval of 95 % of the curve at a depth, as a share of it; `None` where the parameters have none.
+    pub(super) fn half_width(&self, found: &Systematic, depth_m: f64) -> Option<f64> {
+        let p = &found.solution.parameters;
+        let slopes = derivatives(|p| self.error(p, depth_m), p);
+        let covariance = found.solution.covariance.as_ref()?;
+        let variance = covariance
+            .iter()
+            .zip(&slopes)
+            .flat_map(|(row, a)| row.iter().zip(&slopes).map(move |(c, b)| a * b * c))
+            .sum::<f64>();
+        Some(found.solution.factor(found.is_known) * variance.max(0.0).sqrt())
+    }
+
+    /// Fits bias and locking, and the focal length where it `is_free`; `None` without points.
+    pub(super) fn fit(&self, is_free: bool) -> Option<Systematic> {
+        let starts = self.starts(is_free);
+        let is_known = self.points.iter().all(|point| point.sigma_px.is_some());
+        let mut solutions: Vec<Solution> = starts.iter().map(|start| solve(self, start, is_known)).collect();
+        solutions.retain(|solution| {
+            solution.squares.is_finite() && solution.parameters.iter().all(|p| p.is_finite())
+        });
+        solutions.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+        let mut solutions = solutions.into_iter();
+        let best = solutions.next()?;
+        let scatter = best.squares / (best.freedom as f64).max(1.0);
+        let allowance = 4.0 * if is_known { scatter.max(1.0) } else { scatter };
+        let rival = solutions
+            .find(|other| {
+                let is_elsewhere = (other.parameters[0] - best.parameters[0]).abs() > 0.05
+                    || (other.parameters[1].abs() - best.parameters[1].abs()).abs() > 0.05;
+                is_elsewhere && other.squares <= best.squares + allowance
+            })
+            .map(|other| other.parameters);
+        Some(Systematic {
+            solution: best,
+            is_known,
+            rival,
+        })
+    }
+
+    /// The best places of a grid, best first, none next to another.
+    fn starts(&self, is_free: bool) -> Vec<Vec<f64>> {
+        let farthest_px = self
+            .points
+            .iter()
+            .map(|point| self.px_m / point.depth_m)
+            .fold(0.0, f64::max);
+        // A step moves the phase of the nearest point by a fifth of a turn.
+        let focal_step = 0.2 / farthest_px.max(1.0);
+        #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
+        let focal_steps = if is_free {
+            (FOCAL_RANGE / focal_step).min(400.0) as i32
+        } else {
+            0
+        };
+        let values: Vec<f64> = self
+            .points
+            .iter()
+            .map(|point| self.in_px(point.error, point.depth_m))
+            .collect();
+        let weights: Vec<f64> = self
+            .points
+            .iter()
+            .map(|point| point.sigma_px.map_or(1.0, |sigma| 1.0 / (sigma * sigma)))
+            .collect();
+        let weight = weights.iter().sum::<f64>();
+        let mean = values.iter().zip(&weights).map(|(v, w)| v * w).sum::<f64>() / weight;
+        let [low, high] = if self.is_absolute {
+            [-mean - 0.4, mean + 0.4]
+        } else {
+            [mean - 0.5, mean + 0.5]
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
+        let biases = ((high - low) / GRID_PX).clamp(1.0, 400.0) as u32;
+        let mut grid: Vec<(f64, Vec<f64>)> = Vec::new();
+        for i in -focal_steps..=focal_steps {
+            let focal = 1.0 + f64::from(i) * focal_step;
+            let phases: Vec<[f64; 2]> = self
+                .points
+                .iter()
+                .map(|point| {
+                    let (sine, cosine) = (TAU * self.px_m * focal / point.depth_m).sin_cos();
+                    [sine, cosine]
+                })
+                .collect();
+            let mut best: Vec<(f64, Vec<f64>)> = Vec::new();
+            for step in 0..=biases {
+                let bias = low + (high - low) * f64::from(step) / f64::from(biases);
+                let (turned_sine, turned_cosine) = (TAU * bias).sin_cos();
+                for amplitude in 0..AMPLITUDES {
+                    let amplitude = f64::from(amplitude) * GRID_PX;
+                    let mut cost = 0.0;
+                    for ((&[sine, cosine], value), w) in phases.iter().zip(&values).zip(&weights) {
+                        let locked = bias - amplitude * (sine * turned_cosine + cosine * turned_sine);
+                        let expected = if self.is_absolute { locked.abs() } else { locked };
+                        let off = (expected - value).abs().min(WILD_PX);
+                        cost += w * off * off;
+                    }
+                    let mut start = vec![bias, amplitude];
+                    if is_free {
+                        start.push(focal);
+                    }
+                    best.push((cost, start));
+                }
+            }
+            best.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut apart: Vec<(f64, Vec<f64>)> = Vec::new();
+            for one in best {
+                let is_near = |other: &(f64, Vec<f64>)| {
+                    (other.1[0] - one.1[0]).abs() < 4.5 * GRID_PX
+                        && (other.1[1] - one.1[1]).abs() < 4.5 * GRID_PX
+                };
+                if !apart.iter().any(is_near) {
+                    apart.push(one);
+                }
+                if apart.len() == if is_free { 2 } else { STARTS } {
+                    break;
+                }
+            }
+            grid.extend(apart);
+        }
+        grid.sort_by(|a, b| a.0.total_cmp(&b.0));
+        grid.truncate(STARTS);
+        grid.into_iter().map(|(_, start)| start).collect()
+    }
+}
+
+impl Problem for Errors<'_> {
+    fn points(&self) -> usize {
+        self.points.len()
+    }
+
+    fn deviation(&self, parameters: &[f64], i: usize) -> f64 {
+        let point = &self.points[i];
+        let own = if self.is_absolute {
+            point.error.abs()
+        } else {
+            point.error
+        };
+        let px = self.px_m / point.depth_m * (self.error(parameters, point.depth_m) - own);
+        px / point.sigma_px.unwrap_or(1.0)
+    }
+}
+
+impl Systematic {
+    /// How much bias and amplitude stand for one another, −1 to 1; `None` where they cannot be told apart at all.
+    pub(super) fn correlation(&self) -> Option<f64> {
+        let c = self.solution.covariance.as_ref()?;
+        Some(c[0][1] / (c[0][0] * c[1][1]).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PX_M: f64 = 60.0;
+
+    fn points(bias: f64, locking: f64, focal: f64, distances: &[f64]) -> Vec<Point> {
+        let errors = Errors {
+            points: &[],
+            px_m: PX_M,
+            is_absolute: false,
+        };
+        let point = |&depth_m: &f64| Point {
+            depth_m,
+            error: errors.error(&[bias, locking, focal], depth_m),
+            sigma_px: None,
+        };
+        distances.iter().map(point).collect()
+    }
+
+    fn distances() -> Vec<f64> {
+        (0..40).map(|i| 1.0 + 0.21 * f64::from(i)).collect()
+    }
+
+    #[test]
+    fn what_was_put_in_is_found_with_and_without_a_sign() {
+        for (bias, locking) in [(-0.22, 0.13), (0.0, 0.2), (0.31, 0.05), (-0.7, 0.1)] {
+            for (is_absolute, focal) in [(false, 1.0), (true, 1.0), (false, 1.013), (true, 0.987)] {
+                let mut points = points(bias, locking, focal, &distances());
+                for point in &mut points {
+                    point.error = if is_absolute {
+                        point.error.abs()
+                    } else {
+                        point.error
+                    };
+                }
+                let errors = Errors {
+                    points: &points,
+                    px_m: PX_M,
+                    is_absolute,
+                };
+                let found = errors.fit(focal != 1.0).unwrap();
+                let p = &found.solution.parameters;
+                assert!(
+                    (p[0] - bias).abs() < 1e-3,
+                    "{bias} {locking} {is_absolute} {focal}: {p:?}"
+                );
+                assert!((p[1] - locking).abs() < 1e-3, "{p:?}");
+                assert!((p.get(2).copied().unwrap_or(1.0) - focal).abs() < 1e-4, "{p:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_distance_tells_nothing_apart() {
+        let points = points(-0.2, 0.1, 1.0, &[2.0, 2.0, 2.0]);
+        let errors = Errors {
+            points: &points,
+            px_m: PX_M,
+            is_absolute: false,
+        };
+        let found = errors.fit(false).unwrap();
+        assert!(
+            found.correlation().is_none_or(|c| c.abs() > 0.99) || found.rival.is_some(),
+            "{found:?}"
+        );
+        let none = Errors {
+            points: &[],
+            ..errors
+        };
+        assert!(none.fit(false).is_none());
+    }
+}

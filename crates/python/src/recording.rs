@@ -1,0 +1,262 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use oaktwin::camera;
+use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::image::ImageView;
+use oaktwin::recording::{
+    CameraId, DepthView, Format, Moment, RecordedCamera, RecordingFile, RecordingFileError, Time,
+};
+use oaktwin::scene::Up;
+use pyo3::prelude::*;
+
+use crate::camera::Camera;
+use crate::choice::choose;
+use crate::error::{error, writing, wrong};
+use crate::finding;
+use crate::images::{Depth, DepthSlice, Pictures, Shape};
+use crate::pose::one_pose;
+
+/// A recording of cameras that move: `with oaktwin.Recording("path.mcap") as recording: recording.log(...)`.
+///
+/// An .mcap holds ROS 2's messages: of each camera NAME the topics /NAME/rgb, /NAME/depth, /NAME/measured (sensor_msgs/Image:
+/// rgb8, 32FC1 metres or 16UC1 millimetres), /NAME/camera_info, /NAME/depth_points or /NAME/measured_points
+/// (sensor_msgs/PointCloud2), and where it stands on /tf and /tf_static: world, NAME (x forward, y left, z up),
+/// NAME_optical_frame (x right, y down, z forward), in which images and clouds are. Depth that is none is NaN (0 in
+/// millimetres), exact depth of nothing in reach inf (REP-117, REP-118). The same calls give the same bytes.
+///
+/// An .rrd is for Rerun, where the package was built with the feature `rerun`.
+///
+/// path: the file, .mcap or .rrd. It is there once the recording is closed: not while it is written, nor if the `with`
+///     block ends in an exception, or the object is dropped.
+/// up: which axis of the world points up, "z" (default) or "y"; .mcap does not say it.
+///
+/// Raises oaktwin.Error for another extension, OSError for a file that cannot be written. Safe to use from many threads.
+#[pyclass(frozen, module = "oaktwin")]
+pub(crate) struct Recording {
+    path: PathBuf,
+    format: Format,
+    state: Mutex<Option<State>>,
+}
+
+struct State {
+    file: RecordingFile,
+    /// By name.
+    cameras: BTreeMap<String, (CameraId, camera::Camera)>,
+    moments: usize,
+}
+
+#[pymethods]
+impl Recording {
+    #[new]
+    #[pyo3(signature = (path, *, up = "z"))]
+    fn new(py: Python<'_>, path: PathBuf, up: &str) -> PyResult<Self> {
+        let up = choose("up", up, &[("y", Up::Y), ("z", Up::Z)])?;
+        let format = Format::of(&path).map_err(error)?;
+        let file = py
+            .detach(|| RecordingFile::create(&path, up))
+            .map_err(|error| writing(&path, &error))?;
+        Ok(Self {
+            path,
+            format,
+            state: Mutex::new(Some(State {
+                file,
+                cameras: BTreeMap::new(),
+                moments: 0,
+            })),
+        })
+    }
+
+    /// Records what a camera sees from where it stands.
+    ///
+    /// camera: the images' camera; it stays the same of one name.
+    /// world_from_camera: (4, 4), its axes OpenCV's, metres.
+    /// time: seconds from 0 to 2^31; by default frame / 30.
+    /// frame: the number of the frame, where there is no time.
+    /// depth: exact depth, (H, W) float32 metres or uint16 millimetres.
+    /// measured: what the sensor reports of it, likewise.
+    /// rgb: the picture, (H, W, 3) or (H, W, 4) uint8, sRGB.
+    /// points: whether there is a cloud too: of what is measured, else of the exact depth.
+    /// name: what the camera is called; by default its own name. Other characters than letters, digits and _ become _.
+    ///
+    /// Raises oaktwin.Error for images of another size than the camera's, a camera that is not the one of its name, a time
+    /// that is none, a recording that is closed; OSError where the file cannot be written.
+    #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = 0, depth = None, measured = None, rgb = None,
+        points = true, name = None))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    fn log(
+        &self,
+        py: Python<'_>,
+        camera: &Camera,
+        world_from_camera: &Bound<'_, PyAny>,
+        time: Option<f64>,
+        frame: u64,
+        depth: Option<Bound<'_, PyAny>>,
+        measured: Option<Bound<'_, PyAny>>,
+        rgb: Option<Bound<'_, PyAny>>,
+        points: bool,
+        name: Option<String>,
+    ) -> PyResult<()> {
+        py.check_signals()?;
+        let world_from_mount = one_pose("world_from_camera", world_from_camera)?;
+        let time = match time {
+            Some(seconds) => Time::from_seconds(seconds),
+            None => Time::of_frame(frame, 30.0),
+        };
+        let time = time.map_err(error)?;
+        let depth = depth.map(|depth| image("depth", &depth, camera)).transpose()?;
+        let measured = measured
+            .map(|depth| image("measured", &depth, camera))
+            .transpose()?;
+        let shape = Shape {
+            batch: None,
+            size: camera.camera.intrinsics.size,
+        };
+        let rgb = rgb.map(|rgb| Pictures::read(&rgb, shape)).transpose()?;
+        let rgb = rgb.as_ref().map(Pictures::rgba).transpose()?;
+        let moment = Moment {
+            rgb: rgb
+                .as_deref()
+                .and_then(|pixels| ImageView::new(shape.size.width, shape.size.height, pixels)),
+            depth: depth.as_ref().map(|depth| view(depth, shape)).transpose()?,
+            measured: measured.as_ref().map(|depth| view(depth, shape)).transpose()?,
+            depth_points: points && measured.is_none(),
+            measured_points: points,
+            ..Moment::new(time, world_from_mount)
+        };
+        let name = name.unwrap_or_else(|| camera.name.clone());
+        let is_new = py.detach(|| self.record(camera, name.clone(), &moment))?;
+        let loss = self.format.lens_loss(&camera.camera.lens).filter(|_| is_new);
+        let finding = loss.map(|loss| Finding::new("lens-not-recorded", Level::Warning, name, loss, ""));
+        finding::warn(py, finding.as_slice())
+    }
+
+    /// Writes what is left and gives the file its name. Without effect on a recording that is closed.
+    ///
+    /// Raises OSError where the file cannot be written.
+    fn close(&self, py: Python<'_>) -> PyResult<()> {
+        let finished = py.detach(|| self.take().map(|state| state.file.finish()));
+        match finished {
+            Some(Err(error)) => Err(self.exception(&error)),
+            Some(Ok(_)) | None => Ok(()),
+        }
+    }
+
+    /// The file.
+    #[getter]
+    fn path(&self) -> PathBuf {
+        self.path.clone()
+    }
+
+    fn __enter__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    /// Closes the recording, or drops it where an exception ends the block.
+    #[pyo3(signature = (kind, value, traceback, /))]
+    fn __exit__(
+        &self,
+        py: Python<'_>,
+        kind: Option<&Bound<'_, PyAny>>,
+        value: Option<&Bound<'_, PyAny>>,
+        traceback: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let _ = (value, traceback);
+        if kind.is_none() {
+            return self.close(py);
+        }
+        py.detach(|| drop(self.take()));
+        Ok(())
+    }
+
+    fn __repr__(&self) -> String {
+        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let path = self.path.display();
+        match &*state {
+            None => format!("<oaktwin.Recording {path}: closed>"),
+            Some(state) => format!(
+                "<oaktwin.Recording {path}: {} cameras, {} images logged>",
+                state.cameras.len(),
+                state.moments
+            ),
+        }
+    }
+}
+
+impl Recording {
+    fn take(&self) -> Option<State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    fn exception(&self, error: &RecordingFileError) -> PyErr {
+        match error {
+            RecordingFileError::File(error) => writing(&self.path, error),
+            error @ RecordingFileError::Recording { .. } => crate::error::error(error),
+        }
+    }
+
+    /// Whether the camera was seen for the first time.
+    fn record(&self, camera: &Camera, name: String, moment: &Moment<'_>) -> PyResult<bool> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(state) = &mut *state else {
+            return Err(wrong(self.path.display(), "is closed", "begin another recording"));
+        };
+        let (id, is_new) = match state.cameras.get(&name) {
+            Some((id, known)) if *known == camera.camera => (*id, false),
+            Some(_) => {
+                return Err(wrong(
+                    name,
+                    "is another camera in this recording",
+                    "give each camera a name of its own",
+                ));
+            }
+            None => {
+                let recorded = RecordedCamera {
+                    name: name.clone(),
+                    camera: camera.camera,
+                    body: None,
+                };
+                let id = state
+                    .file
+                    .add_camera(&recorded)
+                    .map_err(|error| self.exception(&error))?;
+                state.cameras.insert(name, (id, camera.camera));
+                (id, true)
+            }
+        };
+        state
+            .file
+            .record(id, moment)
+            .map_err(|error| self.exception(&error))?;
+        state.moments += 1;
+        Ok(is_new)
+    }
+}
+
+/// One image, of the camera's size.
+fn image<'py>(name: &str, object: &Bound<'py, PyAny>, camera: &Camera) -> PyResult<Depth<'py>> {
+    let (depth, shape) = Depth::read(name, object)?;
+    let size = camera.camera.intrinsics.size;
+    if shape.batch.is_some() || shape.size != size {
+        let is = format!("has shape {:?}", shape.dims());
+        let remedy = format!("give one image of the camera, ({}, {})", size.height, size.width);
+        return Err(wrong(name, is, remedy));
+    }
+    Ok(depth)
+}
+
+fn view<'a>(depth: &'a Depth<'_>, shape: Shape) -> PyResult<DepthView<'a>> {
+    let (width, height) = (shape.size.width, shape.size.height);
+    let view = match depth.slice()? {
+        DepthSlice::Metres(pixels) => ImageView::new(width, height, pixels).map(DepthView::Metres),
+        DepthSlice::Millimetres(pixels) => ImageView::new(width, height, pixels).map(DepthView::Millimetres),
+    };
+    view.ok_or_else(|| {
+        wrong(
+            "depth",
+            "is not the camera's",
+            "give an image of the camera's size",
+        )
+    })
+}

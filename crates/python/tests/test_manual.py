@@ -1,0 +1,130 @@
+"""The manual says what it should, and its build finds what is wrong with it."""
+
+import importlib.util
+import inspect
+
+import pytest
+
+import oaktwin
+from conftest import ROOT
+
+pytest.importorskip("pdoc")
+
+
+@pytest.fixture
+def manual(tmp_path, monkeypatch):
+    """The build of a manual of one example."""
+    spec = importlib.util.spec_from_file_location("build_manual", ROOT / "docs/python/build.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    pages, examples = tmp_path / "docs/python", tmp_path / "examples/python"
+    pages.mkdir(parents=True)
+    examples.mkdir(parents=True)
+    (pages / "index.md").write_text("# Start\n")
+    (pages / "one.md").write_text("# One\n\n[it](../../examples/python/one.py) ![p](one.png)\n\n```\n[no](link.md)\n```\n")
+    (pages / "one.png").write_bytes(b"\x89PNG")
+    (examples / "one.py").write_text("print(1)\n")
+    for name, value in {"HERE": pages, "ROOT": tmp_path, "EXAMPLES": examples}.items():
+        monkeypatch.setattr(module, name, value)
+    return module
+
+
+def mistakes(manual, folder):
+    found = []
+    folder.mkdir()
+    manual.write_pages(folder, found)
+    return found
+
+
+def test_a_good_one(manual, tmp_path):
+    assert mistakes(manual, tmp_path / "made") == []
+    text = (tmp_path / "made/examples/one.py").read_text()
+    assert "[it](#the-whole-example)" in text and "print(1)" in text and "[no](link.md)" in text
+    assert "[One](examples/one.html)" in (tmp_path / "made/examples/__init__.py").read_text()
+
+
+@pytest.mark.parametrize(
+    "change, said",
+    [
+        (lambda pages, examples: (pages / "one.png").unlink(), "docs/python/one.md: one.png: the picture is missing"),
+        (lambda pages, examples: (examples / "one.py").unlink(), "there is no examples/python/one.py"),
+        (lambda pages, examples: (examples / "two.py").write_text(""), "examples/python/two.py: has no page"),
+        (lambda pages, examples: (pages / "one.md").write_text("[a](../gone.md)"), "../gone.md: there is no such file"),
+    ],
+)
+def test_mistakes(manual, tmp_path, change, said):
+    change(manual.HERE, manual.EXAMPLES)
+    assert any(said in mistake for mistake in mistakes(manual, tmp_path / "made"))
+
+
+def test_links(manual, tmp_path):
+    site = tmp_path / "site"
+    site.mkdir()
+    (site / "a.html").write_text('<p id="here"><a href="#here"></a><a href="b.html#x"></a><a href="https://a.b/c"></a>')
+    (site / "b.html").write_text('<p id="x"><a href="a.html">')
+    found = []
+    manual.check_links(site, found)
+    assert found == []
+    (site / "b.html").write_text('<img src="c.png"><a href="a.html#there">')
+    manual.check_links(site, found)
+    assert [mistake.split(": ")[1] for mistake in found] == [
+        "the link b.html#x leads nowhere", "the link c.png leads nowhere", "the link a.html#there leads nowhere"
+    ]
+
+
+def public():
+    """Everything that a user calls or reads, by name."""
+    for module in [oaktwin, oaktwin.filters]:
+        for name in module.__all__:
+            item = getattr(module, name)
+            if name in ["__version__", "filters"]:
+                continue
+            yield f"{module.__name__}.{name}", item
+            if inspect.isclass(item) and not issubclass(item, Exception):
+                for member in vars(item):
+                    if not member.startswith("_"):
+                        yield f"{module.__name__}.{name}.{member}", getattr(item, member)
+
+
+@pytest.mark.parametrize("name, item", list(public()), ids=lambda value: value if isinstance(value, str) else "")
+def test_everything_is_documented(name, item):
+    text = inspect.getdoc(item)
+    if name.startswith("oaktwin.Finding."):
+        # Said at the class.
+        text = inspect.getdoc(oaktwin.Finding)
+        assert f"{name.rpartition('.')[2]}: " in text
+    assert text and len(text) > 15
+    try:
+        arguments = inspect.signature(getattr(item, "__func__", item)).parameters
+    except (TypeError, ValueError):
+        return
+    whole = text + (inspect.getdoc(oaktwin.filters) if name.startswith("oaktwin.filters") else "")
+    if name == "oaktwin.accuracy":
+        # "The others are those of `DepthSensor`."
+        whole += inspect.getdoc(oaktwin.DepthSensor)
+    unsaid = [one for one in arguments if one not in ("self", "args", "kwargs") and one not in whole]
+    assert not unsaid, f"{name} does not say what {unsaid} is"
+
+
+# What gives or takes arrays says their shape, and what they hold where there is nothing.
+@pytest.mark.parametrize("name", ["DepthSensor", "Filter", "align", "DepthSensor.align", "DepthSensor.annotate", "Scene.render"])
+def test_shapes_and_invalid_values_are_said(name):
+    item = oaktwin
+    for part in name.split("."):
+        item = getattr(item, part)
+    text = " ".join(inspect.getdoc(item).split())
+    assert "(H, W" in text and ("metres" in text) and ("0 where" in text or "0 is no" in text or "0 for" in text)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["Camera", "Camera.cropped", "Camera.resized", "Device", "Device.extrinsics", "Device.from_calibration", "Device.rectification",
+     "Device.write_usd", "DepthSensor", "DepthSensor.annotate", "Filter", "Rectification", "Scene.open", "Scene.from_triangles",
+     "Scene.render", "accuracy", "align", "look_at", "models", "DepthSensor.align", "filters"],
+)
+def test_errors_are_said(name):
+    item = oaktwin
+    for part in name.split("."):
+        item = getattr(item, part)
+    text = inspect.getdoc(item)
+    assert "aise" in text and "oaktwin.Error" in text

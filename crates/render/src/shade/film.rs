@@ -1,0 +1,59 @@
+//! What light leaves in an image.
+
+use glam::Vec3;
+use oaktwin_image::Image;
+use rayon::prelude::*;
+
+use super::tone::{Encoder, tone};
+use crate::Visibility;
+
+/// How an image keeps light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Film {
+    /// By the tone curve, for people.
+    Tones,
+    /// As it is, for sensors.
+    Linear,
+}
+
+impl Film {
+    /// What becomes of exposed radiance.
+    #[inline]
+    pub(super) fn exposed(self, radiance: Vec3) -> Vec3 {
+        match self {
+            Self::Tones => toned(radiance),
+            // Also of a NaN.
+            Self::Linear => radiance.max(Vec3::ZERO),
+        }
+    }
+
+    /// As people see what is on it.
+    #[inline]
+    pub(super) fn srgb(self, color: Vec3) -> [u8; 3] {
+        let color = match self {
+            Self::Tones => color,
+            Self::Linear => toned(color),
+        };
+        let encoder = Encoder::new();
+        color.to_array().map(|value| encoder.srgb(value))
+    }
+}
+
+fn toned(radiance: Vec3) -> Vec3 {
+    Vec3::from(radiance.to_array().map(tone))
+}
+
+/// In sRGB, with coverage: 255, or 0 for a miss.
+pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility) -> Image<[u8; 4]> {
+    let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
+    rgb.pixels_mut()
+        .par_iter_mut()
+        .with_min_len(4096)
+        .zip(colors.pixels())
+        .zip(seen.hits.pixels())
+        .for_each(|((pixel, color), hit)| {
+            let [r, g, b] = film.srgb(Vec3::from(*color));
+            *pixel = [r, g, b, if hit.is_miss() { 0 } else { 255 }];
+        });
+    rgb
+}

@@ -1,0 +1,75 @@
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use oaktwin_camera::StereoGeometry;
+use oaktwin_depth::preset::Platform;
+use oaktwin_depth::stereo_matching::{Pair, Parameters, StereoMatching, inspect};
+use oaktwin_image::{Image, ImageView, npy};
+use serde_json::{Value, json};
+
+use crate::files;
+
+#[derive(serde::Deserialize)]
+pub(crate) struct Request {
+    /// 8 or 16 bits.
+    left: PathBuf,
+    right: PathBuf,
+    /// Of the images that the focal length is for.
+    width: u32,
+    #[serde(default)]
+    set: BTreeMap<String, String>,
+    /// Where the disparity and the confidence go.
+    disparity: PathBuf,
+    confidence: PathBuf,
+}
+
+impl Request {
+    pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
+        let stereo = StereoGeometry {
+            focal_length_px: 800.0,
+            baseline_m: 0.075,
+        };
+        let mut parameters = Parameters::new(Platform::Rvc2, stereo, self.width);
+        for (name, value) in &self.set {
+            parameters.set(name, value)?;
+        }
+        let engine = StereoMatching::new(parameters)?;
+        let [left, right] = [&self.left, &self.right].map(|path| decode(path));
+        let (left, right) = (left?, right?);
+        let pair = match (&left, &right) {
+            (Levels::U8(left), Levels::U8(right)) => {
+                Pair::new(ImageView::from(left), ImageView::from(right))?
+            }
+            (Levels::U16(left), Levels::U16(right)) => {
+                Pair::new(ImageView::from(left), ImageView::from(right))?
+            }
+            _ => return Err("one is of uint8, one of uint16".into()),
+        };
+        let (matched, findings) = (engine.disparity(&pair), inspect(&pair, &parameters));
+        files::write(&self.disparity, &matched.disparity)?;
+        files::write(&self.confidence, &matched.confidence)?;
+        let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+        Ok(json!({ "findings": codes }))
+    }
+}
+
+enum Levels {
+    U8(Image<u8>),
+    U16(Image<u16>),
+}
+
+fn decode(path: &Path) -> Result<Levels, Box<dyn Error>> {
+    let array = npy::decode(&fs::read(path)?)?;
+    let &[height, width] = array.shape.as_slice() else {
+        return Err("an image has rows and columns".into());
+    };
+    let (width, height) = (u32::try_from(width)?, u32::try_from(height)?);
+    let levels = match array.values {
+        npy::Values::U8(values) => Image::new(width, height, values).map(Levels::U8),
+        npy::Values::U16(values) => Image::new(width, height, values).map(Levels::U16),
+        _ => return Err("images are of uint8 or uint16".into()),
+    };
+    levels.ok_or_else(|| "too large".into())
+}

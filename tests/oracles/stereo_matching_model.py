@@ -1,0 +1,258 @@
+"""An OAK's stereo pipeline on a rectified pair, in plain NumPy: the steps that `oaktwin_depth::stereo_matching` documents.
+
+Written from that documentation, for images of a few thousand pixels: whole cost volumes, one path after the other.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+WINDOWS = {"AUTO": (5, 5), "KERNEL_5x5": (5, 5), "KERNEL_7x7": (7, 7), "KERNEL_7x9": (7, 9)}
+MASKS = {(5, 5): 0xA82415, (7, 7): 0xAA02A8154055, (7, 9): 0x2AA00AA805540155}
+# By how many paths there are: where the pixel before is, in columns and rows.
+PATHS = {
+    3: [(-1, 0), (1, 0), (0, -1)],
+    4: [(-1, 0), (1, 0), (0, -1), (0, 1)],
+    5: [(-1, 0), (1, 0), (0, -1), (-1, -1), (1, -1)],
+    6: [(-1, 0), (1, 0), (0, -1), (-1, -1), (1, -1), (0, 1)],
+    8: [(-1, 0), (1, 0), (0, -1), (-1, -1), (1, -1), (0, 1), (-1, 1), (1, 1)],
+}
+
+
+@dataclass
+class Parameters:
+    """Under the names of the program's, a dot read as an underscore."""
+
+    subpixelFractionalBits: int = 5
+    subpixelInterpolation: str = "PARABOLA_5"
+    extendedDisparity: bool = False
+    disparityShift: int = 0
+    leftRightCheck: bool = True
+    leftRightCheckThreshold: int = 10
+    confidenceThreshold: int = 55
+    numInvalidateEdgePixels: int = 0
+    kernelSize: str = "AUTO"
+    kernelMask: int = 0
+    enableMeanMode: bool = True
+    censusTransform_threshold: int = 0
+    noiseThresholdOffset: int = 0
+    noiseThresholdScale: int = 0
+    disparityWidth: str = "DISPARITY_96"
+    enableCompanding: bool = False
+    alpha: int = 0
+    beta: int = 2
+    linearEquationParameters_threshold: int = 127
+    divisionFactor: int = 1
+    platform: str = "RVC2"
+    horizontalPenaltyCostP1: int = 250
+    horizontalPenaltyCostP2: int = 500
+    verticalPenaltyCostP1: int = 250
+    verticalPenaltyCostP2: int = 500
+    penaltyShift: int = 5
+    p1Config_enableAdaptive: bool = True
+    p1Config_defaultValue: int = 11
+    p1Config_edgeValue: int = 10
+    p1Config_smoothValue: int = 22
+    p2Config_enableAdaptive: bool = True
+    p2Config_defaultValue: int = 33
+    p2Config_edgeValue: int = 22
+    p2Config_smoothValue: int = 63
+    edgeThreshold: int = 15
+    smoothThreshold: int = 5
+    paths: int = 8
+
+
+def match(left: np.ndarray, right: np.ndarray, p: Parameters) -> tuple[np.ndarray, np.ndarray]:
+    """Disparity in fixed point without the shift, and confidence."""
+    bits = 10 if left.dtype == np.uint16 else 8
+    left, right = (np.minimum(image.astype(np.int64), 2**bits - 1) for image in (left, right))
+    found = one_pass(left, right, bits, left.shape[1], p, p.numInvalidateEdgePixels)
+    if p.extendedDisparity and min(left.shape) > 1:
+        half = one_pass(halve(left), halve(right), bits, left.shape[1], p, p.numInvalidateEdgePixels // 2)
+        return merge(found, half, p)
+    return found
+
+
+def candidates(p: Parameters) -> np.ndarray:
+    counts = {"DISPARITY_96": (48, 32, 16), "DISPARITY_64": (32, 16, 16)}[p.disparityWidth]
+    if not p.enableCompanding:
+        return p.disparityShift + np.arange(sum(counts))
+    steps = np.repeat((1, 2, 4), counts)
+    return p.disparityShift + np.concatenate(([0], np.cumsum(steps)[:-1]))
+
+
+def census(image: np.ndarray, bits: int, mask: int, p: Parameters) -> np.ndarray:
+    """Booleans, one for each pixel of the window that counts, first axis."""
+    height, width = image.shape
+    rows, columns = WINDOWS[p.kernelSize]
+    padded = np.pad(image, ((rows // 2,) * 2, (columns // 2,) * 2), mode="edge")
+    window = np.stack([padded[y : y + height, x : x + width] for y in range(rows) for x in range(columns)])
+    middle = rows * columns // 2
+    reference = window.sum(0) // (rows * columns) if p.enableMeanMode else image
+    raised = (p.censusTransform_threshold + p.noiseThresholdOffset) << (bits - 8)
+    reference = reference + raised + ((p.noiseThresholdScale * reference) >> 12)
+    others = np.delete(window, middle, axis=0)
+    last = len(others) - 1
+    counted = [k for k in range(len(others)) if mask >> (last - k) & 1]
+    return others[counted] > reference
+
+
+def costs(left, right, bits, full_width, p):
+    """Height, width, candidates."""
+    mask = p.kernelMask or (MASKS[WINDOWS[p.kernelSize]] if full_width > 640 else 2**64 - 1)
+    ours, theirs = census(left, bits, mask, p), census(right, bits, mask, p)
+    height, width = left.shape
+    largest = min((p.alpha * 255 + p.beta * 8 * len(ours)) >> 5, p.linearEquationParameters_threshold)
+    disparities = candidates(p)
+    volume = np.full((height, width, len(disparities)), largest // 4, np.int64)
+    for k, d in enumerate(disparities):
+        if d >= width:
+            continue
+        there = slice(0, width - d)
+        ctc = (ours[:, :, d:] != theirs[:, :, there]).sum(0)
+        ad = np.abs((left[:, d:] >> (bits - 8)) - (right[:, there] >> (bits - 8)))
+        volume[:, d:, k] = np.minimum((p.alpha * ad + p.beta * (ctc << 3)) >> 5, p.linearEquationParameters_threshold)
+    return volume
+
+
+def penalties(grey, before, along, p):
+    """P1 and P2 of one row's or pixel's path."""
+    if p.platform == "RVC2":
+        pair = (p.horizontalPenaltyCostP1, p.horizontalPenaltyCostP2)
+        if not along:
+            pair = (p.verticalPenaltyCostP1, p.verticalPenaltyCostP2)
+        p1, p2 = (np.full(grey.shape, penalty >> p.penaltyShift) for penalty in pair)
+        return np.minimum(p1, p2), p2
+    difference = np.abs(grey - before)
+
+    def adaptive(name):
+        default, edge, smooth = (getattr(p, f"{name}Config_{kind}Value") for kind in ("default", "edge", "smooth"))
+        if not getattr(p, f"{name}Config_enableAdaptive"):
+            return np.full(grey.shape, default)
+        return np.where(
+            difference > p.edgeThreshold, edge, np.where(difference < p.smoothThreshold, smooth, default)
+        )
+
+    p1, p2 = adaptive("p1"), adaptive("p2")
+    return np.minimum(p1, p2), p2
+
+
+def step(cost, before, p1, p2):
+    """The costs at pixels (rows of `cost`) that come from the pixels `before`."""
+    worst = np.full((len(cost), 1), 10**9)
+    least = before.min(1, keepdims=True)
+    nearer = np.concatenate([worst, before[:, :-1]], 1) + p1[:, None]
+    farther = np.concatenate([before[:, 1:], worst], 1) + p1[:, None]
+    best = np.minimum(np.minimum(before, least + p2[:, None]), np.minimum(nearer, farther))
+    return cost + best - least
+
+
+def path(volume, grey, dx, dy, p):
+    """The costs along one path; what is before a border costs nothing."""
+    height, width, _ = volume.shape
+    out = np.zeros_like(volume)
+    if dy == 0:
+        columns = range(width) if dx < 0 else range(width - 1, -1, -1)
+        for x in columns:
+            if not 0 <= x + dx < width:
+                out[:, x] = volume[:, x]
+                continue
+            p1, p2 = penalties(grey[:, x], grey[:, x + dx], True, p)
+            out[:, x] = step(volume[:, x], out[:, x + dx], p1, p2)
+        return out
+    rows = range(height) if dy < 0 else range(height - 1, -1, -1)
+    for y in rows:
+        out[y] = volume[y]
+        if not 0 <= y + dy < height:
+            continue
+        here = slice(max(0, -dx), width - max(0, dx))
+        there = slice(max(0, dx), width - max(0, -dx))
+        p1, p2 = penalties(grey[y, here], grey[y + dy, there], False, p)
+        out[y, here] = step(volume[y, here], out[y + dy, there], p1, p2)
+    return out
+
+
+def one_pass(left, right, bits, full_width, p, invalid_edge):
+    volume = costs(left, right, bits, full_width, p)
+    grey = left >> (bits - 8)
+    sums = sum(path(volume, grey, dx, dy, p) for dx, dy in PATHS[p.paths]) // p.divisionFactor
+    height, width, count = sums.shape
+    disparities = candidates(p)
+    best = sums.argmin(2)
+    index = np.arange(count)
+    others = np.where(np.abs(index - best[..., None]) > 1, sums, 10**9)
+    first, second = sums.min(2), others.min(2)
+    f32 = np.float32
+    with np.errstate(all="ignore"):
+        confidence = f32(255) * (second - first).astype(f32) / second.astype(f32)
+    confidence = np.where(second > 0, confidence, 0).astype(np.uint8)
+
+    fraction = fractions(sums, best, p)
+    own = disparities[best]
+    toward = np.clip(np.where(fraction < 0, best - 1, best + 1), 0, count - 1)
+    spacing = np.maximum(np.abs(disparities[toward] - own), 1).astype(f32)
+    exact = ((own - p.disparityShift).astype(f32) + fraction * spacing) * f32(1 << p.subpixelFractionalBits)
+    fixed = np.maximum(exact + f32(0.5), 0).astype(np.int64)
+
+    x = np.arange(width)[None, :]
+    partner = x - own
+    kept = (partner >= 0) & (confidence >= p.confidenceThreshold) & (x >= invalid_edge)
+    if p.leftRightCheck:
+        there = right_disparities(sums, disparities)[np.arange(height)[:, None], np.maximum(partner, 0)]
+        kept &= (there >= 0) & (np.abs(there - own) <= p.leftRightCheckThreshold)
+    return np.where(kept, fixed, 0), confidence
+
+
+def fractions(sums, best, p):
+    count = sums.shape[2]
+
+    def at(offset):
+        return np.take_along_axis(sums, np.clip(best + offset, 0, count - 1)[..., None], 2)[..., 0].astype(np.float32)
+
+    a, b, c, d, e = (at(offset) for offset in (-2, -1, 0, 1, 2))
+    over, under = b - d, 2 * (b - 2 * c + d)
+    if p.subpixelInterpolation == "LINES":
+        under = 2 * np.maximum(b - c, d - c)
+    elif p.subpixelInterpolation == "PARABOLA_5":
+        bend = 10 * (2 * (a + e - c) - b - d)
+        five = (best >= 2) & (best + 2 < count) & (bend > 0)
+        over = np.where(five, 7 * (2 * (a - e) + (b - d)), over)
+        under = np.where(five, bend, under)
+    usable = (under > 0) & (best > 0) & (best < count - 1)
+    place = (over / np.where(usable, under, 1)).astype(np.float32)
+    return np.where(usable, np.clip(place, np.float32(-0.5), np.float32(0.5)), np.float32(0)).astype(np.float32)
+
+
+def right_disparities(sums, disparities):
+    """Those of the right image's pixels, −1 where none can be."""
+    height, width, _ = sums.shape
+    least = np.full((height, width), 10**9)
+    out = np.full((height, width), -1)
+    for k, d in enumerate(disparities):
+        if d >= width:
+            continue
+        there = sums[:, d:, k]
+        here = slice(0, width - d)
+        better = there < least[:, here]
+        out[:, here] = np.where(better, d, out[:, here])
+        least[:, here] = np.minimum(least[:, here], there)
+    return out
+
+
+def halve(image):
+    height, width = (side // 2 * 2 for side in image.shape)
+    image = image[:height, :width]
+    return (image[::2, ::2] + image[::2, 1::2] + image[1::2, ::2] + image[1::2, 1::2] + 2) >> 2
+
+
+def merge(full, half, p):
+    (disparity, confidence), (half_disparity, half_confidence) = full, half
+    height, width = disparity.shape
+    y = np.minimum(np.arange(height) // 2, len(half_disparity) - 1)[:, None]
+    x = np.minimum(np.arange(width) // 2, half_disparity.shape[1] - 1)[None, :]
+    near, sure = half_disparity[y, x], half_confidence[y, x]
+    bits = p.subpixelFractionalBits
+    doubled = 2 * near + (p.disparityShift << bits)
+    beyond = (candidates(p)[-1] - p.disparityShift) << bits
+    taken = (near > 0) & ((disparity == 0) | (doubled > beyond))
+    return np.where(taken, np.minimum(doubled, 65535), disparity), np.where(taken, sure, confidence)
