@@ -80,11 +80,9 @@ def blurred(image, weight):
 
 
 def albedos(rgb):
-    """Linear values of sRGB's luma."""
+    """The luma."""
     r, g, b = (rgb[..., channel].astype(np.int64) for channel in range(3))
-    srgb = ((77 * r + 150 * g + 29 * b) >> 8) / 255
-    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-    return np.maximum(linear, 0.02)
+    return np.maximum(((77 * r + 150 * g + 29 * b) >> 8) / 255, 0.02)
 
 
 def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):

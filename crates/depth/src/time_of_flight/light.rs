@@ -42,11 +42,9 @@ impl Kernel for InverseDepth<'_> {
     }
 }
 
-/// Albedos of a picture's row: an estimate, as a picture shows what is bright in visible light. The linear value of its
-/// luma, at least 0.02.
+/// Albedos of a picture's row, at least 0.02: an estimate, as a picture shows what is bright in visible light. Its luma as
+/// it is, not the linear value: dyes and paints that look dark reflect much more at 940 nm, and a picture has shadows.
 pub(super) struct Albedos<'a> {
-    /// Linear values of sRGB's.
-    pub(super) linear: &'a [f32; 256],
     pub(super) picture: &'a [[u8; 4]],
     pub(super) out: &'a mut [f32],
 }
@@ -58,7 +56,7 @@ impl Kernel for Albedos<'_> {
     fn run(self) {
         for (out, [r, g, b, _]) in self.out.iter_mut().zip(self.picture) {
             let luma = (77 * u16::from(*r) + 150 * u16::from(*g) + 29 * u16::from(*b)) >> 8;
-            let albedo = self.linear[usize::from(luma & 0xFF)];
+            let albedo = f32::from(luma) * (1.0 / 255.0);
             *out = if albedo > LEAST_ALBEDO {
                 albedo
             } else {

@@ -9,7 +9,8 @@
 //!    electrons, and that of other lamps [ambient](Parameters::ambient_e)·albedo. The normal comes from the depth itself: on
 //!    a plane 1/z is linear over the image, so that its gradient is exact there; of the two sides of a pixel the flatter
 //!    counts, and what is steeper than 89° on both is taken to face the camera. The albedo at 940 nm is, an estimate, the
-//!    linear luma of the shot's picture; without one [`Parameters::albedo`].
+//!    luma of the shot's picture (not its linear value, as what looks dark reflects more there), at least 0.02; without a
+//!    picture [`Parameters::albedo`].
 //! 2. **Phasors.** Of each frequency C·A·e^{iφ}, φ = 4π·f·r/c. If things move ([`Shot::with_radial_velocity`]), each
 //!    frequency sees them where they were in the middle of its measurements: the last of the higher one is now.
 //! 3. **Mixing.** A pixel sees its neighbours' light too ([`Parameters::pixel_mixing`]), rows and columns: at an edge the

@@ -1,7 +1,6 @@
 //! All steps of an image, one row after the other, in memory that stays near the processor.
 
 use oaktwin_image::ImageView;
-use oaktwin_image::srgb::linear_from_srgb;
 use rayon::prelude::*;
 
 use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
@@ -226,7 +225,6 @@ impl Scratch {
             simd::run_at(
                 job.level,
                 Albedos {
-                    linear: linear_from_srgb(),
                     picture,
                     out: &mut self.albedo,
                 },
