@@ -59,7 +59,7 @@ class Parameters:
     p2Config_smoothValue: int = 63
     edgeThreshold: int = 15
     smoothThreshold: int = 5
-    paths: int = 8
+    paths: int = 4
 
 
 def match(left: np.ndarray, right: np.ndarray, p: Parameters) -> tuple[np.ndarray, np.ndarray]:

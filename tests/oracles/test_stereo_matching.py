@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 
+import cv2
 import numpy as np
 import pytest
 
@@ -17,18 +18,18 @@ SETTINGS = [
     {"subpixelFractionalBits": 4, "subpixelInterpolation": "PARABOLA"},
     {"subpixelInterpolation": "LINES", "leftRightCheckThreshold": 0},
     {"paths": 3, "confidenceThreshold": 0},
-    {"paths": 4, "confidenceThreshold": 0},
+    {"paths": 8, "confidenceThreshold": 0},
     {"paths": 5, "confidenceThreshold": 0},
     {"paths": 6, "confidenceThreshold": 0},
     {"kernelSize": "KERNEL_5x5", "enableMeanMode": False, "confidenceThreshold": 0},
     {"kernelSize": "KERNEL_7x7", "censusTransform_threshold": 3, "confidenceThreshold": 5},
-    {"kernelSize": "KERNEL_7x9", "confidenceThreshold": 5},
+    {"kernelSize": "KERNEL_7x9", "confidenceThreshold": 5, "paths": 8},
     {"kernelSize": "KERNEL_7x9", "kernelMask": 0x2AA00AA805540155, "enableMeanMode": False},
     {"kernelSize": "KERNEL_7x7", "kernelMask": 0xAA02A8154055, "paths": 5},
     {"kernelMask": 0xA82415, "confidenceThreshold": 5},
     {"alpha": 8, "beta": 1, "confidenceThreshold": 5},
     {"alpha": 200, "beta": 9, "linearEquationParameters_threshold": 100},
-    {"penaltyShift": 0, "confidenceThreshold": 0},
+    {"penaltyShift": 0, "confidenceThreshold": 0, "paths": 8},
     {"penaltyShift": 3, "horizontalPenaltyCostP1": 100, "verticalPenaltyCostP2": 900, "confidenceThreshold": 0},
     {"divisionFactor": 3, "confidenceThreshold": 0},
     {"disparityWidth": "DISPARITY_64", "confidenceThreshold": 0},
@@ -109,3 +110,72 @@ def test_equals_the_model(matched, number):
         assert np.array_equal(ours, theirs), (settings, height, width)
         kept += np.count_nonzero(ours)
     assert kept > 0
+
+
+def scenes():
+    """Pairs with known disparity: slants, steps, thin bars, a texture without fine detail."""
+    height, width = 240, 700
+    steps = [(box(150, 30, 350, 200), (30, 0, 0)), (box(420, 60, 600, 220), (55.5, 0, 0))]
+    bars = [(box(150 + 60 * k, 10, 154 + 60 * k, 230), (20.3 + 5 * k, 0, 0)) for k in range(8)]
+    cases = {
+        "slanted wall": ([(everywhere, (8, 0.03, 0.05))], 1.0),
+        "steps": ([(everywhere, (10, 0, 0)), *steps], 1.0),
+        "bars 4 px thin": ([(everywhere, (6.4, 0.01, 0)), *bars], 1.0),
+        "coarse texture": ([(everywhere, (5, 0.02, 0.02)), (box(200, 50, 500, 180), (40, -0.03, 0))], 4.0),
+    }
+    random = np.random.default_rng(5)
+    for name, (layers, blur) in cases.items():
+        yield name, *pair(random, height, width, layers, blur=blur, sigma=2)
+
+
+def opencv(left, right):
+    """OpenCV's matcher with 8 paths, given room on the left so that it looks at every column."""
+    matcher = cv2.StereoSGBM_create(
+        0, 96, 5, 8 * 25, 32 * 25, 1, 63, 10, 0, 0, cv2.STEREO_SGBM_MODE_HH
+    )
+    left, right = (cv2.copyMakeBorder(image, 0, 0, 96, 0, cv2.BORDER_CONSTANT) for image in (left, right))
+    found = matcher.compute(left, right)[:, 96:] / 16
+    return np.where(found > 0, found, 0)
+
+
+def quality(found, truth, seen):
+    """Of what both imagers see: the share found, and of that the shares wrong by more than 1 and 3 px."""
+    kept = (found > 0) & seen
+    error = np.abs(found - truth)[kept]
+    return np.array([kept.sum() / seen.sum(), (error > 1).mean(), (error > 3).mean()])
+
+
+# 8 paths over the few bits that DepthAI's mask leaves smooth thin bars away.
+@pytest.mark.parametrize("settings", [{}, {"paths": 8, "kernelMask": 0xFFFFFF}], ids=["defaults", "8 paths"])
+def test_no_worse_than_opencv(matched, settings):
+    ours, theirs = [], []
+    for name, left, right, truth, seen in scenes():
+        fixed, _ = matched(left, right, **settings)
+        ours.append(quality(fixed / 32, truth, seen))
+        theirs.append(quality(opencv(left, right), truth, seen))
+        for who, (density, one, three) in (("oaktwin", ours[-1]), ("OpenCV", theirs[-1])):
+            print(f"{settings} {name}: {who} {density:.3f} found, {one:.2%} > 1 px, {three:.2%} > 3 px")
+    ours, theirs = np.mean(ours, 0), np.mean(theirs, 0)
+    print(f"mean: oaktwin {ours}, OpenCV {theirs}")
+    assert ours[0] > theirs[0] - 0.005
+    assert ours[1] <= theirs[1] and ours[2] <= theirs[2]
+
+
+def test_findings(ask, tmp_path):
+    random = np.random.default_rng(3)
+    layers = [(everywhere, (12, 0.01, 0.02)), (box(250, 50, 400, 180), (40, 0, 0))]
+    left, right, _, _ = pair(random, 240, 640, layers, sigma=1)
+    cases = {
+        (): (left, right),
+        ("pair-swapped",): (right, left),
+        ("vertical-offset",): (left, np.roll(right, 4, axis=0)),
+        ("no-texture",): (np.full_like(left, 80), np.full_like(left, 80)),
+        ("saturated", "saturated", "no-texture"): (np.full_like(left, 255), np.full_like(left, 255)),
+        ("range-beyond-image",): (left[:, 200:295], right[:, 200:295]),
+    }
+    for codes, images in cases.items():
+        for name, image in zip(("left", "right"), images):
+            np.save(tmp_path / f"{name}.npy", np.ascontiguousarray(image))
+        paths = {name: str(tmp_path / f"{name}.npy") for name in ("left", "right", "disparity", "confidence")}
+        found = ask(width=1280, set={}, **paths)["findings"]
+        assert set(codes) <= set(found) and (codes or not found), (codes, found)

@@ -2,8 +2,10 @@
 
 mod accuracy;
 mod fit;
+mod pair;
 mod sense;
 mod sensor;
+mod stereo;
 
 use std::path::PathBuf;
 
@@ -14,8 +16,10 @@ use oaktwin::{render, scene};
 
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use pair::PairArgs;
 pub(crate) use sense::SenseArgs;
-pub(crate) use sensor::SensorArgs;
+pub(crate) use sensor::{SensorArgs, SettingsArgs};
+pub(crate) use stereo::StereoArgs;
 
 /// Digital twins of Luxonis OAK depth cameras.
 #[derive(Parser, Debug)]
@@ -26,7 +30,7 @@ pub(crate) use sensor::SensorArgs;
     arg_required_else_help = true
 )]
 #[command(
-    after_help = "Exit codes: 0 good, 1 findings (check, accuracy, fit), 2 error.\n\
+    after_help = "Exit codes: 0 good, 1 findings (check, accuracy, stereo, fit), 2 error.\n\
     A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter."
 )]
 pub(crate) struct Cli {
@@ -56,6 +60,8 @@ pub(crate) enum Command {
     Render(Box<RenderArgs>),
     /// Make of depth images from anywhere what a model's depth sensor would report
     Sense(Box<SenseArgs>),
+    /// Match pairs of images as an OAK does
+    Stereo(Box<StereoArgs>),
     /// Measure a model's depth as the vendor measures its cameras, and compare
     Accuracy(Box<AccuracyArgs>),
     /// Find the parameters of a depth sensor's errors in recordings of a flat target
@@ -231,7 +237,8 @@ pub(crate) struct AssetArgs {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise or time-of-flight, as an OAK errs"
+        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise or time-of-flight, as an OAK errs, or \
+         stereo-matching, which matches what the two cameras of --model take"
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
@@ -286,6 +293,9 @@ pub(crate) struct RenderArgs {
 
     #[command(flatten)]
     pub(crate) sensor: SensorArgs,
+
+    #[command(flatten)]
+    pub(crate) pair: PairArgs,
 
     /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
     /// of all; a second one makes a table

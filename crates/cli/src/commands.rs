@@ -13,3 +13,4 @@ pub(crate) mod models;
 pub(crate) mod render;
 pub(crate) mod sense;
 pub(crate) mod show;
+pub(crate) mod stereo;

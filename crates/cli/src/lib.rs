@@ -57,6 +57,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Asset(args) => commands::asset::run(&context, args),
         Command::Render(args) => commands::render::run(&context, args),
         Command::Sense(args) => commands::sense::run(&context, args),
+        Command::Stereo(args) => commands::stereo::run(&context, args),
         Command::Accuracy(args) => commands::accuracy::run(&context, args),
         Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),

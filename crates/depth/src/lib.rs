@@ -29,5 +29,5 @@ pub mod time_of_flight;
 mod turns;
 
 pub use error::{BatchError, ParameterError, ShotError};
-pub use sensor::{Capture, Engine, Sensor};
+pub use sensor::{Capture, Engine, FixedDisparity, Sensor};
 pub use shot::Shot;

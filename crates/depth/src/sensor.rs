@@ -56,6 +56,32 @@ pub struct Capture {
     pub single_view: Option<single_view::Output>,
     /// How sure the matcher is of each pixel of a pair, 0 to 255; higher is surer. Not filtered.
     pub confidence: Option<Image<u8>>,
+    /// What the matcher found in a pair, after the filters that work on disparity.
+    pub disparity: Option<FixedDisparity>,
+}
+
+/// A disparity image in fixed point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixedDisparity {
+    /// 0 where nothing was measured.
+    pub fixed: Image<u16>,
+    /// A unit, px.
+    pub step_px: f64,
+    /// The disparity that 0 would stand for, px.
+    pub shift_px: u32,
+}
+
+impl FixedDisparity {
+    /// Pixels of the pair, 0 where nothing was measured.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "pixels are single precision")]
+    pub fn to_px(&self) -> Image<f32> {
+        let shift = f64::from(self.shift_px);
+        self.fixed.map(|&fixed| match fixed {
+            0 => 0.0,
+            fixed => (f64::from(fixed) * self.step_px + shift) as f32,
+        })
+    }
 }
 
 impl Sensor {
@@ -105,6 +131,7 @@ impl Sensor {
                     distance: distance.unwrap_or_else(|| output.distance.clone()),
                     single_view: Some(output),
                     confidence: None,
+                    disparity: None,
                 }
             }
             Engine::StereoNoise(engine) => {
@@ -129,6 +156,7 @@ impl Sensor {
                     distance: distance.unwrap_or(depth),
                     single_view: None,
                     confidence: None,
+                    disparity: None,
                 }
             }
             Engine::TimeOfFlight(engine) => {
@@ -138,6 +166,7 @@ impl Sensor {
                     distance: distance.unwrap_or(depth),
                     single_view: None,
                     confidence: None,
+                    disparity: None,
                 }
             }
             Engine::StereoMatching(engine) => self.match_pair(&engine.clone(), shot),
@@ -178,9 +207,15 @@ impl Sensor {
         };
         let depth = engine.depth(&disparity, scale, pair_width);
         let distance = self.filters.run_on_metres(&depth, rgb, Filter::is_of_depth);
+        let p = engine.parameters();
         Capture {
             distance: distance.unwrap_or(depth),
             single_view: None,
+            disparity: confidence.is_some().then(|| FixedDisparity {
+                fixed: disparity,
+                step_px: p.subpixel.step_px() / scale,
+                shift_px: p.disparity_shift_px,
+            }),
             confidence,
         }
     }

@@ -119,7 +119,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// A file that is written in parts, and is there whole or not at all: beside its target until [`InParts::finish`]. Links
-/// and devices are as [`write`] has them.
+/// and devices are as [`write()`] has them.
 #[derive(Debug)]
 pub struct InParts {
     path: PathBuf,

@@ -36,6 +36,7 @@ pub mod render;
 pub mod report;
 pub mod sense;
 pub mod sensor;
+pub mod stereo;
 pub mod unit;
 
 pub use oaktwin_calibration as calibration;

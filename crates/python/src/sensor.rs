@@ -439,7 +439,7 @@ impl DepthSensor {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let eye = self.look(&mut eye, shape.size)?;
             let sensor = Arc::make_mut(&mut eye.sensor);
-            threads::install(|| sense_frame(sensor, &eye.camera, frame, &asked, &mut seen))
+            threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen))
         })?;
         let all = PyDict::new(py);
         for annotator in asked {
@@ -512,7 +512,7 @@ impl DepthSensor {
     /// "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(sensor::EngineKind::name_of(self.now(py, None)?.sensor.engine()))
+        Ok(sensor::EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
     }
 
     /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.

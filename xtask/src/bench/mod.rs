@@ -5,6 +5,7 @@ mod depth;
 mod load;
 mod python;
 mod render;
+mod stereo;
 
 #[derive(clap::Subcommand)]
 pub(crate) enum Bench {
@@ -15,6 +16,8 @@ pub(crate) enum Bench {
     Render(render::Args),
     /// The sensor models and DepthAI's filters, against NumPy and DepthAI
     Depth(depth::Args),
+    /// The stereo matcher, against OpenCV's
+    Stereo(stereo::Args),
     /// Opening USD stages, against OpenUSD in Python; then what colour costs beside depth
     Load(load::Args),
     /// The Python package's calls, against noise of one's own in NumPy
@@ -26,6 +29,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Assets(args) => assets::run(args),
         Bench::Render(args) => render::run(args),
         Bench::Depth(args) => depth::run(args),
+        Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),
         Bench::Python(args) => python::run(args),
     }

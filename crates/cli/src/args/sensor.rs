@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::depth::{filter, single_view, stereo_noise, time_of_flight};
+use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
@@ -16,25 +16,12 @@ pub(crate) struct SensorArgs {
     #[arg(long, value_enum)]
     pub(crate) engine: Option<Engine>,
 
-    /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
-    #[arg(long, value_name = "PRESET", long_help = preset_help())]
-    pub(crate) preset: Option<String>,
-
-    /// A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's
-    #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
-    pub(crate) filters: Vec<String>,
-
-    /// Set a parameter of the engine by its name; repeatable
-    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
-    pub(crate) parameters: Vec<(String, String)>,
+    #[command(flatten)]
+    pub(crate) settings: SettingsArgs,
 
     /// Parameters of the engine from a TOML file, as `oaktwin fit` writes it; --param counts more
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) params: Option<PathBuf>,
-
-    /// Find disparities up to 190 px instead of 95: nearer things, the same step
-    #[arg(long)]
-    pub(crate) extended_disparity: bool,
 
     /// The Isaac Sim whose defaults single-view has; by default 5.1
     #[arg(long, value_enum)]
@@ -49,12 +36,35 @@ pub(crate) struct SensorArgs {
     pub(crate) device_seed: Option<u64>,
 }
 
+/// How an engine is set.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "The depth sensor")]
+pub(crate) struct SettingsArgs {
+    /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
+    #[arg(long, value_name = "PRESET", long_help = preset_help())]
+    pub(crate) preset: Option<String>,
+
+    /// A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's
+    #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
+    pub(crate) filters: Vec<String>,
+
+    /// Set a parameter of the engine by its name; repeatable
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
+    pub(crate) parameters: Vec<(String, String)>,
+
+    /// Find disparities up to 190 px instead of 95: nearer things, the same step
+    #[arg(long)]
+    pub(crate) extended_disparity: bool,
+}
+
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Engine {
     /// As Isaac Sim has it
     SingleView,
     /// As an OAK's stereo errs
     StereoNoise,
+    /// As an OAK matches the pair of its cameras
+    StereoMatching,
     /// As a time-of-flight camera errs
     TimeOfFlight,
 }
@@ -64,15 +74,10 @@ impl SensorArgs {
     pub(crate) fn options(&self) -> Result<SensorOptions> {
         let mut options = SensorOptions {
             engine: self.engine.map(Into::into),
-            preset: self.preset.clone(),
-            filters: self.filters.clone(),
-            parameters: self.parameters.clone(),
-            extended_disparity: self.extended_disparity,
             isaac: self.isaac.map(Into::into).unwrap_or_default(),
-            image: None,
-            name: None,
             seed: self.seed,
             device_seed: self.device_seed,
+            ..self.settings.options()
         };
         if let Some(path) = &self.params {
             let applied = ParameterFile::read(path)?.apply(&mut options);
@@ -82,11 +87,25 @@ impl SensorArgs {
     }
 }
 
+impl SettingsArgs {
+    /// As typed; the rest as by default.
+    pub(crate) fn options(&self) -> SensorOptions {
+        SensorOptions {
+            preset: self.preset.clone(),
+            filters: self.filters.clone(),
+            parameters: self.parameters.clone(),
+            extended_disparity: self.extended_disparity,
+            ..SensorOptions::default()
+        }
+    }
+}
+
 impl From<Engine> for EngineKind {
     fn from(engine: Engine) -> Self {
         match engine {
             Engine::SingleView => Self::SingleView,
             Engine::StereoNoise => Self::StereoNoise,
+            Engine::StereoMatching => Self::StereoMatching,
             Engine::TimeOfFlight => Self::TimeOfFlight,
         }
     }
@@ -112,16 +131,17 @@ fn filter_help() -> String {
 fn parameter_help() -> String {
     format!(
         "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
-         {}.\nstereo-noise: {}.\ntime-of-flight: {}",
+         {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias.\ntime-of-flight: {}",
         single_view::Parameters::NAMES.join(", "),
         single_view::Assumptions::NAMES.join(", "),
         stereo_noise::NAMES.join(", "),
+        stereo_matching::NAMES.join(", "),
         time_of_flight::NAMES.join(", ")
     )
 }
 
 /// `NAME=VALUE`
-fn assignment(text: &str) -> std::result::Result<(String, String), String> {
+pub(super) fn assignment(text: &str) -> std::result::Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
             Ok((name.trim().to_owned(), value.trim().to_owned()))

@@ -35,11 +35,16 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &asked::open_options(args)?)?;
     let mut findings = std::mem::take(&mut scene.findings);
-    let (cameras, more) = match &oak {
+    let (mut cameras, more) = match &oak {
         Some(oak) => oak.cameras(args, size, scene.scene.up)?,
         None => own_cameras(&scene, args, size, &path)?,
     };
     findings.extend(more);
+    let pair = sensors::pair(args, &mut cameras, oak.as_ref(), size)?;
+    let pair = pair.map(|(pair, more)| {
+        findings.extend(more);
+        pair
+    });
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
     interrupt::watch()?;
@@ -69,6 +74,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let options = FrameOptions {
         annotators: &annotators,
         sensors: &sensors.own,
+        pair: pair.as_ref(),
         sweep: sensors.swept.as_ref(),
         backend: args.backend.into(),
         extras: asked::extras(args),

@@ -7,7 +7,8 @@ use oaktwin::image::{Image, npy, png};
 
 use crate::program::Program;
 
-const SIDE: [usize; 2] = [60, 160];
+const SIDE: [u32; 2] = [60, 160];
+const SHAPE: [usize; 2] = [SIDE[0] as usize, SIDE[1] as usize];
 
 /// The optics of a small matcher whose disparities are those of a real one.
 const OPTICS: [&str; 6] = ["--stereo-width", "160", "--focal-px", "800", "--region", "25"];
@@ -23,8 +24,8 @@ fn frames(distance_m: f64, count: u32) -> Vec<f32> {
     for frame in 0..count {
         for y in 0..SIDE[0] {
             for x in 0..SIDE[1] {
-                let mut hash = (x / 3) as u32 * 73_856_093
-                    ^ (y / 3) as u32 * 19_349_663
+                let mut hash = ((x / 3) * 73_856_093)
+                    ^ ((y / 3) * 19_349_663)
                     ^ (frame + 16 * own).wrapping_mul(83_492_791);
                 for _ in 0..3 {
                     hash = (hash ^ (hash >> 15)).wrapping_mul(0x2c1b_3c6d);
@@ -46,7 +47,7 @@ fn record(program: &Program, folder: &str, distances: &[f64]) {
     fs::create_dir(program.path(folder)).unwrap();
     let mut table = "file,distance_m\n".to_owned();
     for (i, &distance) in distances.iter().enumerate() {
-        let shape = [4, SIDE[0], SIDE[1]];
+        let shape = [4, SHAPE[0], SHAPE[1]];
         let bytes = npy::encode(&shape, &frames(distance, 4)).unwrap();
         program.put(&format!("{folder}/{i}.npy"), bytes);
         let _ = writeln!(table, "{i}.npy,{distance}");
@@ -128,7 +129,7 @@ fn what_makes_no_sense_is_refused() {
     record(&program, "good", &[1.6, 2.3]);
     let table = |name: &str, text: &str| {
         fs::create_dir(program.path(name)).unwrap();
-        let array = npy::encode(&[2, SIDE[0], SIDE[1]], &frames(2.0, 2)).unwrap();
+        let array = npy::encode(&[2, SHAPE[0], SHAPE[1]], &frames(2.0, 2)).unwrap();
         program.put(&format!("{name}/near.npy"), array);
         program.put(
             &format!("{name}/far.npy"),
@@ -136,7 +137,7 @@ fn what_makes_no_sense_is_refused() {
         );
         program.put(
             &format!("{name}/zero.npy"),
-            npy::encode(&SIDE, &[0f32; 9600]).unwrap(),
+            npy::encode(&SHAPE, &[0f32; 9600]).unwrap(),
         );
         program.put(
             &format!("{name}/grey8.png"),

@@ -14,3 +14,4 @@ mod render_record;
 mod render_sensor;
 mod sense;
 mod sense_bad_input;
+mod stereo;

@@ -20,6 +20,7 @@ fn help_of_every_command() {
         &["asset"],
         &["render"],
         &["sense"],
+        &["stereo"],
         &["accuracy"],
         &["check"],
     ] {

@@ -1,6 +1,7 @@
 use oaktwin_image::Image;
 
 use super::Bits;
+use crate::stereo_matching::Luminance;
 
 /// A grey image as a sensor recorded it: linear numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +46,15 @@ impl Recorded {
         match self {
             Self::Eight(image) => image.clone(),
             Self::Ten(image) => image.map(|&number| (number >> 2).min(255) as u8),
+        }
+    }
+}
+
+impl<'a> From<&'a Recorded> for Luminance<'a> {
+    fn from(recorded: &'a Recorded) -> Self {
+        match recorded {
+            Recorded::Eight(image) => Self::Bits8(image.into()),
+            Recorded::Ten(image) => Self::Bits10(image.into()),
         }
     }
 }

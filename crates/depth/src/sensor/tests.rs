@@ -2,7 +2,9 @@ use oaktwin_camera::StereoGeometry;
 
 use super::*;
 use crate::filter::parse;
+use crate::preset::Platform;
 use crate::single_view::{Assumptions, Wanted};
+use crate::stereo_matching::{self, Pair};
 use crate::stereo_noise;
 
 const WIDTH: u32 = 64;
@@ -238,4 +240,84 @@ fn a_batch_that_does_not_fit() {
     assert_eq!(out, [7.0; 6]);
     assert!(!sensor.remembers() && stereo(&["temporal"]).remembers());
     sensor.sense_batch(&[], None, [0, 3, 4], 0, 0, &mut []).unwrap();
+}
+
+/// A pair of another size than the depth, of a wall at 20 px.
+fn wall() -> [Image<u8>; 2] {
+    let level = |x: u32, y: u32| {
+        (x.wrapping_mul(0x9E37_79B9) ^ y.wrapping_mul(0x85EB_CA6B)).wrapping_mul(0xC2B2_AE35)
+    };
+    let image = |shift: u32| {
+        let pixels = (0..30).flat_map(|y| (0..200).map(move |x| (level(x + shift, y) >> 24) as u8));
+        Image::new(200, 30, pixels.collect()).unwrap()
+    };
+    [image(0), image(20)]
+}
+
+fn matcher() -> StereoMatching {
+    let mut p = stereo_matching::Parameters::new(Platform::Rvc2, parameters().stereo, 200);
+    p.stereo.focal_length_px = 800.0;
+    p.stereo.baseline_m = 0.075;
+    StereoMatching::new(p).unwrap()
+}
+
+#[test]
+fn a_pair_is_matched_and_filtered() {
+    let (depth, images) = (scene(), wall());
+    let [left, right] = images.each_ref().map(ImageView::from);
+    let pair = Pair::new(left, right).unwrap();
+    let shot = Shot::new((&depth).into()).with_pair(pair);
+    let sensor = |filters: &[&str]| {
+        let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
+        Sensor::new(
+            Engine::StereoMatching(matcher()),
+            Chain::new(filters),
+            Stream::new(7, "camera"),
+        )
+    };
+    let capture = sensor(&[]).capture(&shot, Wanted::default());
+    assert_eq!(capture.distance, matcher().sense(&pair));
+    assert_eq!(capture.confidence, Some(matcher().disparity(&pair).confidence));
+    let at = 15 * 200 + 100;
+    assert!((capture.distance.0.pixels()[at] - 3.0).abs() < 0.01);
+    // Spread over 13 bits and back: the same depth within a step.
+    let own = capture.distance.0.pixels()[at];
+    let filtered = sensor(&["speckle"]).capture(&shot, Wanted::default()).distance;
+    assert!((filtered.0.pixels()[at] - own).abs() < 0.003);
+    let near = sensor(&["threshold:min=0,max=2900"]).capture(&shot, Wanted::default());
+    assert!(near.distance.0.pixels().iter().all(|&z| z < 2.9));
+    let halved = sensor(&["decimation:factor=2"]).capture(&shot, Wanted::default());
+    assert_eq!((halved.distance.0.width(), halved.distance.0.height()), (100, 15));
+    // The left image is the picture.
+    let bright = sensor(&["brightness:min=128,max=256"])
+        .capture(&shot, Wanted::default())
+        .distance;
+    for ((z, all), &level) in bright
+        .0
+        .pixels()
+        .iter()
+        .zip(capture.distance.0.pixels())
+        .zip(left.pixels())
+    {
+        assert_eq!(*z, if level > 128 { *all } else { 0.0 });
+    }
+}
+
+#[test]
+fn without_a_pair_nothing_is_matched() {
+    let depth = scene();
+    let mut sensor = Sensor::new(
+        Engine::StereoMatching(matcher()),
+        Chain::default(),
+        Stream::new(7, "camera"),
+    );
+    let capture = sensor.capture(&Shot::new((&depth).into()), Wanted::default());
+    assert_eq!((capture.distance.0.width(), capture.confidence), (WIDTH, None));
+    assert!(capture.distance.0.pixels().iter().all(|&z| z == 0.0));
+    let shape = [1, HEIGHT as usize, WIDTH as usize];
+    let mut out = vec![0.0; depth.pixels().len()];
+    let error = sensor
+        .sense_batch(depth.pixels(), None, shape, 0, 0, &mut out)
+        .unwrap_err();
+    assert_eq!(error.what, "stereo pairs");
 }

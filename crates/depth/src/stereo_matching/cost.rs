@@ -38,19 +38,18 @@ pub(super) fn row(
             width: left.width(),
             out,
         };
-        let is_wide = zone.count % 32 == 0 && zone.step == 1;
-        match (left.planes(), is_wide) {
-            (1, true) => simd::run_at(level, Costs::<1, 32>(work)),
-            (2, true) => simd::run_at(level, Costs::<2, 32>(work)),
-            (3, true) => simd::run_at(level, Costs::<3, 32>(work)),
-            (6, true) => simd::run_at(level, Costs::<6, 32>(work)),
-            (8, true) => simd::run_at(level, Costs::<8, 32>(work)),
-            (1, false) => simd::run_at(level, Costs::<1, 16>(work)),
-            (2, false) => simd::run_at(level, Costs::<2, 16>(work)),
-            (3, false) => simd::run_at(level, Costs::<3, 16>(work)),
-            (6, false) => simd::run_at(level, Costs::<6, 16>(work)),
-            (_, false) => simd::run_at(level, Costs::<8, 16>(work)),
-            (_, true) => {}
+        // Most pairs have one zone; the others have zones of several sizes.
+        match (left.planes(), zone.count) {
+            (1, 96) => simd::run_at(level, Costs::<1, 96>(work)),
+            (2, 96) => simd::run_at(level, Costs::<2, 96>(work)),
+            (3, 96) => simd::run_at(level, Costs::<3, 96>(work)),
+            (6, 96) => simd::run_at(level, Costs::<6, 96>(work)),
+            (8, 96) => simd::run_at(level, Costs::<8, 96>(work)),
+            (1, _) => simd::run_at(level, Costs::<1, 16>(work)),
+            (2, _) => simd::run_at(level, Costs::<2, 16>(work)),
+            (3, _) => simd::run_at(level, Costs::<3, 16>(work)),
+            (6, _) => simd::run_at(level, Costs::<6, 16>(work)),
+            _ => simd::run_at(level, Costs::<8, 16>(work)),
         }
     }
     beyond(plan, left.width(), out);

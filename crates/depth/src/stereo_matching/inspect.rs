@@ -23,6 +23,9 @@ const FEWEST: usize = 12;
 /// A place is another if points differ this many times less there.
 const BETTER: f64 = 1.5;
 
+/// Grey levels that are noise.
+const FLOOR: f64 = 1.0;
+
 /// The share of pixels that may be as bright as can be.
 const SATURATED: f64 = 0.4;
 
@@ -83,23 +86,16 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         ));
         return findings;
     }
-    let (as_given, swapped) = (
-        look.difference(&points, 0, false),
-        look.difference(&points, 0, true),
-    );
-    let mut offsets: Vec<(f64, isize)> = Vec::new();
     let most = MOST_ROWS.cast_signed();
-    for is_swapped in [false, true] {
-        offsets.extend((-most..=most).map(|rows| (look.difference(&points, rows, is_swapped), rows)));
-    }
-    let nearest = |a: &&(f64, isize), b: &&(f64, isize)| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs()));
-    let is_swapped = match offsets.split_at(2 * MOST_ROWS + 1) {
-        (given, other) => {
-            let least =
-                |offsets: &[(f64, isize)]| offsets.iter().min_by(nearest).map_or(f64::MAX, |best| best.0);
-            least(given) > BETTER * least(other).max(0.5)
-        }
+    let by_rows = |is_swapped| {
+        let rows = -most..=most;
+        let all = rows.map(|rows| (look.difference(&points, rows, is_swapped), rows));
+        // Of equal ones the nearest row.
+        let least = all.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs())));
+        least.unwrap_or((f64::MAX, 0))
     };
+    let (given, swapped) = (by_rows(false), by_rows(true));
+    let is_swapped = given.0 > BETTER * swapped.0.max(FLOOR);
     if is_swapped {
         findings.push(warn(
             "pair-swapped",
@@ -108,22 +104,18 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             "swap the left and the right image",
         ));
     }
-    let start = if is_swapped { 2 * MOST_ROWS + 1 } else { 0 };
-    let own = offsets.get(start..start + 2 * MOST_ROWS + 1).unwrap_or_default();
-    if let Some(&(least, rows)) = own.iter().min_by(nearest) {
-        let level = if is_swapped { swapped } else { as_given };
-        if rows != 0 && level > BETTER * least.max(0.5) {
-            let to = if rows > 0 { "lower" } else { "higher" };
-            findings.push(warn(
-                "vertical-offset",
-                "stereo pair",
-                format!(
-                    "the right image has things about {} px {to} than the left",
-                    rows.abs()
-                ),
-                "rectify both with the calibration of this device",
-            ));
-        }
+    let (least, rows) = if is_swapped { swapped } else { given };
+    if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
+        let to = if rows > 0 { "lower" } else { "higher" };
+        findings.push(warn(
+            "vertical-offset",
+            "stereo pair",
+            format!(
+                "the right image has things about {} px {to} than the left",
+                rows.abs()
+            ),
+            "rectify both with the calibration of this device",
+        ));
     }
     findings
 }

@@ -231,3 +231,6 @@ fn pass(level: Level, plan: &Plan, sources: &[Source<'_>; 2], memory: &mut Works
         confidence,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -136,7 +136,7 @@ pub struct Parameters {
 
 impl Parameters {
     /// `DepthAI`'s defaults. What it does not have or does not publish:
-    /// * `paths`: 8.
+    /// * `paths`: 4. There are penalties for horizontal and for vertical ones, and none for those aslant.
     /// * `penaltyShift`: 5. Costs are the linear equation's right shifted by 5, at most 31; penalties of 250 and 500 have
     ///   a meaning beside them if they are in the units of the equation itself.
     /// * `kernelSize`: 5×5.
@@ -186,7 +186,7 @@ impl Parameters {
             },
             edge_threshold: 15,
             smooth_threshold: 5,
-            paths: 8,
+            paths: 4,
             depth_rounding: DepthRounding::default(),
         }
     }

@@ -74,20 +74,29 @@ pub(super) enum Width {
 /// `DepthAI`'s masks: every other pixel of every other row, row by row without the middle.
 const MASKS: [u64; 3] = [0xA8_2415, 0xAA02_A815_4055, 0x2AA0_0AA8_0554_0155];
 
+impl Parameters {
+    /// Which pixels of the window count in images `width` px wide: [`kernel_mask`](Self::kernel_mask), or `DepthAI`'s choice.
+    #[must_use]
+    pub const fn mask_at(&self, width: usize) -> u64 {
+        match (self.kernel_mask, self.kernel_size) {
+            (0, _) if width <= 640 => u64::MAX,
+            (0, CensusKernel::Auto | CensusKernel::Kernel5x5) => MASKS[0],
+            (0, CensusKernel::Kernel7x7) => MASKS[1],
+            (0, CensusKernel::Kernel7x9) => MASKS[2],
+            (own, _) => own,
+        }
+    }
+}
+
 impl Plan {
     /// For a pass over images `width` px wide.
     pub(super) fn new(p: &Parameters, width: usize) -> Self {
-        let (window, mask) = match p.kernel_size {
-            CensusKernel::Auto | CensusKernel::Kernel5x5 => ([5, 5], MASKS[0]),
-            CensusKernel::Kernel7x7 => ([7, 7], MASKS[1]),
-            CensusKernel::Kernel7x9 => ([7, 9], MASKS[2]),
+        let window = match p.kernel_size {
+            CensusKernel::Auto | CensusKernel::Kernel5x5 => [5, 5],
+            CensusKernel::Kernel7x7 => [7, 7],
+            CensusKernel::Kernel7x9 => [7, 9],
         };
-        let mask = match p.kernel_mask {
-            0 if width > 640 => mask,
-            0 => u64::MAX,
-            own => own,
-        };
-        let pixels = pixels(window, mask);
+        let pixels = pixels(window, p.mask_at(width));
         let most = ((u32::from(p.alpha) * 255 + u32::from(p.beta) * 8 * counter(pixels.len())) >> 5)
             .min(p.cost_threshold.into());
         let penalties = match p.platform {

@@ -109,6 +109,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::cast_possible_truncation, reason = "as candidates are")]
     fn each_distance_in_range_has_its_periods() {
         for (level, count) in (0..6).zip([1, 3, 5, 7, 8, 8]) {
             let unwrapping = Unwrapping::new(&at(level));

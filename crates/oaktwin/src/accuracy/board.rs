@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oaktwin_render::{Backend, Clip, Renderer, View};
 
-use crate::camera::math::DAffine3;
+use crate::camera::math::{DAffine3, DMat3, DVec3};
 use crate::camera::{Camera, Intrinsics, LensModel, PixelPoint, RigidTransform, Usd};
 use crate::demo_room::white_noise;
 use crate::image::annotation::Annotator;
@@ -19,6 +19,12 @@ use crate::scene::{
 /// every window of a matcher has several.
 const GRAIN_PX: f64 = 3.0;
 
+/// Before a pair: the same, but so that no two squares lie alike on the pixels.
+const GRAIN_OF_PAIR_PX: f64 = 3.37;
+
+/// How far the board goes on beyond the image, px.
+const BEYOND_PX: f64 = 8.0;
+
 /// Squares on a side of the pattern, which repeats.
 const SQUARES: u16 = 256;
 
@@ -26,8 +32,32 @@ const SQUARES: u16 = 256;
 pub(super) struct Sight {
     pub(super) depth: ZDepth,
     pub(super) rgb: Image<[u8; 4]>,
-    /// The truth.
-    pub(super) distance_m: f64,
+}
+
+/// A board that a stereo pair looks at.
+pub(super) struct Board {
+    renderer: Renderer,
+}
+
+impl Board {
+    /// Perpendicular to the optical axis at a distance; both cameras see nothing else.
+    pub(super) fn new(intrinsics: Intrinsics, distance_m: f64) -> Self {
+        // The right camera sees what lies farther right, by less than this.
+        let beyond = 8.0 + 2.0 * f64::from(intrinsics.size.width);
+        Self {
+            renderer: Renderer::new(scene(&intrinsics, distance_m, (GRAIN_OF_PAIR_PX, beyond))),
+        }
+    }
+
+    /// The light that a camera collects which stands `right_m` to the right of the first.
+    pub(super) fn light(&self, intrinsics: Intrinsics, right_m: f64) -> Image<f32> {
+        let view = View {
+            camera: Camera::new(intrinsics, LensModel::Pinhole),
+            world_from_camera: RigidTransform::new(DMat3::IDENTITY, DVec3::new(right_m, 0.0, 0.0)),
+            clip: Clip::default(),
+        };
+        self.renderer.luminance(&view, Backend::Auto, None).0.scene
+    }
 }
 
 /// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that fills the image and goes
@@ -38,29 +68,27 @@ pub(super) fn look(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
         world_from_camera: RigidTransform::IDENTITY,
         clip: Clip::default(),
     };
-    let renderer = Renderer::new(scene(&intrinsics, distance_m));
+    let renderer = Renderer::new(scene(&intrinsics, distance_m, (GRAIN_PX, BEYOND_PX)));
     let wanted = [Annotator::Rgb, Annotator::DistanceToImagePlane];
     let (frame, _) = renderer.annotate(&view, &wanted, Backend::Auto, &AnnotateOptions::default());
     Some(Sight {
         depth: frame.distance_to_image_plane?,
         rgb: frame.rgb?,
-        distance_m,
     })
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a mesh is float32")]
-fn scene(intrinsics: &Intrinsics, distance_m: f64) -> Scene {
+fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, f64)) -> Scene {
     let size = intrinsics.size;
-    let beyond = 8.0;
-    let [left, right] = [-beyond, f64::from(size.width) + beyond];
-    let [top, bottom] = [-beyond, f64::from(size.height) + beyond];
+    let [left, right] = [-BEYOND_PX, f64::from(size.width) + beyond_px];
+    let [top, bottom] = [-BEYOND_PX, f64::from(size.height) + BEYOND_PX];
     // Counter-clockwise for the camera, whose y points down.
     let corners = [[left, top], [left, bottom], [right, bottom], [right, top]];
     let position = |[x, y]: [f64; 2]| {
         let point = intrinsics.normalized_from_pixel(PixelPoint::<Usd>::new(x, y)) * distance_m;
         [point.x as f32, point.y as f32, distance_m as f32]
     };
-    let uv = |pixel: [f64; 2]| pixel.map(|c| (c / (GRAIN_PX * f64::from(SQUARES))) as f32);
+    let uv = |pixel: [f64; 2]| pixel.map(|c| (c / (grain_px * f64::from(SQUARES))) as f32);
     let mesh = Mesh {
         positions: corners.map(position).to_vec(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],

@@ -6,11 +6,16 @@
 //! median device: so by default 200 devices are measured, each with the calibration bias of its seed, and the median of
 //! their absolute errors has the verdict.
 //!
-//! Only the part of the image that has a say in the region is rendered and sensed; what comes out is the same.
+//! The engine that matches has its board rendered as a pair, as its image sensors record it; a device's bias is then how much
+//! farther left its right image lies than its calibration says.
+//!
+//! Only the part of the image that has a say in the region is rendered and sensed; what comes out is the same, but that a matcher's paths
+//! begin nearer.
 
 mod bands;
 mod board;
 pub(crate) mod distances;
+mod eyes;
 pub mod measured;
 mod optics;
 mod plot;
@@ -37,7 +42,8 @@ use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
 use crate::dataset::figure::Figure;
 use crate::diagnostic::{Finding, fold_name, nearest};
 use crate::files::FileError;
-use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
+use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, calibration_error_px, sensor};
+use eyes::Eyes;
 use measured::Curve;
 use stand::{Effort, Stand, Unit};
 
@@ -46,6 +52,9 @@ pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);
 
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;
+
+/// As many of them where each has a pair of images to match.
+pub const MATCHING_DEVICES: u32 = 25;
 
 /// The most devices at once: each holds a table of a quarter of a megabyte.
 const MAX_DEVICES: u32 = 5000;
@@ -69,7 +78,8 @@ pub struct Options {
     pub engine: SensorOptions,
     /// True distances, m; by default about twenty from the nearest that can be measured to the end of the bands.
     pub distances_m: Option<Vec<f64>>,
-    /// How many devices, where they differ and none is chosen by its seed; by default [`DEVICES`].
+    /// How many devices, where they differ and none is chosen by its seed; by default [`DEVICES`] or
+    /// [`MATCHING_DEVICES`].
     pub devices: Option<u32>,
     /// Images of each board.
     pub captures: u32,
@@ -181,6 +191,7 @@ impl Bench {
         let region = Region::centred(size.width, size.height, options.region);
         let stand = Stand {
             intrinsics,
+            eyes: eyes(&units, options)?,
             units,
             random: Stream::new(options.engine.seed, &depth.spec.prim),
             region,
@@ -432,9 +443,14 @@ fn units(
             ..options.engine.clone()
         };
         let (sensor, findings) = sensor(twin, depth, &options)?;
+        let bias_px = match sensor.engine() {
+            Engine::StereoMatching(_) => calibration_error_px(&options)?,
+            _ => 0.0,
+        };
         let unit = Unit {
             engine: sensor.engine().clone(),
             filters: sensor.filters().clone(),
+            bias_px,
         };
         Ok::<_, ParameterError>((unit, findings))
     };
@@ -444,7 +460,10 @@ fn units(
         (Some(device_seed), _) => Devices::One { device_seed },
         (None, Some(1)) => Devices::One { device_seed: 0 },
         (None, count) => Devices::Population {
-            count: count.unwrap_or(DEVICES),
+            count: count.unwrap_or(match plain.engine {
+                Engine::StereoMatching(_) => MATCHING_DEVICES,
+                _ => DEVICES,
+            }),
         },
     };
     let units = match devices {
@@ -458,6 +477,16 @@ fn units(
         }
     };
     Ok((devices, units, findings))
+}
+
+/// What takes the pictures of engines that match them.
+fn eyes(units: &[Unit], options: &Options) -> Result<Option<Eyes>, ParameterError> {
+    match units.first().map(|unit| &unit.engine) {
+        Some(Engine::StereoMatching(engine)) => {
+            Eyes::new(engine.parameters().stereo.baseline_m, options.engine.seed).map(Some)
+        }
+        _ => Ok(None),
+    }
 }
 
 fn default_distances(stand: &Stand, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {

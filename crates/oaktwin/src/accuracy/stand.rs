@@ -6,20 +6,26 @@ use oaktwin_depth::filter::Chain;
 use oaktwin_depth::measure::{Optics, Quality, Region, Vendor, quality, vendor};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Depth, SingleView, Wanted};
+use oaktwin_depth::stereo_matching::{Pair, StereoMatching};
 use oaktwin_depth::stereo_noise::StereoNoise;
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 use rayon::prelude::*;
 
 use super::AccuracyError;
-use super::board::{self, Sight};
+use super::board::{self, Board, Sight};
+use super::eyes::Eyes;
 use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, Usd};
-use crate::image::{ImageView, ZDepth};
+use crate::image::{Image, ImageView, ZDepth};
 use crate::sensor::{Engine, ParameterError, Sensor, Shot};
 
 /// What lies around the region has its say beyond windows and neighbourhoods too: in the edges of textures, px.
 const AROUND_PX: u32 = 4;
 /// Filters look farther; some carry values along whole rows, halving them at each pixel.
 const AROUND_FILTERS_PX: u32 = 72;
+
+/// Paths of a matcher go over the whole image; farther than this what they bring is of no weight on a board full of
+/// texture, px.
+const PATHS_PX: u32 = 32;
 
 /// Cameras of one model, to be measured one after the other.
 #[derive(Debug)]
@@ -32,6 +38,8 @@ pub(super) struct Stand {
     pub(super) units: Vec<Unit>,
     /// Their noise; each has its own.
     pub(super) random: Stream,
+    /// What takes their pictures, where they match pairs.
+    pub(super) eyes: Option<Eyes>,
 }
 
 /// A camera.
@@ -39,6 +47,8 @@ pub(super) struct Stand {
 pub(super) struct Unit {
     pub(super) engine: Engine,
     pub(super) filters: Chain,
+    /// Of the calibration of a pair that is matched, px of the whole image; other engines have it in their parameters.
+    pub(super) bias_px: f64,
 }
 
 /// What was measured.
@@ -73,18 +83,12 @@ impl Stand {
         wants_more: &(dyn Fn() -> bool + Sync),
     ) -> Result<Vec<MeasuredUnit>, AccuracyError> {
         let part = self.part(distance_m);
-        let sight = board::look(part.intrinsics, distance_m);
+        let scenery = Scenery::new(self, &part, distance_m);
         let measure = |(unit, item): (&Unit, u32)| {
             if !wants_more() {
                 return Err(AccuracyError::Interrupted);
             }
-            let of = |engine: &Engine| match &sight {
-                Some(sight) => self.measure_unit(engine, &unit.filters, item, sight, &part, effort),
-                None => Ok(Measured {
-                    vendor: Vendor::default(),
-                    quality: Quality::default(),
-                }),
-            };
+            let of = |engine: &Engine| self.measure_unit(engine, unit, item, &scenery, &part, effort);
             Ok(MeasuredUnit {
                 own: of(&unit.engine)?,
                 other: other_reading(&unit.engine)?
@@ -152,24 +156,16 @@ impl Stand {
     fn measure_unit(
         &self,
         engine: &Engine,
-        filters: &Chain,
+        unit: &Unit,
         item: u32,
-        sight: &Sight,
+        scenery: &Scenery<'_>,
         part: &Part,
         effort: Effort,
     ) -> Result<Measured, ParameterError> {
         let width = self.intrinsics.size.width;
         let engine = of_part(engine, width, &part.intrinsics)?;
-        let mut sensor = Sensor::new(engine, filters.clone(), self.random);
-        let images: Vec<ZDepth> = (0..effort.captures)
-            .map(|frame| {
-                let shot = Shot::new((&sight.depth.0).into());
-                let mut shot = shot.with_rgb((&sight.rgb).into()).unwrap_or(shot);
-                shot.frame = u64::from(frame);
-                shot.item = item;
-                sensor.capture(&shot, Wanted::default()).distance
-            })
-            .collect();
+        let mut sensor = Sensor::new(engine, unit.filters.clone(), self.random);
+        let images = scenery.captures(&mut sensor, unit, item, part, effort.captures);
         let (region, intrinsics) = part.in_image(images.first());
         let views: Vec<ImageView<'_, f32>> = images.iter().map(|image| (&image.0).into()).collect();
         let optics = Optics {
@@ -179,7 +175,7 @@ impl Stand {
         Ok(Measured {
             vendor: vendor(&views, &region),
             quality: if effort.quality {
-                quality(&views, &region, &optics, sight.distance_m)
+                quality(&views, &region, &optics, scenery.distance_m)
             } else {
                 Quality::default()
             },
@@ -232,6 +228,60 @@ impl Stand {
                 ImageSize::new(columns.end - columns.start, rows.end - rows.start),
             ),
         }
+    }
+}
+
+/// What there is to see.
+struct Scenery<'a> {
+    distance_m: f64,
+    /// What is rendered as depth with a picture.
+    sight: Option<Sight>,
+    /// The board, what is before it, and the light on their left camera.
+    pair: Option<(Board, &'a Eyes, Image<f32>)>,
+}
+
+impl<'a> Scenery<'a> {
+    fn new(stand: &'a Stand, part: &Part, distance_m: f64) -> Self {
+        let pair = stand.eyes.as_ref().map(|eyes| {
+            let board = Board::new(part.intrinsics, distance_m);
+            let left = eyes.left(&board, part.intrinsics);
+            (board, eyes, left)
+        });
+        let sight = match pair {
+            Some(_) => None,
+            None => board::look(part.intrinsics, distance_m),
+        };
+        Self {
+            distance_m,
+            sight,
+            pair,
+        }
+    }
+
+    /// So many captures of a unit.
+    fn captures(&self, sensor: &mut Sensor, unit: &Unit, item: u32, part: &Part, count: u32) -> Vec<ZDepth> {
+        let mut capture = |shot: &Shot<'_>, frame: u32| {
+            let mut shot = *shot;
+            (shot.frame, shot.item) = (frame.into(), item);
+            sensor.capture(&shot, Wanted::default()).distance
+        };
+        if let Some((board, eyes, left)) = &self.pair {
+            let right = eyes.right(board, part.intrinsics, unit.bias_px);
+            // The measured depth has the size of the pair.
+            let depth = Image::filled(1, 1, 0.0);
+            let captures = (0..count).filter_map(|frame| {
+                let [left, right] = eyes.record([left, &right], &part.intrinsics, (frame.into(), item));
+                let pair = Pair::new(&left, &right).ok()?;
+                Some(capture(&Shot::new((&depth).into()).with_pair(pair), frame))
+            });
+            return captures.collect();
+        }
+        let Some(sight) = &self.sight else {
+            return Vec::new();
+        };
+        let shot = Shot::new((&sight.depth.0).into());
+        let shot = shot.with_rgb((&sight.rgb).into()).unwrap_or(shot);
+        (0..count).map(|frame| capture(&shot, frame)).collect()
     }
 }
 
@@ -299,8 +349,7 @@ fn around_px(engine: &Engine) -> u32 {
         }
         // Those whose light a pixel sees, and those beside them for their normals.
         Engine::TimeOfFlight(_) => 2,
-        // Paths go over the whole image.
-        Engine::StereoMatching(_) => 1024,
+        Engine::StereoMatching(_) => PATHS_PX,
     }
 }
 
@@ -319,7 +368,7 @@ fn is_of_another_width(engine: &Engine, width: u32) -> bool {
     match engine {
         Engine::SingleView(_) | Engine::TimeOfFlight(_) => false,
         Engine::StereoNoise(engine) => engine.parameters().width_px != width,
-        Engine::StereoMatching(_) => true,
+        Engine::StereoMatching(engine) => engine.parameters().width_px != width,
     }
 }
 
@@ -351,7 +400,12 @@ fn of_part(engine: &Engine, width: u32, part: &Intrinsics) -> Result<Engine, Par
             parameters.width_px = part_width;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
-        Engine::StereoMatching(engine) => Engine::StereoMatching(engine.clone()),
+        Engine::StereoMatching(engine) => {
+            let mut parameters = *engine.parameters();
+            parameters.kernel_mask = parameters.mask_at(width as usize);
+            parameters.width_px = part_width;
+            Engine::StereoMatching(StereoMatching::new(parameters)?)
+        }
         Engine::TimeOfFlight(_) => engine.clone(),
     })
 }
@@ -377,13 +431,14 @@ fn other_reading(engine: &Engine) -> Result<Option<Engine>, ParameterError> {
 mod tests {
     use super::*;
     use crate::catalog::Catalog;
-    use crate::sensor::{SensorOptions, sensor};
+    use crate::sensor::{EngineKind, SensorOptions, sensor};
 
-    fn stand(model: &str, parameters: &[(&str, &str)]) -> Stand {
+    fn stand(model: &str, engine: EngineKind, parameters: &[(&str, &str)]) -> Stand {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device(model).unwrap());
         let depth = twin.depth_sensors.last().unwrap();
         let options = SensorOptions {
+            engine: Some(engine),
             parameters: parameters
                 .iter()
                 .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))
@@ -398,8 +453,10 @@ mod tests {
             units: vec![Unit {
                 engine: sensor.engine().clone(),
                 filters: Chain::default(),
+                bias_px: 0.0,
             }],
             random: Stream::new(0, ""),
+            eyes: None,
         }
     }
 
@@ -410,11 +467,11 @@ mod tests {
             captures: 3,
             quality: false,
         };
-        for (model, quiet) in [
-            ("oak4-d", [("jitter", "0")]),
-            ("oak-d-tof", [("noiseSigma", "0")]),
+        for (model, engine, quiet) in [
+            ("oak4-d", EngineKind::StereoNoise, ("jitter", "0")),
+            ("oak-d-tof", EngineKind::SingleView, ("noiseSigma", "0")),
         ] {
-            let stand = stand(model, &quiet);
+            let stand = stand(model, engine, &[quiet]);
             for distance in [0.8, 1.31, 3.3] {
                 let part = stand.part(distance);
                 assert!(part.intrinsics.size.width < stand.intrinsics.size.width / 2);
@@ -423,13 +480,13 @@ mod tests {
                     region: stand.region.clone(),
                 };
                 let [part, whole] = [part, whole].map(|part| {
-                    let sight = board::look(part.intrinsics, distance).unwrap();
+                    let scenery = Scenery::new(&stand, &part, distance);
                     let unit = &stand.units[0];
                     let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
                     engines.map(|engine| {
                         engine.map(|engine| {
                             stand
-                                .measure_unit(&engine, &unit.filters, 0, &sight, &part, effort)
+                                .measure_unit(&engine, unit, 0, &scenery, &part, effort)
                                 .unwrap()
                                 .vendor
                         })

@@ -2,7 +2,7 @@ use oaktwin_render::{Beam, BeamPattern};
 
 use super::{Pair, PairError, PairOptions};
 use crate::camera::math::DVec3;
-use crate::camera::{Axes, Camera, LensModel, RigidTransform};
+use crate::camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
 use crate::catalog::{self, Origin, Role, Twin, TwinCamera};
 use crate::depth::ParameterError;
 use crate::depth::dots::{Dots, Projector};
@@ -10,10 +10,14 @@ use crate::depth::imager::{Imager, Recorded};
 use crate::depth::preset::Platform;
 use crate::depth::random::{Stage, Stream};
 use crate::depth::rectify::{Rectify, RectifyOptions, StereoRectify};
-use crate::diagnostic::{Finding, fold_name};
+use crate::diagnostic::Finding;
 use crate::image::{Image, ImageView};
 use crate::render::{Backend, Clip, Renderer, View, check_size};
+use crate::sensor::platform;
 use crate::usd::asset::LensChoice;
+
+/// Far more than a calibration is wrong, px.
+const MOST_BIAS_PX: f64 = 10.0;
 
 /// The stereo pair of a twin, ready to look.
 #[derive(Clone, Debug)]
@@ -61,10 +65,12 @@ impl PairCameras {
     /// too large, or cameras that cannot be rectified.
     pub fn new(twin: &Twin, options: &PairOptions) -> Result<Self, PairError> {
         let left = eye(twin, Role::Left, "left", options)?;
-        let right = eye(twin, Role::Right, "right", options)?;
+        let mut right = eye(twin, Role::Right, "right", options)?;
         let rectify = options.rectify.unwrap_or_else(|| as_the_device(twin));
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectify = StereoRectify::new(&left.camera, &right.camera, &right_from_left, &rectify);
+        // What the calibration does not know.
+        right.camera.intrinsics = shifted(right.camera.intrinsics, -bias_px(twin, options)?);
         Ok(Self {
             imager: Imager::new(options.imager)?,
             rectify: rectify.map_err(|error| PairError::Rectify {
@@ -78,7 +84,7 @@ impl PairCameras {
         })
     }
 
-    /// The cameras' intrinsics and lenses, left and right.
+    /// The cameras' intrinsics and lenses, left and right, as they are.
     #[must_use]
     pub fn cameras(&self) -> [&Camera; 2] {
         [&self.left.camera, &self.right.camera]
@@ -203,6 +209,32 @@ fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Re
     })
 }
 
+/// The calibration's error in pixels of the images.
+fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
+    let bias = options.bias_px;
+    if bias.is_nan() || bias.abs() > MOST_BIAS_PX {
+        return Err(ParameterError {
+            name: "bias".to_owned(),
+            what: format!("{bias} is out of range"),
+            remedy: format!("give -{MOST_BIAS_PX} to {MOST_BIAS_PX} px"),
+        });
+    }
+    let own = twin
+        .camera(Role::Right)
+        .map(|camera| camera.intrinsics.size.width);
+    Ok(match (own, options.size) {
+        (Some(own), Some(size)) => bias * f64::from(size.width) / f64::from(own),
+        _ => bias,
+    })
+}
+
+/// With the image moved to the right, px.
+pub(crate) fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
+    let centre = intrinsics.principal_point::<OpenCv>();
+    let moved = PixelPoint::<OpenCv>::new(centre.x + by_px, centre.y);
+    Intrinsics::new(intrinsics.size, intrinsics.fx, intrinsics.fy, moved)
+}
+
 fn optics(twin: &Twin, camera: &TwinCamera, lens: LensChoice) -> Camera {
     (camera.nominal_fisheye())
         .filter(|_| lens == LensChoice::Fisheye && twin.origin == Origin::Nominal)
@@ -211,11 +243,7 @@ fn optics(twin: &Twin, camera: &TwinCamera, lens: LensChoice) -> Camera {
 
 /// As the device's processor does it; one that is not known, as `DepthAI` on a host.
 fn as_the_device(twin: &Twin) -> RectifyOptions {
-    let generation = fold_name(&twin.device.generation);
-    let platform = [Platform::Rvc2, Platform::Rvc4]
-        .into_iter()
-        .find(|platform| fold_name(platform.name()) == generation);
-    RectifyOptions::of(platform.unwrap_or(Platform::Rvc4))
+    RectifyOptions::of(platform(twin).unwrap_or(Platform::Rvc4))
 }
 
 fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {

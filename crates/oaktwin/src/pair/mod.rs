@@ -46,6 +46,7 @@ mod options;
 mod tests;
 
 pub use cameras::PairCameras;
+pub(crate) use cameras::shifted;
 pub use error::PairError;
 pub use options::PairOptions;
 

@@ -20,6 +20,9 @@ pub struct PairOptions {
     pub lens: LensChoice,
     /// The size of the raw and rectified images, by `DepthAI`'s rule; by default the sensor's own.
     pub size: Option<ImageSize>,
+    /// By how much the device's calibration makes disparities too large, px of the cameras' own resolution: what the right
+    /// camera sees lies so much farther left than its calibration says.
+    pub bias_px: f64,
     /// Of the noise.
     pub seed: u64,
 }
@@ -33,6 +36,7 @@ impl Default for PairOptions {
             ambient: 1.0,
             lens: LensChoice::default(),
             size: None,
+            bias_px: 0.0,
             seed: 0,
         }
     }

@@ -20,8 +20,9 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, png};
+use crate::pair::PairCameras;
 use crate::recording::RecordingFileError;
-use crate::sensor::Sensor;
+use crate::sensor::{Engine, Sensor};
 
 /// What to render, and into which files.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +32,8 @@ pub struct FrameOptions<'a> {
     /// The depth sensor of each camera that has one, as [`depth_sensors`](super::depth_sensors) makes them: fresh ones.
     /// Without one a camera has none of a depth sensor's annotations.
     pub sensors: &'a [Option<Sensor>],
+    /// What takes the pairs of engines that match one; without it they measure nothing.
+    pub pair: Option<&'a PairCameras>,
     /// The sensors of a sweep, fresh ones: a sheet for each frame of each depth sensor's camera.
     pub sweep: Option<&'a SweptSensors>,
     /// How to find what a pixel sees.
@@ -236,6 +239,8 @@ struct Station<'a> {
     camera: &'a PlacedCamera,
     index: usize,
     sensor: Option<Sensor>,
+    /// Whether it, or one of a sweep, matches a pair.
+    matches: bool,
     needed: Vec<Annotator>,
 }
 
@@ -245,10 +250,12 @@ impl<'a> Station<'a> {
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
+        let is_matching = (sensor.iter()).any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)));
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
         Self {
             camera,
             index,
+            matches: is_matching || options.sweep.is_some_and(|sweep| sweep.matches(index)),
             sensor,
             needed,
         }
@@ -263,14 +270,17 @@ impl<'a> Station<'a> {
     ) -> (Rendered<'a>, Vec<Finding>) {
         let mount = *pose.unwrap_or(&self.camera.world_from_mount);
         let view = self.camera.view(&mount);
-        let (mut frame, findings) =
+        let pair = options.pair.filter(|_| self.matches);
+        let pair = pair.map(|pair| pair.look(renderer, &mount, number as u64));
+        let (mut frame, mut findings) =
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
-        let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64));
+        let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64, pair.as_ref()));
         if let Some(sensor) = &mut self.sensor {
             depth_sensor::sense_frame(
                 sensor,
                 &view.camera,
                 number as u64,
+                pair.as_ref(),
                 options.annotators,
                 &mut frame,
             );
@@ -279,6 +289,7 @@ impl<'a> Station<'a> {
         frame.distance_to_image_plane = frame
             .distance_to_image_plane
             .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
+        findings.extend(pair.into_iter().flat_map(|pair| pair.findings));
         let rendered = Rendered {
             camera: self.camera,
             at: self.index,

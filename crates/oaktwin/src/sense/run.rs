@@ -18,7 +18,7 @@ use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::image::Image;
 use crate::image::annotation::Annotator;
-use crate::sensor::{Engine, EngineKind, Sensor, SensorOptions, Shot, sensor};
+use crate::sensor::{Engine, EngineKind, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
 
 /// Pixels that are worked on at once.
 const PIXELS_AT_ONCE: usize = 1 << 24;
@@ -84,6 +84,9 @@ pub fn sense(
             "--depth-scale {} is no scale; give metres a unit, above 0",
             options.depth_scale
         )));
+    }
+    if options.sensor.engine == Some(EngineKind::StereoMatching) {
+        return Err(needs_a_pair("a depth image is none").into());
     }
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
@@ -242,7 +245,7 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
         self.findings.extend(findings);
-        let engine = EngineKind::name_of(sensor.engine());
+        let engine = EngineKind::of(sensor.engine()).as_str();
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
@@ -422,7 +425,7 @@ fn check_outputs(
         if is_isaacs && !is_single_view {
             return Err(SenseError::option(format!(
                 "--outputs {name}: {} does not make it; leave it out, or choose --engine single-view",
-                EngineKind::name_of(engine)
+                EngineKind::of(engine).as_str()
             )));
         }
         if needs_picture(annotator) && !has_pictures {

@@ -1,9 +1,9 @@
 //! What options make of an engine: preset, filters and parameters by name.
 
 use oaktwin_depth::filter::{self, Chain, Filter};
-use oaktwin_depth::preset::{Platform, StereoConfig, TimeOfFlightConfig};
+use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, TimeOfFlightConfig};
 use oaktwin_depth::single_view::{self, Assumptions};
-use oaktwin_depth::{ParameterError, stereo_noise, time_of_flight};
+use oaktwin_depth::{ParameterError, stereo_matching, stereo_noise, time_of_flight};
 
 use super::{EngineKind, SensorOptions};
 use crate::catalog::{DepthKind, Twin};
@@ -26,16 +26,16 @@ impl Preset {
             return Ok(None);
         };
         let preset = match kind {
-            DepthKind::Stereo => StereoConfig::preset(platform(twin)?, name)
-                .map(Box::new)
-                .map(Self::Stereo),
+            DepthKind::Stereo => return Self::of_stereo(platform(twin)?, name).map(Some),
             DepthKind::Tof => TimeOfFlightConfig::preset(name).map(Self::TimeOfFlight),
         };
-        preset.map(Some).map_err(|error| ParameterError {
-            name: "preset".to_owned(),
-            what: error.what,
-            remedy: error.remedy,
-        })
+        preset.map(Some).map_err(unknown)
+    }
+
+    /// Of a platform's stereo.
+    pub(super) fn of_stereo(platform: Platform, name: &str) -> Result<Self, ParameterError> {
+        let config = StereoConfig::preset(platform, name).map_err(unknown)?;
+        Ok(Self::Stereo(Box::new(config)))
     }
 
     fn filters(&self) -> Vec<Filter> {
@@ -48,7 +48,7 @@ impl Preset {
     /// What it changes, for people.
     pub(super) fn finding(&self, options: &SensorOptions, engine: EngineKind, prim: &str) -> Finding {
         let mut changes = Vec::new();
-        if let (Self::Stereo(config), EngineKind::StereoNoise) = (self, engine) {
+        if let (Self::Stereo(config), EngineKind::StereoNoise | EngineKind::StereoMatching) = (self, engine) {
             changes.push(format!("{} subpixel bits", config.subpixel.bits()));
             if config.disparity_shift_px > 0 {
                 changes.push(format!("disparities from {} px", config.disparity_shift_px));
@@ -82,8 +82,16 @@ impl Preset {
     }
 }
 
+fn unknown(error: PresetError) -> ParameterError {
+    ParameterError {
+        name: "preset".to_owned(),
+        what: error.what,
+        remedy: error.remedy,
+    }
+}
+
 /// The processor of a device.
-fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
+pub(super) fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
     let generation = &twin.device.generation;
     [Platform::Rvc2, Platform::Rvc4]
         .into_iter()
@@ -144,11 +152,29 @@ pub(super) fn set_time_of_flight(
     Ok(())
 }
 
+/// But for [`CALIBRATION_ERROR`], which is of the pair.
+pub(super) fn set_stereo_matching(
+    parameters: &mut stereo_matching::Parameters,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    for (given, value) in &options.parameters {
+        let name = resolve(given, EngineKind::StereoMatching)?;
+        if name != CALIBRATION_ERROR {
+            parameters.set(name, value)?;
+        }
+    }
+    Ok(())
+}
+
+/// The parameter of a device, not of its matcher.
+pub(super) const CALIBRATION_ERROR: &str = "bias";
+
 /// The parameters of an engine.
 fn names(engine: EngineKind) -> Vec<&'static str> {
     match engine {
         EngineKind::SingleView => single_view_names(),
         EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
+        EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
         EngineKind::TimeOfFlight => time_of_flight::NAMES.to_vec(),
     }
 }
@@ -168,8 +194,8 @@ fn resolve(given: &str, engine: EngineKind) -> Result<&'static str, ParameterErr
     if let Some(name) = find(engine) {
         return Ok(name);
     }
-    let others = EngineKind::ALL.into_iter();
-    let (what, remedy) = match others.filter_map(|other| Some((other, find(other)?))).next() {
+    let mut others = EngineKind::ALL.into_iter();
+    let (what, remedy) = match others.find_map(|other| Some((other, find(other)?))) {
         Some((other, name)) => (
             format!(
                 "{} has no {name}: it is a parameter of {}",

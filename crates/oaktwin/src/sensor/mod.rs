@@ -2,6 +2,7 @@
 //! device would report.
 
 mod configure;
+mod matching;
 mod options;
 mod parameter_file;
 mod parameters;
@@ -10,12 +11,16 @@ use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, SingleView};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
-pub use oaktwin_depth::{Capture, Engine, ParameterError, Sensor, Shot, single_view};
+pub use oaktwin_depth::{Capture, Engine, FixedDisparity, ParameterError, Sensor, Shot, single_view};
 
 use configure::Preset;
+pub(crate) use matching::needs_a_pair;
+pub use matching::{calibration_error_px, platform, stereo_matching};
 pub use options::{EngineKind, SensorOptions};
 pub use parameter_file::ParameterFile;
-pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
+pub use parameters::{
+    single_view_parameters, stereo_matching_parameters, stereo_noise_parameters, time_of_flight_parameters,
+};
 
 use crate::camera::{Intrinsics, StereoGeometry};
 use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
@@ -79,6 +84,7 @@ pub fn sensor(
             configure::set_stereo_noise(&mut parameters, options)?;
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
+        EngineKind::StereoMatching => matching::of_twin(twin, sensor, own, preset.as_ref(), options)?,
         EngineKind::TimeOfFlight => {
             let camera = twin
                 .camera(sensor.spec.camera)
@@ -125,6 +131,7 @@ pub fn of_render_product(
         EngineKind::SingleView => single_view(parameters, options)?,
         EngineKind::StereoNoise => stereo_noise(&parameters, options)?,
         EngineKind::TimeOfFlight => time_of_flight(&parameters, options)?,
+        EngineKind::StereoMatching => return Err(needs_a_pair("a render product has one camera")),
     };
     let filters = configure::chain(options, None)?;
     let name = options.name.as_deref().unwrap_or(prim);

@@ -13,13 +13,31 @@ pub enum EngineKind {
     SingleView,
     /// The errors of an OAK's stereo.
     StereoNoise,
+    /// An OAK's stereo itself, on the pair that its cameras take.
+    StereoMatching,
     /// The errors of a time-of-flight camera.
     TimeOfFlight,
 }
 
 impl EngineKind {
-    /// All there are.
-    pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::TimeOfFlight];
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::SingleView,
+        Self::StereoNoise,
+        Self::StereoMatching,
+        Self::TimeOfFlight,
+    ];
+
+    /// That of an engine.
+    #[must_use]
+    pub fn of(engine: &Engine) -> Self {
+        match engine {
+            Engine::SingleView(_) => Self::SingleView,
+            Engine::StereoNoise(_) => Self::StereoNoise,
+            Engine::StereoMatching(_) => Self::StereoMatching,
+            Engine::TimeOfFlight(_) => Self::TimeOfFlight,
+        }
+    }
 
     /// The one of this name; case, hyphens and underscores do not matter.
     ///
@@ -43,17 +61,6 @@ impl EngineKind {
             })
     }
 
-    /// The name of an engine.
-    #[must_use]
-    pub const fn name_of(engine: &Engine) -> &'static str {
-        match engine {
-            Engine::SingleView(_) => Self::SingleView.as_str(),
-            Engine::StereoNoise(_) => Self::StereoNoise.as_str(),
-            Engine::StereoMatching(_) => "stereo-matching",
-            Engine::TimeOfFlight(_) => Self::TimeOfFlight.as_str(),
-        }
-    }
-
     /// The one that is nearest to the device: the errors of an OAK's stereo, or of its time of flight.
     #[must_use]
     pub fn default_for(kind: DepthKind) -> Self {
@@ -69,6 +76,7 @@ impl EngineKind {
         match self {
             Self::SingleView => "single-view",
             Self::StereoNoise => "stereo-noise",
+            Self::StereoMatching => "stereo-matching",
             Self::TimeOfFlight => "time-of-flight",
         }
     }

@@ -12,11 +12,12 @@
 
 use std::path::Path;
 
+use oaktwin_depth::preset::Platform;
 use oaktwin_depth::single_view::Assumptions;
-use oaktwin_depth::{ParameterError, single_view, stereo_noise, time_of_flight};
+use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise, time_of_flight};
 use toml::Value;
 
-use super::{EngineKind, SensorOptions, configure};
+use super::{EngineKind, SensorOptions, calibration_error_px, configure};
 use crate::camera::StereoGeometry;
 use crate::diagnostic::nearest;
 use crate::files::{self, FileError};
@@ -148,6 +149,11 @@ impl ParameterFile {
                 let mut parameters = stereo_noise::Parameters::new(stereo, 1280);
                 configure::set_stereo_noise(&mut parameters, &options)
             }
+            EngineKind::StereoMatching => {
+                let mut parameters = stereo_matching::Parameters::new(Platform::Rvc2, stereo, 1280);
+                configure::set_stereo_matching(&mut parameters, &options)?;
+                calibration_error_px(&options).map(|_| ())
+            }
             EngineKind::SingleView => {
                 let mut parameters = single_view::Parameters::ISAAC_5_1;
                 configure::set_single_view(&mut parameters, &mut Assumptions::default(), &options)
@@ -199,7 +205,7 @@ mod tests {
             ("", "engine: is not said"),
             (
                 "engine = 'stereo-nose'\n[parameters]\n",
-                "did you mean stereo-noise?",
+                "did you mean stereo-noise",
             ),
             ("engine = 'stereo-noise'\n", "no such table"),
             (

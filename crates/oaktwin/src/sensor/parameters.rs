@@ -1,6 +1,7 @@
 use crate::camera::{Intrinsics, StereoGeometry, Usd};
 use crate::catalog::{Role, Twin, TwinDepthSensor};
-use crate::depth::{single_view, stereo_noise, time_of_flight};
+use crate::depth::preset::Platform;
+use crate::depth::{single_view, stereo_matching, stereo_noise, time_of_flight};
 use crate::usd::asset::IsaacVersion;
 
 /// The parameters that a render product of this sensor has, in an asset for that Isaac Sim.
@@ -60,4 +61,16 @@ pub fn time_of_flight_parameters(intrinsics: Intrinsics) -> time_of_flight::Para
         principal_point_px: Some([centre.x, centre.y]),
         ..time_of_flight::Parameters::new(intrinsics.fx, intrinsics.size.width)
     }
+}
+
+/// The parameters of the matcher of a twin, on this processor, in the mode of its cameras' used resolution; `None` where it
+/// has no pair.
+#[must_use]
+pub fn stereo_matching_parameters(twin: &Twin, platform: Platform) -> Option<stereo_matching::Parameters> {
+    let pair = stereo_noise_parameters(twin)?;
+    Some(stereo_matching::Parameters::new(
+        platform,
+        pair.stereo,
+        pair.width_px,
+    ))
 }

@@ -17,21 +17,21 @@ fn of(model: &str, index: usize, options: &SensorOptions) -> Result<(Sensor, Vec
 fn stereo(sensor: &Sensor) -> stereo_noise::Parameters {
     match sensor.engine() {
         Engine::StereoNoise(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::name_of(other)),
+        other => panic!("{}", EngineKind::of(other).as_str()),
     }
 }
 
 fn time_of_flight(sensor: &Sensor) -> tof::Parameters {
     match sensor.engine() {
         Engine::TimeOfFlight(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::name_of(other)),
+        other => panic!("{}", EngineKind::of(other).as_str()),
     }
 }
 
 fn isaac(sensor: &Sensor) -> single_view::Parameters {
     match sensor.engine() {
         Engine::SingleView(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::name_of(other)),
+        other => panic!("{}", EngineKind::of(other).as_str()),
     }
 }
 

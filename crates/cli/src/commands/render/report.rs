@@ -208,7 +208,7 @@ impl SensorReport {
                 let parameters = engine.parameters();
                 let names = stereo_matching::NAMES.iter();
                 Self {
-                    engine: "stereo-matching",
+                    engine: EngineKind::StereoMatching.as_str(),
                     parameters: names
                         .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
                         .collect(),

@@ -1,9 +1,11 @@
 //! The depth sensors of the cameras that are rendered.
 
+use oaktwin::camera::ImageSize;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
+use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
-use oaktwin::sensor::{EngineKind, Sensor};
+use oaktwin::sensor::{EngineKind, Sensor, calibration_error_px};
 
 use super::{Oak, asked};
 use crate::args::RenderArgs;
@@ -52,6 +54,58 @@ impl Sensors {
             .map_err(in_file)?;
         Ok(Self { own, swept, findings })
     }
+}
+
+/// What takes the pairs of the engine that matches them, where it is asked for; the cameras of its depth sensors are then
+/// its own.
+pub(super) fn pair(
+    args: &RenderArgs,
+    cameras: &mut [PlacedCamera],
+    oak: Option<&Oak>,
+    size: Option<ImageSize>,
+) -> Result<Option<(PairCameras, Vec<Finding>)>> {
+    let options = args.sensor.options()?;
+    let sweep = asked::sweep(args)?;
+    let is_swept = sweep.as_ref().map(|sweep| sweep.options(&options)).transpose();
+    let all = is_swept
+        .map_err(|error| format!("--sweep: {error}"))?
+        .unwrap_or_default();
+    let mut engines = all.iter().chain([&options]).map(|options| options.engine);
+    if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
+        return match args.pair.given() {
+            Some(option) => Err(format!(
+                "{option} is about the pair of stereo-matching: say --engine stereo-matching too, or leave it out"
+            )
+            .into()),
+            None => Ok(None),
+        };
+    }
+    let Some(oak) = oak else {
+        return Err("--engine stereo-matching needs the two cameras of an OAK, and a stage's render product has one: put one \
+                    into the scene with --model, or use stereo-noise"
+            .into());
+    };
+    let bias_px = calibration_error_px(&options)?;
+    for swept in &all {
+        if calibration_error_px(swept)?.to_bits() != bias_px.to_bits() {
+            return Err(
+                "--sweep bias: it is of the pair, which is rendered once; render with each --param bias="
+                    .into(),
+            );
+        }
+    }
+    let default = PairOptions::default();
+    let pair = PairOptions {
+        imager: args.pair.imager()?,
+        projector: args.pair.projector.unwrap_or(default.projector),
+        ambient: args.pair.ambient.unwrap_or(default.ambient),
+        lens: args.unit.lens.into(),
+        size,
+        bias_px,
+        seed: args.sensor.seed,
+        ..default
+    };
+    Ok(Some(render::put_pair(&oak.twin, cameras, &pair)?))
 }
 
 /// Cameras that are no depth sensor's although somebody asked for what one reports.
@@ -112,17 +166,17 @@ fn without_output(
         .map(|one| one.name())
         .collect();
     let other = |sensor: &Option<Sensor>| {
-        let name = EngineKind::name_of(sensor.as_ref()?.engine());
-        Some(name).filter(|name| *name != EngineKind::SingleView.as_str() && !missing.is_empty())
+        let kind = EngineKind::of(sensor.as_ref()?.engine());
+        Some(kind).filter(|kind| *kind != EngineKind::SingleView && !missing.is_empty())
     };
     let both = cameras.iter().zip(sensors);
     both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
-        .map(|(camera, name)| {
+        .map(|(camera, kind)| {
             Finding::new(
                 "single-view-only",
                 Level::Note,
                 &camera.path,
-                format!("{name} has no {}: left out", missing.join(" and no ")),
+                format!("{} has no {}: left out", kind.as_str(), missing.join(" and no ")),
                 "",
             )
         })

@@ -136,7 +136,7 @@ proptest! {
     }
 }
 
-/// σ_r = c / (4πf)·σ_φ, σ_φ = σ of a part of the phasor / amplitude.
+/// That of the distance is c / 4πf times that of the phase, which is a part of the phasor's over the amplitude.
 #[test]
 fn noise_is_that_of_the_amplitude() {
     let noisy = |signal_e, ambient_e, read_noise_e, z: f64| {

@@ -1,8 +1,10 @@
 //! What a depth sensor reports of a rendered frame.
 
 use crate::camera::Camera;
+use crate::depth::stereo_matching;
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, ZDepth};
+use crate::pair::Pair;
 use crate::sense::positions;
 use crate::sensor::{Capture, Engine, Sensor, Shot, single_view};
 
@@ -24,10 +26,15 @@ pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annota
 }
 
 /// What a sensor looks at in a frame of this number.
-pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64) -> Option<Shot<'a>> {
+pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64, pair: Option<&'a Pair>) -> Option<Shot<'a>> {
     let depth = frame.distance_to_image_plane.as_ref()?;
     let mut shot = Shot::new((&depth.0).into());
     shot.frame = number;
+    if let Some(pair) = pair {
+        // Both were recorded alike.
+        let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+        shot = shot.with_pair(pair.ok()?);
+    }
     match &frame.rgb {
         // Both are of one camera, and so of one size.
         Some(rgb) => shot.with_rgb(rgb.into()).ok(),
@@ -36,11 +43,13 @@ pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64) -> Option<Shot<
 }
 
 /// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
-/// is what both are of. What cannot be made of them is left out.
+/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. What cannot be made
+/// of them is left out.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
     number: u64,
+    pair: Option<&Pair>,
     asked: &[Annotator],
     frame: &mut Frame,
 ) {
@@ -55,7 +64,7 @@ pub fn sense_frame(
         .as_ref()
         .filter(|_| wants_positions && is_single_view)
         .map(|z| positions(camera, &z.0));
-    let captured = shot(frame, number).and_then(|shot| {
+    let captured = shot(frame, number, pair).and_then(|shot| {
         let shot = match &seen {
             Some(seen) => shot.with_positions(seen.into()).ok()?,
             None => shot,

@@ -10,7 +10,8 @@ use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, s
 use crate::diagnostic::fold_name;
 use crate::image::Image;
 use crate::image::annotation::Frame;
-use crate::sensor::{EngineKind, ParameterError, Sensor, SensorOptions, single_view};
+use crate::pair::Pair;
+use crate::sensor::{Engine, EngineKind, ParameterError, Sensor, SensorOptions, single_view};
 use thumbnail::Thumbnail;
 
 /// The most values of one parameter: more pictures than that could not be told apart.
@@ -102,7 +103,10 @@ impl Sweep {
     }
 
     /// The options of each picture, row by row.
-    fn options(&self, base: &SensorOptions) -> Result<Vec<SensorOptions>, ParameterError> {
+    ///
+    /// # Errors
+    /// A value that is none of the parameter's.
+    pub fn options(&self, base: &SensorOptions) -> Result<Vec<SensorOptions>, ParameterError> {
         let mut all = Vec::new();
         let rows = self.rows.as_ref().map_or(1, |rows| rows.values.len());
         for row in 0..rows {
@@ -135,8 +139,8 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
             let kind = EngineKind::ALL
                 .into_iter()
                 .find(|kind| fold_name(kind.as_str()) == fold_name(value));
-            options.engine =
-                Some(kind.ok_or_else(|| wrong("give single-view, stereo-noise or time-of-flight"))?);
+            let all = EngineKind::ALL.map(EngineKind::as_str).join(", ");
+            options.engine = Some(kind.ok_or_else(|| wrong(&format!("give one of {all}")))?);
         }
         "preset" => options.preset = Some(value.to_owned()),
         "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
@@ -178,6 +182,15 @@ impl SweptSensors {
         Ok(Self { sweep, sensors })
     }
 
+    /// Whether one of this camera's matches a pair.
+    pub(super) fn matches(&self, camera: usize) -> bool {
+        let mut own = self
+            .sensors
+            .iter()
+            .filter_map(|sensors| sensors.get(camera)?.as_ref());
+        own.any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)))
+    }
+
     /// Whether this camera is a depth sensor's.
     pub(super) fn has(&self, camera: usize) -> bool {
         let first = self.sensors.first().and_then(|sensors| sensors.get(camera));
@@ -185,8 +198,14 @@ impl SweptSensors {
     }
 
     /// The sheet of one camera's frame; `None` where the camera is no depth sensor's.
-    pub(super) fn sheet(&mut self, camera: usize, frame: &Frame, number: u64) -> Option<Image<[u8; 3]>> {
-        let shot = shot(frame, number)?;
+    pub(super) fn sheet(
+        &mut self,
+        camera: usize,
+        frame: &Frame,
+        number: u64,
+        pair: Option<&Pair>,
+    ) -> Option<Image<[u8; 3]>> {
+        let shot = shot(frame, number, pair)?;
         let factor = sheet::factor(&self.sweep, shot.depth().width());
         let mut cells = Vec::new();
         for sensors in &mut self.sensors {

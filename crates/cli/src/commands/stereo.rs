@@ -1,0 +1,123 @@
+mod report;
+
+use std::ops::ControlFlow;
+
+use oaktwin::catalog::Twin;
+use oaktwin::depth::preset::Platform;
+use oaktwin::depth::rectify::RectifyOptions;
+use oaktwin::diagnostic::Finding;
+use oaktwin::sense::FieldOfView;
+use oaktwin::stereo::{self, PairOf, StereoOptions};
+use oaktwin::{render, sensor, unit};
+
+use crate::args::{Lens, StereoArgs};
+use crate::context::{Context, Exit, Result};
+use crate::interrupt;
+use crate::progress::Progress;
+use report::Report;
+
+pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
+    let unit = twin(context, args)?;
+    let of = pair_of(args, unit.as_ref().map(|(twin, _)| twin))?;
+    let pairs = stereo::pairs(&args.left, &args.right)?;
+    if let Some(threads) = args.threads {
+        render::use_threads(threads as usize);
+    }
+    let options = StereoOptions {
+        sensor: args.settings.options(),
+        disparity: args.disparity,
+        confidence: args.confidence,
+        rectified: args.rectified_images,
+        png16: args.png16,
+        preview: args.preview,
+        ply: args.ply,
+    };
+    interrupt::watch()?;
+    let mut progress = Progress::new();
+    let all = pairs.len() as u64;
+    let mut watch = |done: u64| {
+        progress.at(done, all);
+        if interrupt::asked() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    let matched = stereo::stereo(&pairs, &of, &options, &args.output, &mut watch);
+    drop(progress);
+    let Some(matched) = matched? else {
+        return Ok(Exit::Good);
+    };
+    let exit = match (matched.is_interrupted, matched.has_warnings()) {
+        (true, _) => Exit::Interrupted,
+        (false, true) => Exit::Findings,
+        (false, false) => Exit::Good,
+    };
+    Report::new(args, unit, matched).print(args)?;
+    Ok(exit)
+}
+
+/// The device, where one is named, and what is odd in its calibration.
+fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
+    let model = match (&args.model, &args.unit.calibration) {
+        (Some(model), _) => model.clone(),
+        (None, None) if args.unit.lens == Lens::Fisheye => {
+            return Err("--lens is about an OAK: name it with --model".into());
+        }
+        (None, None) => return Ok(None),
+        (None, Some(file)) => {
+            let product = unit::read_calibration(file)?.1.board.product_name;
+            let known = context.catalog.device(&product);
+            known.map_err(|_| {
+                format!(
+                    "{}: productName: no model is called {product:?}; name one with --model",
+                    file.display()
+                )
+            })?;
+            product
+        }
+    };
+    let (twin, findings) = context.twin(&model, &args.unit)?;
+    if let Some(file) = &args.unit.calibration {
+        stereo::check_calibration(file, &findings)?;
+    }
+    Ok(Some((twin, findings)))
+}
+
+fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> {
+    let platform = args.platform.map(Platform::from);
+    let Some(twin) = twin else {
+        let field_of_view = match (args.fx, args.hfov) {
+            (Some(fx), _) => FieldOfView::FocalLength(fx),
+            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
+            (None, None) => FieldOfView::Known,
+        };
+        let (Some(baseline_m), true) = (args.baseline, field_of_view != FieldOfView::Known) else {
+            return Err(
+                "nothing says what took the images: give --calibration FILE, --model MODEL, or --fx F (or \
+                        --hfov D) and --baseline METRES of a rectified pair"
+                    .into(),
+            );
+        };
+        return Ok(PairOf::Rectified {
+            field_of_view,
+            baseline_m,
+            platform: platform.unwrap_or(Platform::Rvc2),
+        });
+    };
+    let by_default = args.unit.calibration.is_some() || args.unit.lens == Lens::Fisheye;
+    let is_raw = args.raw || args.rectify.is_some() || (by_default && !args.rectified);
+    Ok(PairOf::Twin {
+        twin,
+        lens: args.unit.lens.into(),
+        is_raw,
+        rectify: args.rectify.map(|method| {
+            let own = platform.or_else(|| sensor::platform(twin));
+            RectifyOptions {
+                method: method.into(),
+                ..RectifyOptions::of(own.unwrap_or(Platform::Rvc4))
+            }
+        }),
+        platform,
+    })
+}

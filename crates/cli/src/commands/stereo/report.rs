@@ -1,0 +1,106 @@
+use std::path::{Path, PathBuf};
+
+use oaktwin::catalog::Twin;
+use oaktwin::diagnostic::Finding;
+use oaktwin::stereo::Matched;
+use serde::Serialize;
+
+use crate::args::StereoArgs;
+use crate::context::Result;
+use crate::output;
+
+/// What was matched and written.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    /// Where the pair is of one that is named.
+    model: Option<String>,
+    output: PathBuf,
+    resolution: [u32; 2],
+    focal_length_px: f64,
+    baseline_m: f64,
+    /// How the images were rectified, where they came raw.
+    rectification: Option<&'static str>,
+    pairs: usize,
+    /// Of each pair the share (0 to 1) of pixels that were measured.
+    fill: Vec<f64>,
+    is_interrupted: bool,
+    files: Vec<FileReport>,
+    findings: Vec<Finding>,
+    /// About the calibration.
+    calibration_findings: Vec<Finding>,
+}
+
+#[derive(Debug, Serialize)]
+struct FileReport {
+    path: PathBuf,
+    bytes: u64,
+}
+
+impl Report {
+    pub(super) fn new(args: &StereoArgs, unit: Option<(Twin, Vec<Finding>)>, matched: Matched) -> Self {
+        let (model, calibration_findings) = match unit {
+            Some((twin, findings)) => (Some(twin.device.name), findings),
+            None => (None, Vec::new()),
+        };
+        let intrinsics = matched.camera.intrinsics;
+        Self {
+            model,
+            output: args.output.clone(),
+            resolution: [intrinsics.size.width, intrinsics.size.height],
+            focal_length_px: intrinsics.fx,
+            baseline_m: matched.baseline_m,
+            rectification: matched.method,
+            pairs: matched.fill.len(),
+            fill: matched.fill,
+            is_interrupted: matched.is_interrupted,
+            files: matched
+                .files
+                .into_iter()
+                .map(|file| FileReport {
+                    path: file.path,
+                    bytes: file.bytes,
+                })
+                .collect(),
+            findings: matched.findings,
+            calibration_findings,
+        }
+    }
+
+    pub(super) fn print(&self, args: &StereoArgs) -> Result<()> {
+        if self.is_interrupted {
+            output::say(&format!("interrupted: {} pairs are whole", self.pairs));
+        }
+        if args.json {
+            return output::print_json(self);
+        }
+        if let Some(calibration) = &args.unit.calibration {
+            output::say_findings(calibration, &self.calibration_findings);
+        }
+        for finding in &self.findings {
+            output::say(&finding.to_string());
+        }
+        output::print(&self.text())
+    }
+
+    fn text(&self) -> String {
+        let [width, height] = self.resolution;
+        let pairs = if self.pairs == 1 { "pair" } else { "pairs" };
+        let rectification = match self.rectification {
+            Some(method) => format!("rectified ({method})"),
+            None => "as rectified".to_owned(),
+        };
+        let fill = self.fill.iter().sum::<f64>() / self.fill.len().max(1) as f64;
+        let mut text = format!(
+            "{}: {} {pairs} of {width}x{height}, {rectification}, focal length {:.1} px, baseline {:.1} mm, {:.1} % measured\n",
+            self.model.as_deref().unwrap_or("stereo-matching"),
+            self.pairs,
+            self.focal_length_px,
+            self.baseline_m * 1000.0,
+            fill * 100.0
+        );
+        for file in &self.files {
+            text += &format!("{}\n", Path::new(&file.path).display());
+        }
+        text
+    }
+}

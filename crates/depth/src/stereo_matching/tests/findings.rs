@@ -1,0 +1,71 @@
+use oaktwin_image::{Image, ImageView};
+
+use super::{image, pair, parameters, step};
+use crate::stereo_matching::{Luminance, Pair, inspect};
+
+fn codes(images: &[Image<u8>; 2]) -> Vec<&'static str> {
+    let findings = inspect(&pair(images), &parameters());
+    findings.iter().map(|finding| finding.code).collect()
+}
+
+#[test]
+fn a_good_pair_has_none() {
+    assert!(codes(&step(640, 200, 12.0, 40.0, 250.0, 400.0)).is_empty());
+    let far = step(640, 200, 0.0, 3.0, 250.0, 400.0);
+    assert!(codes(&far).is_empty());
+}
+
+#[test]
+fn what_is_wrong_is_told() {
+    let [left, right] = step(640, 200, 12.0, 40.0, 250.0, 400.0);
+    assert_eq!(codes(&[right.clone(), left.clone()]), ["pair-swapped"]);
+    let lower = |rows: usize| {
+        let pixels: Vec<u8> = (0..200usize)
+            .flat_map(|y| {
+                let from = y.saturating_sub(rows) * 640;
+                right.pixels()[from..from + 640].to_vec()
+            })
+            .collect();
+        Image::new(640, 200, pixels).unwrap()
+    };
+    assert_eq!(codes(&[left.clone(), lower(5)]), ["vertical-offset"]);
+    assert_eq!(
+        codes(&[lower(3), left.clone()]),
+        ["pair-swapped", "vertical-offset"]
+    );
+    let findings = inspect(&pair(&[left.clone(), lower(5)]), &parameters());
+    assert_eq!(
+        findings[0].to_string(),
+        "warning[vertical-offset]: stereo pair: the right image has things about 5 px lower than the left; \
+         rectify both with the calibration of this device"
+    );
+    let blank = image(640, 200, |_, _| (0, 3.0));
+    assert_eq!(
+        codes(&[Image::filled(640, 200, 90), Image::filled(640, 200, 90)]),
+        ["no-texture"]
+    );
+    let rows_only = codes(&[blank.clone(), blank]);
+    assert_eq!(rows_only, ["no-texture"]);
+    let bright = Image::filled(640, 200, 255);
+    assert_eq!(
+        codes(&[bright.clone(), bright]),
+        ["saturated", "saturated", "no-texture"]
+    );
+    assert!(codes(&step(90, 200, 3.0, 9.0, 30.0, 50.0)).contains(&"range-beyond-image"));
+}
+
+#[test]
+fn images_that_make_no_pair() {
+    let (a, b) = (Image::filled(4, 3, 0u8), Image::filled(4, 2, 0u8));
+    let ten = Image::filled(4, 3, 0u16);
+    let error = |left: Luminance<'_>, right: Luminance<'_>| Pair::new(left, right).unwrap_err().to_string();
+    assert_eq!(
+        error(ImageView::from(&a).into(), ImageView::from(&b).into()),
+        "stereo pair: the left image is 4x3, the right one 4x2; rectify both into one size"
+    );
+    assert!(
+        error(ImageView::from(&a).into(), ImageView::from(&ten).into()).contains("8 bits, the right one 10")
+    );
+    let none = Image::filled(0, 0, 0u8);
+    assert!(error(ImageView::from(&none).into(), ImageView::from(&none).into()).contains("no pixels"));
+}

@@ -1,0 +1,91 @@
+use super::parameters;
+use crate::preset::{Platform, StereoConfig};
+use crate::stereo_matching::NAMES;
+
+#[test]
+fn each_name_changes_what_it_reads() {
+    for name in NAMES {
+        let mut p = parameters();
+        let now = p.get(name).unwrap();
+        let other = match now.as_str() {
+            "true" => "false".to_owned(),
+            "false" => "true".to_owned(),
+            "RVC2" => "RVC4".to_owned(),
+            "nearest" => "truncate".to_owned(),
+            "AUTO" => "KERNEL_7x9".to_owned(),
+            "PARABOLA_5" => "LINES".to_owned(),
+            "DISPARITY_96" => "DISPARITY_64".to_owned(),
+            "0x0" => "0xA82415".to_owned(),
+            _ if name == "subpixelFractionalBits" => "3".to_owned(),
+            _ if name == "baseline" => "0.15".to_owned(),
+            _ if name == "linearEquationParameters.threshold" => "64".to_owned(),
+            number => (number.parse::<u32>().unwrap() + 1).to_string(),
+        };
+        p.set(name, &other).unwrap();
+        assert_eq!(p.get(name).unwrap(), other, "{name}");
+        assert_ne!(p, parameters(), "{name}");
+        p.set(name, &now).unwrap();
+        assert_eq!(p, parameters(), "{name}");
+    }
+}
+
+#[test]
+fn wrong_values_change_nothing() {
+    let mut p = parameters();
+    let wrong = [
+        ("paths", "7"),
+        ("baseline", "75"),
+        ("focalLength", "NaN"),
+        ("leftRightCheckThreshold", "129"),
+        ("linearEquationParameters.threshold", "128"),
+        ("divisionFactor", "0"),
+        ("p2Config.defaultValue", "9000"),
+        ("kernelMask", "0xG"),
+        ("platform", "RVC3"),
+        ("kernelSize", "KERNEL_9x9"),
+    ];
+    for (name, value) in wrong {
+        assert_eq!(p.set(name, value).unwrap_err().name, name, "{name}={value}");
+    }
+    assert_eq!(p, parameters());
+    assert_eq!(
+        p.set("path", "4").unwrap_err().to_string(),
+        "path: stereo-matching has no such parameter; did you mean paths, penaltyShift?"
+    );
+    p.set("penaltyShift", "0").unwrap();
+    assert!(p.set("verticalPenaltyCostP2", "60000").is_err());
+}
+
+#[test]
+fn confidence_counts_down_in_older_versions() {
+    let mut p = parameters();
+    assert_eq!(p.confidence_threshold_v2(), 200);
+    p.set_confidence_threshold_v2(245);
+    assert_eq!(p.confidence_threshold, 10);
+}
+
+#[test]
+fn presets_configure_it() {
+    let mut p = parameters();
+    let preset = |platform, name| StereoConfig::preset(platform, name).unwrap();
+    preset(Platform::Rvc2, "HIGH_DETAIL").apply_to_matching(&mut p);
+    assert!(p.extended_disparity && p.left_right_check_threshold_px == 5 && p.platform == Platform::Rvc2);
+    preset(Platform::Rvc4, "DEFAULT").apply_to_matching(&mut p);
+    assert_eq!(
+        (p.noise_threshold_scale, p.p1.default, p.p2.default),
+        (-40, 20, 85)
+    );
+    assert!(p.platform == Platform::Rvc4 && !p.p1.adaptive && p.check().is_ok());
+}
+
+#[test]
+fn the_largest_disparities_are_depthais() {
+    let most = |settings: &[(&str, &str)]| super::changed(settings).max_disparity_px();
+    assert_eq!(most(&[]), 95);
+    assert_eq!(most(&[("disparityWidth", "DISPARITY_64")]), 63);
+    assert_eq!(most(&[("enableCompanding", "true")]), 175);
+    assert_eq!(
+        most(&[("extendedDisparity", "true"), ("disparityShift", "5")]),
+        200
+    );
+}

@@ -1,0 +1,71 @@
+use super::{changed, pair, step};
+use crate::simd::Level;
+use crate::stereo_matching::StereoMatching;
+
+const SETTINGS: [&[(&str, &str)]; 7] = [
+    &[],
+    &[("paths", "8"), ("subpixelInterpolation", "PARABOLA")],
+    &[("penaltyShift", "0"), ("paths", "5"), ("divisionFactor", "3")],
+    &[
+        ("kernelSize", "KERNEL_7x9"),
+        ("kernelMask", "0xFFFFFFFFFFFFFFFF"),
+        ("paths", "8"),
+    ],
+    &[
+        ("enableCompanding", "true"),
+        ("kernelSize", "KERNEL_7x7"),
+        ("alpha", "9"),
+    ],
+    &[
+        ("platform", "RVC4"),
+        ("enableMeanMode", "false"),
+        ("extendedDisparity", "true"),
+    ],
+    &[
+        ("disparityWidth", "DISPARITY_64"),
+        ("subpixelInterpolation", "LINES"),
+        ("paths", "3"),
+    ],
+];
+
+#[test]
+fn on_every_processor_and_any_number_of_threads() {
+    let images = step(333, 41, 7.3, 30.6, 120.0, 200.0);
+    let pair = pair(&images);
+    for settings in SETTINGS {
+        let engine = StereoMatching::new(changed(settings)).unwrap();
+        let first = engine.disparity(&pair);
+        assert!(first.disparity.pixels().iter().any(|&d| d > 0), "{settings:?}");
+        for level in Level::available() {
+            assert!(
+                engine.disparity_at(level, &pair) == first,
+                "{settings:?} {level:?}"
+            );
+        }
+        for threads in [1, 2, 5] {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            let again = pool.install(|| engine.disparity(&pair));
+            assert!(again == first, "{settings:?} {threads}");
+        }
+    }
+}
+
+/// What is kept in memory from one pair is not seen in the next.
+#[test]
+fn whatever_was_matched_before() {
+    let (large, small) = (
+        step(333, 41, 7.3, 30.6, 120.0, 200.0),
+        step(101, 12, 3.0, 9.5, 40.0, 60.0),
+    );
+    for settings in SETTINGS {
+        let engine = StereoMatching::new(changed(settings)).unwrap();
+        let first = engine.disparity(&pair(&small));
+        let _ = engine.disparity(&pair(&large));
+        assert!(engine.disparity(&pair(&small)) == first, "{settings:?}");
+        let copy = engine.clone();
+        assert!(copy.disparity(&pair(&small)) == first && copy == engine);
+    }
+}

@@ -1,0 +1,208 @@
+//! From a scene through lights, cameras and matcher to depth, as an OAK-D Pro does it.
+
+#![expect(clippy::unwrap_used, reason = "a test")]
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use oaktwin::accuracy;
+use oaktwin::camera::math::{DAffine3, DVec3};
+use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::catalog::{Catalog, Role, Twin};
+use oaktwin::image::{Image, ZDepth};
+use oaktwin::pair::{Pair, PairCameras, PairOptions};
+use oaktwin::render::{Renderer, look_at};
+use oaktwin::scene::{
+    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
+    TextureSource, TextureUse,
+};
+use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::stereo::{Matcher, PairOf};
+use oaktwin::usd::asset::LensChoice;
+
+const SIZE: ImageSize = ImageSize::new(640, 400);
+
+fn twin() -> Twin {
+    let catalog = Catalog::builtin();
+    catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap())
+}
+
+/// A rectangle `x` metres ahead, from `y[0]` to the left until `y[1]`; a square of the pattern is `grain` metres.
+fn plate(scene: &mut Scene, x: f32, y: [f32; 2], grain: f32) {
+    let z = [-4.0f32, 4.0];
+    let corners = [[y[0], z[0]], [y[1], z[0]], [y[1], z[1]], [y[0], z[1]]];
+    scene.instances.push(Instance {
+        mesh: u32::try_from(scene.meshes.len()).unwrap(),
+        path: format!("/Plate{}", scene.meshes.len()),
+        world_from_mesh: DAffine3::IDENTITY,
+        labels: Vec::new(),
+    });
+    scene.meshes.push(Mesh {
+        positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        uvs: Some(Attribute::Vertex(
+            corners.map(|corner| corner.map(|c| c / (grain * 64.0))).to_vec(),
+        )),
+        materials: vec![MaterialSpan {
+            end: 2,
+            material: Some(0),
+        }],
+        double_sided: true,
+        ..Mesh::default()
+    });
+}
+
+/// Evenly lit; of one colour, or of random squares.
+fn room(is_blank: bool) -> Scene {
+    let mut state = 1u32;
+    let squares = (0..64 * 64).map(|_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let grey = if is_blank {
+            180
+        } else {
+            u8::try_from(state >> 24).unwrap()
+        };
+        [grey, grey, grey, 255]
+    });
+    Scene {
+        materials: vec![Material {
+            base_color_texture: Some(TextureUse::new(0)),
+            roughness: 1.0,
+            ..Material::default()
+        }],
+        textures: vec![Texture {
+            source: TextureSource::Pixels(Arc::new(Image::new(64, 64, squares.collect()).unwrap())),
+            color_space: ColorSpace::Srgb,
+        }],
+        lights: vec![Light {
+            path: "/Sky".to_owned(),
+            kind: LightKind::Dome { texture: None },
+            radiance: [1.0; 3],
+            normalize: false,
+            world_from_light: DAffine3::IDENTITY,
+        }],
+        ..Scene::default()
+    }
+}
+
+fn look(scene: Scene, options: PairOptions) -> Pair {
+    let options = PairOptions {
+        size: Some(SIZE),
+        ..options
+    };
+    let cameras = PairCameras::new(&twin(), &options).unwrap();
+    let world_from_body: RigidTransform = look_at(DVec3::ZERO, DVec3::X, DVec3::Z).unwrap();
+    cameras.look(&Renderer::new(scene), &world_from_body, 0)
+}
+
+fn depth(pair: Pair) -> ZDepth {
+    let twin = twin();
+    let of = PairOf::Twin {
+        twin: &twin,
+        lens: LensChoice::default(),
+        is_raw: false,
+        rectify: None,
+        platform: None,
+    };
+    let mut matcher = Matcher::new(&of, SIZE, &SensorOptions::default()).unwrap();
+    let seen = matcher.look(pair.rectified_left, pair.rectified_right).unwrap();
+    seen.capture.distance
+}
+
+/// The share of the image's middle half that is measured within a tenth of the truth.
+fn right_share(depth: &ZDepth, truth: f32) -> f64 {
+    let (width, height) = (SIZE.width as usize, SIZE.height as usize);
+    let rows = depth
+        .0
+        .pixels()
+        .chunks_exact(width)
+        .skip(height / 4)
+        .take(height / 2);
+    let middle: Vec<f32> = rows
+        .flat_map(|row| row[width / 4..3 * width / 4].to_vec())
+        .collect();
+    let right = middle.iter().filter(|z| (**z / truth - 1.0).abs() < 0.1).count();
+    right as f64 / middle.len() as f64
+}
+
+#[test]
+fn a_blank_wall_has_holes_without_the_projector_and_depth_with_it() {
+    let wall = || {
+        let mut scene = room(true);
+        plate(&mut scene, 1.5, [-6.0, 6.0], 0.01);
+        scene
+    };
+    let dark = PairOptions {
+        ambient: 0.1,
+        ..PairOptions::default()
+    };
+    let without = right_share(&depth(look(wall(), dark)), 1.5);
+    let with = PairOptions {
+        projector: 1.0,
+        ..dark
+    };
+    let with = right_share(&depth(look(wall(), with)), 1.5);
+    assert!(without < 0.3 && with > 0.9, "{without} {with}");
+}
+
+#[test]
+fn what_the_right_camera_does_not_see_is_left_of_what_is_near() {
+    let (near, far) = (1.0f32, 3.0f32);
+    let mut scene = room(false);
+    plate(&mut scene, far, [-9.0, 9.0], 0.025);
+    plate(&mut scene, near, [-0.2, 0.2], 0.0085);
+    let pair = look(scene, PairOptions::default());
+    let geometry = pair.geometry.stereo_geometry();
+    let expected = geometry.disparity(near.into()) - geometry.disparity(far.into());
+    let truth = pair.z.clone();
+    let depth = depth(pair);
+    let width = SIZE.width as usize;
+    let mut bands = [Vec::new(), Vec::new()];
+    let rows = truth
+        .0
+        .pixels()
+        .chunks_exact(width)
+        .zip(depth.0.pixels().chunks_exact(width));
+    for (truth, measured) in rows.skip(60).take(280) {
+        let left = truth.iter().position(|z| *z < 2.0).unwrap();
+        let right = truth.iter().rposition(|z| *z < 2.0).unwrap();
+        // What is not the wall within 60 px beside the plate: no value, or the plate's.
+        let other = |pixels: &[f32]| pixels.iter().filter(|z| (**z - far).abs() > 0.5).count();
+        bands[0].push(other(&measured[left - 60..left]));
+        bands[1].push(other(&measured[right + 1..right + 61]));
+    }
+    let [left, right] = bands.map(|counts| counts.iter().sum::<usize>() as f64 / counts.len() as f64);
+    // A matching window's half on either side is a matter of chance.
+    assert!((left - expected).abs() < 4.0, "{left} px, {expected} expected");
+    assert!(right < 4.0, "{right} px");
+}
+
+/// Subpixel interpolation draws disparities towards whole pixels: too far a quarter above one, too near a quarter below.
+#[test]
+fn the_error_oscillates_once_a_pixel() {
+    let twin = twin();
+    let own = twin.camera(Role::Left).unwrap().intrinsics.fx;
+    let disparities = [10.0, 10.25, 10.75, 11.0];
+    let options = accuracy::Options {
+        engine: SensorOptions {
+            engine: Some(EngineKind::StereoMatching),
+            parameters: vec![("bias".to_owned(), "0".to_owned())],
+            ..SensorOptions::default()
+        },
+        distances_m: Some(disparities.map(|d| own * 0.075 / d).to_vec()),
+        captures: 2,
+        ..accuracy::Options::default()
+    };
+    let (bench, _) = accuracy::Bench::new(&twin, &options).unwrap();
+    let measured = bench.measure(None, &|_, _| ControlFlow::Continue(())).unwrap();
+    let rows = &measured.report().distances;
+    let errors: Vec<f64> = rows
+        .iter()
+        .map(|row| row.reading.error_percent.unwrap())
+        .collect();
+    let [below, far, near, above] = errors[..] else {
+        panic!("{errors:?}")
+    };
+    assert!(far > 0.3 && near < -0.3, "{errors:?}");
+    assert!(below.abs() < 0.3 && above.abs() < 0.3, "{errors:?}");
+}
