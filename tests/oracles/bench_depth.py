@@ -16,6 +16,7 @@ import depthai as dai
 import numpy as np
 
 from depth_models import single_view
+import time_of_flight_model
 from stereo_noise_model import Parameters, stereo_noise
 from test_filters import PARAMS, depthai_filter
 
@@ -103,7 +104,7 @@ def say(case: str, peer: str, times: list[tuple[float, float]]) -> None:
 
 def main() -> None:
     folder, wanted = Path(sys.argv[1]), sys.argv[2] if len(sys.argv) > 2 else ""
-    depth, rgb, frames = (np.load(folder / f"{name}.npy") for name in ("depth", "rgb", "millimetres"))
+    depth, far, rgb, frames = (np.load(folder / f"{name}.npy") for name in ("depth", "depth_640", "rgb", "millimetres"))
     cv2.setNumThreads(1)
     camera = "Camera_pseudo_depth"
 
@@ -115,6 +116,9 @@ def main() -> None:
         "single_view, jitter by pixel": sheet(noiseDownscaleFactorPixel=1.0),
         "single_view, with a picture": sheet(rgb),
         "stereo_noise": lambda: stereo_noise(depth, STEREO, 7, camera, 0, 0),
+        "time_of_flight, 640 × 480": lambda: time_of_flight_model.time_of_flight(
+            far, time_of_flight_model.Parameters(focalLength=402.0), 7, camera, 0
+        ),
     }
     for name, work in models.items():
         if wanted in name:

@@ -237,8 +237,8 @@ pub(crate) struct AssetArgs {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise, as an OAK errs, or stereo-matching, \
-        which matches what the two cameras of --model take"
+        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise or time-of-flight, as an OAK errs, or \
+         stereo-matching, which matches what the two cameras of --model take"
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"

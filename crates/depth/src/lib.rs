@@ -25,6 +25,8 @@ mod simd;
 pub mod single_view;
 pub mod stereo_matching;
 pub mod stereo_noise;
+pub mod time_of_flight;
+mod turns;
 
 pub use error::{BatchError, ParameterError, ShotError};
 pub use sensor::{Capture, Engine, FixedDisparity, Sensor};

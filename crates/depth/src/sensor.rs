@@ -9,6 +9,7 @@ use crate::random::Stream;
 use crate::single_view::{self, SingleView};
 use crate::stereo_matching::StereoMatching;
 use crate::stereo_noise::StereoNoise;
+use crate::time_of_flight::TimeOfFlight;
 
 /// How a depth image becomes a measured one.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,8 @@ pub enum Engine {
     SingleView(SingleView),
     /// With the errors of an OAK's stereo.
     StereoNoise(StereoNoise),
+    /// As a time-of-flight camera errs.
+    TimeOfFlight(TimeOfFlight),
     /// From the [pair](Shot::with_pair) that its cameras took, as an OAK does. Without one, nothing is measured.
     StereoMatching(StereoMatching),
 }
@@ -149,6 +152,16 @@ impl Sensor {
                 let distance = self
                     .filters
                     .run_on_metres(&depth, shot.rgb(), Filter::is_of_depth);
+                Capture {
+                    distance: distance.unwrap_or(depth),
+                    single_view: None,
+                    confidence: None,
+                    disparity: None,
+                }
+            }
+            Engine::TimeOfFlight(engine) => {
+                let depth = engine.sense(shot, &self.random);
+                let distance = self.filters.run_on_metres(&depth, shot.rgb(), |_| true);
                 Capture {
                     distance: distance.unwrap_or(depth),
                     single_view: None,

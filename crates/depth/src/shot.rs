@@ -9,6 +9,7 @@ pub struct Shot<'a> {
     depth: ImageView<'a, f32>,
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
+    radial_velocity: Option<ImageView<'a, f32>>,
     pair: Option<Pair<'a>>,
     /// Its number in the sequence: noise is new in every frame.
     pub frame: u64,
@@ -24,6 +25,7 @@ impl<'a> Shot<'a> {
             depth,
             rgb: None,
             positions: None,
+            radial_velocity: None,
             pair: None,
             frame: 0,
             item: 0,
@@ -50,6 +52,16 @@ impl<'a> Shot<'a> {
         Ok(self)
     }
 
+    /// With how fast what each pixel sees moves away along its ray, m/s.
+    ///
+    /// # Errors
+    /// It has another size.
+    pub fn with_radial_velocity(mut self, velocity: ImageView<'a, f32>) -> Result<Self, ShotError> {
+        self.check("image of velocities", velocity.width(), velocity.height())?;
+        self.radial_velocity = Some(velocity);
+        Ok(self)
+    }
+
     /// With the rectified pair that a stereo camera took. It may have a size of its own, which the measured depth then has.
     #[must_use]
     pub fn with_pair(mut self, pair: Pair<'a>) -> Self {
@@ -73,6 +85,12 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn positions(&self) -> Option<ImageView<'a, [f32; 4]>> {
         self.positions
+    }
+
+    /// m/s away along each ray.
+    #[must_use]
+    pub fn radial_velocity(&self) -> Option<ImageView<'a, f32>> {
+        self.radial_velocity
     }
 
     /// The rectified pair.

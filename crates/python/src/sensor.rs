@@ -28,8 +28,8 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// device: whose.
 /// sensor: which of its depth sensors, "stereo" or "tof"; by default time of flight where it has it.
-/// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo) or "single-view" (Isaac Sim's
-///     DepthSensorDistance; the default of time of flight).
+/// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo), "time-of-flight" (the default
+///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance).
 /// preset: one of DepthAI's for the device's platform: "default", "face", "robotics", ...: the mode and the filters.
 /// filters: filters as text, first to last, "spatial:alpha=0.5,delta=20"; they take the place of the preset's.
 /// parameters: values of the engine's parameters by name, a mapping; after everything else.
@@ -509,14 +509,10 @@ impl DepthSensor {
         aligned(py, &align, &depth, shape, out)
     }
 
-    /// "stereo-noise" or "single-view".
+    /// "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(match self.now(py, None)?.sensor.engine() {
-            Engine::SingleView(_) => sensor::EngineKind::SingleView.as_str(),
-            Engine::StereoNoise(_) => sensor::EngineKind::StereoNoise.as_str(),
-            Engine::StereoMatching(_) => "stereo-matching",
-        })
+        Ok(sensor::EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
     }
 
     /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
@@ -534,6 +530,11 @@ impl DepthSensor {
             }
             Engine::StereoNoise(engine) => {
                 for name in oaktwin::depth::stereo_noise::NAMES {
+                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
+                }
+            }
+            Engine::TimeOfFlight(engine) => {
+                for name in oaktwin::depth::time_of_flight::NAMES {
                     parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
                 }
             }

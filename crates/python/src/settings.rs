@@ -17,8 +17,9 @@ pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
     found.map_or("5.1", |(name, _)| *name)
 }
 
-const ENGINES: [(&str, EngineKind); 2] = [
+const ENGINES: [(&str, EngineKind); 3] = [
     (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
+    (EngineKind::TimeOfFlight.as_str(), EngineKind::TimeOfFlight),
     (EngineKind::SingleView.as_str(), EngineKind::SingleView),
 ];
 

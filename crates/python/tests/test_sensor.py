@@ -34,7 +34,7 @@ def test_stereo_noise_is_the_numpy_models(device, room):
 def test_single_view_is_the_numpy_models(room):
     depth, rgb = room
     device = oaktwin.Device("OAK-D ToF")
-    sensor = oaktwin.DepthSensor(device, seed=2, name="tof", parameters={"noiseSigma": 0.4})
+    sensor = oaktwin.DepthSensor(device, engine="single-view", seed=2, name="tof", parameters={"noiseSigma": 0.4})
     assert sensor.engine == "single-view"
     own = {}
     for name, value in sensor.parameters.items():

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise};
+use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
@@ -12,7 +12,7 @@ use crate::context::Result;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "The depth sensor")]
 pub(crate) struct SensorArgs {
-    /// The model of the errors; by default stereo-noise, single-view for time of flight
+    /// The model of the errors; by default stereo-noise, or time-of-flight
     #[arg(long, value_enum)]
     pub(crate) engine: Option<Engine>,
 
@@ -61,10 +61,12 @@ pub(crate) struct SettingsArgs {
 pub(crate) enum Engine {
     /// As Isaac Sim has it
     SingleView,
-    /// As an OAK errs
+    /// As an OAK's stereo errs
     StereoNoise,
     /// As an OAK matches the pair of its cameras
     StereoMatching,
+    /// As a time-of-flight camera errs
+    TimeOfFlight,
 }
 
 impl SensorArgs {
@@ -104,6 +106,7 @@ impl From<Engine> for EngineKind {
             Engine::SingleView => Self::SingleView,
             Engine::StereoNoise => Self::StereoNoise,
             Engine::StereoMatching => Self::StereoMatching,
+            Engine::TimeOfFlight => Self::TimeOfFlight,
         }
     }
 }
@@ -128,11 +131,12 @@ fn filter_help() -> String {
 fn parameter_help() -> String {
     format!(
         "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
-         {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias",
+         {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias.\ntime-of-flight: {}",
         single_view::Parameters::NAMES.join(", "),
         single_view::Assumptions::NAMES.join(", "),
         stereo_noise::NAMES.join(", "),
-        stereo_matching::NAMES.join(", ")
+        stereo_matching::NAMES.join(", "),
+        time_of_flight::NAMES.join(", ")
     )
 }
 

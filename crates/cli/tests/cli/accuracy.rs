@@ -80,7 +80,14 @@ fn outside_of_a_band_is_a_finding() {
 #[test]
 fn both_readings_are_told_apart() {
     let program = Program::new();
-    let text = program.good(&["accuracy", "oak-d-tof", "--distances", "0.2,5"]);
+    let text = program.good(&[
+        "accuracy",
+        "oak-d-tof",
+        "--engine",
+        "single-view",
+        "--distances",
+        "0.2,5",
+    ]);
     for expected in [
         "What this sensor reports. Depth carried",
         "The other reading. Depth recomputed",

@@ -8,6 +8,7 @@
 
 mod brightness;
 mod chain;
+mod confidence;
 mod decimation;
 mod median;
 mod pixel;
@@ -20,6 +21,7 @@ mod threshold;
 
 pub use brightness::Brightness;
 pub use chain::Chain;
+pub use confidence::DepthConfidence;
 pub use decimation::{Decimation, DecimationMode};
 pub use median::Median;
 pub use pixel::Pixel;

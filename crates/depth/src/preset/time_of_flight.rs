@@ -1,18 +1,57 @@
 use super::{PresetError, is_named};
 use crate::filter::{Filter, Median, PersistencyMode, Spatial, Speckle, Temporal};
+use crate::time_of_flight::Parameters;
 
 /// The presets of time-of-flight sensors: for 0.2 to 2 m, 0.2 to 5 m, 1 to 6 m.
 pub const TIME_OF_FLIGHT_PRESETS: [&str; 3] = ["TOF_LOW_RANGE", "TOF_MID_RANGE", "TOF_HIGH_RANGE"];
 
-/// The filters of a preset, in their order, for depth in millimetres. The presets' confidence threshold belongs to the
-/// sensor, not to its filters.
+/// What a preset of time-of-flight sensors sets: `DepthAI`'s `ToFConfig`, `ToFDepthConfidenceFilterConfig` and
+/// `ImageFiltersConfig`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimeOfFlightConfig {
+    /// `phaseUnwrapErrorThreshold`.
+    pub phase_unwrap_error_threshold: u16,
+    /// `confidenceThreshold`.
+    pub confidence_threshold: f32,
+    /// The filters, in their order, for depth in millimetres.
+    pub filters: Vec<Filter>,
+}
+
+impl TimeOfFlightConfig {
+    /// Of a preset's name, one of [`TIME_OF_FLIGHT_PRESETS`].
+    ///
+    /// # Errors
+    /// No preset of this name.
+    pub fn preset(name: &str) -> Result<Self, PresetError> {
+        let filters = time_of_flight_filters(name)?;
+        let number = number(name).unwrap_or_default();
+        Ok(Self {
+            phase_unwrap_error_threshold: [50, 75, 130][number],
+            confidence_threshold: [0.1, 0.2, 0.3][number],
+            filters,
+        })
+    }
+
+    /// Gives it to a sensor; the filters stay here.
+    pub fn apply_to(&self, parameters: &mut Parameters) {
+        parameters.phase_unwrap_error_threshold = self.phase_unwrap_error_threshold;
+        parameters.confidence_threshold = self.confidence_threshold;
+    }
+}
+
+/// Its place among [`TIME_OF_FLIGHT_PRESETS`].
+fn number(name: &str) -> Option<usize> {
+    TIME_OF_FLIGHT_PRESETS
+        .iter()
+        .position(|known| is_named(name, known) || is_named(name, known.trim_start_matches("TOF_")))
+}
+
+/// The filters of a preset, in their order, for depth in millimetres.
 ///
 /// # Errors
 /// No preset of this name.
 pub fn time_of_flight_filters(name: &str) -> Result<Vec<Filter>, PresetError> {
-    let number = TIME_OF_FLIGHT_PRESETS
-        .iter()
-        .position(|known| is_named(name, known) || is_named(name, known.trim_start_matches("TOF_")));
+    let number = number(name);
     let temporal = |alpha, delta, persistency_mode| {
         Filter::Temporal(Temporal {
             alpha,

@@ -26,6 +26,10 @@ pub enum Stage {
     Exposure = 3,
     /// The grain of a rendered picture.
     Grain = 4,
+    /// The samples of a time-of-flight sensor.
+    Correlation = 5,
+    /// The constant errors of a time-of-flight sensor's pixels.
+    FixedPattern = 6,
     /// Where a projector's dots lie.
     Dots = 16,
 }

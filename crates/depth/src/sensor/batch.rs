@@ -31,6 +31,9 @@ impl Sensor {
                 Engine::StereoNoise(engine) => {
                     engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
                 }
+                Engine::TimeOfFlight(engine) => {
+                    engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
+                }
                 Engine::StereoMatching(_) => Err(no_pairs(shape)),
             };
         }

@@ -52,7 +52,6 @@ mod rows;
 mod scale;
 mod sense;
 mod shadow;
-mod sine;
 #[cfg(test)]
 mod tests;
 mod texture;

@@ -1,8 +1,8 @@
 //! The steps of one row: loops that are compiled for each instruction set.
 
 use super::scale::Scale;
-use super::sine::sin_of_turns;
 use crate::simd::Kernel;
+use crate::turns::sin_of_turns;
 
 /// Nearer than any range reaches: what is farther left is out of every image, and it stays finite.
 const LARGEST_PX: f32 = 8192.0;

@@ -523,7 +523,7 @@ fn differences(stand: &Stand, options: &Options, kind: DepthKind, own_width_px: 
         Engine::SingleView(_) if kind == DepthKind::Stereo => {
             differences.push("Isaac Sim's sensor has no subpixel bits".to_owned());
         }
-        Engine::SingleView(_) => {}
+        Engine::SingleView(_) | Engine::TimeOfFlight(_) => {}
     }
     let width = stand.intrinsics.size.width;
     if let Some(own) = own_width_px.filter(|own| *own > width) {

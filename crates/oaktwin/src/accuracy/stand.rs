@@ -8,12 +8,13 @@ use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Depth, SingleView, Wanted};
 use oaktwin_depth::stereo_matching::{Pair, StereoMatching};
 use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 use rayon::prelude::*;
 
 use super::AccuracyError;
 use super::board::{self, Board, Sight};
 use super::eyes::Eyes;
-use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
+use crate::camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, Usd};
 use crate::image::{Image, ImageView, ZDepth};
 use crate::sensor::{Engine, ParameterError, Sensor, Shot};
 
@@ -119,6 +120,7 @@ impl Stand {
                 let p = engine.parameters();
                 p.stereo.depth(f64::from(p.max_disparity_px()))
             }
+            Some(Engine::TimeOfFlight(engine)) => engine.nearest_m(),
             Some(Engine::StereoMatching(engine)) => {
                 let p = engine.parameters();
                 p.stereo.depth(f64::from(p.max_disparity_px()))
@@ -131,7 +133,7 @@ impl Stand {
     pub(super) fn carries_depth(&self) -> Option<bool> {
         match &self.units.first()?.engine {
             Engine::SingleView(engine) => Some(engine.assumptions().depth == Depth::Carried),
-            Engine::StereoNoise(_) | Engine::StereoMatching(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -147,7 +149,7 @@ impl Stand {
                     0.0
                 })
             }
-            Engine::StereoNoise(_) | Engine::StereoMatching(_) => None,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => None,
         }
     }
 
@@ -161,7 +163,7 @@ impl Stand {
         effort: Effort,
     ) -> Result<Measured, ParameterError> {
         let width = self.intrinsics.size.width;
-        let engine = of_part(engine, width, part.intrinsics.size.width)?;
+        let engine = of_part(engine, width, &part.intrinsics)?;
         let mut sensor = Sensor::new(engine, unit.filters.clone(), self.random);
         let images = scenery.captures(&mut sensor, unit, item, part, effort.captures);
         let (region, intrinsics) = part.in_image(images.first());
@@ -323,6 +325,7 @@ fn reach_px(engine: &Engine, width: u32, distance_m: f64) -> f64 {
             let p = engine.parameters();
             p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
         }
+        Engine::TimeOfFlight(_) => 0.0,
         Engine::StereoMatching(engine) => {
             let p = engine.parameters();
             p.stereo.disparity(distance_m) * f64::from(width) / f64::from(p.width_px.max(1))
@@ -344,6 +347,8 @@ fn around_px(engine: &Engine) -> u32 {
             let dilation = p.edge_dilation_px.ceil() as u32;
             dilation.saturating_add(p.window_px).min(1024)
         }
+        // Those whose light a pixel sees, and those beside them for their normals.
+        Engine::TimeOfFlight(_) => 2,
         Engine::StereoMatching(_) => PATHS_PX,
     }
 }
@@ -353,6 +358,7 @@ fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
     match engine {
         Engine::SingleView(engine) => engine.parameters().disparity_times_depth(width).abs(),
         Engine::StereoNoise(engine) => engine.parameters().stereo.disparity(1.0),
+        Engine::TimeOfFlight(_) => 0.0,
         Engine::StereoMatching(engine) => engine.parameters().stereo.disparity(1.0),
     }
 }
@@ -360,14 +366,26 @@ fn disparity_times_depth(engine: &Engine, width: u32) -> f64 {
 /// Whether the matcher's images are not as wide as the depth image, so that a part of one is not whole pixels of the other.
 fn is_of_another_width(engine: &Engine, width: u32) -> bool {
     match engine {
-        Engine::SingleView(_) => false,
+        Engine::SingleView(_) | Engine::TimeOfFlight(_) => false,
         Engine::StereoNoise(engine) => engine.parameters().width_px != width,
         Engine::StereoMatching(engine) => engine.parameters().width_px != width,
     }
 }
 
 /// The engine for a part of an image that leaves columns out: it counts the pixels of that part, of the same size each.
-fn of_part(engine: &Engine, width: u32, part_width: u32) -> Result<Engine, ParameterError> {
+fn of_part(engine: &Engine, width: u32, part: &Intrinsics) -> Result<Engine, ParameterError> {
+    let part_width = part.size.width;
+    if let Engine::TimeOfFlight(engine) = engine {
+        // Where it looks is where the part was rendered from.
+        let centre = part.principal_point::<Usd>();
+        let parameters = time_of_flight::Parameters {
+            focal_length_px: part.fx,
+            width_px: part_width,
+            principal_point_px: Some([centre.x, centre.y]),
+            ..*engine.parameters()
+        };
+        return Ok(Engine::TimeOfFlight(TimeOfFlight::new(parameters)?));
+    }
     if width == part_width {
         return Ok(engine.clone());
     }
@@ -388,6 +406,7 @@ fn of_part(engine: &Engine, width: u32, part_width: u32) -> Result<Engine, Param
             parameters.width_px = part_width;
             Engine::StereoMatching(StereoMatching::new(parameters)?)
         }
+        Engine::TimeOfFlight(_) => engine.clone(),
     })
 }
 
@@ -412,13 +431,14 @@ fn other_reading(engine: &Engine) -> Result<Option<Engine>, ParameterError> {
 mod tests {
     use super::*;
     use crate::catalog::Catalog;
-    use crate::sensor::{SensorOptions, sensor};
+    use crate::sensor::{EngineKind, SensorOptions, sensor};
 
-    fn stand(model: &str, parameters: &[(&str, &str)]) -> Stand {
+    fn stand(model: &str, engine: EngineKind, parameters: &[(&str, &str)]) -> Stand {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device(model).unwrap());
         let depth = twin.depth_sensors.last().unwrap();
         let options = SensorOptions {
+            engine: Some(engine),
             parameters: parameters
                 .iter()
                 .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))
@@ -447,11 +467,11 @@ mod tests {
             captures: 3,
             quality: false,
         };
-        for (model, quiet) in [
-            ("oak4-d", [("jitter", "0")]),
-            ("oak-d-tof", [("noiseSigma", "0")]),
+        for (model, engine, quiet) in [
+            ("oak4-d", EngineKind::StereoNoise, ("jitter", "0")),
+            ("oak-d-tof", EngineKind::SingleView, ("noiseSigma", "0")),
         ] {
-            let stand = stand(model, &quiet);
+            let stand = stand(model, engine, &[quiet]);
             for distance in [0.8, 1.31, 3.3] {
                 let part = stand.part(distance);
                 assert!(part.intrinsics.size.width < stand.intrinsics.size.width / 2);

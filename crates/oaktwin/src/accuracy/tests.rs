@@ -3,6 +3,7 @@ use std::path::PathBuf;
 
 use super::*;
 use crate::catalog::Catalog;
+use crate::sensor::EngineKind;
 
 fn bench(model: &str, options: &Options) -> Bench {
     let catalog = Catalog::builtin();
@@ -156,6 +157,10 @@ fn jitter_is_found_again() {
 fn both_readings_of_the_time_of_flight_parameters() {
     let options = Options {
         distances_m: Some(vec![0.2, 5.0]),
+        engine: SensorOptions {
+            engine: Some(EngineKind::SingleView),
+            ..SensorOptions::default()
+        },
         ..Options::default()
     };
     let report = measured("oak-d-tof", &options);
@@ -176,13 +181,31 @@ fn both_readings_of_the_time_of_flight_parameters() {
     assert!((far.invalid_if_recomputed.unwrap() - 0.5).abs() < 0.1, "{far:?}");
 
     let recomputed = Options {
-        engine: with_parameters(&[("depth", "recomputed")]),
+        engine: SensorOptions {
+            engine: Some(EngineKind::SingleView),
+            ..with_parameters(&[("depth", "recomputed")])
+        },
         ..options
     };
     let turned = measured("oak-d-tof", &recomputed);
     assert_eq!(turned.carries_depth, Some(false));
     assert_eq!(Some(&turned.distances[1].reading), far.other_reading.as_ref());
     assert!(!turned.is_good);
+}
+
+#[test]
+fn time_of_flight_is_inside_its_bands() {
+    let options = Options {
+        distances_m: Some(vec![0.25, 1.0, 2.5, 5.0]),
+        devices: Some(5),
+        ..Options::default()
+    };
+    let report = measured("oak-d-tof", &options);
+    assert_eq!((report.engine, report.carries_depth), ("time-of-flight", None));
+    for row in &report.distances {
+        assert_eq!(row.verdict, Verdict::Inside, "{row:?}");
+    }
+    assert!(report.is_good);
 }
 
 #[test]

@@ -79,10 +79,11 @@ fn optics(camera: &TwinCamera, lens: LensChoice) -> Camera {
 }
 
 /// How far left of the camera, metres, the reported image is seen from. Isaac Sim's sensor moves what the camera renders
-/// to where its left imager sees it; the errors of a stereo pair are those of the left image itself.
+/// to where its left imager sees it; the errors of a stereo pair are those of the left image itself, and so
+/// are those of time of flight.
 pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
     match engine {
-        Engine::StereoNoise(_) | Engine::StereoMatching(_) => 0.0,
+        Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => 0.0,
         Engine::SingleView(engine) => {
             let moved = engine
                 .parameters()

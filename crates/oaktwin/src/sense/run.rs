@@ -412,7 +412,7 @@ fn check_outputs(
         Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
         Annotator::DepthSensorOutputVisualization => match engine {
             Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) | Engine::StereoMatching(_) => false,
+            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => false,
         },
         _ => false,
     };
@@ -424,7 +424,8 @@ fn check_outputs(
         );
         if is_isaacs && !is_single_view {
             return Err(SenseError::option(format!(
-                "--outputs {name}: stereo-noise does not make it; leave it out, or choose --engine single-view"
+                "--outputs {name}: {} does not make it; leave it out, or choose --engine single-view",
+                EngineKind::of(engine).as_str()
             )));
         }
         if needs_picture(annotator) && !has_pictures {

@@ -1,9 +1,9 @@
 //! What options make of an engine: preset, filters and parameters by name.
 
 use oaktwin_depth::filter::{self, Chain, Filter};
-use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, time_of_flight_filters};
+use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, TimeOfFlightConfig};
 use oaktwin_depth::single_view::{self, Assumptions};
-use oaktwin_depth::{ParameterError, stereo_matching, stereo_noise};
+use oaktwin_depth::{ParameterError, stereo_matching, stereo_noise, time_of_flight};
 
 use super::{EngineKind, SensorOptions};
 use crate::catalog::{DepthKind, Twin};
@@ -12,8 +12,7 @@ use crate::diagnostic::{Finding, Level, fold_name, nearest};
 /// What a preset is.
 pub(super) enum Preset {
     Stereo(Box<StereoConfig>),
-    /// Of a time-of-flight sensor: its filters, on millimetres.
-    Filters(Vec<Filter>),
+    TimeOfFlight(TimeOfFlightConfig),
 }
 
 impl Preset {
@@ -28,7 +27,7 @@ impl Preset {
         };
         let preset = match kind {
             DepthKind::Stereo => return Self::of_stereo(platform(twin)?, name).map(Some),
-            DepthKind::Tof => time_of_flight_filters(name).map(Self::Filters),
+            DepthKind::Tof => TimeOfFlightConfig::preset(name).map(Self::TimeOfFlight),
         };
         preset.map(Some).map_err(unknown)
     }
@@ -42,7 +41,7 @@ impl Preset {
     fn filters(&self) -> Vec<Filter> {
         match self {
             Self::Stereo(config) => config.filters(),
-            Self::Filters(filters) => filters.clone(),
+            Self::TimeOfFlight(config) => config.filters.clone(),
         }
     }
 
@@ -64,6 +63,11 @@ impl Preset {
                     "standard"
                 }
             ));
+        }
+        if let (Self::TimeOfFlight(config), EngineKind::TimeOfFlight) = (self, engine) {
+            let apart = config.phase_unwrap_error_threshold;
+            changes.push(format!("frequencies that differ by up to {apart} mm"));
+            changes.push(format!("a confidence of {}", config.confidence_threshold));
         }
         let filters = self.filters();
         let names: Vec<&str> = filters.iter().map(Filter::name).collect();
@@ -138,6 +142,16 @@ pub(super) fn set_stereo_noise(
     Ok(())
 }
 
+pub(super) fn set_time_of_flight(
+    parameters: &mut time_of_flight::Parameters,
+    options: &SensorOptions,
+) -> Result<(), ParameterError> {
+    for (given, value) in &options.parameters {
+        parameters.set(resolve(given, EngineKind::TimeOfFlight)?, value)?;
+    }
+    Ok(())
+}
+
 /// But for [`CALIBRATION_ERROR`], which is of the pair.
 pub(super) fn set_stereo_matching(
     parameters: &mut stereo_matching::Parameters,
@@ -161,6 +175,7 @@ fn names(engine: EngineKind) -> Vec<&'static str> {
         EngineKind::SingleView => single_view_names(),
         EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
         EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
+        EngineKind::TimeOfFlight => time_of_flight::NAMES.to_vec(),
     }
 }
 

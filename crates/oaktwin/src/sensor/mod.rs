@@ -10,6 +10,7 @@ mod parameters;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, SingleView};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
+use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 pub use oaktwin_depth::{Capture, Engine, FixedDisparity, ParameterError, Sensor, Shot, single_view};
 
 use configure::Preset;
@@ -17,7 +18,9 @@ pub(crate) use matching::needs_a_pair;
 pub use matching::{calibration_error_px, platform, stereo_matching};
 pub use options::{EngineKind, SensorOptions};
 pub use parameter_file::ParameterFile;
-pub use parameters::{single_view_parameters, stereo_matching_parameters, stereo_noise_parameters};
+pub use parameters::{
+    single_view_parameters, stereo_matching_parameters, stereo_noise_parameters, time_of_flight_parameters,
+};
 
 use crate::camera::{Intrinsics, StereoGeometry};
 use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
@@ -65,7 +68,7 @@ pub fn sensor(
                 .ok_or_else(|| ParameterError {
                     name: "engine".to_owned(),
                     what: format!("{} is no stereo sensor", sensor.spec.prim),
-                    remedy: "use single-view, or the stereo sensor".to_owned(),
+                    remedy: "use time-of-flight, single-view, or the stereo sensor".to_owned(),
                 })?;
             if let Some(image) = own {
                 parameters.stereo.focal_length_px =
@@ -82,6 +85,25 @@ pub fn sensor(
             Engine::StereoNoise(StereoNoise::new(parameters)?)
         }
         EngineKind::StereoMatching => matching::of_twin(twin, sensor, own, preset.as_ref(), options)?,
+        EngineKind::TimeOfFlight => {
+            let camera = twin
+                .camera(sensor.spec.camera)
+                .filter(|_| sensor.spec.kind == DepthKind::Tof)
+                .ok_or_else(|| ParameterError {
+                    name: "engine".to_owned(),
+                    what: format!("{} is no time-of-flight sensor", sensor.spec.prim),
+                    remedy: "use stereo-noise, single-view, or the time-of-flight sensor".to_owned(),
+                })?;
+            let mut parameters = time_of_flight_parameters(options.image.unwrap_or(camera.intrinsics));
+            if let Some(Preset::TimeOfFlight(config)) = &preset {
+                config.apply_to(&mut parameters);
+            }
+            if let Some(seed) = options.device_seed {
+                parameters = parameters.of_device(seed);
+            }
+            configure::set_time_of_flight(&mut parameters, options)?;
+            Engine::TimeOfFlight(TimeOfFlight::new(parameters)?)
+        }
     };
     let filters = configure::chain(options, preset.as_ref())?;
     let name = options.name.as_deref().unwrap_or(&sensor.spec.prim);
@@ -92,8 +114,8 @@ pub fn sensor(
 }
 
 /// The sensor of these parameters, those of a render product say, whose virtual camera has this name: Isaac Sim's, unless
-/// the options name another engine, whose stereo pair then has the parameters' baseline and, on an image as wide as the
-/// simulated sensor, their focal length. The findings say which of the options a render product has no use for.
+/// the options name another engine, which then has, on an image as wide as the simulated sensor, their focal length, and
+/// if of stereo their baseline. The findings say which of the options a render product has no use for.
 ///
 /// # Errors
 /// A filter or parameter that does not exist or is out of its range.
@@ -104,9 +126,11 @@ pub fn of_render_product(
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let kind = options.engine.unwrap_or(EngineKind::SingleView);
     let is_stereo = kind == EngineKind::StereoNoise;
+    let has_devices = kind != EngineKind::SingleView;
     let engine = match kind {
         EngineKind::SingleView => single_view(parameters, options)?,
         EngineKind::StereoNoise => stereo_noise(&parameters, options)?,
+        EngineKind::TimeOfFlight => time_of_flight(&parameters, options)?,
         EngineKind::StereoMatching => return Err(needs_a_pair("a render product has one camera")),
     };
     let filters = configure::chain(options, None)?;
@@ -117,7 +141,7 @@ pub fn of_render_product(
             options.extended_disparity && !is_stereo,
             "extended range of disparities",
         ),
-        (options.device_seed.is_some() && !is_stereo, "seed of a device"),
+        (options.device_seed.is_some() && !has_devices, "seed of a device"),
     ];
     let findings = ignored.iter().filter(|(given, _)| *given).map(|(_, what)| {
         Finding::new(
@@ -145,19 +169,37 @@ fn stereo_noise(
         focal_length_px: product.focal_length_px,
         baseline_m: product.baseline_mm.abs() / 1000.0,
     };
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the cast saturates, and widths out of range are refused"
-    )]
-    let width_px = product.sensor_size_px.round() as u32;
-    let mut parameters = stereo_noise::Parameters::new(stereo, width_px);
+    let mut parameters = stereo_noise::Parameters::new(stereo, width_px(product));
     parameters.extended_disparity = options.extended_disparity;
     if let Some(seed) = options.device_seed {
         parameters = parameters.of_device(seed);
     }
     configure::set_stereo_noise(&mut parameters, options)?;
     Ok(Engine::StereoNoise(StereoNoise::new(parameters)?))
+}
+
+/// The time-of-flight camera that a render product's parameters describe.
+fn time_of_flight(
+    product: &single_view::Parameters,
+    options: &SensorOptions,
+) -> Result<Engine, ParameterError> {
+    product.check()?;
+    let mut parameters = time_of_flight::Parameters::new(product.focal_length_px, width_px(product));
+    if let Some(seed) = options.device_seed {
+        parameters = parameters.of_device(seed);
+    }
+    configure::set_time_of_flight(&mut parameters, options)?;
+    Ok(Engine::TimeOfFlight(TimeOfFlight::new(parameters)?))
+}
+
+/// How wide the simulated sensor is.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates, and widths out of range are refused"
+)]
+fn width_px(product: &single_view::Parameters) -> u32 {
+    product.sensor_size_px.round() as u32
 }
 
 fn single_view(

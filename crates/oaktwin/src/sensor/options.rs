@@ -15,11 +15,18 @@ pub enum EngineKind {
     StereoNoise,
     /// An OAK's stereo itself, on the pair that its cameras take.
     StereoMatching,
+    /// The errors of a time-of-flight camera.
+    TimeOfFlight,
 }
 
 impl EngineKind {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::SingleView, Self::StereoNoise, Self::StereoMatching];
+    pub const ALL: [Self; 4] = [
+        Self::SingleView,
+        Self::StereoNoise,
+        Self::StereoMatching,
+        Self::TimeOfFlight,
+    ];
 
     /// That of an engine.
     #[must_use]
@@ -28,6 +35,7 @@ impl EngineKind {
             Engine::SingleView(_) => Self::SingleView,
             Engine::StereoNoise(_) => Self::StereoNoise,
             Engine::StereoMatching(_) => Self::StereoMatching,
+            Engine::TimeOfFlight(_) => Self::TimeOfFlight,
         }
     }
 
@@ -53,12 +61,12 @@ impl EngineKind {
             })
     }
 
-    /// The one that is nearest to the device: an OAK's stereo errors; Isaac Sim's for what is no stereo.
+    /// The one that is nearest to the device: the errors of an OAK's stereo, or of its time of flight.
     #[must_use]
     pub fn default_for(kind: DepthKind) -> Self {
         match kind {
             DepthKind::Stereo => Self::StereoNoise,
-            DepthKind::Tof => Self::SingleView,
+            DepthKind::Tof => Self::TimeOfFlight,
         }
     }
 
@@ -69,6 +77,7 @@ impl EngineKind {
             Self::SingleView => "single-view",
             Self::StereoNoise => "stereo-noise",
             Self::StereoMatching => "stereo-matching",
+            Self::TimeOfFlight => "time-of-flight",
         }
     }
 }

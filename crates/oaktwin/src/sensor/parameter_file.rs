@@ -14,7 +14,7 @@ use std::path::Path;
 
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::single_view::Assumptions;
-use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise};
+use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise, time_of_flight};
 use toml::Value;
 
 use super::{EngineKind, SensorOptions, calibration_error_px, configure};
@@ -157,6 +157,10 @@ impl ParameterFile {
             EngineKind::SingleView => {
                 let mut parameters = single_view::Parameters::ISAAC_5_1;
                 configure::set_single_view(&mut parameters, &mut Assumptions::default(), &options)
+            }
+            EngineKind::TimeOfFlight => {
+                let mut parameters = time_of_flight::Parameters::new(457.0, 640);
+                configure::set_time_of_flight(&mut parameters, &options)
             }
         }
     }

@@ -1,7 +1,7 @@
-use crate::camera::StereoGeometry;
+use crate::camera::{Intrinsics, StereoGeometry, Usd};
 use crate::catalog::{Role, Twin, TwinDepthSensor};
 use crate::depth::preset::Platform;
-use crate::depth::{single_view, stereo_matching, stereo_noise};
+use crate::depth::{single_view, stereo_matching, stereo_noise, time_of_flight};
 use crate::usd::asset::IsaacVersion;
 
 /// The parameters that a render product of this sensor has, in an asset for that Isaac Sim.
@@ -51,6 +51,16 @@ pub fn stereo_noise_parameters(twin: &Twin) -> Option<stereo_noise::Parameters> 
         baseline_m: baseline.length(),
     };
     Some(stereo_noise::Parameters::new(stereo, left.intrinsics.size.width))
+}
+
+/// The parameters of a time-of-flight camera of these intrinsics.
+#[must_use]
+pub fn time_of_flight_parameters(intrinsics: Intrinsics) -> time_of_flight::Parameters {
+    let centre = intrinsics.principal_point::<Usd>();
+    time_of_flight::Parameters {
+        principal_point_px: Some([centre.x, centre.y]),
+        ..time_of_flight::Parameters::new(intrinsics.fx, intrinsics.size.width)
+    }
 }
 
 /// The parameters of the matcher of a twin, on this processor, in the mode of its cameras' used resolution; `None` where it

@@ -2,7 +2,7 @@ use super::*;
 use crate::camera::ImageSize;
 use crate::catalog::Catalog;
 use crate::depth::filter::Filter;
-use crate::depth::stereo_noise;
+use crate::depth::{stereo_noise, time_of_flight as tof};
 
 fn twin(model: &str) -> Twin {
     let catalog = Catalog::builtin();
@@ -17,14 +17,21 @@ fn of(model: &str, index: usize, options: &SensorOptions) -> Result<(Sensor, Vec
 fn stereo(sensor: &Sensor) -> stereo_noise::Parameters {
     match sensor.engine() {
         Engine::StereoNoise(engine) => *engine.parameters(),
-        _ => panic!("another engine"),
+        other => panic!("{}", EngineKind::of(other).as_str()),
+    }
+}
+
+fn time_of_flight(sensor: &Sensor) -> tof::Parameters {
+    match sensor.engine() {
+        Engine::TimeOfFlight(engine) => *engine.parameters(),
+        other => panic!("{}", EngineKind::of(other).as_str()),
     }
 }
 
 fn isaac(sensor: &Sensor) -> single_view::Parameters {
     match sensor.engine() {
         Engine::SingleView(engine) => *engine.parameters(),
-        _ => panic!("another engine"),
+        other => panic!("{}", EngineKind::of(other).as_str()),
     }
 }
 
@@ -38,16 +45,32 @@ fn defaults_are_the_devices() {
     assert!((p.stereo.focal_length_px - 804.6).abs() < 0.1 && (p.stereo.baseline_m - 0.075).abs() < 1e-12);
     assert_eq!(p.bias_px, 0.0);
     let (tof, _) = of("OAK-D ToF", 1, &options).unwrap();
+    let p = time_of_flight(&tof);
+    assert_eq!((p.width_px, p.principal_point_px), (640, Some([320.0, 240.0])));
+    assert!((p.focal_length_px - 457.0).abs() < 0.1, "{}", p.focal_length_px);
+    let parity = SensorOptions {
+        engine: Some(EngineKind::SingleView),
+        ..options.clone()
+    };
+    let (tof, _) = of("OAK-D ToF", 1, &parity).unwrap();
     assert_eq!(isaac(&tof).baseline_mm, 0.5);
     let (near, _) = of("OAK-D ToF", 0, &options).unwrap();
     assert!((stereo(&near).stereo.baseline_m - 0.02).abs() < 1e-12);
-    let time_of_flight = SensorOptions {
-        engine: Some(EngineKind::StereoNoise),
-        ..options
+    let wrong = |engine, index| {
+        let options = SensorOptions {
+            engine: Some(engine),
+            ..options.clone()
+        };
+        of("OAK-D ToF", index, &options).unwrap_err()
     };
     assert_eq!(
-        of("OAK-D ToF", 1, &time_of_flight).unwrap_err(),
-        "engine: Camera_pseudo_depth_tof is no stereo sensor; use single-view, or the stereo sensor"
+        wrong(EngineKind::StereoNoise, 1),
+        "engine: Camera_pseudo_depth_tof is no stereo sensor; use time-of-flight, single-view, or the stereo sensor"
+    );
+    assert_eq!(
+        wrong(EngineKind::TimeOfFlight, 0),
+        "engine: Camera_pseudo_depth_stereo is no time-of-flight sensor; use stereo-noise, single-view, or the \
+         time-of-flight sensor"
     );
 }
 
@@ -129,6 +152,11 @@ fn presets_are_the_platforms() {
     );
     let (tof, _) = of("OAK-D ToF", 1, &preset("tof_mid_range")).unwrap();
     assert_eq!(names(&tof), ["temporal", "speckle", "spatial"]);
+    let p = time_of_flight(&tof);
+    assert_eq!(
+        (p.phase_unwrap_error_threshold, p.confidence_threshold),
+        (75, 0.2)
+    );
     assert!(of("OAK-D ToF", 1, &preset("robotics")).is_err());
     let own = SensorOptions {
         filters: vec!["median:size=5".to_owned(), "speckle".to_owned()],

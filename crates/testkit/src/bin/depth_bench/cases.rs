@@ -9,6 +9,7 @@ use oaktwin_depth::filter::{self, Chain};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
+use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 use oaktwin_image::{Image, millimetres};
 
 /// A frame's worth of work: the frame's number in.
@@ -135,6 +136,19 @@ pub(crate) fn all<'a>(
         pixels: batch_pixels,
         bytes: 8 * batch_pixels,
         work: Box::new(move |frame| Ok(sensor.sense_batch(&batch, BATCH, frame, 0, &random, &mut out)?)),
+    });
+
+    // 640x480, as the camera has it.
+    let (far, _) = crate::room::see(640, 480);
+    let mut out = vec![0.0; far.pixels().len()];
+    let sensor = TimeOfFlight::new(time_of_flight::Parameters::new(402.0, 640))?;
+    cases.push(Case {
+        name: "time_of_flight, 640 × 480".to_owned(),
+        pixels: far.pixels().len(),
+        bytes: 8 * far.pixels().len(),
+        work: Box::new(move |frame| {
+            Ok(sensor.sense_batch(far.pixels(), [1, 480, 640], frame, 0, &random, &mut out)?)
+        }),
     });
 
     // What the sensor's own noise makes of it, a few frames in turns.

@@ -1,7 +1,7 @@
 //! How long the sensor models and filters take, for `cargo xtask bench depth`.
 //!
-//! `depth-bench make FOLDER` writes the images that everybody works on: `depth.npy` (metres), `rgb.npy`,
-//! `millimetres.npy` (four noisy frames). `depth-bench run FRAMES THREADS [NAME]` times each case (or those whose name
+//! `depth-bench make FOLDER` writes the images that everybody works on: `depth.npy` and
+//! `depth_640.npy` (metres), `rgb.npy`, `millimetres.npy` (four noisy frames). `depth-bench run FRAMES THREADS [NAME]` times each case (or those whose name
 //! has NAME in it) and prints a JSON object each.
 
 #![expect(clippy::print_stdout, reason = "its output is what it is for")]

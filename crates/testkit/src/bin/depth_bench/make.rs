@@ -24,6 +24,11 @@ pub(crate) fn images(folder: &Path) -> Result<(), Box<dyn Error>> {
         folder.join("rgb.npy"),
         npy::encode(&[rows, columns, 4], &channels)?,
     )?;
+    let (far, _) = room::see(640, 480);
+    fs::write(
+        folder.join("depth_640.npy"),
+        npy::encode(&[480, 640], far.pixels())?,
+    )?;
     let stereo = StereoGeometry {
         focal_length_px: 805.0,
         baseline_m: 0.075,

@@ -7,6 +7,7 @@ mod rectify;
 mod single_view;
 mod stereo_matching;
 mod stereo_noise;
+mod time_of_flight;
 
 use std::error::Error;
 use std::io::{self, BufRead, Write};
@@ -27,6 +28,10 @@ enum Request {
     StereoMatching(stereo_matching::Request),
     /// The errors of an OAK's stereo.
     StereoNoise(stereo_noise::Request),
+    /// The errors of time of flight.
+    TimeOfFlight(time_of_flight::Request),
+    /// `DepthAI`'s filter of its depth.
+    DepthConfidence(time_of_flight::Confidence),
 }
 
 fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
@@ -36,6 +41,8 @@ fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
         Request::SingleView(request) => request.answer(),
         Request::StereoMatching(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
+        Request::TimeOfFlight(request) => request.answer(),
+        Request::DepthConfidence(request) => request.answer(),
     }
 }
 

@@ -1,0 +1,94 @@
+use oaktwin_image::Image;
+
+use crate::simd::{self, Kernel, Level, whole};
+
+/// `DepthAI`'s `ToFDepthConfidenceFilter`, bit for bit as on a host: what is too dark for its distance is lost.
+///
+/// The confidence is 100·a/√(d/2) of amplitude a and depth d in millimetres, in single precision; where either is 0 it
+/// is 6 553 500, so that what has no amplitude is kept. The image of confidences has its lowest 16 bits, and 65 535 where
+/// either is 0. A threshold of 0 switches it off: then that image is the amplitude's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthConfidence {
+    /// `confidenceThreshold`: what has less is lost. `DepthAI`'s default is 0.1.
+    pub threshold: f32,
+}
+
+impl Default for DepthConfidence {
+    fn default() -> Self {
+        Self { threshold: 0.1 }
+    }
+}
+
+impl DepthConfidence {
+    /// Loses what is too dark in `depth` (millimetres), and returns the confidences. Images of different sizes are left
+    /// as they are, where they do not overlap.
+    #[must_use]
+    pub fn run(&self, depth: &mut Image<u16>, amplitude: &Image<u16>) -> Image<u16> {
+        let mut confidence = Image::filled(depth.width(), depth.height(), 0);
+        self.run_rows(
+            Level::detect(),
+            amplitude.pixels(),
+            depth.pixels_mut(),
+            confidence.pixels_mut(),
+        );
+        confidence
+    }
+
+    /// The same of rows.
+    pub(crate) fn run_rows(
+        &self,
+        level: Level,
+        amplitude: &[u16],
+        depth: &mut [u16],
+        confidence: &mut [u16],
+    ) {
+        if self.threshold == 0.0 {
+            for (out, &amplitude) in confidence.iter_mut().zip(amplitude) {
+                *out = amplitude;
+            }
+            return;
+        }
+        simd::run_at(
+            level,
+            Rows {
+                threshold: self.threshold,
+                amplitude,
+                depth,
+                confidence,
+            },
+        );
+    }
+}
+
+/// The confidence of what has no amplitude or depth.
+const WITHOUT: f32 = 6_553_500.0;
+
+struct Rows<'a> {
+    threshold: f32,
+    amplitude: &'a [u16],
+    depth: &'a mut [u16],
+    confidence: &'a mut [u16],
+}
+
+impl Kernel for Rows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let pixels = self.depth.iter_mut().zip(self.confidence).zip(self.amplitude);
+        for ((depth, out), &amplitude) in pixels {
+            let (a, d) = (f32::from(amplitude), f32::from(*depth));
+            let nothing = (amplitude == 0) | (*depth == 0);
+            let confidence = 100.0 * (a / (d / 2.0).sqrt());
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "the lowest bits, as there"
+            )]
+            let low = whole(confidence) as u16;
+            *out = if nothing { u16::MAX } else { low };
+            let confidence = if nothing { WITHOUT } else { confidence };
+            *depth = if confidence < self.threshold { 0 } else { *depth };
+        }
+    }
+}

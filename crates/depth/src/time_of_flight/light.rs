@@ -1,0 +1,199 @@
+//! The light that comes back: a row of depth becomes a row of phasors.
+
+use crate::simd::Kernel;
+use crate::turns::{fraction, sin_of_turns};
+
+/// What is farther away is no surface: 10 km.
+const LEAST_INVERSE: f32 = 1e-4;
+
+/// What is nearer is as bright as at 0.1 mm.
+const MOST_INVERSE: f32 = 1e4;
+
+/// The tangent of 89°: what is steeper on both sides is an edge.
+const STEEPEST: f32 = 57.289_96;
+
+/// Albedo of the darkest things.
+const LEAST_ALBEDO: f32 = 0.02;
+
+/// Inverse depth, 1/m, 0 where there is no surface; there is none beside the row.
+pub(super) struct InverseDepth<'a> {
+    pub(super) depth: &'a [f32],
+    /// A pixel longer at both ends.
+    pub(super) out: &'a mut [f32],
+}
+
+impl Kernel for InverseDepth<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let inside = self.out.get_mut(1..).unwrap_or_default();
+        for (out, &z) in inside.iter_mut().zip(self.depth) {
+            let inverse = 1.0 / z;
+            let bounded = if inverse < MOST_INVERSE {
+                inverse
+            } else {
+                MOST_INVERSE
+            };
+            // False for a NaN.
+            let surface = (z > 0.0) & (inverse >= LEAST_INVERSE);
+            *out = if surface { bounded } else { 0.0 };
+        }
+    }
+}
+
+/// Albedos of a picture's row, at least 0.02: an estimate, as a picture shows what is bright in visible light. Its luma as
+/// it is, not the linear value: dyes and paints that look dark reflect much more at 940 nm, and a picture has shadows.
+pub(super) struct Albedos<'a> {
+    pub(super) picture: &'a [[u8; 4]],
+    pub(super) out: &'a mut [f32],
+}
+
+impl Kernel for Albedos<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (out, [r, g, b, _]) in self.out.iter_mut().zip(self.picture) {
+            let luma = (77 * u16::from(*r) + 150 * u16::from(*g) + 29 * u16::from(*b)) >> 8;
+            let albedo = f32::from(luma) * (1.0 / 255.0);
+            *out = if albedo > LEAST_ALBEDO {
+                albedo
+            } else {
+                LEAST_ALBEDO
+            };
+        }
+    }
+}
+
+/// One row of what the pixels' centres see, a pixel longer at both ends: as the pixels there. Real and imaginary part of
+/// each frequency's phasor, then all light; electrons a sample.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LightRow {
+    pub(super) channels: [Vec<f32>; CHANNELS],
+}
+
+/// Of a [`LightRow`].
+pub(super) const CHANNELS: usize = 5;
+
+impl LightRow {
+    pub(super) fn reset(&mut self, width: usize) {
+        for channel in &mut self.channels {
+            channel.clear();
+            channel.resize(width + 2, 0.0);
+        }
+    }
+
+    /// Beside the row it is as at its ends.
+    pub(super) fn close(&mut self) {
+        for channel in &mut self.channels {
+            match &mut channel[..] {
+                [left, first, .., last, right] => (*left, *right) = (*first, *last),
+                [left, only, right] => (*left, *right) = (*only, *only),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// What all rows share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lamp {
+    pub(super) signal: f32,
+    pub(super) contrast: f32,
+    pub(super) ambient: f32,
+    /// Turns of the phase a metre.
+    pub(super) turns_per_m: [f32; 2],
+    /// How long ago each frequency was measured, s.
+    pub(super) age_s: [f32; 2],
+}
+
+/// The phasors of a row.
+pub(super) struct Returns<'a> {
+    pub(super) lamp: &'a Lamp,
+    /// Inverse depth of the row above, this one and the one below, a pixel longer at both ends.
+    pub(super) inverse: [&'a [f32]; 3],
+    pub(super) depth: &'a [f32],
+    pub(super) albedo: &'a [f32],
+    /// What is added to the distance, m.
+    pub(super) shift: &'a [f32],
+    /// m/s.
+    pub(super) velocity: &'a [f32],
+    pub(super) focal_length_px: f32,
+    pub(super) u: &'a [f32],
+    pub(super) v: f32,
+    pub(super) out: &'a mut LightRow,
+}
+
+impl<'a> Kernel for Returns<'a> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Lamp {
+            signal,
+            contrast,
+            ambient,
+            turns_per_m,
+            age_s,
+        } = *self.lamp;
+        let n = self.depth.len();
+        let padded = |row: &'a [f32]| row.get(..n + 2);
+        let [Some(above), Some(here), Some(below)] = self.inverse.map(padded) else {
+            return;
+        };
+        let inside = |row: &'a [f32]| row.get(..n);
+        let rows = [self.albedo, self.shift, self.velocity, self.u].map(inside);
+        let [Some(albedo), Some(shift), Some(velocity), Some(u)] = rows else {
+            return;
+        };
+        let depth = self.depth;
+        let outs = self.out.channels.each_mut().map(|row| row.get_mut(1..=n));
+        let [Some(re0), Some(im0), Some(re1), Some(im1), Some(total)] = outs else {
+            return;
+        };
+        let (v, f) = (self.v, self.focal_length_px);
+        for x in 0..n {
+            // A plane's inverse depth is linear in u and v: its gradient is the normal, exactly.
+            let w = here[x + 1];
+            let gx = gradient(here[x], w, here[x + 2], f);
+            let gy = gradient(above[x + 1], w, below[x + 1], f);
+            let gz = w - gx * u[x] - gy * v;
+            let normal2 = gx * gx + gy * gy + gz * gz;
+            let ray2 = 1.0 + u[x] * u[x] + v * v;
+            let cosine = w / (normal2 * ray2).sqrt();
+            let surface = w > 0.0;
+            let reflected = signal * albedo[x] * cosine * (w * w / ray2);
+            let reflected = if surface { reflected } else { 0.0 };
+            let range = depth[x] * ray2.sqrt() + shift[x];
+            let range = if surface { range } else { 0.0 };
+            let amplitude = contrast * reflected;
+            let seen = [range - velocity[x] * age_s[0], range - velocity[x] * age_s[1]];
+            (re0[x], im0[x]) = phasor(amplitude, seen[0] * turns_per_m[0]);
+            (re1[x], im1[x]) = phasor(amplitude, seen[1] * turns_per_m[1]);
+            let ambient = if surface { ambient * albedo[x] } else { 0.0 };
+            total[x] = reflected + ambient;
+        }
+    }
+}
+
+/// How much the middle changes a unit of u or v: by the flatter of two sides, not over an edge.
+#[inline(always)]
+fn gradient(before: f32, middle: f32, after: f32, focal_length_px: f32) -> f32 {
+    let (a, b) = (middle - before, after - middle);
+    let flatter = if a.abs() < b.abs() { a } else { b } * focal_length_px;
+    if flatter.abs() > STEEPEST * middle {
+        0.0
+    } else {
+        flatter
+    }
+}
+
+#[inline(always)]
+fn phasor(amplitude: f32, turns: f32) -> (f32, f32) {
+    let turns = fraction(turns);
+    (
+        amplitude * sin_of_turns(turns + 0.25),
+        amplitude * sin_of_turns(turns),
+    )
+}

@@ -1,0 +1,191 @@
+//! Parameters by name, for command lines and presets.
+
+use std::fmt::Display;
+use std::str::FromStr;
+
+use oaktwin_diagnostic::fold_name;
+
+use super::parameters::{INDOOR_E, OUTDOOR_E, Parameters};
+use crate::{ParameterError, choice};
+
+/// One parameter: its name, how to read and to change it, and what it may be.
+struct Named {
+    name: &'static str,
+    get: fn(&Parameters) -> String,
+    set: fn(&mut Parameters, &str) -> Option<()>,
+    values: &'static str,
+}
+
+/// A parameter that is a field of a type that reads as text.
+macro_rules! field {
+    ($name:literal, $field:ident, $values:literal) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$field),
+            set: |p, value| put(&mut p.$field, value),
+            values: $values,
+        }
+    };
+}
+
+/// A switch.
+macro_rules! flag {
+    ($name:literal, $field:ident) => {
+        Named {
+            name: $name,
+            get: |p| text(&p.$field),
+            set: |p, value| flag(value).map(|value| p.$field = value),
+            values: "give true or false",
+        }
+    };
+}
+
+const TABLE: [Named; 27] = [
+    field!("focalLength", focal_length_px, "give pixels, 457"),
+    field!("width", width_px, "give whole pixels, 640"),
+    Named {
+        name: "principalPoint",
+        get: |p| {
+            p.principal_point_px
+                .map_or_else(|| "center".to_owned(), |[x, y]| format!("{x},{y}"))
+        },
+        set: |p, value| {
+            p.principal_point_px = match value {
+                "center" => None,
+                pair => Some(numbers(pair)?),
+            };
+            Some(())
+        },
+        values: "give center, or two numbers of pixels, 320,240",
+    },
+    Named {
+        name: "modulationFrequencies",
+        get: |p| {
+            let [low, high] = p.frequencies_mhz;
+            format!("{low},{high}")
+        },
+        set: |p, value| numbers(value).map(|pair| p.frequencies_mhz = pair),
+        values: "give two numbers of MHz, 80,100",
+    },
+    flag!("enablePhaseUnwrapping", enable_phase_unwrapping),
+    field!(
+        "phaseUnwrappingLevel",
+        phase_unwrapping_level,
+        "give a whole number, 0 to 5"
+    ),
+    field!(
+        "phaseUnwrapErrorThreshold",
+        phase_unwrap_error_threshold,
+        "give whole millimetres, 100"
+    ),
+    flag!(
+        "enablePhaseShuffleTemporalFilter",
+        enable_phase_shuffle_temporal_filter
+    ),
+    flag!("enableBurstMode", enable_burst_mode),
+    flag!("enableOpticalCorrection", enable_optical_correction),
+    flag!("enableWiggleCorrection", enable_wiggle_correction),
+    field!("wiggling", wiggling, "give a fraction, 0 to 0.5"),
+    field!("wigglingResidual", wiggling_residual, "give a fraction, 0 to 0.5"),
+    flag!("enableFPPNCorrection", enable_fppn_correction),
+    field!("fixedPattern", fixed_pattern_m, "give metres, 0.01"),
+    field!("bias", bias_m, "give metres, 0.001"),
+    field!("signal", signal_e, "give electrons, 3000"),
+    field!("contrast", contrast, "give a fraction, 0 to 1"),
+    Named {
+        name: "ambient",
+        get: |p| text(&p.ambient_e),
+        set: |p, value| match value {
+            "indoor" => put(&mut p.ambient_e, &INDOOR_E.to_string()),
+            "outdoor" => put(&mut p.ambient_e, &OUTDOOR_E.to_string()),
+            _ => put(&mut p.ambient_e, value),
+        },
+        values: "give indoor, outdoor, or electrons",
+    },
+    field!("readNoise", read_noise_e, "give electrons, 5"),
+    field!("fullWell", full_well_e, "give electrons, 135000"),
+    field!("albedo", albedo, "give a fraction, 0 to 1"),
+    field!("pixelMixing", pixel_mixing, "give a fraction, 0 to 0.25"),
+    field!("radialVelocity", radial_velocity_m_s, "give metres a second"),
+    field!(
+        "measurementInterval",
+        measurement_interval_s,
+        "give seconds, 0.0167"
+    ),
+    field!("minAmplitude", min_amplitude_e, "give electrons, 5"),
+    field!("confidenceThreshold", confidence_threshold, "give a number, 0.1"),
+];
+
+/// The names of all parameters: `DepthAI`'s where it has one.
+pub const NAMES: [&str; TABLE.len()] = {
+    let mut names = [""; TABLE.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = TABLE[at].name;
+        at += 1;
+    }
+    names
+};
+
+impl Parameters {
+    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
+    ///
+    /// # Errors
+    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
+    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
+        let named = find(name)?;
+        let mut changed = *self;
+        (named.set)(&mut changed, value.trim()).ok_or_else(|| {
+            ParameterError::new(
+                named.name,
+                format!("`{value}` is none of its values"),
+                named.values,
+            )
+        })?;
+        // What was wrong before is not this value's fault.
+        match changed.check() {
+            Err(error) if error.name == named.name => Err(error),
+            _ => {
+                *self = changed;
+                Ok(())
+            }
+        }
+    }
+
+    /// One of [`NAMES`], as [`Parameters::set`] takes it.
+    ///
+    /// # Errors
+    /// No such name.
+    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
+        find(name).map(|named| (named.get)(self))
+    }
+}
+
+fn find(name: &str) -> Result<&'static Named, ParameterError> {
+    let folded = fold_name(name);
+    let found = TABLE.iter().find(|named| fold_name(named.name) == folded);
+    found.ok_or_else(|| choice::unknown(name, "parameter of time-of-flight", &NAMES))
+}
+
+fn text(value: &impl Display) -> String {
+    value.to_string()
+}
+
+fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
+    *field = value.parse().ok()?;
+    Some(())
+}
+
+fn flag(value: &str) -> Option<bool> {
+    match value {
+        "true" | "1" => Some(true),
+        "false" | "0" => Some(false),
+        _ => None,
+    }
+}
+
+/// Two numbers with a comma between.
+fn numbers(pair: &str) -> Option<[f64; 2]> {
+    let (a, b) = pair.split_once(',')?;
+    Some([a.trim().parse().ok()?, b.trim().parse().ok()?])
+}

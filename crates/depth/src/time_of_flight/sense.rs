@@ -1,0 +1,339 @@
+//! All steps of an image, one row after the other, in memory that stays near the processor.
+
+use oaktwin_image::ImageView;
+use rayon::prelude::*;
+
+use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
+use super::optics::Optics;
+use super::receive::{Decode, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
+use super::{Output, TimeOfFlight};
+use crate::Shot;
+use crate::filter::DepthConfidence;
+use crate::random::{Plane, Stage, Stream};
+use crate::simd::{self, Level};
+
+/// Rows that one thread works on. The first and the last need those beyond.
+const BAND: usize = 48;
+
+/// One image to be sensed.
+pub(super) struct Job<'a> {
+    sensor: &'a TimeOfFlight,
+    optics: Optics,
+    depth: ImageView<'a, f32>,
+    picture: Option<ImageView<'a, [u8; 4]>>,
+    velocity: Option<ImageView<'a, f32>>,
+    /// The random numbers of this frame's measurements, and of the frame before where it shares them.
+    measurements: [Option<Plane>; 2],
+    fixed_pattern: Option<Plane>,
+    level: Level,
+}
+
+/// What all rows of all images share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Constants {
+    pub(super) lamp: Lamp,
+    pub(super) receiver: Receiver,
+    pub(super) limits: Limits,
+    pub(super) albedo: f32,
+    pub(super) bias_m: f32,
+    pub(super) fixed_pattern_m: f32,
+    pub(super) velocity_m_s: f32,
+    pub(super) confidence: DepthConfidence,
+}
+
+/// Memory of one thread.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// Of the rows y − 1, y and y + 1 at their numbers modulo 3.
+    inverse: [Vec<f32>; 3],
+    light: [LightRow; 3],
+    mixed: LightRow,
+    albedo: Vec<f32>,
+    shift: Vec<f32>,
+    velocity: Vec<f32>,
+    words: [Vec<u32>; 2],
+    sampled: Sampled,
+    depth: Vec<u16>,
+    amplitude: Vec<u16>,
+    confidence: Vec<u16>,
+}
+
+/// A finished row.
+pub(super) struct Row<'a> {
+    /// Millimetres.
+    pub(super) depth: &'a [u16],
+    pub(super) amplitude: &'a [u16],
+    pub(super) confidence: &'a [u16],
+}
+
+impl Row<'_> {
+    /// Depth in metres.
+    pub(super) fn metres(&self, out: &mut [f32]) {
+        for (out, &millimetres) in out.iter_mut().zip(self.depth) {
+            *out = f32::from(millimetres) / 1000.0;
+        }
+    }
+}
+
+impl<'a> Job<'a> {
+    pub(super) fn new(sensor: &'a TimeOfFlight, shot: &Shot<'a>, random: &Stream) -> Self {
+        let p = sensor.parameters();
+        let depth = shot.depth();
+        let plane = |frame| random.plane(Stage::Correlation, frame, shot.item);
+        let shares = p.enable_phase_shuffle_temporal_filter && !p.enable_burst_mode;
+        let has_pattern = !p.enable_fppn_correction && p.fixed_pattern_m > 0.0;
+        Self {
+            sensor,
+            optics: Optics::new(p, depth.width(), depth.height()),
+            depth,
+            picture: shot.rgb(),
+            velocity: shot.radial_velocity(),
+            measurements: [
+                Some(plane(shot.frame)),
+                shares.then(|| plane(shot.frame.wrapping_sub(1))),
+            ],
+            // Of the device, whatever it looks at.
+            fixed_pattern: has_pattern.then(|| random.plane(Stage::FixedPattern, 0, 0)),
+            level: Level::detect(),
+        }
+    }
+
+    #[cfg(test)]
+    pub(super) fn at(mut self, level: Level) -> Self {
+        self.level = level;
+        self
+    }
+
+    fn width(&self) -> usize {
+        self.depth.width() as usize
+    }
+
+    /// Every row on all threads.
+    pub(super) fn distance(&self, out: &mut [f32]) {
+        let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
+        out.par_chunks_mut(band)
+            .enumerate()
+            .for_each_init(Scratch::default, |scratch, (index, out)| {
+                let mut rows = out.chunks_exact_mut(width);
+                let count = rows.len();
+                self.rows(scratch, index * BAND, count, |row| {
+                    row.metres(rows.next().unwrap_or_default());
+                });
+            });
+    }
+
+    /// All that is measured.
+    pub(super) fn output(&self, out: &mut Output) {
+        let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
+        let distance = out.distance.0.pixels_mut().par_chunks_mut(band);
+        let amplitude = out.amplitude.pixels_mut().par_chunks_mut(band);
+        let confidence = out.confidence.pixels_mut().par_chunks_mut(band);
+        let bands = distance.zip(amplitude).zip(confidence).enumerate();
+        bands.for_each_init(
+            Scratch::default,
+            |scratch, (index, ((distance, amplitude), confidence))| {
+                let count = distance.len() / width;
+                let mut rows = distance
+                    .chunks_exact_mut(width)
+                    .zip(amplitude.chunks_exact_mut(width))
+                    .zip(confidence.chunks_exact_mut(width));
+                self.rows(scratch, index * BAND, count, |row| {
+                    if let Some(((distance, amplitude), confidence)) = rows.next() {
+                        row.metres(distance);
+                        amplitude.copy_from_slice(row.amplitude);
+                        confidence.copy_from_slice(row.confidence);
+                    }
+                });
+            },
+        );
+    }
+
+    /// `count` rows from `first` on, each handed to `finish`.
+    pub(super) fn rows(&self, s: &mut Scratch, first: usize, count: usize, mut finish: impl FnMut(Row<'_>)) {
+        if count == 0 || self.width() == 0 {
+            return;
+        }
+        s.begin(self);
+        let (first, last) = (first.cast_signed(), (first + count).cast_signed());
+        // The light of a row takes the depth of the rows beside it, what is measured the light of the rows beside it.
+        for y in first - 2..last + 2 {
+            s.inverse(self, y);
+            if y >= first {
+                s.light(self, y - 1);
+            }
+            if y >= first + 2 {
+                s.measure(self, y - 2);
+                finish(Row {
+                    depth: &s.depth,
+                    amplitude: &s.amplitude,
+                    confidence: &s.confidence,
+                });
+            }
+        }
+    }
+}
+
+/// Where a row is kept.
+fn slot(y: isize) -> usize {
+    y.rem_euclid(3) as usize
+}
+
+/// A row of an image, where it has one of this number.
+fn row<T>(image: ImageView<'_, T>, y: isize) -> Option<&[T]> {
+    let width = image.width() as usize;
+    let start = usize::try_from(y).ok()?.checked_mul(width)?;
+    image.pixels().get(start..start + width)
+}
+
+impl Scratch {
+    fn begin(&mut self, job: &Job<'_>) {
+        let (width, c) = (job.width(), job.sensor.constants());
+        for row in &mut self.inverse {
+            row.clear();
+            row.resize(width + 2, 0.0);
+        }
+        for row in self.light.iter_mut().chain([&mut self.mixed]) {
+            row.reset(width);
+        }
+        let fill = |row: &mut Vec<f32>, value| {
+            row.clear();
+            row.resize(width, value);
+        };
+        fill(&mut self.albedo, c.albedo);
+        fill(&mut self.shift, c.bias_m);
+        fill(&mut self.velocity, c.velocity_m_s);
+        self.sampled.reset(width);
+        for row in [&mut self.depth, &mut self.amplitude, &mut self.confidence] {
+            row.clear();
+            row.resize(width, 0);
+        }
+    }
+
+    /// There is no surface beyond the border.
+    fn inverse(&mut self, job: &Job<'_>, y: isize) {
+        let out = &mut self.inverse[slot(y)];
+        match row(job.depth, y) {
+            None => out.fill(0.0),
+            Some(depth) => simd::run_at(job.level, InverseDepth { depth, out }),
+        }
+    }
+
+    fn light(&mut self, job: &Job<'_>, y: isize) {
+        let Some(depth) = row(job.depth, y) else { return };
+        let c = job.sensor.constants();
+        if let Some(picture) = job.picture.and_then(|picture| row(picture, y)) {
+            simd::run_at(
+                job.level,
+                Albedos {
+                    picture,
+                    out: &mut self.albedo,
+                },
+            );
+        }
+        if let Some(pattern) = &job.fixed_pattern {
+            pattern.normals(counter(y), &mut self.shift);
+            for shift in &mut self.shift {
+                *shift = c.bias_m + c.fixed_pattern_m * *shift;
+            }
+        }
+        let velocity = job.velocity.and_then(|velocity| row(velocity, y));
+        let [above, here, below] = [y - 1, y, y + 1].map(slot);
+        let out = &mut self.light[here];
+        simd::run_at(
+            job.level,
+            Returns {
+                lamp: &c.lamp,
+                inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                depth,
+                albedo: &self.albedo,
+                shift: &self.shift,
+                velocity: velocity.unwrap_or(&self.velocity),
+                focal_length_px: job.optics.focal_length_px,
+                u: &job.optics.columns,
+                v: job.optics.row(y),
+                out,
+            },
+        );
+        out.close();
+    }
+
+    fn measure(&mut self, job: &Job<'_>, y: isize) {
+        let (c, width) = (job.sensor.constants(), job.width());
+        // Beyond the border it is as at the border.
+        let last = (job.depth.height() as usize).cast_signed() - 1;
+        let slots = [y - 1, y, y + 1].map(|y| slot(y.clamp(0, last)));
+        let is_mixed = c.receiver.mixing > 0.0;
+        if is_mixed {
+            for channel in 0..CHANNELS {
+                simd::run_at(
+                    job.level,
+                    Mix {
+                        weight: c.receiver.mixing,
+                        rows: slots.map(|slot| self.light[slot].channels[channel].as_slice()),
+                        out: &mut self.mixed.channels[channel],
+                    },
+                );
+            }
+        }
+        let seen = if is_mixed {
+            &self.mixed
+        } else {
+            &self.light[slots[1]]
+        };
+        let stride = width.next_multiple_of(64);
+        for (words, plane) in self.words.iter_mut().zip(&job.measurements) {
+            words.resize(plane.map_or(0, |_| 2 * stride), 0);
+            if let Some(plane) = plane {
+                plane.row_words(counter(y), words);
+            }
+        }
+        let [re0, im0, re1, im1, total] = &seen.channels;
+        for (frequency, phasor) in [[re0, im0], [re1, im1]].into_iter().enumerate() {
+            let words = self.words.each_ref();
+            simd::run_at(
+                job.level,
+                Sample {
+                    receiver: &c.receiver,
+                    phasor: phasor.map(Vec::as_slice),
+                    total,
+                    words: words.map(|words| words.get(frequency * stride..).unwrap_or_default()),
+                    turns: &mut self.sampled.turns[frequency][..width],
+                    amplitude: &mut self.sampled.amplitudes[frequency],
+                    fullest: &mut self.sampled.fullest[frequency],
+                },
+            );
+        }
+        simd::run_at(
+            job.level,
+            Unwrap {
+                unwrapping: job.sensor.unwrapping(),
+                sampled: &mut self.sampled,
+            },
+        );
+        simd::run_at(
+            job.level,
+            Decode {
+                threshold_m: job.sensor.unwrapping().threshold_m,
+                limits: &c.limits,
+                sampled: &self.sampled,
+                inverse: &self.inverse[slots[1]],
+                u: &job.optics.columns,
+                v: job.optics.row(y),
+                depth: &mut self.depth,
+                amplitude: &mut self.amplitude,
+            },
+        );
+        c.confidence
+            .run_rows(job.level, &self.amplitude, &mut self.depth, &mut self.confidence);
+    }
+}
+
+/// A row's number for the generator.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "images have less than 2³² rows, none below 0"
+)]
+fn counter(y: isize) -> u32 {
+    y as u32
+}
