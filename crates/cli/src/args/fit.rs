@@ -14,9 +14,10 @@ use super::SensorArgs;
     after_help = "RECORDING is a folder of depth images of a flat target, perpendicular to the camera, and a table \
     distances.csv in it: the columns file (an image, an NPY batch, or a folder of images) and distance_m. Or a folder in \
     the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance. Or a CSV of errors with \
-    the columns distance_m and depth_error_percent: then bias, pixel locking and focal length alone. Images without true \
+    the columns distance_m and depth_error_percent: then bias, pixel locking and focal length, or bias and wiggling, alone. Images without true \
     distances tell the noise alone. Depth is along the optical axis, NPY in metres or 16-bit PNG, EXR, PFM; record without \
-    post filters, several frames of each distance, at distances on all phases of a pixel of disparity.\n\n\
+    post filters, several frames of each distance, at distances on all phases of a pixel of disparity, or with time of \
+    flight of its wiggling, which repeats every 0.4 m or so.\n\n\
     PARAMS.toml is for --params of sense, accuracy and render.\n\n\
     Ends with 1 where a parameter cannot be found, or something is odd in the recording."
 )]
@@ -33,7 +34,7 @@ pub(crate) struct FitArgs {
     #[arg(short, long, value_name = "PARAMS.toml", value_hint = ValueHint::FilePath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// The depth sensor by kind (stereo, tof) or prim; by default the stereo pair
+    /// The depth sensor by kind (stereo, tof) or prim; by default that of the engine, or the device's own
     #[arg(long, value_name = "KIND|PRIM")]
     pub(crate) sensor: Option<String>,
 

@@ -123,6 +123,103 @@ fn a_recording_that_tells_little_ends_with_findings() {
     insta::assert_snapshot!(format!("{}{}", ended.stdout, ended.stderr));
 }
 
+/// Of a time-of-flight camera, a crop of whose images is recorded.
+const CROP: [&str; 4] = ["--param", "width=64", "--param", "principalPoint=center"];
+
+/// What `sense` makes of walls at these distances, with errors of its own.
+fn record_tof(program: &Program, folder: &str, distances: &[f64]) {
+    fs::create_dir(program.path(folder)).unwrap();
+    let mut table = "file,distance_m\n".to_owned();
+    for (i, &distance) in distances.iter().enumerate() {
+        #[expect(clippy::cast_possible_truncation, reason = "metres")]
+        let wall = npy::encode(&[4, 48, 64], &[distance as f32; 4 * 48 * 64]).unwrap();
+        program.put("wall.npy", wall);
+        let seed = i.to_string();
+        let own = ["--param", "bias=0.003", "--param", "wigglingResidual=0.01"];
+        let sense = [
+            "sense",
+            "wall.npy",
+            "--model",
+            "oak-d-tof",
+            "-o",
+            "sensed",
+            "--seed",
+            &seed,
+        ];
+        program.good(&[&sense[..], &CROP, &own].concat());
+        let bytes = fs::read(program.path("sensed").join("depth_sensor_distance.npy")).unwrap();
+        fs::remove_dir_all(program.path("sensed")).unwrap();
+        program.put(&format!("{folder}/{i}.npy"), bytes);
+        let _ = writeln!(table, "{i}.npy,{distance}");
+    }
+    program.put(&format!("{folder}/distances.csv"), table);
+}
+
+#[test]
+fn a_recording_of_time_of_flight() {
+    let program = Program::new();
+    record_tof(
+        &program,
+        "tof",
+        &[0.5, 0.65, 0.8, 1.0, 1.25, 1.5, 1.9, 2.3, 2.75, 3.2, 3.7, 4.2],
+    );
+    let arguments = [
+        &["fit", "tof", "--model", "OAK-D-ToF", "--region", "60"],
+        &CROP[..],
+    ]
+    .concat();
+    let text = program.good(&[&arguments[..], &["-o", "unit.toml", "--plot", "unit.svg"]].concat());
+    let file = fs::read_to_string(program.path("unit.toml")).unwrap();
+    insta::assert_snapshot!(format!("{text}\n{file}"));
+    let svg = fs::read_to_string(program.path("unit.svg")).unwrap();
+    assert!(
+        svg.contains("95 % of the curve") && svg.contains("error of depth [mm], above 0 is too far"),
+        "{svg}"
+    );
+    let json = program.good(&[&arguments[..], &["--json", "--threads", "1"]].concat());
+    assert!(
+        json.contains("\"unit\": \"m\"") && !json.contains("baseline_m"),
+        "{json}"
+    );
+    // What was fitted is what others then use.
+    let sense = ["sense", "wall.npy", "--model", "oak-d-tof"];
+    program.good(&[&sense[..], &["-o", "a", "--params", "unit.toml"]].concat());
+    program.good(&[&sense[..], &["-o", "b"]].concat());
+    let read = |name: &str| fs::read(program.path(name).join("depth_sensor_distance.npy")).unwrap();
+    assert_ne!(read("a"), read("b"));
+}
+
+#[test]
+fn what_makes_no_sense_of_time_of_flight_is_refused() {
+    let program = Program::new();
+    record_tof(&program, "tof", &[0.7, 2.3]);
+    let mut all = String::new();
+    let runs: [&[&str]; 5] = [
+        &["--fit", "focal"],
+        &["--param", "enableOpticalCorrection=false"],
+        &["--param", "signal=0"],
+        &["--sensor", "tof", "--engine", "stereo-noise"],
+        &["--params", "tof/distances.csv"],
+    ];
+    for run in runs {
+        let arguments = [&["fit", "tof", "--model", "oak-d-tof"], run].concat();
+        let _ = write!(
+            all,
+            "$ oaktwin {}\n{}",
+            arguments.join(" "),
+            program.refused(&arguments)
+        );
+    }
+    let few = [
+        &["fit", "tof", "--model", "oak-d-tof", "--region", "60"],
+        &CROP[..],
+    ]
+    .concat();
+    let ended = program.run(&few);
+    assert_eq!(ended.code, 1, "{}", ended.stderr);
+    insta::assert_snapshot!(format!("{all}{}{}", ended.stdout, ended.stderr));
+}
+
 #[test]
 fn what_makes_no_sense_is_refused() {
     let program = Program::new();

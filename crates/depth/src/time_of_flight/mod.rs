@@ -39,6 +39,7 @@
 //! * `enableTemperatureCorrection` and `enableDistortionCorrection` have no counterpart: there is no temperature and no lens.
 
 mod batch;
+mod closed_form;
 mod light;
 mod names;
 mod optics;

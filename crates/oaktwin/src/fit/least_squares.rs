@@ -36,6 +36,31 @@ impl Solution {
         (variance >= 0.0 && variance.is_finite()).then(|| variance.sqrt())
     }
 
+    /// How much the first two stand for one another, −1 to 1; `None` where they cannot be told apart at all.
+    pub(super) fn correlation(&self) -> Option<f64> {
+        let c = self.covariance.as_ref()?;
+        Some(c.first()?.get(1)? / (c.first()?.first()? * c.get(1)?.get(1)?).sqrt())
+    }
+
+    /// Half of the interval of 95 % of what follows from the parameters; `None` where they have none.
+    pub(super) fn half_width(&self, value: impl Fn(&[f64]) -> f64, is_known: bool) -> Option<f64> {
+        let slopes = derivatives(value, &self.parameters);
+        let covariance = self.covariance.as_ref()?;
+        let variance = covariance
+            .iter()
+            .zip(&slopes)
+            .flat_map(|(row, a)| row.iter().zip(&slopes).map(move |(c, b)| a * b * c))
+            .sum::<f64>();
+        Some(self.factor(is_known) * variance.max(0.0).sqrt())
+    }
+
+    /// The interval of 95 % of a parameter, times `scale`.
+    pub(super) fn interval(&self, at: usize, scale: f64, is_known: bool) -> Option<[f64; 2]> {
+        let half = self.factor(is_known) * self.error(at)?;
+        let value = *self.parameters.get(at)?;
+        Some([(value - half) * scale, (value + half) * scale])
+    }
+
     /// The factor of a standard error for an interval of 95 %.
     pub(super) fn factor(&self, is_known: bool) -> f64 {
         if is_known {
@@ -199,7 +224,7 @@ fn normal_equations(problem: &impl Problem, parameters: &[f64], scale: f64) -> (
 }
 
 /// By each parameter, from differences on both sides.
-pub(super) fn derivatives(value: impl Fn(&[f64]) -> f64, parameters: &[f64]) -> [f64; MOST] {
+fn derivatives(value: impl Fn(&[f64]) -> f64, parameters: &[f64]) -> [f64; MOST] {
     let mut slopes = [0.0; MOST];
     let mut moved = parameters.to_vec();
     for (at, slope) in slopes.iter_mut().enumerate().take(parameters.len()) {

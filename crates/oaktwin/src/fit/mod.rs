@@ -15,28 +15,33 @@
 //!   leave uncertain in them. Intervals are those of the linear approximation, wider where the points scatter more than
 //!   their noise explains.
 //!
+//! # `time_of_flight`
+//! * σ at each distance: half of the variance of such differences, by what frames share with the next, less whole
+//!   millimetres (unit²/12).
+//! * Light (`signal`, `ambient`): σ over distance by robust least squares of its logarithm. Noise tells but
+//!   contrast²·albedo·signal, from where the light itself is most of it, and (ambient·albedo + read noise²) over
+//!   (contrast·albedo·signal)², from where it is not: contrast, albedo and read noise are those of the engine's parameters,
+//!   and ambient light too where one distance, or distances too alike, do not tell it from the signal.
+//! * Bias (`bias`) and wiggling (`wigglingResidual`, or `wiggling` where its correction is off): the mean over time and
+//!   region against the truth, as above. Of targets beyond the range, or off by whole periods, nothing is made.
+//!
 //! A target's turn is that of the planes through its images, all distances together; up to a few degrees it is put into
 //! the truth, pixel by pixel. The given distances are those at the region's middle.
 
+mod counting;
 mod findings;
 mod least_squares;
-mod noise;
+mod method;
 mod plot;
 mod points;
 mod recording;
 mod report;
 mod stereo_noise;
 mod target;
-#[cfg(test)]
-mod tests;
+mod time_of_flight;
+mod work;
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
-
-use oaktwin_depth::measure::r_squared;
-use oaktwin_depth::stereo_noise::{DepthRounding, Parameters};
-use rayon::prelude::*;
 
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
@@ -47,15 +52,16 @@ use crate::dataset::figure::Figure;
 use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
 use crate::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
-use noise::Noise;
+use method::{Fitted, Method};
 use recording::Recording;
-use stereo_noise::{Errors, Systematic};
-use target::{Look, Seen};
+use stereo_noise::Stereo;
+use time_of_flight::Tof;
+use work::Work;
 
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// The depth sensor by prim or kind; by default the device's stereo pair.
+    /// The depth sensor by prim or kind; by default that of the engine, or the device's own.
     pub sensor: Option<String>,
     /// The engine, and what of it is known: its subpixel bits, say.
     pub engine: SensorOptions,
@@ -109,8 +115,7 @@ pub enum FitError {
 #[derive(Debug)]
 pub struct Fit {
     report: Report,
-    px_m: f64,
-    found: Option<Systematic>,
+    found: Option<Box<dyn Fitted>>,
 }
 
 impl Fit {
@@ -123,12 +128,7 @@ impl Fit {
     /// The error over distance with the fitted curve, and what it leaves.
     #[must_use]
     pub fn figures(&self) -> Vec<Figure> {
-        let errors = Errors {
-            points: &[],
-            px_m: self.px_m,
-            is_absolute: self.report.is_absolute,
-        };
-        plot::figures(&self.report, &errors, self.found.as_ref())
+        plot::figures(&self.report, self.found.as_deref())
     }
 }
 
@@ -145,8 +145,12 @@ pub fn fit(
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
     let mut twin = twin.clone();
-    let name = options.sensor.as_deref().unwrap_or(DepthKind::Stereo.as_str());
-    let depth = accuracy::depth_sensor(&twin, Some(name))?.clone();
+    let of_engine = match options.engine.engine {
+        Some(EngineKind::StereoNoise) => Some(DepthKind::Stereo.as_str()),
+        Some(EngineKind::TimeOfFlight) => Some(DepthKind::Tof.as_str()),
+        _ => None,
+    };
+    let depth = accuracy::depth_sensor(&twin, options.sensor.as_deref().or(of_engine))?.clone();
     let depth = options.optics.apply(&mut twin, &depth)?;
     let kind = options
         .engine
@@ -157,24 +161,34 @@ pub fn fit(
         ..options.engine.clone()
     };
     let (sensor, mut findings) = sensor(&twin, &depth, &settings)?;
-    let Engine::StereoNoise(engine) = sensor.engine() else {
-        return Err(FitError::Option(format!(
-            "engine: there is nothing to fit in {}, whose errors are not measured; choose stereo-noise",
-            kind.as_str()
-        )));
+    let mut method: Box<dyn Method> = match sensor.engine() {
+        Engine::StereoNoise(engine) => Box::new(Stereo::new(*engine.parameters())),
+        Engine::TimeOfFlight(engine) => Box::new(Tof::new(engine, options)?),
+        _ => {
+            return Err(FitError::Option(format!(
+                "engine: there is nothing to fit in {}, whose errors are not measured; choose stereo-noise or \
+                 time-of-flight",
+                kind.as_str()
+            )));
+        }
     };
-    let p = engine.parameters();
     let recording = recording::open(recordings, &depth.spec.prim)?;
+    let (focal_length_px, width_px) = method.focal_length_px();
+    let stereo = match sensor.engine() {
+        Engine::StereoNoise(engine) => Some(engine.parameters()),
+        _ => None,
+    };
     let report = Report {
         model: twin.device.name.clone(),
         sensor: depth.spec.prim.clone(),
         engine: kind.as_str(),
+        unit: method.counting().unit(),
         parameters: Vec::new(),
         not_found: Vec::new(),
-        focal_length_px: p.stereo.focal_length_px,
-        width_px: p.width_px,
-        baseline_m: p.stereo.baseline_m,
-        step_px: p.subpixel.step_px(),
+        focal_length_px,
+        width_px,
+        baseline_m: stereo.map(|p| p.stereo.baseline_m),
+        step_px: stereo.map(|p| p.subpixel.step_px()),
         is_absolute: false,
         from_m: options.from_m,
         curve: None,
@@ -186,26 +200,23 @@ pub fn fit(
     };
     let mut work = Work {
         report,
-        px_m: p.stereo.disparity(1.0),
         options,
-        noise: None,
         findings: Vec::new(),
     };
     let points = match recording {
         Recording::Curve(path, curve) => {
             work.report.is_absolute = curve.is_absolute;
-            work.without_images(&path);
+            work.without_images(&path, method.noise_names());
             points::of_curve(&curve)
         }
-        Recording::Stands(stands) => work.look(&stands, p, watch)?,
+        Recording::Stands(stands) => work.look(&stands, method.as_mut(), watch)?,
     };
-    let found = work.systematic(&points);
-    work.given(p);
+    let found = work.systematic(&points, method.as_ref());
+    method.given(&mut work);
     findings.append(&mut work.findings);
     work.report.is_good = !findings.iter().any(|finding| finding.level != Level::Note);
     let fit = Fit {
         report: work.report,
-        px_m: work.px_m,
         found,
     };
     Ok((fit, findings))
@@ -229,273 +240,4 @@ fn check(options: &Options) -> Result<(), FitError> {
         return wrong(format!("from: {} is no distance; give metres", options.from_m));
     }
     Ok(())
-}
-
-/// What is being made.
-struct Work<'a> {
-    report: Report,
-    px_m: f64,
-    options: &'a Options,
-    noise: Option<Noise>,
-    findings: Vec<Finding>,
-}
-
-impl Work<'_> {
-    /// Looks at all images: the noise, the targets, and the errors where the truth is known.
-    fn look(
-        &mut self,
-        stands: &[recording::Stand],
-        p: &Parameters,
-        watch: Watch<'_>,
-    ) -> Result<Vec<points::OfTarget>, FitError> {
-        let look = Look {
-            px_m: self.px_m,
-            step_px: p.subpixel.step_px(),
-            focal_of_width: p.stereo.focal_length_px / f64::from(p.width_px),
-            region: self.options.region,
-            unit_m: self.options.depth_scale,
-            is_truncated: p.depth_rounding == DepthRounding::Truncate,
-        };
-        let (done, of) = (AtomicU64::new(0), stands.len() as u64);
-        let look_at = |stand| {
-            let seen = target::look(stand, &look)?;
-            match watch(done.fetch_add(1, Ordering::Relaxed) + 1, of) {
-                ControlFlow::Continue(()) => Ok(seen),
-                ControlFlow::Break(()) => Err(FitError::Interrupted),
-            }
-        };
-        let seen: Vec<Seen> = stands.par_iter().map(look_at).collect::<Result<_, FitError>>()?;
-        points::of_one_size(&seen, stands)?;
-        findings::of_targets(&seen, &mut self.findings);
-        if seen.iter().all(|one| one.values() == 0) {
-            return Err(FitError::Option(format!(
-                "{}: nothing was measured in the middle of any image; record again, or give a larger --region",
-                self.report.sources.join(", ")
-            )));
-        }
-        self.noise = noise::noise(&seen, look.step_px);
-        self.noise_parameters(&seen, p);
-        let tilts = points::tilts(&seen, self.noise.as_ref(), &mut self.findings)?;
-        self.report.tilt_deg = tilts.common_deg();
-        self.report.targets = seen
-            .iter()
-            .map(|one| points::target(one, &tilts, look.step_px))
-            .collect();
-        Ok(points::of_targets(&seen, &tilts, self.noise.as_ref(), &look))
-    }
-
-    fn noise_parameters(&mut self, seen: &[Seen], p: &Parameters) {
-        let Some(noise) = self.noise else {
-            let why = "no pixel was seen in two frames of one target";
-            for name in ["jitter", "window"] {
-                self.not_found(name, why, "give several frames of each distance");
-            }
-            return;
-        };
-        let is_hidden = noise.sigma_px < noise::FEWEST_STEPS * p.subpixel.step_px();
-        self.report.parameters.push(Parameter {
-            name: "jitter",
-            value: noise.sigma_px,
-            interval_95: Some(noise.sigma_interval_px),
-            unit: "px",
-            what: "a pixel's standard deviation over time",
-            is_fitted: true,
-        });
-        if is_hidden {
-            self.findings.push(Finding::new(
-                "jitter-below-steps",
-                Level::Warning,
-                "jitter",
-                format!(
-                    "is less than {:.3} px: too little for steps of {} px to show how much",
-                    noise::FEWEST_STEPS * p.subpixel.step_px(),
-                    p.subpixel.step_px()
-                ),
-                "record with more subpixel bits",
-            ));
-            self.not_found(
-                "window",
-                "jitter is hidden by the steps of disparity",
-                "record with more subpixel bits",
-            );
-            return;
-        }
-        let width = seen.first().map_or(p.width_px, |one| one.size.width);
-        let side =
-            |image_px: usize| points::matcher_window(image_px, f64::from(width) / f64::from(p.width_px));
-        self.report.parameters.push(Parameter {
-            name: "window",
-            value: side(noise.window),
-            interval_95: noise.window_interval.map(|ends| ends.map(side)),
-            unit: "px",
-            what: "the side of the square over which it is correlated",
-            is_fitted: true,
-        });
-    }
-
-    fn without_images(&mut self, path: &std::path::Path) {
-        for name in ["jitter", "window"] {
-            self.report.not_found.push(NotFound {
-                name,
-                why: format!("{} has errors and no images", path.display()),
-            });
-        }
-    }
-
-    fn not_found(&mut self, name: &'static str, why: &str, remedy: &str) {
-        self.report.not_found.push(NotFound {
-            name,
-            why: why.to_owned(),
-        });
-        self.findings.push(Finding::new(
-            "not-identifiable",
-            Level::Warning,
-            name,
-            format!("cannot be found: {why}"),
-            remedy,
-        ));
-    }
-
-    /// Fits the systematic error.
-    fn systematic(&mut self, points: &[points::OfTarget]) -> Option<Systematic> {
-        let is_used = |one: &points::OfTarget| one.point.depth_m >= self.options.from_m;
-        let used: Vec<stereo_noise::Point> = points
-            .iter()
-            .filter(|one| is_used(one))
-            .map(|one| one.point)
-            .collect();
-        let errors = Errors {
-            points: &used,
-            px_m: self.px_m,
-            is_absolute: self.report.is_absolute,
-        };
-        let is_free = self.options.fits_focal_length;
-        let wanted = if is_free { 3 } else { 2 };
-        let is_known = used.iter().all(|point| point.sigma_px.is_some());
-        let found = errors.fit(is_free);
-        let trouble = findings::not_identifiable(&used, found.as_ref(), wanted, is_known);
-        let found = match trouble {
-            Some((why, remedy)) => {
-                self.not_found("bias", &why, remedy);
-                self.not_found("pixelLocking", &why, remedy);
-                if is_free {
-                    self.not_found("focalLength", &why, remedy);
-                }
-                None
-            }
-            None => found,
-        };
-        if let Some(found) = &found {
-            self.parameters_of(found);
-            self.findings
-                .extend(findings::implausible(&errors, found, is_free));
-        }
-        let parameters = found.as_ref().map(|found| found.solution.parameters.as_slice());
-        self.report.points = points
-            .iter()
-            .map(|one| {
-                let point = &one.point;
-                let fitted = parameters.map(|p| errors.error(p, point.depth_m));
-                FittedPoint {
-                    target: one.target,
-                    distance_m: point.depth_m,
-                    error_percent: 100.0 * point.error,
-                    error_px: errors.in_px(point.error, point.depth_m),
-                    sigma_px: point.sigma_px,
-                    fitted_percent: fitted.map(|error| 100.0 * error),
-                    fitted_px: fitted.map(|error| errors.in_px(error, point.depth_m)),
-                    is_used: is_used(one),
-                }
-            })
-            .collect();
-        self.report.curve = found.as_ref().map(|found| self.goodness(found));
-        found
-    }
-
-    fn parameters_of(&mut self, found: &Systematic) {
-        let solution = &found.solution;
-        let interval = |at: usize, scale: f64| {
-            let half = solution.factor(found.is_known) * solution.error(at)?;
-            let value = solution.parameters[at];
-            Some([(value - half) * scale, (value + half) * scale])
-        };
-        // An amplitude is not below 0.
-        let locking = interval(1, 1.0).map(|ends| ends.map(|end| end.max(0.0)));
-        let nominal = self.report.focal_length_px;
-        let mut parameters = vec![
-            Parameter {
-                name: "bias",
-                value: solution.parameters[0],
-                interval_95: interval(0, 1.0),
-                unit: "px",
-                what: "the error of the calibration; below 0 it reports too far",
-                is_fitted: true,
-            },
-            Parameter {
-                name: "pixelLocking",
-                value: solution.parameters[1].max(0.0),
-                interval_95: locking,
-                unit: "px",
-                what: "the amplitude of the error that repeats with every pixel",
-                is_fitted: true,
-            },
-        ];
-        if let Some(share) = solution.parameters.get(2) {
-            self.report.focal_length_px = nominal * share;
-            parameters.push(Parameter {
-                name: "focalLength",
-                value: nominal * share,
-                interval_95: interval(2, nominal),
-                unit: "px",
-                what: "by which distances became disparities",
-                is_fitted: true,
-            });
-        }
-        parameters.append(&mut self.report.parameters);
-        self.report.parameters = parameters;
-    }
-
-    /// Optics that were given belong to the unit as much as what was fitted.
-    fn given(&mut self, p: &Parameters) {
-        let optics = &self.options.optics;
-        if optics.focal_length_px.is_some() && self.report.parameter("focalLength").is_none() {
-            self.report.parameters.push(Parameter {
-                name: "focalLength",
-                value: p.stereo.focal_length_px,
-                interval_95: None,
-                unit: "px",
-                what: "by which distances became disparities",
-                is_fitted: false,
-            });
-        }
-        if optics.width_px.is_some() {
-            self.report.parameters.push(Parameter {
-                name: "width",
-                value: f64::from(p.width_px),
-                interval_95: None,
-                unit: "px",
-                what: "of the matcher's images",
-                is_fitted: false,
-            });
-        }
-    }
-
-    fn goodness(&self, found: &Systematic) -> Curve {
-        let used: Vec<&FittedPoint> = self.report.points.iter().filter(|point| point.is_used).collect();
-        let rms = |of: &dyn Fn(&FittedPoint) -> f64| {
-            (used.iter().map(|point| of(point).powi(2)).sum::<f64>() / used.len() as f64).sqrt()
-        };
-        let pairs: Vec<[f64; 2]> = used
-            .iter()
-            .filter_map(|point| Some([point.error_percent, point.fitted_percent?]))
-            .collect();
-        Curve {
-            points: used.len(),
-            rms_px: rms(&|point| point.error_px - point.fitted_px.unwrap_or(f64::NAN)),
-            rms_percent: rms(&|point| point.error_percent - point.fitted_percent.unwrap_or(f64::NAN)),
-            r_squared: r_squared(&pairs),
-            scatter: (found.is_known && found.solution.freedom > 0)
-                .then(|| (found.solution.squares / found.solution.freedom as f64).sqrt()),
-        }
-    }
 }

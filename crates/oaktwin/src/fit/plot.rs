@@ -1,7 +1,7 @@
 //! Errors, the curve through them, and what it leaves.
 
+use super::method::Fitted;
 use super::report::{FittedPoint, Report, number};
-use super::stereo_noise::{Errors, Systematic};
 use crate::dataset::figure::{Axis, Figure, Layer, Shape};
 
 const CURVE: [u8; 3] = [27, 94, 170];
@@ -9,11 +9,8 @@ const MEASURED: [u8; 3] = [190, 40, 70];
 const LEFT_OUT: [u8; 3] = [160, 164, 170];
 const INK: [u8; 3] = [60; 3];
 
-/// Places along the curve to each pixel of disparity, and the most.
-const A_PIXEL: f64 = 40.0;
-const MOST: f64 = 8000.0;
-
-pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Systematic>) -> Vec<Figure> {
+pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure> {
+    let (unit, to_one) = report.shown_unit();
     let distances = || report.points.iter().map(|point| point.distance_m);
     let (near, far) = distances().fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
     let x = Axis {
@@ -28,14 +25,14 @@ pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Syste
     };
     let mut layers = vec![line(far, 0.0)];
     if let Some(found) = found {
-        let (curve, band) = curve(errors, found, near, far);
+        let (curve, band) = curve(found, report, near, far);
         if band.iter().any(|point| point[2] - point[1] > 0.0) {
             layers.push(layer("95 % of the curve", CURVE, Shape::Area(band)));
         }
-        layers.push(layer(&name(report), CURVE, Shape::Line(curve)));
+        layers.push(layer(&name(found, report), CURVE, Shape::Line(curve)));
     }
-    let measured = pick(true, &|point| Some(point.error_px));
-    let left_out = pick(false, &|point| Some(point.error_px));
+    let measured = pick(true, &|point| Some(to_one * point.error));
+    let left_out = pick(false, &|point| Some(to_one * point.error));
     let range = vertical(measured.iter().map(|point| point[1]));
     if !left_out.is_empty() {
         layers.push(layer("left out", LEFT_OUT, Shape::Dots(left_out)));
@@ -46,29 +43,33 @@ pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Syste
     } else {
         "error"
     };
-    let below = if report.is_absolute {
-        ""
+    let (of, far_is) = if report.unit == "px" {
+        ("disparity", ", below 0 is too far")
     } else {
-        ", below 0 is too far"
+        ("depth", ", above 0 is too far")
     };
+    let side = if report.is_absolute { "" } else { far_is };
     let mut figures = vec![Figure {
-        title: format!("{}: {what} of disparity over distance", report.model),
-        subtitle: subtitle(report),
+        title: format!("{}: {what} of {of} over distance", report.model),
+        subtitle: subtitle(report, found),
         x: x.clone(),
         y: Axis {
-            label: format!("{what} of disparity [px]{below}"),
+            label: format!("{what} of {of} [{unit}]{side}"),
             range,
         },
         layers,
     }];
     // In thousandths: longer numbers have no room beside the axis.
-    let left = pick(true, &|point| Some(1e3 * (point.error_px - point.fitted_px?)));
+    let left = pick(true, &|point| Some(1e3 * to_one * (point.error - point.fitted?)));
     if !left.is_empty() {
         let spread: Vec<[f64; 3]> = report
             .points
             .iter()
             .filter(|point| point.is_used)
-            .filter_map(|point| Some([point.distance_m, -2e3 * point.sigma_px?, 2e3 * point.sigma_px?]))
+            .filter_map(|point| {
+                let two = 2e3 * to_one * point.sigma?;
+                Some([point.distance_m, -two, two])
+            })
             .collect();
         let ends = spread.iter().flat_map(|point| [point[1], point[2]]);
         let range = vertical(left.iter().map(|point| point[1]).chain(ends));
@@ -86,7 +87,7 @@ pub(super) fn figures(report: &Report, errors: &Errors<'_>, found: Option<&Syste
             subtitle: String::new(),
             x,
             y: Axis {
-                label: "deviation [px / 1000]".to_owned(),
+                label: format!("deviation [{unit} / 1000]"),
                 range,
             },
             layers,
@@ -107,22 +108,19 @@ fn line(far: f64, at: f64) -> Layer {
     layer("", INK, Shape::Line(vec![[0.0, at], [2.0 * far, at]]))
 }
 
-/// In steps of disparity, in which the error repeats.
-fn curve(errors: &Errors<'_>, found: &Systematic, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
-    let [most, least] = [near, far].map(|z| errors.px_m / z);
-    let count = (A_PIXEL * (most - least)).clamp(2.0, MOST).round();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
-    let steps = 0..=count as u32;
-    let places: Vec<f64> = steps
-        .map(|i| errors.px_m / (most + (least - most) * f64::from(i) / count))
-        .collect();
-    let parameters = &found.solution.parameters;
-    let at = |z: f64, off: f64| errors.in_px(errors.error(parameters, z) + off, z);
+fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
+    let (_, to_one) = report.shown_unit();
+    let counting = found.counting();
+    let at = |z: f64, off: f64| {
+        let value = to_one * counting.of_error(found.error(z) + off, z);
+        if report.is_absolute { value.abs() } else { value }
+    };
+    let places = found.places(near, far);
     let curve = places.iter().map(|&z| [z, at(z, 0.0)]).collect();
     let band = places
         .iter()
         .filter_map(|&z| {
-            let half = errors.half_width(found, z)?;
+            let half = found.half_width(z)?;
             let ends = [at(z, half), at(z, -half)];
             Some([z, ends[0].min(ends[1]), ends[0].max(ends[1])])
         })
@@ -130,28 +128,14 @@ fn curve(errors: &Errors<'_>, found: &Systematic, near: f64, far: f64) -> (Vec<[
     (curve, band)
 }
 
-fn name(report: &Report) -> String {
-    let value = |name: &str| {
-        report
-            .parameter(name)
-            .map_or(String::new(), |parameter| number(parameter.value))
-    };
+fn name(found: &dyn Fitted, report: &Report) -> String {
     let r2 = report.curve.and_then(|curve| curve.r_squared);
     let r2 = r2.map_or(String::new(), |r2| format!(", R2 = {r2:.3}"));
-    format!(
-        "bias {} px, pixel locking {} px{r2}",
-        value("bias"),
-        value("pixelLocking")
-    )
+    format!("{}{r2}", found.name(report))
 }
 
-fn subtitle(report: &Report) -> String {
-    let noise = report.parameter("jitter").map_or(String::new(), |jitter| {
-        let window = report
-            .parameter("window")
-            .map_or(String::new(), |window| format!(" over {0}x{0} px", window.value));
-        format!(", jitter {} px{window}", number(jitter.value))
-    });
+fn subtitle(report: &Report, found: Option<&dyn Fitted>) -> String {
+    let noise = found.map_or(String::new(), |found| found.noise(report));
     format!(
         "{}, focal length {} px at {} px, {} points{noise}",
         report.engine,

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::FitError;
-use super::noise::Noise;
+use super::counting::Counting;
+use super::method::Method;
 use super::recording::Stand;
 use super::report::Target;
-use super::stereo_noise::Point;
-use super::target::{Look, Seen, Sum};
+use super::target::{Seen, Sum};
 use crate::accuracy::measured::Curve;
 use crate::diagnostic::{Finding, Level};
 use crate::files::FileError;
@@ -19,11 +19,16 @@ const MOST_TILT_DEG: f64 = 5.0;
 const LEAST_TILT_DEG: f64 = 0.3;
 const LEAST_ERRORS: f64 = 4.0;
 
-/// Truths of a turned target are put together within this, px.
-const BIN_PX: f64 = 1.0 / 32.0;
-
-/// Jitter, in units of what is rounded to, above which rounding is as good as random.
-const FEWEST_ALIKE: f64 = 3.54;
+/// A measured error at a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Point {
+    /// True depth, m.
+    pub(super) depth_m: f64,
+    /// How much too far, as a share of the depth.
+    pub(super) error: f64,
+    /// The standard error, where it is known.
+    pub(super) sigma: Option<f64>,
+}
 
 /// An error of one target.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +45,7 @@ pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
         point: Point {
             depth_m: point.distance_m,
             error: point.error_percent / 100.0,
-            sigma_px: None,
+            sigma: None,
         },
     });
     points.collect()
@@ -79,7 +84,7 @@ pub(super) struct Tilts {
 struct Own {
     slope: [f64; 2],
     error: [f64; 2],
-    rms_px: f64,
+    rms: f64,
 }
 
 impl Tilts {
@@ -92,27 +97,28 @@ fn degrees([right, down]: [f64; 2]) -> f64 {
     right.hypot(down).atan().to_degrees()
 }
 
-/// Of targets without images of the truth. Pixel locking bends the plane through one target, which spans less than a
-/// pixel: all together tell.
+/// Of targets without images of the truth. What repeats bends the plane through one target, which spans less than a
+/// period: all together tell.
 pub(super) fn tilts(
     seen: &[Seen],
-    noise: Option<&Noise>,
+    method: &dyn Method,
     findings: &mut Vec<Finding>,
 ) -> Result<Tilts, FitError> {
     let mut own = BTreeMap::new();
     for one in seen.iter().filter(|one| !one.places.is_empty()) {
-        let Some(([middle, right, down], rms_px)) = one.plane() else {
+        let Some(([middle, right, down], rms)) = one.plane() else {
             continue;
         };
-        let variance = match noise {
-            Some(noise) => noise.of_mean(one.values()).max(1e-8),
+        let variance = match method.variance_of_mean(one, one.values()) {
+            Some(variance) => variance.max(1e-8),
             // As if neighbours were alike over a window of 7.
-            None => rms_px * rms_px * 49.0 / one.values() as f64 + 1e-8,
+            None => rms * rms * 49.0 / one.values() as f64 + 1e-8,
         };
+        let sign = method.counting().per_inverse_depth();
         let of = Own {
-            slope: [right / middle, down / middle],
+            slope: [sign * right / middle, sign * down / middle],
             error: one.extent().map(|squares| (variance / squares).sqrt() / middle),
-            rms_px,
+            rms,
         };
         own.insert(one.name.clone(), of);
     }
@@ -161,15 +167,16 @@ pub(super) fn tilts(
 }
 
 /// What there is to say about a target.
-pub(super) fn target(one: &Seen, tilts: &Tilts, step_px: f64) -> Target {
+pub(super) fn target(one: &Seen, tilts: &Tilts, method: &dyn Method) -> Target {
     let own = tilts.own.get(&one.name);
-    let variance = one.variance();
+    let variance = method.variance(one);
+    let step = method.step();
     let fixed = own
         .zip(variance)
         .filter(|_| one.square == 1)
         .map(|(own, variance)| {
-            let by_time = variance.max(step_px * step_px / 12.0) / one.frames as f64;
-            (own.rms_px.powi(2) - by_time).max(0.0).sqrt()
+            let by_time = variance.max(step * step / 12.0) / one.frames as f64;
+            (own.rms.powi(2) - by_time).max(0.0).sqrt()
         });
     Target {
         name: one.name.clone(),
@@ -178,18 +185,19 @@ pub(super) fn target(one: &Seen, tilts: &Tilts, step_px: f64) -> Target {
         fill_rate: one.fill_rate,
         mismatch_rate: one.mismatch_rate,
         tilt_deg: own.map(|own| degrees(own.slope)),
-        temporal_noise_px: variance.map(f64::sqrt),
-        fixed_pattern_px: fixed,
+        temporal_noise: variance.map(f64::sqrt),
+        fixed_pattern: fixed,
     }
 }
 
 /// The errors of targets whose truth is known.
-pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, noise: Option<&Noise>, look: &Look) -> Vec<OfTarget> {
+pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
+    let counting = method.counting();
     let mut points = Vec::new();
     for (target, one) in seen.iter().enumerate() {
         let sums = match one.distance_m {
             _ if !one.by_truth.is_empty() => one.by_truth.clone(),
-            Some(distance_m) => by_truth(one, look.px_m / distance_m, tilts.common),
+            Some(distance_m) => by_truth(one, counting, distance_m, tilts.common),
             None => continue,
         };
         for sum in sums.into_iter().filter(|sum| sum.values > 0) {
@@ -199,19 +207,19 @@ pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, noise: Option<&Noise>, lo
                 .filter(|_| one.by_truth.is_empty() && tilts.common.is_none())
             {
                 Some(distance_m) => distance_m,
-                None => look.px_m / sum.truth(),
+                None => counting.depth_m(sum.mean_truth()),
             };
-            let sigma = |noise: &Noise| {
-                let variance =
-                    noise.of_mean(sum.values) + rounding(noise.sigma_px, look.step_px, one.unit_px);
-                variance.sqrt()
-            };
+            let [truth, measured] =
+                [sum.mean_truth(), sum.mean_measured()].map(|value| counting.depth_m(value));
+            let variance = method
+                .variance_of_mean(one, sum.values)
+                .map(|noise| noise + method.variance_of_rounding(one));
             points.push(OfTarget {
                 target: Some(target),
                 point: Point {
                     depth_m,
-                    error: sum.truth() / sum.measured() - 1.0,
-                    sigma_px: noise.map(sigma),
+                    error: measured / truth - 1.0,
+                    sigma: variance.map(f64::sqrt),
                 },
             });
         }
@@ -219,68 +227,20 @@ pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, noise: Option<&Noise>, lo
     points
 }
 
-/// The places of a target put together by their truth, of which `truth_px` is that in the middle.
-#[expect(clippy::cast_possible_truncation, reason = "disparities are below 2⁶³ bins")]
-fn by_truth(one: &Seen, truth_px: f64, tilt: Option<[f64; 2]>) -> Vec<Sum> {
+/// The places of a target put together by their truth, of which `distance_m` is that in the middle.
+#[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
+fn by_truth(one: &Seen, counting: Counting, distance_m: f64, tilt: Option<[f64; 2]>) -> Vec<Sum> {
+    let middle = counting.of_depth(distance_m);
     let mut sums: BTreeMap<i64, Sum> = BTreeMap::new();
     for place in &one.places {
         let [right, down] = tilt.unwrap_or_default();
-        let truth = truth_px * (1.0 + right * place.at[0] + down * place.at[1]);
-        let bin = ((truth - truth_px) / BIN_PX).round() as i64;
+        let turned = distance_m / (1.0 + right * place.at[0] + down * place.at[1]);
+        let truth = counting.of_depth(turned);
+        let bin = ((truth - middle) / counting.turned_bin()).round() as i64;
         let sum = sums.entry(bin).or_default();
-        sum.truth_px += truth * place.sum.values as f64;
-        sum.measured_px += place.sum.measured_px;
+        sum.truth += truth * place.sum.values as f64;
+        sum.measured += place.sum.measured;
         sum.values += place.sum.values;
     }
     sums.into_values().collect()
-}
-
-/// What is left of rounding in a mean, px²: noise evens steps out, millimetres as far as they fall on several steps.
-fn rounding(sigma_px: f64, step_px: f64, unit_px: f64) -> f64 {
-    let left = |of: f64| {
-        let turns = std::f64::consts::TAU * sigma_px / of;
-        of * of / 12.0 * (-turns * turns).exp()
-    };
-    let steps = left(step_px);
-    if unit_px <= 0.0 {
-        return steps;
-    }
-    let alike = (step_px / (FEWEST_ALIKE * sigma_px)).min(1.0) * unit_px * unit_px / 12.0;
-    steps + left(unit_px).max(alike)
-}
-
-/// The odd side in matcher pixels of a window so wide in an image, `image_px` pixels of which are a matcher pixel.
-pub(super) fn matcher_window(side: usize, image_px: f64) -> f64 {
-    let sides = (0..32u32).map(|i| f64::from(2 * i + 1));
-    let width = side as f64;
-    let exact = |matcher: f64| (matcher * image_px).round().max(1.0) - width;
-    sides
-        .min_by(|a, b| {
-            let off = |matcher: f64| (exact(matcher).abs(), (matcher * image_px - width).abs());
-            let ((a0, a1), (b0, b1)) = (off(*a), off(*b));
-            a0.total_cmp(&b0).then(a1.total_cmp(&b1))
-        })
-        .unwrap_or(1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn windows_in_matcher_pixels() {
-        assert_eq!(matcher_window(7, 1.0), 7.0);
-        assert_eq!(matcher_window(4, 0.5), 7.0);
-        assert_eq!(matcher_window(1, 0.1), 9.0);
-        assert_eq!(matcher_window(6, 1.0), 5.0);
-        assert_eq!(matcher_window(500, 1.0), 63.0);
-    }
-
-    #[test]
-    fn noise_evens_rounding_out() {
-        assert!((rounding(0.0, 0.25, 0.0) - 0.0625 / 12.0).abs() < 1e-12);
-        assert!(rounding(0.25, 0.25, 0.0) < 1e-15);
-        let coarse = rounding(0.05, 1.0 / 32.0, 0.06);
-        assert!(coarse > 0.0 && coarse < 0.06f64.powi(2) / 12.0);
-    }
 }

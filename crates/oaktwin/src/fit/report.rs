@@ -1,4 +1,4 @@
-//! What a fit says, units in its names.
+//! What a fit says: units are in its names, or in [`Report::unit`].
 
 use serde::Serialize;
 
@@ -11,20 +11,24 @@ pub struct Report {
     pub model: String,
     /// The prim of its depth sensor.
     pub sensor: String,
-    /// The engine: `stereo-noise`.
+    /// The engine: `stereo-noise`, `time-of-flight`.
     pub engine: &'static str,
+    /// Of errors and noise: px of disparity, or m of depth along the axis.
+    pub unit: &'static str,
     /// What was found.
     pub parameters: Vec<Parameter>,
     /// What was not, and why.
     pub not_found: Vec<NotFound>,
-    /// With which focal length distances became disparities, px at [`Report::width_px`]: the fitted one where it was free.
+    /// With which focal length it was looked, px at [`Report::width_px`]: the fitted one where it was free.
     pub focal_length_px: f64,
-    /// The width of the matcher's images, px.
+    /// The width of its images, px.
     pub width_px: u32,
-    /// The baseline, m.
-    pub baseline_m: f64,
-    /// The step of disparity, px.
-    pub step_px: f64,
+    /// The baseline, m, of stereo.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub baseline_m: Option<f64>,
+    /// The step of disparity, px, of stereo.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step_px: Option<f64>,
     /// Whether the errors had lost their sign.
     pub is_absolute: bool,
     /// Nearer than this nothing counts, m.
@@ -74,8 +78,8 @@ pub struct NotFound {
 pub struct Curve {
     /// Points that counted.
     pub points: usize,
-    /// The root mean square of their deviations, px.
-    pub rms_px: f64,
+    /// The root mean square of their deviations.
+    pub rms: f64,
     /// The same, percent of the distance.
     pub rms_percent: f64,
     /// Of the errors in percent; `None` where they do not vary.
@@ -100,10 +104,10 @@ pub struct Target {
     pub mismatch_rate: f64,
     /// How far it is turned, by the plane through its points.
     pub tilt_deg: Option<f64>,
-    /// The standard deviation of a pixel over time, with what steps add, px.
-    pub temporal_noise_px: Option<f64>,
+    /// The standard deviation of a pixel over time, with what steps add.
+    pub temporal_noise: Option<f64>,
     /// What is left over space of the mean over time, px: the same in every frame.
-    pub fixed_pattern_px: Option<f64>,
+    pub fixed_pattern: Option<f64>,
 }
 
 /// A measured error, and the curve there.
@@ -115,14 +119,14 @@ pub struct FittedPoint {
     pub distance_m: f64,
     /// Of the measured one, above 0 it is too far.
     pub error_percent: f64,
-    /// In disparity, below 0 it is too far.
-    pub error_px: f64,
-    /// The standard error, px.
-    pub sigma_px: Option<f64>,
+    /// The same in [`Report::unit`]: of disparity, below 0 it is too far.
+    pub error: f64,
+    /// The standard error.
+    pub sigma: Option<f64>,
     /// The curve's.
     pub fitted_percent: Option<f64>,
     /// The curve's.
-    pub fitted_px: Option<f64>,
+    pub fitted: Option<f64>,
     /// Whether it counted.
     pub is_used: bool,
 }
@@ -132,6 +136,15 @@ impl Report {
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<&Parameter> {
         self.parameters.iter().find(|parameter| parameter.name == name)
+    }
+
+    /// For people: the unit, and how many there are to one of [`Report::unit`].
+    #[must_use]
+    pub fn shown_unit(&self) -> (&'static str, f64) {
+        match self.unit {
+            "m" => ("mm", 1e3),
+            unit => (unit, 1.0),
+        }
     }
 
     /// The engine.
@@ -185,7 +198,7 @@ impl Report {
         ]);
         if let Some(curve) = &self.curve {
             lines.push(format!("points = {}", curve.points));
-            lines.push(format!("rms_px = {}", number(curve.rms_px)));
+            lines.push(format!("rms_{} = {}", self.unit, number(curve.rms)));
             lines.push(format!("rms_percent = {}", number(curve.rms_percent)));
             lines.extend(curve.r_squared.map(|r2| format!("r_squared = {}", number(r2))));
             lines.push(format!("from_m = {}", number(self.from_m)));
@@ -213,7 +226,11 @@ impl Report {
 
 /// With as many digits as mean something.
 pub(super) fn number(value: f64) -> String {
-    let digits = if value.abs() >= 10.0 { 2 } else { 5 };
+    let digits = match value.abs() {
+        size if size >= 10.0 => 2,
+        size if size >= 0.01 => 5,
+        _ => 7,
+    };
     let text = format!("{value:.digits$}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {

@@ -1,10 +1,11 @@
-//! What was seen of a target: frame by frame, in disparities of the nominal optics.
+//! What was seen of a target, frame by frame.
 
 use std::collections::BTreeMap;
 
 use oaktwin_depth::measure::{Autocovariance, Region, median};
 
 use super::FitError;
+use super::counting::Counting;
 use super::recording::{Files, Stand};
 use crate::camera::ImageSize;
 use crate::files::FileError;
@@ -20,16 +21,13 @@ const MISMATCH: f64 = 6.0;
 /// Places of a region that are kept apart; larger regions are averaged over squares.
 const MOST_PLACES: f64 = 4096.0;
 
-/// Truths are put together within this, px: a hundredth of the period of what repeats with disparity.
-const BIN_PX: f64 = 1.0 / 64.0;
-
 /// How to look.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
-    /// Disparity times depth, px·m.
-    pub(super) px_m: f64,
-    /// The step of disparity, px.
-    pub(super) step_px: f64,
+    /// In what.
+    pub(super) counting: Counting,
+    /// The least step that tells anything: what is within is no mismatch.
+    pub(super) step: f64,
     /// Focal length over width.
     pub(super) focal_of_width: f64,
     /// The side of the region as a share of the image's.
@@ -40,21 +38,21 @@ pub(super) struct Look {
     pub(super) is_truncated: bool,
 }
 
-/// Sums of disparities at one place or of one truth.
+/// Sums of values at one place or of one truth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Sum {
-    pub(super) truth_px: f64,
-    pub(super) measured_px: f64,
+    pub(super) truth: f64,
+    pub(super) measured: f64,
     pub(super) values: u64,
 }
 
 impl Sum {
-    pub(super) fn truth(&self) -> f64 {
-        self.truth_px / self.values as f64
+    pub(super) fn mean_truth(&self) -> f64 {
+        self.truth / self.values as f64
     }
 
-    pub(super) fn measured(&self) -> f64 {
-        self.measured_px / self.values as f64
+    pub(super) fn mean_measured(&self) -> f64 {
+        self.measured / self.values as f64
     }
 }
 
@@ -84,12 +82,14 @@ pub(super) struct Seen {
     pub(super) pairs: Vec<Autocovariance>,
     /// The side of the squares that are averaged, px.
     pub(super) square: u32,
-    /// A unit of depth at the middle, px; 0 where depth is not in whole units.
-    pub(super) unit_px: f64,
+    /// The mean depth, m.
+    pub(super) depth_m: f64,
+    /// A whole unit of depth at the middle; 0 where depth is not in whole units.
+    pub(super) unit: f64,
 }
 
 impl Seen {
-    /// The variance over time of a pixel, steps and all, px².
+    /// Half of the variance of a pixel's differences, steps and all.
     pub(super) fn variance(&self) -> Option<f64> {
         self.noise()?.at(0)
     }
@@ -102,13 +102,13 @@ impl Seen {
         Some(all)
     }
 
-    /// What whole steps and whole units add to the variance of a pixel, px².
-    pub(super) fn rounding(&self, step_px: f64) -> f64 {
-        (step_px * step_px + self.unit_px * self.unit_px) / 12.0
+    /// What whole steps and whole units add to the variance of a pixel.
+    pub(super) fn rounding(&self, step: f64) -> f64 {
+        (step * step + self.unit * self.unit) / 12.0
     }
 
-    /// A straight line through the disparities, down the image too: at the middle, and to the right and down, px and px
-    /// to a unit at depth 1, and the root mean square of what deviates from it, px.
+    /// A plane through the values: at the middle, and to the right and down, to a unit at depth 1; and the root mean
+    /// square of what deviates from it.
     pub(super) fn plane(&self) -> Option<([f64; 3], f64)> {
         let places = || self.places.iter().filter(|place| place.sum.values > 0);
         let (mut weight, mut mean) = (0.0, [0.0; 3]);
@@ -117,7 +117,7 @@ impl Seen {
             weight += w;
             for (sum, value) in mean
                 .iter_mut()
-                .zip([place.at[0], place.at[1], place.sum.measured()])
+                .zip([place.at[0], place.at[1], place.sum.mean_measured()])
             {
                 *sum += w * value;
             }
@@ -127,7 +127,7 @@ impl Seen {
         for place in places() {
             let w = place.sum.values as f64;
             let (x, y) = (place.at[0] - mean[0], place.at[1] - mean[1]);
-            let d = place.sum.measured() - mean[2];
+            let d = place.sum.mean_measured() - mean[2];
             xx += w * x * x;
             xy += w * x * y;
             yy += w * y * y;
@@ -277,7 +277,7 @@ impl Eye {
 
     #[expect(
         clippy::cast_possible_truncation,
-        reason = "disparities are single precision here, bins below 2⁶³"
+        reason = "values are single precision here, bins below 2⁶³"
     )]
     fn add(&mut self, image: &Image<f32>, truth: Option<&Image<f32>>) {
         self.frames += 1;
@@ -286,7 +286,7 @@ impl Eye {
         } else {
             0.0
         };
-        let px_m = self.look.px_m;
+        let counting = self.look.counting;
         let depths = |image: &Image<f32>| -> Vec<f32> {
             self.region.rows_of(image.into()).flatten().copied().collect()
         };
@@ -298,32 +298,32 @@ impl Eye {
                 self.unit_m = 0.0;
             }
         }
-        let disparity = |z: f32, below: f64| {
+        let value = |z: f32, below: f64| {
             if z.is_finite() && z > 0.0 {
-                px_m / (f64::from(z) + below)
+                counting.of_depth(f64::from(z) + below)
             } else {
                 f64::NAN
             }
         };
         let truths: Vec<f64> = match truth {
-            Some(truth) => depths(truth).iter().map(|&z| disparity(z, 0.0)).collect(),
+            Some(truth) => depths(truth).iter().map(|&z| value(z, 0.0)).collect(),
             None => vec![0.0; seen.len()],
         };
         let mut offs: Vec<f32> = seen
             .iter()
             .zip(&truths)
-            .map(|(&z, &truth)| (disparity(z, below) - truth) as f32)
+            .map(|(&z, &truth)| (value(z, below) - truth) as f32)
             .collect();
         self.valid += offs.iter().filter(|off| off.is_finite()).count() as u64;
-        self.mismatches += drop_mismatches(&mut offs, self.look.step_px);
+        self.mismatches += drop_mismatches(&mut offs, self.look.step);
         let shift: Vec<f32> = truths.iter().map(|&truth| truth as f32).collect();
         if let Some((before, old_shift)) = &self.before {
             let half = std::f32::consts::FRAC_1_SQRT_2;
             let pairs = offs.iter().zip(before).zip(shift.iter().zip(old_shift));
             let differences: Vec<f32> = pairs
                 .map(|((&new, &old), (&a, &b))| {
-                    // What moved has another error that repeats with disparity.
-                    let is_same = (a - b).abs() <= 1e-3;
+                    // What moved has another error of those that repeat.
+                    let is_same = f64::from((a - b).abs()) <= counting.still();
                     if is_same { (new - old) * half } else { f32::NAN }
                 })
                 .collect();
@@ -340,7 +340,7 @@ impl Eye {
                 continue;
             }
             let sum = if self.places.is_empty() {
-                self.by_truth.entry((truth / BIN_PX) as i64).or_default()
+                self.by_truth.entry((truth / counting.bin()) as i64).or_default()
             } else {
                 let at = (i / columns / square) * columns.div_ceil(square) + i % columns / square;
                 match self.places.get_mut(at) {
@@ -348,8 +348,8 @@ impl Eye {
                     None => continue,
                 }
             };
-            sum.truth_px += truth;
-            sum.measured_px += truth + f64::from(off);
+            sum.truth += truth;
+            sum.measured += truth + f64::from(off);
             sum.values += 1;
         }
         self.before = Some((offs, shift));
@@ -364,8 +364,8 @@ impl Eye {
                 .chain(self.by_truth.values().copied())
         };
         let values = sums().map(|sum| sum.values).sum::<u64>();
-        let mean_px = sums().map(|sum| sum.measured_px).sum::<f64>() / values as f64;
-        let depth_m = self.look.px_m / mean_px;
+        let mean = sums().map(|sum| sum.measured).sum::<f64>() / values as f64;
+        let depth_m = self.look.counting.depth_m(mean);
         Seen {
             name: stand.name.clone(),
             distance_m: stand.distance_m,
@@ -377,13 +377,14 @@ impl Eye {
             places: self.places,
             pairs: self.pairs,
             square: self.square,
-            unit_px: self.look.px_m * self.unit_m / (depth_m * depth_m),
+            depth_m,
+            unit: self.look.counting.of_unit(self.unit_m, depth_m),
         }
     }
 }
 
 /// Makes mismatches NaN: what is farther from the middle than several times the median deviation. How many.
-fn drop_mismatches(offs: &mut [f32], step_px: f64) -> u64 {
+fn drop_mismatches(offs: &mut [f32], step: f64) -> u64 {
     let finite: Vec<f64> = offs
         .iter()
         .map(|&off| f64::from(off))
@@ -392,7 +393,7 @@ fn drop_mismatches(offs: &mut [f32], step_px: f64) -> u64 {
     let Some(middle) = median(&finite) else { return 0 };
     let deviations: Vec<f64> = finite.iter().map(|off| (off - middle).abs()).collect();
     let usual = 1.4826 * median(&deviations).unwrap_or_default();
-    let limit = MISMATCH * usual.max(step_px);
+    let limit = MISMATCH * usual.max(step);
     let mut dropped = 0;
     for off in offs {
         if (f64::from(*off) - middle).abs() > limit {

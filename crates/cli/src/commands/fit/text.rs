@@ -12,18 +12,21 @@ const MOST_TARGETS: usize = 40;
 
 pub(super) fn report(report: &Report) -> String {
     let mut text = format!(
-        "{}, {}, {}: focal length {:.2} px at {} px, baseline {:.1} mm, steps of {} px\n",
-        report.model,
-        report.sensor,
-        report.engine,
-        report.focal_length_px,
-        report.width_px,
-        1e3 * report.baseline_m,
-        report.step_px
+        "{}, {}, {}: focal length {:.2} px at {} px",
+        report.model, report.sensor, report.engine, report.focal_length_px, report.width_px,
     );
+    if let (Some(baseline_m), Some(step_px)) = (report.baseline_m, report.step_px) {
+        let _ = write!(
+            text,
+            ", baseline {:.1} mm, steps of {step_px} px",
+            1e3 * baseline_m
+        );
+    }
+    text += "\n";
     if !report.targets.is_empty() {
         text += &targets(report);
     }
+    let (unit, to_one) = report.shown_unit();
     text += &parameters(report);
     text += "\n";
     for missing in &report.not_found {
@@ -45,8 +48,10 @@ pub(super) fn report(report: &Report) -> String {
             .map_or_else(|| "R2 is not defined".to_owned(), |r2| format!("R2 = {r2:.4}"));
         let _ = writeln!(
             text,
-            "The curve leaves {:.4} px, {:.3} % of the distance (RMS over {} {what}{from}); {r2}",
-            curve.rms_px, curve.rms_percent, curve.points
+            "The curve leaves {:.4} {unit}, {:.3} % of the distance (RMS over {} {what}{from}); {r2}",
+            to_one * curve.rms,
+            curve.rms_percent,
+            curve.points
         );
         if let Some(scatter) = curve.scatter {
             let _ = writeln!(
@@ -84,6 +89,8 @@ fn cells(parameter: &Parameter) -> [String; 3] {
             format!("{value:.0}")
         } else if value.abs() >= 10.0 {
             format!("{value:.2}")
+        } else if value.abs() < 0.01 {
+            format!("{value:.6}")
         } else {
             format!("{value:.4}")
         }
@@ -97,16 +104,17 @@ fn cells(parameter: &Parameter) -> [String; 3] {
 }
 
 fn targets(report: &Report) -> String {
+    let (unit, to_one) = report.shown_unit();
     let header = [
-        "Distance\n[m]",
-        "\nFrames",
-        "Fill\n[%]",
-        "Error\n[%]",
-        "Error\n[px]",
-        "Curve\n[px]",
-        "Temporal\n[px]",
-        "Fixed\n[px]",
-        "\nTarget",
+        "Distance\n[m]".to_owned(),
+        "\nFrames".to_owned(),
+        "Fill\n[%]".to_owned(),
+        "Error\n[%]".to_owned(),
+        format!("Error\n[{unit}]"),
+        format!("Curve\n[{unit}]"),
+        format!("Temporal\n[{unit}]"),
+        format!("Fixed\n[{unit}]"),
+        "\nTarget".to_owned(),
     ];
     let row = |(number, target): (usize, &Target)| {
         // A target that is not straight has many.
@@ -120,17 +128,17 @@ fn targets(report: &Report) -> String {
             target.frames.to_string(),
             fixed(Some(100.0 * target.fill_rate), 1),
             fixed(mean(&|point| Some(point.error_percent)), 2),
-            fixed(mean(&|point| Some(point.error_px)), 3),
-            fixed(mean(&|point| point.fitted_px), 3),
-            fixed(target.temporal_noise_px, 3),
-            fixed(target.fixed_pattern_px, 3),
+            fixed(mean(&|point| Some(to_one * point.error)), 3),
+            fixed(mean(&|point| Some(to_one * point.fitted?)), 3),
+            fixed(target.temporal_noise.map(|noise| to_one * noise), 3),
+            fixed(target.fixed_pattern.map(|noise| to_one * noise), 3),
             target.name.clone(),
         ]
     };
     let shown = report.targets.iter().enumerate().take(MOST_TARGETS);
     let mut text = output::number_table(&Table {
         title: String::new(),
-        header: header.map(str::to_owned).to_vec(),
+        header: header.to_vec(),
         rows: shown.map(row).collect(),
     });
     if report.targets.len() > MOST_TARGETS {

@@ -468,3 +468,43 @@ fn it_is_as_accurate_as_published() {
         }
     }
 }
+
+/// What is said of the errors in closed form is what the steps make.
+#[test]
+fn closed_forms_are_what_is_measured() {
+    let p = Parameters {
+        focal_length_px: 1e5,
+        wiggling: 0.05,
+        wiggling_residual: 0.02,
+        bias_m: 0.0,
+        ..Parameters::new(457.0, 640)
+    };
+    for (z, level, shuffle) in [
+        (0.83, 4, true),
+        (2.41, 4, false),
+        (4.2, 4, true),
+        (1.3, 0, true),
+        (1.52, 0, false),
+    ] {
+        let p = Parameters {
+            phase_unwrapping_level: level,
+            enable_phase_shuffle_temporal_filter: shuffle,
+            ..p
+        };
+        let (mean, sigma, _) = statistics(&sense(p, &wall(320, 240, z)));
+        let expected = p.wiggle_m(z, p.wiggling_left());
+        assert!((mean - z - expected).abs() < 0.000_4, "{z}: {mean} {expected}");
+        let variance = p.range_variance_m2(z, 1.0) + 1e-6 / 12.0;
+        assert!(
+            (sigma * sigma / variance - 1.0).abs() < 0.03,
+            "{z}: {sigma} {variance}"
+        );
+    }
+    assert_eq!(p.shared_noise(), 0.5);
+    let burst = Parameters {
+        enable_burst_mode: true,
+        ..p
+    };
+    assert_eq!(burst.shared_noise(), 0.0);
+    assert!((p.period_m() - 1.6456).abs() < 1e-3);
+}

@@ -2,15 +2,18 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::path::Path;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 
 use oaktwin_depth::Shot;
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 
-use super::*;
+use crate::accuracy::MeasuredOptics;
 use crate::camera::StereoGeometry;
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, Twin};
+use crate::diagnostic::Finding;
+use crate::fit::{Options, Report, TABLE, fit};
 use crate::image::{Image, npy};
 use crate::sensor::ParameterFile;
 
@@ -407,4 +410,11 @@ fn the_vendors_measured_curves() {
         "{bias} {locking}"
     );
     assert!((focal - 454.0).abs() < 3.0 && r2 > 0.85, "{focal} {r2}");
+}
+
+#[test]
+fn millimetres_that_fall_on_few_steps_are_not_evened_out() {
+    assert!((super::rounding(0.0, 0.25, 0.0) - 0.0625 / 12.0).abs() < 1e-12);
+    let coarse = super::rounding(0.05, 1.0 / 32.0, 0.06);
+    assert!(coarse > 0.0 && coarse < 0.06f64.powi(2) / 12.0);
 }

@@ -3,8 +3,8 @@
 use oaktwin_depth::measure::Autocovariance;
 use oaktwin_depth::random::philox4x32_10;
 
-use super::least_squares::NORMAL_95;
-use super::target::Seen;
+use super::super::least_squares::NORMAL_95;
+use super::super::target::Seen;
 
 /// As often is the window estimated anew, of pairs of frames drawn at random.
 const RESAMPLED: u32 = 200;
@@ -47,7 +47,7 @@ impl Noise {
 pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
     // Where whole millimetres are coarse they hide the rest.
     let is_fine = |one: &&Seen| {
-        let unit = one.unit_px * one.unit_px / 12.0;
+        let unit = one.unit * one.unit / 12.0;
         one.variance().is_some_and(|variance| unit <= 0.25 * variance)
     };
     let any = || seen.iter().filter(|one| one.variance().is_some());

@@ -7,18 +7,9 @@
 
 use std::f64::consts::TAU;
 
-use super::least_squares::{Problem, Solution, derivatives, solve};
-
-/// A measured error at a distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
-    /// True depth, m.
-    pub(super) depth_m: f64,
-    /// How much too far, as a share of the depth.
-    pub(super) error: f64,
-    /// The standard error in disparity, px, where it is known.
-    pub(super) sigma_px: Option<f64>,
-}
+use super::super::counting::Counting;
+use super::super::least_squares::{Problem, Solution, solve};
+use super::super::points::Point;
 
 /// What is fitted to.
 #[derive(Clone, Copy, Debug)]
@@ -70,27 +61,21 @@ impl Errors<'_> {
 
     /// An error of depth in pixels of disparity: below 0 it is too far.
     pub(super) fn in_px(&self, error: f64, depth_m: f64) -> f64 {
-        let px = -self.px_m / depth_m * error / (1.0 + error);
+        let px = Counting::Disparity { px_m: self.px_m }.of_error(error, depth_m);
         if self.is_absolute { px.abs() } else { px }
     }
 
     /// Half of the interval of 95 % of the curve at a depth, as a share of it; `None` where the parameters have none.
     pub(super) fn half_width(&self, found: &Systematic, depth_m: f64) -> Option<f64> {
-        let p = &found.solution.parameters;
-        let slopes = derivatives(|p| self.error(p, depth_m), p);
-        let covariance = found.solution.covariance.as_ref()?;
-        let variance = covariance
-            .iter()
-            .zip(&slopes)
-            .flat_map(|(row, a)| row.iter().zip(&slopes).map(move |(c, b)| a * b * c))
-            .sum::<f64>();
-        Some(found.solution.factor(found.is_known) * variance.max(0.0).sqrt())
+        found
+            .solution
+            .half_width(|p| self.error(p, depth_m), found.is_known)
     }
 
     /// Fits bias and locking, and the focal length where it `is_free`; `None` without points.
     pub(super) fn fit(&self, is_free: bool) -> Option<Systematic> {
         let starts = self.starts(is_free);
-        let is_known = self.points.iter().all(|point| point.sigma_px.is_some());
+        let is_known = self.points.iter().all(|point| point.sigma.is_some());
         let mut solutions: Vec<Solution> = starts.iter().map(|start| solve(self, start, is_known)).collect();
         solutions.retain(|solution| {
             solution.squares.is_finite() && solution.parameters.iter().all(|p| p.is_finite())
@@ -137,7 +122,7 @@ impl Errors<'_> {
         let weights: Vec<f64> = self
             .points
             .iter()
-            .map(|point| point.sigma_px.map_or(1.0, |sigma| 1.0 / (sigma * sigma)))
+            .map(|point| point.sigma.map_or(1.0, |sigma| 1.0 / (sigma * sigma)))
             .collect();
         let weight = weights.iter().sum::<f64>();
         let mean = values.iter().zip(&weights).map(|(v, w)| v * w).sum::<f64>() / weight;
@@ -214,15 +199,7 @@ impl Problem for Errors<'_> {
             point.error
         };
         let px = self.px_m / point.depth_m * (self.error(parameters, point.depth_m) - own);
-        px / point.sigma_px.unwrap_or(1.0)
-    }
-}
-
-impl Systematic {
-    /// How much bias and amplitude stand for one another, −1 to 1; `None` where they cannot be told apart at all.
-    pub(super) fn correlation(&self) -> Option<f64> {
-        let c = self.solution.covariance.as_ref()?;
-        Some(c[0][1] / (c[0][0] * c[1][1]).sqrt())
+        px / point.sigma.unwrap_or(1.0)
     }
 }
 
@@ -241,7 +218,7 @@ mod tests {
         let point = |&depth_m: &f64| Point {
             depth_m,
             error: errors.error(&[bias, locking, focal], depth_m),
-            sigma_px: None,
+            sigma: None,
         };
         distances.iter().map(point).collect()
     }
@@ -289,7 +266,7 @@ mod tests {
         };
         let found = errors.fit(false).unwrap();
         assert!(
-            found.correlation().is_none_or(|c| c.abs() > 0.99) || found.rival.is_some(),
+            found.solution.correlation().is_none_or(|c| c.abs() > 0.99) || found.rival.is_some(),
             "{found:?}"
         );
         let none = Errors {
