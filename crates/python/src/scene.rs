@@ -239,7 +239,8 @@ impl Scene {
     /// frame: the number in the sequence: noise is new in every frame, and the same for the same.
     ///
     /// Returns a dictionary by name: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 of 10
-    /// bits; "z", the truth in the rectified left camera, (H, W) float32 metres along its axis, inf for a miss.
+    /// bits, the rectified ones 0 where their camera does not see; "z", the truth in the rectified left camera, (H, W)
+    /// float32 metres along its axis, inf for a miss.
     ///
     /// Warns with oaktwin.FindingWarning of what the pictures had to do without. Raises oaktwin.Error for a device without
     /// a pair or without the projector that is asked for, a pose that is none, values out of their range, images that do

@@ -29,7 +29,7 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 /// device: whose.
 /// sensor: which of its depth sensors, "stereo" or "tof"; by default time of flight where it has it.
 /// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo), "time-of-flight" (the default
-///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance).
+///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). For pairs of images see StereoMatcher.
 /// preset: one of DepthAI's for the device's platform: "default", "face", "robotics", ...: the mode and the filters.
 /// filters: filters as text, first to last, "spatial:alpha=0.5,delta=20"; they take the place of the preset's.
 /// parameters: values of the engine's parameters by name, a mapping; after everything else.

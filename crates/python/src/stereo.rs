@@ -81,6 +81,9 @@ pub(crate) struct StereoMatcher {
     matcher: Mutex<Matcher>,
 }
 
+/// Of Python's constructor, in their order.
+type Arguments<'a> = (Option<&'a Py<Device>>,);
+
 /// What takes the pairs.
 enum Source {
     Device {
@@ -253,10 +256,7 @@ impl StereoMatcher {
         })
     }
 
-    fn __getnewargs_ex__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<((Option<&Py<Device>>,), Bound<'py, PyDict>)> {
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<(Arguments<'_>, Bound<'py, PyDict>)> {
         fn name<T: PartialEq>(all: &[(&'static str, T)], own: Option<&T>) -> Option<&'static str> {
             let found = all.iter().find(|(_, known)| Some(known) == own);
             found.map(|(name, _)| *name)

