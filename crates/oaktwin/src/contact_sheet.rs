@@ -100,7 +100,7 @@ pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f3
         |row: &[(&str, Image<[u8; 3]>)]| row.iter().map(|(_, picture)| picture.height()).max().unwrap_or(0);
     let width = rows.iter().map(across).max().unwrap_or(0) + GAP;
     let height = rows.iter().map(|row| down(row) + TITLE + 3 * GAP).sum::<u32>() + GAP;
-    let legend = preview::legend(width - 2 * GAP, range_m, marks);
+    let legend = preview::legend(width.saturating_sub(2 * GAP), range_m, marks);
     let mut sheet = Image::filled(width, height + legend.height() + GAP, PAPER);
     let style = Style {
         height: TITLE as f32,
