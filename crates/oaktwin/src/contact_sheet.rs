@@ -73,12 +73,15 @@ pub enum Picture<'a> {
     Depth(&'a ZDepth),
 }
 
+/// A picture to paste, and its title.
+type Titled<'a> = (&'a str, Image<[u8; 3]>);
+
 /// Pictures at half their size, each below its title, so many in a row; below them the one scale of depth, nearest and
 /// farthest, metres.
 #[must_use]
 pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f32)) -> Image<[u8; 3]> {
     let mut marks = Marks::default();
-    let pictures: Vec<(&str, Image<[u8; 3]>)> = panels
+    let pictures: Vec<Titled<'_>> = panels
         .iter()
         .map(|&(title, picture)| {
             let picture = match picture {
@@ -93,11 +96,9 @@ pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f3
             (title, picture)
         })
         .collect();
-    let rows: Vec<&[(&str, Image<[u8; 3]>)]> = pictures.chunks(in_a_row.max(1)).collect();
-    let across =
-        |row: &&[(&str, Image<[u8; 3]>)]| row.iter().map(|(_, picture)| picture.width() + GAP).sum::<u32>();
-    let down =
-        |row: &[(&str, Image<[u8; 3]>)]| row.iter().map(|(_, picture)| picture.height()).max().unwrap_or(0);
+    let rows: Vec<&[Titled<'_>]> = pictures.chunks(in_a_row.max(1)).collect();
+    let across = |row: &&[Titled<'_>]| row.iter().map(|(_, picture)| picture.width() + GAP).sum::<u32>();
+    let down = |row: &[Titled<'_>]| row.iter().map(|(_, picture)| picture.height()).max().unwrap_or(0);
     let width = rows.iter().map(across).max().unwrap_or(0) + GAP;
     let height = rows.iter().map(|row| down(row) + TITLE + 3 * GAP).sum::<u32>() + GAP;
     let legend = preview::legend(width.saturating_sub(2 * GAP), range_m, marks);

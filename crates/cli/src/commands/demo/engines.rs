@@ -24,7 +24,7 @@ const SIZE: ImageSize = ImageSize::new(640, 400);
 const NIGHT: f64 = 0.02;
 
 /// The room as an OAK-D Pro's stereo measures it, by day and, with its dots, at night; as the other engines have it; and as
-/// an OAK-D ToF does.
+/// the model with time of flight does.
 pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
     let twin = |id| Ok::<_, Box<dyn Error>>(context.catalog.nominal(context.device(id)?));
     let (pro, tof) = (twin(MODELS[0])?, twin(MODELS[1])?);
