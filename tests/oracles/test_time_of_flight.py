@@ -29,6 +29,8 @@ SETTINGS = [
     {"signal": 300.0, "minAmplitude": 0.0, "readNoise": 15.0},
     {"confidenceThreshold": 60.0, "albedo": 0.9, "fullWell": 20000.0},
     {"confidenceThreshold": 0.0, "contrast": 0.5},
+    {"multipath": 1.0, "albedo": 0.9},
+    {"multipath": 3.0, "radialVelocity": -1.0, "bias": 0.1},
 ]
 
 SIZES = [(96, 640), (60, 106), (70, 333), (9, 1), (1, 65), (30, 1280)]

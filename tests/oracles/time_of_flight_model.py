@@ -40,6 +40,7 @@ class Parameters:
     fullWell: float = 135000.0
     albedo: float = 0.5
     pixelMixing: float = 0.125
+    multipath: float = 0.0
     radialVelocity: float = 0.0
     measurementInterval: float = 1 / 60
     minAmplitude: float = 5.0
@@ -85,6 +86,60 @@ def albedos(rgb):
     return np.maximum(((77 * r + 150 * g + 29 * b) >> 8) / 255, 0.02)
 
 
+def multipath(point, normal, albedo, f, turn):
+    """The light that comes by another surface, per strength and signal·albedo: of both frequencies the phasor of half the way
+    from the lamp to the other surface and on to each pixel's, and all of it."""
+    height, width = albedo.shape
+    surface = np.any(normal != 0, axis=-1)
+    cell = max(-(-width // 40), -(-height // 30))
+    z = np.where(surface, point[..., 2], 1)
+    facing = np.where(surface, -(point * normal).sum(axis=-1), 1)
+    ray = np.where(surface, np.linalg.norm(point, axis=-1) / z, 1)
+    flux = np.where(surface, albedo / f**2 / ray**3, 0)
+    area = np.where(surface, z**3 / facing / f**2, 0)
+    values = np.dstack([flux, area, flux[..., None] * point, flux[..., None] * normal])
+    cells = np.add.reduceat(np.add.reduceat(values, range(0, height, cell), 0), range(0, width, cell), 1)
+    patches = cells[cells[..., 0] > 0]
+    power, area = patches[:, 0], patches[:, 1]
+    at = patches[:, 2:5] / power[:, None]
+    facings = patches[:, 5:] / np.linalg.norm(patches[:, 5:], axis=-1, keepdims=True)
+
+    step = -(-cell // 2)
+    rows, columns = (np.minimum(np.arange(0, size, step) + step // 2, size - 1) for size in (height, width))
+    places, normals = (values[np.ix_(rows, columns)] for values in (point, normal))
+    lights = np.zeros((len(rows), len(columns), 3), complex)
+    for light, place, towards in zip(lights, places, normals):
+        way = at - place[:, None]
+        square = (way**2).sum(axis=-1)
+        here, there = (towards[:, None] * way).sum(axis=-1), -(facings * way).sum(axis=-1)
+        parts = power * np.maximum(here, 0) * np.maximum(there, 0) / ((square + 1e-12) * (np.pi * square + area))
+        distance = (np.linalg.norm(at, axis=-1) + np.sqrt(square)) / 2
+        for k in range(2):
+            light[:, k] = (parts * np.exp(2j * np.pi * distance / turn[k])).sum(axis=-1)
+        light[:, 2] = parts.sum(axis=-1)
+
+    def around(receivers, size):
+        """Of each pixel the receivers on both sides, and how near each is."""
+        pixels = np.arange(size)
+        after = np.searchsorted(receivers, pixels, side="right")
+        pair = np.maximum(after - 1, 0), np.minimum(after, len(receivers) - 1)
+        apart = np.maximum(receivers[pair[1]] - receivers[pair[0]], 1)
+        share = np.clip((pixels - receivers[pair[0]]) / apart, 0, 1)
+        return (pair[0], 1 - share), (pair[1], share)
+
+    # Of the four receivers around a pixel those that are like it.
+    sums, counted = np.zeros((height, width, 3), complex), np.zeros((height, width))
+    for y, lower in around(rows, height):
+        for x, right in around(columns, width):
+            there = np.ix_(y, x)
+            off = 20 * (normals[there] * (point - places[there])).sum(axis=-1) / z
+            unlike = np.abs(1 - (normals[there] * normal).sum(axis=-1)) + off**2
+            counts = (np.outer(lower, right) + 0.02) * np.any(normals[there] != 0, axis=-1) * (0.01 / (0.01 + unlike)) ** 2
+            counted += counts
+            sums += counts[..., None] * lights[there]
+    return np.where(surface[..., None], sums / np.maximum(counted, 1e-3)[..., None], 0)
+
+
 def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):
     """What decides: depth in millimetres with its fraction, whether it is kept but for the confidence, how far that is from
     being decided otherwise (relative), and the amplitude."""
@@ -124,13 +179,22 @@ def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):
         words = random_words(seed, camera, CORRELATION, number, item, height, 2 * stride)
         numbers = numbers + normal_pairs(words.astype(np.int64))
     of_mean = (np.sqrt(0.5) if shuffle else 1) / np.sqrt(len(frames))
+    turn = LIGHT / (2e6 * np.array(p.modulationFrequencies))
+    if p.multipath > 0:
+        gradient = np.stack([gx, gy, inverse - gx * u - gy * v], axis=-1)
+        towards = np.where(surface, -1, 0)[..., None] * gradient / np.where(surface, normal, 1)[..., None]
+        points = np.where(surface, z, 0)[..., None] * np.stack(np.broadcast_arrays(u, v, 1.0), axis=-1)
+        others = p.multipath * (p.signal * albedo)[..., None] * multipath(points, towards, albedo, f, turn)
+        total = total + others[..., 2].real
     total = blurred(total, p.pixelMixing)
     sigma = of_mean * np.sqrt((total + p.readNoise**2) / 2)
-    turn = LIGHT / (2e6 * np.array(p.modulationFrequencies))
     near, amplitude, full = [], 0, np.zeros(z.shape)
     for i in range(2):
         phase = 2 * np.pi * (distance - velocity * ages[i]) / turn[i]
         phasor = np.where(surface, p.contrast * light * np.exp(1j * phase), 0)
+        if p.multipath > 0:
+            # The pixel's own half of the way.
+            phasor = phasor + p.contrast * others[..., i] * np.exp(1j * (phase - np.pi * z * ray / turn[i]))
         phasor = blurred(phasor.real, p.pixelMixing) + 1j * blurred(phasor.imag, p.pixelMixing)
         fourth = np.exp(4j * np.angle(phasor)) * (phasor != 0)
         residual = p.wigglingResidual if p.enableWiggleCorrection else p.wiggling

@@ -1,7 +1,9 @@
-//! Several cameras' pictures on one: colour above depth above what was measured of it, a column each.
+//! Several pictures on one: of several cameras, colour above depth above what was measured of it, a column each; or of one
+//! scene, each below its title.
 
+use crate::image::preview::{self, Marks};
 use crate::image::text::{self, Style};
-use crate::image::{Image, ZDepth, preview};
+use crate::image::{Image, ZDepth};
 
 /// What one camera saw.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +59,65 @@ pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> 
         }
         left += widest(cell) + GAP;
     }
+    sheet
+}
+
+/// What is to be seen of a scene.
+#[derive(Clone, Copy, Debug)]
+pub enum Picture<'a> {
+    /// sRGB and coverage.
+    Rgb(&'a Image<[u8; 4]>),
+    /// What a monochrome camera recorded.
+    Grey(&'a Image<u8>),
+    /// Metres; what has no value is grey.
+    Depth(&'a ZDepth),
+}
+
+/// A picture to paste, and its title.
+type Titled<'a> = (&'a str, Image<[u8; 3]>);
+
+/// Pictures at half their size, each below its title, so many in a row; below them the one scale of depth, nearest and
+/// farthest, metres.
+#[must_use]
+pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f32)) -> Image<[u8; 3]> {
+    let mut marks = Marks::default();
+    let pictures: Vec<Titled<'_>> = panels
+        .iter()
+        .map(|&(title, picture)| {
+            let picture = match picture {
+                Picture::Rgb(rgb) => averaged(rgb),
+                Picture::Grey(grey) => averaged(&grey.map(|&level| [level, level, level, u8::MAX])),
+                Picture::Depth(depth) => {
+                    let (picture, more) = preview::colors(&halved(depth).0, range_m);
+                    marks |= more;
+                    picture
+                }
+            };
+            (title, picture)
+        })
+        .collect();
+    let rows: Vec<&[Titled<'_>]> = pictures.chunks(in_a_row.max(1)).collect();
+    let across = |row: &&[Titled<'_>]| row.iter().map(|(_, picture)| picture.width() + GAP).sum::<u32>();
+    let down = |row: &[Titled<'_>]| row.iter().map(|(_, picture)| picture.height()).max().unwrap_or(0);
+    let width = rows.iter().map(across).max().unwrap_or(0) + GAP;
+    let height = rows.iter().map(|row| down(row) + TITLE + 3 * GAP).sum::<u32>() + GAP;
+    let legend = preview::legend(width.saturating_sub(2 * GAP), range_m, marks);
+    let mut sheet = Image::filled(width, height + legend.height() + GAP, PAPER);
+    let style = Style {
+        height: TITLE as f32,
+        color: INK,
+    };
+    let mut top = GAP;
+    for row in rows {
+        let mut left = GAP;
+        for (title, picture) in row {
+            text::draw(&mut sheet, title, (left as f32, top as f32), style);
+            paste(&mut sheet, picture, left, top + TITLE + GAP);
+            left += picture.width() + GAP;
+        }
+        top += down(row) + TITLE + 3 * GAP;
+    }
+    paste(&mut sheet, &legend, GAP, height);
     sheet
 }
 
@@ -130,6 +191,26 @@ mod tests {
         let colour = sheet.get(GAP, depth_top).unwrap();
         assert!(colour != &PAPER && sheet.get(2 * GAP + 40 + 29, depth_top) == Some(colour));
         assert_eq!(contact_sheet(&[], (0.5, 2.0)).width(), GAP);
+    }
+
+    #[test]
+    fn panels_lie_below_their_titles() {
+        let grey = Image::filled(80, 40, 77);
+        let depth = ZDepth(Image::filled(80, 40, 0.0));
+        let three = [
+            ("left", Picture::Grey(&grey)),
+            ("depth", Picture::Depth(&depth)),
+            ("left", Picture::Grey(&grey)),
+        ];
+        let sheet = panels(&three, 2, (0.5, 2.0));
+        assert_eq!(sheet.width(), 2 * (40 + GAP) + GAP);
+        let top = GAP + TITLE + GAP;
+        let second = top + 20 + TITLE + 3 * GAP;
+        for (x, y) in [(GAP, top), (GAP + 39, top + 19), (GAP, second)] {
+            assert_eq!(sheet.get(x, y), Some(&[77; 3]));
+        }
+        assert_eq!(sheet.get(2 * GAP + 40, top), Some(&preview::NONE));
+        assert!(panels(&[], 2, (0.5, 2.0)).height() > GAP);
     }
 
     #[test]

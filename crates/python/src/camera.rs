@@ -114,6 +114,19 @@ impl Camera {
         }
     }
 
+    /// That of a stereo pair's depth.
+    pub(crate) fn rectified(camera: camera::Camera, body_from_camera: RigidTransform) -> Self {
+        Self {
+            name: "depth".to_owned(),
+            camera,
+            clip: Clip {
+                near_m: 0.01,
+                far_m: 1e7,
+            },
+            body_from_camera,
+        }
+    }
+
     fn with(&self, intrinsics: Intrinsics) -> PyResult<Self> {
         check_size(intrinsics.size).map_err(error)?;
         Ok(Self {

@@ -86,9 +86,9 @@ impl Models {
 pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
+    pub(crate) findings: Vec<diagnostic::Finding>,
     models: Models,
     calibration: Option<Calibrated>,
-    findings: Vec<diagnostic::Finding>,
 }
 
 #[derive(Debug)]

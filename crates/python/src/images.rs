@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use numpy::{
-    Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray,
+    Element, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use oaktwin::camera::ImageSize;
@@ -177,6 +177,14 @@ impl<'py> Numbers<'py> {
             Self::F32(array) => NumbersSlice::F32(array.as_slice().map_err(error)?),
         })
     }
+}
+
+/// An image as an array (H, W).
+pub(crate) fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bound<'_, PyAny>> {
+    let dims = [image.height() as usize, image.width() as usize];
+    Ok(PyArray1::from_vec(py, image.into_pixels())
+        .reshape(dims)?
+        .into_any())
 }
 
 /// Whole millimetres of metres; 0 where there is no value.

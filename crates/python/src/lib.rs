@@ -20,14 +20,17 @@ mod export;
 mod filter;
 mod finding;
 mod frames;
+mod grey;
 mod images;
 mod json;
+mod pair;
 mod pose;
 mod recording;
 mod rectification;
 mod scene;
 mod sensor;
 mod settings;
+mod stereo;
 mod threads;
 
 use std::ffi::OsString;
@@ -63,6 +66,8 @@ mod _oaktwin {
     use super::scene::Scene;
     #[pymodule_export]
     use super::sensor::DepthSensor;
+    #[pymodule_export]
+    use super::stereo::StereoMatcher;
     #[pymodule_export]
     use crate::accuracy::accuracy;
     #[pymodule_export]

@@ -4,6 +4,7 @@ use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
+use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
     AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, Renderer, SceneCameraOptions,
     SceneFile, annotation_bytes, annotator, available_bytes, frame_bytes, gib, scene_cameras,
@@ -15,10 +16,12 @@ use pyo3::types::{PyDict, PyTuple};
 use crate::array::{contiguous, view};
 use crate::camera::Camera;
 use crate::choice::choose;
+use crate::device::Device;
 use crate::error::{error, reading, wrong};
 use crate::finding::{self, Finding};
 use crate::frames::Frames;
-use crate::pose::{poses, rows};
+use crate::pair::{self, PairSettings};
+use crate::pose::{one_pose, poses, rows};
 use crate::threads;
 
 const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
@@ -220,6 +223,62 @@ impl Scene {
             frames.put(py, number, frame)?;
         }
         frames.finish(py, &asked)
+    }
+
+    /// What the stereo pair of a device records, and the same rectified as the device does it: for a `StereoMatcher`.
+    ///
+    /// device: whose pair; with its lens.
+    /// world_from_body: where its body stands, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+    /// size: (width, height) of the images, by DepthAI's rule; by default the cameras' own.
+    /// projector: the power of a Pro's infrared dot projector, 0 (default, off) to 1.
+    /// ambient: the factor of the scene's own light; 0 is a dark room.
+    /// imager: values of the image sensors' parameters by name, a mapping: {"bits": 10, "noise": False, ...}.
+    /// seed: of the noise.
+    /// device_seed: of the calibration's error, by which the right camera sees other than the device believes; None has
+    ///     none.
+    /// frame: the number in the sequence: noise is new in every frame, and the same for the same.
+    ///
+    /// Returns a dictionary by name: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 of 10
+    /// bits, the rectified ones 0 where their camera does not see; "z", the truth in the rectified left camera, (H, W)
+    /// float32 metres along its axis, inf for a miss.
+    ///
+    /// Warns with oaktwin.FindingWarning of what the pictures had to do without. Raises oaktwin.Error for a device without
+    /// a pair or without the projector that is asked for, a pose that is none, values out of their range, images that do
+    /// not fit into the memory.
+    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
+        device_seed = None, frame = 0))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    fn render_pair<'py>(
+        &self,
+        py: Python<'py>,
+        device: &Device,
+        world_from_body: &Bound<'py, PyAny>,
+        size: Option<(u32, u32)>,
+        projector: f64,
+        ambient: f64,
+        imager: Option<&Bound<'py, PyAny>>,
+        seed: u64,
+        device_seed: Option<u64>,
+        frame: u64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let settings = PairSettings {
+            size,
+            projector,
+            ambient,
+            imager,
+            seed,
+            device_seed,
+        };
+        let options = settings.options(device)?;
+        let world_from_body = one_pose("world_from_body", world_from_body)?;
+        py.check_signals()?;
+        let pair = threads::run(py, || {
+            let cameras = PairCameras::new(&device.twin, &options)?;
+            Ok::<_, PairError>(cameras.look(&self.renderer, &world_from_body, frame))
+        })?;
+        let pair = pair.map_err(error)?;
+        finding::warn(py, &pair.findings)?;
+        pair::arrays(py, pair)
     }
 
     /// The cameras of the file's own, those that `oaktwin render` renders: those of every depth sensor's product, else all.

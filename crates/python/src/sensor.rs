@@ -8,7 +8,7 @@ use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::render::{annotator, sense_frame};
 use oaktwin::sense::{self, AlignTo, FieldOfView};
-use oaktwin::sensor::{self, Engine, Sensor, SensorOptions, Shot, single_view};
+use oaktwin::sensor::{self, Engine, EngineKind, Sensor, SensorOptions, Shot, single_view};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -17,7 +17,7 @@ use crate::align::{aligned, fill, role};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
-use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape, part};
+use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape, array, part};
 use crate::settings::{Settings, isaac_name, kind};
 use crate::threads;
 
@@ -29,7 +29,7 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 /// device: whose.
 /// sensor: which of its depth sensors, "stereo" or "tof"; by default time of flight where it has it.
 /// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo), "time-of-flight" (the default
-///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance).
+///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). For pairs of images see StereoMatcher.
 /// preset: one of DepthAI's for the device's platform: "default", "face", "robotics", ...: the mode and the filters.
 /// filters: filters as text, first to last, "spatial:alpha=0.5,delta=20"; they take the place of the preset's.
 /// parameters: values of the engine's parameters by name, a mapping; after everything else.
@@ -260,13 +260,6 @@ fn sensed<'py>(
     })
 }
 
-fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bound<'_, PyAny>> {
-    let dims = [image.height() as usize, image.width() as usize];
-    Ok(PyArray1::from_vec(py, image.into_pixels())
-        .reshape(dims)?
-        .into_any())
-}
-
 fn colours<T: Element>(py: Python<'_>, image: Image<[T; 4]>) -> PyResult<Bound<'_, PyAny>> {
     let dims = [image.height() as usize, image.width() as usize, 4];
     let values = image.into_pixels().into_flattened();
@@ -319,6 +312,10 @@ impl DepthSensor {
             (None, Some(hfov)) => FieldOfView::Degrees(hfov),
             _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
         };
+        if options.engine == Some(EngineKind::StereoMatching) {
+            let is = "stereo-matching needs a pair of images, and depth is none";
+            return Err(wrong("engine", is, "use StereoMatcher, or stereo-noise"));
+        }
         // By the model's own size: so what is wrong is told now.
         let eye = Self::eye(twin, &depth, &options, field_of_view, None)?;
         Ok(Self {
@@ -340,7 +337,7 @@ impl DepthSensor {
             FieldOfView::Degrees(hfov) => (None, Some(hfov)),
         };
         options.set_item("sensor", self.depth.spec.kind.as_str())?;
-        options.set_item("engine", own.engine.map(sensor::EngineKind::as_str))?;
+        options.set_item("engine", own.engine.map(EngineKind::as_str))?;
         options.set_item("preset", &own.preset)?;
         options.set_item("filters", &own.filters)?;
         options.set_item("parameters", own.parameters.clone().into_py_dict(py)?)?;
@@ -512,7 +509,7 @@ impl DepthSensor {
     /// "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(sensor::EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
+        Ok(EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
     }
 
     /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.

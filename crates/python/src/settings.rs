@@ -17,10 +17,11 @@ pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
     found.map_or("5.1", |(name, _)| *name)
 }
 
-const ENGINES: [(&str, EngineKind); 3] = [
+const ENGINES: [(&str, EngineKind); 4] = [
     (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
     (EngineKind::TimeOfFlight.as_str(), EngineKind::TimeOfFlight),
     (EngineKind::SingleView.as_str(), EngineKind::SingleView),
+    (EngineKind::StereoMatching.as_str(), EngineKind::StereoMatching),
 ];
 
 /// The options that sensors and their measurements share.
@@ -46,7 +47,7 @@ impl Settings<'_> {
             preset: self.preset,
             filters: self.filters,
             parameters: match &self.parameters {
-                Some(parameters) => assignments(parameters)?,
+                Some(parameters) => assignments("parameters", parameters)?,
                 None => Vec::new(),
             },
             extended_disparity: self.extended_disparity,
@@ -60,14 +61,10 @@ impl Settings<'_> {
 }
 
 /// A mapping from names to numbers, strings or booleans, as it is written on a command line.
-fn assignments(parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
-    let items = parameters.call_method0("items").map_err(|_| {
-        wrong(
-            "parameters",
-            "is no mapping",
-            "give a dictionary from names to values",
-        )
-    })?;
+pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
+    let items = parameters
+        .call_method0("items")
+        .map_err(|_| wrong(option, "is no mapping", "give a dictionary from names to values"))?;
     let assignment = |item: PyResult<Bound<'_, PyAny>>| {
         let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
         let text = value.str()?.to_string();

@@ -107,7 +107,8 @@ def test_everything_is_documented(name, item):
 
 
 # What gives or takes arrays says their shape, and what they hold where there is nothing.
-@pytest.mark.parametrize("name", ["DepthSensor", "Filter", "align", "DepthSensor.align", "DepthSensor.annotate", "Scene.render"])
+@pytest.mark.parametrize("name", ["DepthSensor", "Filter", "align", "DepthSensor.align", "DepthSensor.annotate", "Scene.render",
+                                  "Scene.render_pair", "StereoMatcher"])
 def test_shapes_and_invalid_values_are_said(name):
     item = oaktwin
     for part in name.split("."):
@@ -120,7 +121,7 @@ def test_shapes_and_invalid_values_are_said(name):
     "name",
     ["Camera", "Camera.cropped", "Camera.resized", "Device", "Device.extrinsics", "Device.from_calibration", "Device.rectification",
      "Device.write_usd", "DepthSensor", "DepthSensor.annotate", "Filter", "Rectification", "Scene.open", "Scene.from_triangles",
-     "Scene.render", "accuracy", "align", "look_at", "models", "DepthSensor.align", "filters"],
+     "Scene.render", "Scene.render_pair", "StereoMatcher", "accuracy", "align", "look_at", "models", "DepthSensor.align", "filters"],
 )
 def test_errors_are_said(name):
     item = oaktwin

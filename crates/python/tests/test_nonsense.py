@@ -54,6 +54,18 @@ def test_nonsense(device, room, number):
                 tried(sensor, depth, rgb)
                 tried(sensor, depth[None])
                 tried(sensor, np.ones((1, 1), np.float32))
+    body = oaktwin.Device("OAK-D Pro PoE")
+    for options in [{"projector": number}, {"ambient": number}, {"size": (number, 4)}, {"seed": number}, {"frame": number},
+                    {"device_seed": number}, {"imager": {"exposure": number, "autoExposure": False}}]:
+        tried(wall.render_pair, body, np.eye(4), **{"size": (53, 30), **options})
+    tried(wall.render_pair, body, away, size=(53, 30))
+    matchers = [tried(oaktwin.StereoMatcher, **options) for options in
+                [{"fx": number, "baseline": 0.1}, {"hfov_deg": number, "baseline": 0.1}, {"fx": 90, "baseline": number}]]
+    for name in oaktwin.StereoMatcher(body).parameters:
+        matchers.append(tried(oaktwin.StereoMatcher, body, parameters={name: number}))
+    for matcher in matchers:
+        if matcher is not None:
+            tried(matcher, rgb, rgb)
     filters = oaktwin.filters
     image = np.full((9, 12), 800, np.uint16)
     for call, names in [

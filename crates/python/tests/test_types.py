@@ -30,6 +30,10 @@ sensor(metres, out=out).sum()
 assert_type(oaktwin.filters.temporal(alpha=0.4)(metres), npt.NDArray[np.float32])
 scene = oaktwin.Scene.from_triangles(np.eye(3), np.array([[0, 1, 2]]))
 frames = scene.render(camera, np.stack([oaktwin.look_at((0, 0, 0), (1, 0, 0))] * 2), annotators=["rgb"])
+pair = scene.render_pair(device, np.eye(4), size=(64, 40))
+matched = oaktwin.StereoMatcher(device, preset="default")(pair["left"], pair["right"])
+assert_type(matched["depth"], npt.NDArray[np.float32])
+assert_type(matched["findings"], list[oaktwin.Finding])
 assert_type(oaktwin.accuracy(device, distances=[1.0]).is_good, bool)
 '''
 
@@ -39,6 +43,7 @@ import oaktwin
 oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), engine="none")
 oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), None)
 oaktwin.Device("OAK4-D").nme
+oaktwin.StereoMatcher(fx=300, baseline=0.075, platform="rvc3")
 '''
 
 
@@ -59,7 +64,7 @@ def test_strict_users(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     (tmp_path / "wrong.py").write_text(WRONG)
     done = python(tmp_path, "mypy", "--strict", "wrong.py")
-    assert done.stdout.count("error:") == 3, done.stdout
+    assert done.stdout.count("error:") == 4, done.stdout
 
 
 def test_the_package_is_strict_itself(tmp_path):

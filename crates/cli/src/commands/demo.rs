@@ -1,3 +1,4 @@
+mod engines;
 mod room;
 
 use std::fmt::Write;
@@ -38,11 +39,17 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     let made = asset::asset(&twin, &options)?;
     let what = format!("the twin of that {}", twin.device.name);
     let path = put(&format!("{}_unit.usd", made.stem), &what, &made.bytes(format)?)?;
-    let sheet = room::render(&args.output, devices, &twins)?;
+    let renderer = room::open(&args.output)?;
+    let sheet = room::render(&renderer, &args.output, devices, &twins)?;
     put(
         "demo_room.png",
         "a room as all five see it: colour, depth, and what their sensors make of it",
         &sheet,
+    )?;
+    put(
+        "demo_engines.png",
+        "the same through each engine: by day, at night with a projector's dots, by time of flight",
+        &engines::sheet(context, &renderer)?,
     )?;
     let room = args.output.join(room::FOLDER);
     let _ = writeln!(

@@ -154,11 +154,9 @@ impl<'a> Kernel for Returns<'a> {
         };
         let (v, f) = (self.v, self.focal_length_px);
         for x in 0..n {
-            // A plane's inverse depth is linear in u and v: its gradient is the normal, exactly.
             let w = here[x + 1];
-            let gx = gradient(here[x], w, here[x + 2], f);
-            let gy = gradient(above[x + 1], w, below[x + 1], f);
-            let gz = w - gx * u[x] - gy * v;
+            let beside = [here[x], here[x + 2], above[x + 1], below[x + 1]];
+            let [gx, gy, gz] = plane(w, beside, [u[x], v], f);
             let normal2 = gx * gx + gy * gy + gz * gz;
             let ray2 = 1.0 + u[x] * u[x] + v * v;
             let cosine = w / (normal2 * ray2).sqrt();
@@ -177,6 +175,16 @@ impl<'a> Kernel for Returns<'a> {
     }
 }
 
+/// The normal, away from the camera, as long as the plane is near: points p of the plane have g·p = 1. A plane's inverse depth
+/// is linear in u and v, so that this is exact. `beside`: left, right, above, below.
+#[inline(always)]
+pub(super) fn plane(middle: f32, beside: [f32; 4], [u, v]: [f32; 2], focal_length_px: f32) -> [f32; 3] {
+    let [left, right, above, below] = beside;
+    let gx = gradient(left, middle, right, focal_length_px);
+    let gy = gradient(above, middle, below, focal_length_px);
+    [gx, gy, middle - gx * u - gy * v]
+}
+
 /// How much the middle changes a unit of u or v: by the flatter of two sides, not over an edge.
 #[inline(always)]
 fn gradient(before: f32, middle: f32, after: f32, focal_length_px: f32) -> f32 {
@@ -190,7 +198,7 @@ fn gradient(before: f32, middle: f32, after: f32, focal_length_px: f32) -> f32 {
 }
 
 #[inline(always)]
-fn phasor(amplitude: f32, turns: f32) -> (f32, f32) {
+pub(super) fn phasor(amplitude: f32, turns: f32) -> (f32, f32) {
     let turns = fraction(turns);
     (
         amplitude * sin_of_turns(turns + 0.25),

@@ -40,7 +40,7 @@ macro_rules! flag {
     };
 }
 
-const TABLE: [Named; 27] = [
+const TABLE: [Named; 28] = [
     field!("focalLength", focal_length_px, "give pixels, 457"),
     field!("width", width_px, "give whole pixels, 640"),
     Named {
@@ -106,6 +106,7 @@ const TABLE: [Named; 27] = [
     field!("fullWell", full_well_e, "give electrons, 135000"),
     field!("albedo", albedo, "give a fraction, 0 to 1"),
     field!("pixelMixing", pixel_mixing, "give a fraction, 0 to 0.25"),
+    field!("multipath", multipath, "give a factor, 0 to 10"),
     field!("radialVelocity", radial_velocity_m_s, "give metres a second"),
     field!(
         "measurementInterval",

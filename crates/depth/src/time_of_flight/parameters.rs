@@ -65,6 +65,9 @@ pub struct Parameters {
     /// `pixelMixing`, 0 to 0.25: the weight of the pixel on each side in what a pixel sees. ⅛ is a pixel's whole area, of
     /// light interpolated between pixels.
     pub pixel_mixing: f64,
+    /// `multipath`: how much of the light that comes by another surface there is; 0: none, 1: as much as there would be. More
+    /// stands in for what is left out.
+    pub multipath: f64,
     /// `radialVelocity`: of everything away from the camera, m/s, where a shot does not say it pixel by pixel.
     pub radial_velocity_m_s: f64,
     /// `measurementInterval`: between one measurement and the next, s: 1/60 in `DepthAI`'s example, two a frame.
@@ -113,6 +116,7 @@ impl Parameters {
             full_well_e: 135_000.0,
             albedo: 0.5,
             pixel_mixing: 0.125,
+            multipath: 0.0,
             radial_velocity_m_s: 0.0,
             measurement_interval_s: 1.0 / 60.0,
             min_amplitude_e: 5.0,
@@ -162,6 +166,7 @@ impl Parameters {
             ("fullWell", self.full_well_e, 1.0, 1e9, "electrons"),
             ("albedo", self.albedo, 0.0, 1.0, "of the light"),
             ("pixelMixing", self.pixel_mixing, 0.0, 0.25, "of the light"),
+            ("multipath", self.multipath, 0.0, 10.0, "of what is physical"),
             ("radialVelocity", self.radial_velocity_m_s, -100.0, 100.0, "m/s"),
             ("measurementInterval", self.measurement_interval_s, 0.0, 1.0, "s"),
             ("minAmplitude", self.min_amplitude_e, 0.0, 65535.0, "electrons"),

@@ -4,6 +4,7 @@ use oaktwin_image::ImageView;
 use rayon::prelude::*;
 
 use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
+use super::multipath::{Add, Multipath, Normals, Surfaces, View};
 use super::optics::Optics;
 use super::receive::{Decode, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
 use super::{Output, TimeOfFlight};
@@ -25,6 +26,7 @@ pub(super) struct Job<'a> {
     /// The random numbers of this frame's measurements, and of the frame before where it shares them.
     measurements: [Option<Plane>; 2],
     fixed_pattern: Option<Plane>,
+    multipath: Option<Multipath>,
     level: Level,
 }
 
@@ -35,6 +37,7 @@ pub(super) struct Constants {
     pub(super) receiver: Receiver,
     pub(super) limits: Limits,
     pub(super) albedo: f32,
+    pub(super) multipath: f32,
     pub(super) bias_m: f32,
     pub(super) fixed_pattern_m: f32,
     pub(super) velocity_m_s: f32,
@@ -51,6 +54,7 @@ pub(super) struct Scratch {
     albedo: Vec<f32>,
     shift: Vec<f32>,
     velocity: Vec<f32>,
+    surfaces: Surfaces,
     words: [Vec<u32>; 2],
     sampled: Sampled,
     depth: Vec<u16>,
@@ -82,7 +86,7 @@ impl<'a> Job<'a> {
         let plane = |frame| random.plane(Stage::Correlation, frame, shot.item);
         let shares = p.enable_phase_shuffle_temporal_filter && !p.enable_burst_mode;
         let has_pattern = !p.enable_fppn_correction && p.fixed_pattern_m > 0.0;
-        Self {
+        let job = Self {
             sensor,
             optics: Optics::new(p, depth.width(), depth.height()),
             depth,
@@ -94,14 +98,33 @@ impl<'a> Job<'a> {
             ],
             // Of the device, whatever it looks at.
             fixed_pattern: has_pattern.then(|| random.plane(Stage::FixedPattern, 0, 0)),
+            multipath: None,
             level: Level::detect(),
-        }
+        };
+        job.with_multipath()
+    }
+
+    fn with_multipath(mut self) -> Self {
+        let c = self.sensor.constants();
+        let is_asked = c.multipath > 0.0 && !self.depth.pixels().is_empty();
+        self.multipath = is_asked.then(|| {
+            let view = View {
+                depth: self.depth,
+                picture: self.picture,
+                albedo: c.albedo,
+                optics: &self.optics,
+                lamp: &c.lamp,
+                level: self.level,
+            };
+            Multipath::new(&view, c.multipath)
+        });
+        self
     }
 
     #[cfg(test)]
     pub(super) fn at(mut self, level: Level) -> Self {
         self.level = level;
-        self
+        self.with_multipath()
     }
 
     fn width(&self) -> usize {
@@ -203,6 +226,9 @@ impl Scratch {
         fill(&mut self.shift, c.bias_m);
         fill(&mut self.velocity, c.velocity_m_s);
         self.sampled.reset(width);
+        if job.multipath.is_some() {
+            self.surfaces.reset(width);
+        }
         for row in [&mut self.depth, &mut self.amplitude, &mut self.confidence] {
             row.clear();
             row.resize(width, 0);
@@ -254,6 +280,32 @@ impl Scratch {
                 out,
             },
         );
+        if let Some(multipath) = &job.multipath {
+            simd::run_at(
+                job.level,
+                Normals {
+                    inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                    depth,
+                    focal_length_px: job.optics.focal_length_px,
+                    u: &job.optics.columns,
+                    v: job.optics.row(y),
+                    out: &mut self.surfaces,
+                },
+            );
+            multipath.spread(job.level, y.unsigned_abs(), &mut self.surfaces);
+            simd::run_at(
+                job.level,
+                Add {
+                    lamp: &c.lamp,
+                    signal: multipath.signal(),
+                    surfaces: &self.surfaces,
+                    albedo: &self.albedo,
+                    shift: &self.shift,
+                    velocity: velocity.unwrap_or(&self.velocity),
+                    out,
+                },
+            );
+        }
         out.close();
     }
 

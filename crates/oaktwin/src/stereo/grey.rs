@@ -99,8 +99,9 @@ fn array(path: &Path, bytes: &[u8]) -> Result<Grey, FileError> {
     .ok_or_else(no_image)
 }
 
-/// Rec. 601.
+/// The grey of a colour (Rec. 601, as `OpenCV` and `DepthAI` do it).
+#[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
-fn luma([r, g, b]: [u8; 3]) -> u8 {
+pub fn luma([r, g, b]: [u8; 3]) -> u8 {
     ((299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b) + 500) / 1000) as u8
 }

@@ -1,7 +1,7 @@
 //! Two images to depth.
 
 use super::StereoError;
-use crate::camera::{Camera, ImageSize, Intrinsics, LensModel, StereoGeometry};
+use crate::camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use crate::catalog::Twin;
 use crate::depth::imager::Recorded;
 use crate::depth::preset::Platform;
@@ -50,6 +50,7 @@ pub struct Matcher {
     size: ImageSize,
     rectify: Option<StereoRectify>,
     intrinsics: Intrinsics,
+    body_from_camera: RigidTransform,
     baseline_m: f64,
     sensor: Sensor,
     findings: Vec<Finding>,
@@ -72,7 +73,7 @@ impl Matcher {
     /// # Errors
     /// Cameras that are no pair; an option that cannot be.
     pub fn new(of: &PairOf<'_>, size: ImageSize, options: &SensorOptions) -> Result<Self, StereoError> {
-        let (rectify, intrinsics, stereo, platform, place) = match *of {
+        let (rectify, intrinsics, body_from_camera, stereo, platform, place) = match *of {
             PairOf::Twin {
                 twin,
                 lens,
@@ -86,11 +87,13 @@ impl Matcher {
                     size: Some(size),
                     ..PairOptions::default()
                 };
-                let rectify = PairCameras::new(twin, &pair)?.rectify().clone();
+                let cameras = PairCameras::new(twin, &pair)?;
+                let rectify = cameras.rectify().clone();
                 let geometry = *rectify.geometry();
                 (
                     is_raw.then_some(rectify),
                     geometry.left,
+                    cameras.body_from_rectified_left(),
                     geometry.stereo_geometry(),
                     chosen.or_else(|| platform(twin)),
                     twin.device.name.as_str(),
@@ -106,7 +109,8 @@ impl Matcher {
                     focal_length_px: intrinsics.fx,
                     baseline_m,
                 };
-                (None, intrinsics, stereo, Some(platform), "stereo pair")
+                let place = RigidTransform::IDENTITY;
+                (None, intrinsics, place, stereo, Some(platform), "stereo pair")
             }
         };
         let platform = platform.unwrap_or(Platform::Rvc2);
@@ -115,6 +119,7 @@ impl Matcher {
             size,
             rectify,
             intrinsics,
+            body_from_camera,
             baseline_m: stereo.baseline_m,
             sensor,
             findings,
@@ -137,6 +142,12 @@ impl Matcher {
     #[must_use]
     pub fn camera(&self) -> Camera {
         Camera::new(self.intrinsics, LensModel::Pinhole)
+    }
+
+    /// Where the rectified left camera stands in the device's body, metres; the identity of a pair that is no device's.
+    #[must_use]
+    pub fn body_from_camera(&self) -> RigidTransform {
+        self.body_from_camera
     }
 
     /// m

@@ -10,7 +10,7 @@ mod matcher;
 mod run;
 
 pub use files::{PairFiles, pairs};
-pub use grey::read_pair;
+pub use grey::{luma, read_pair};
 pub use matcher::{Matcher, PairOf, Seen};
 pub use run::{Matched, StereoFile, StereoOptions, stereo};
 

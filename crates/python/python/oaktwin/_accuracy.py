@@ -127,6 +127,7 @@ def accuracy(
     measured_from: nearer ones do not count, metres.
     focal_px: the focal length of the unit that was measured, px of images `width_px` wide; by default the device's own.
     width_px: the width of the images it was measured with: 1280 at 800P, 640 at 480P and 400P.
+    engine: also "stereo-matching", which renders the pair of the board's images and matches it.
     The others are those of `DepthSensor`.
 
     Ctrl-C ends it. Raises `oaktwin.Error` for what cannot be measured, FileNotFoundError and other OSErrors for a file that

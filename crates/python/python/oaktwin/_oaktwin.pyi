@@ -2,7 +2,7 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Final, Literal, TypeVar, final, overload
+from typing import Any, Final, Literal, TypedDict, TypeVar, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,7 @@ __all__ = [
     "Recording",
     "Rectification",
     "Scene",
+    "StereoMatcher",
     "__version__",
     "_camera",
     "_device",
@@ -42,6 +43,23 @@ _Float64 = npt.NDArray[np.float64]
 _Out = TypeVar("_Out")
 _Image = TypeVar("_Image", np.float32, np.uint16, np.uint8)
 _Depth = TypeVar("_Depth", np.float32, np.uint16)
+
+_Grey = npt.NDArray[np.uint8] | npt.NDArray[np.uint16]
+
+class _Matched(TypedDict):
+    depth: npt.NDArray[np.float32]
+    disparity: npt.NDArray[np.float32]
+    confidence: npt.NDArray[np.uint8]
+    rectified_left: _Grey
+    rectified_right: _Grey
+    findings: list[Finding]
+
+class _Pair(TypedDict):
+    left: _Grey
+    right: _Grey
+    rectified_left: _Grey
+    rectified_right: _Grey
+    z: npt.NDArray[np.float32]
 
 class Error(ValueError): ...
 class FindingWarning(UserWarning): ...
@@ -284,6 +302,19 @@ class Scene:
         backend: Literal["auto", "raster", "ray"] = "auto",
         smooth_edges: bool = True,
     ) -> dict[str, Any]: ...
+    def render_pair(
+        self,
+        device: Device,
+        world_from_body: npt.ArrayLike,
+        *,
+        size: tuple[int, int] | None = None,
+        projector: float = 0.0,
+        ambient: float = 1.0,
+        imager: Mapping[str, object] | None = None,
+        seed: int = 0,
+        device_seed: int | None = None,
+        frame: int = 0,
+    ) -> _Pair: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     @property
     def cameras(self) -> dict[str, tuple[Camera, _Float64]]: ...
@@ -295,6 +326,39 @@ class Scene:
     def triangle_count(self) -> int: ...
     @property
     def bounds(self) -> list[list[float]] | None: ...
+
+@final
+class StereoMatcher:
+    def __new__(
+        cls,
+        device: Device | None = None,
+        *,
+        raw: bool | None = None,
+        rectify: Literal["auto", "homography", "mesh", "full"] | None = None,
+        fx: float | None = None,
+        hfov_deg: float | None = None,
+        baseline: float | None = None,
+        platform: Literal["rvc2", "rvc4"] | None = None,
+        preset: str | None = None,
+        filters: Sequence[str] = (),
+        parameters: Mapping[str, object] | None = None,
+        extended_disparity: bool = False,
+    ) -> StereoMatcher: ...
+    def __call__(self, left: object, right: object) -> _Matched: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Device | None], dict[str, Any]]: ...
+    def reset(self) -> None: ...
+    @property
+    def camera(self) -> Camera: ...
+    @property
+    def baseline(self) -> float: ...
+    @property
+    def rectify(self) -> Literal["homography", "mesh", "full"] | None: ...
+    @property
+    def parameters(self) -> dict[str, str]: ...
+    @property
+    def filters(self) -> list[str]: ...
+    @property
+    def findings(self) -> list[Finding]: ...
 
 @final
 class Recording:

@@ -5,8 +5,8 @@ use crate::time_of_flight::NAMES;
 fn each_name_changes_what_it_reads() {
     let values = [
         "572.5", "320", "100,120", "60,90", "false", "2", "130", "false", "true", "false", "false", "0.1",
-        "0.01", "false", "0.02", "-0.01", "2000", "0.7", "500", "12", "50000", "0.8", "0", "1.5", "0.03",
-        "0", "0.3",
+        "0.01", "false", "0.02", "-0.01", "2000", "0.7", "500", "12", "50000", "0.8", "0", "1", "1.5",
+        "0.03", "0", "0.3",
     ];
     let default = Parameters::new(457.0, 640);
     for (name, value) in NAMES.iter().zip(values) {
@@ -52,6 +52,10 @@ fn wrong_values_change_nothing() {
         ("wiggling", "2"),
         ("albedo", "1.1"),
         ("pixelMixing", "0.3"),
+        ("multipath", "-0.1"),
+        ("multipath", "10.5"),
+        ("multipath", "nan"),
+        ("multipath", "on"),
         ("confidenceThreshold", "-1"),
         ("ambient", "sunny"),
         ("readNoise", ""),

@@ -1,6 +1,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "small numbers of tests")]
 
 mod errors;
+mod multipath;
 mod same_bytes;
 mod terms;
 

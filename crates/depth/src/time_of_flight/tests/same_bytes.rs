@@ -8,6 +8,7 @@ fn everything() -> Parameters {
         enable_fppn_correction: false,
         enable_wiggle_correction: false,
         enable_burst_mode: true,
+        multipath: 1.0,
         radial_velocity_m_s: -0.5,
         principal_point_px: Some([300.0, 260.0]),
         confidence_threshold: 3.0,

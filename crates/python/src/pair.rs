@@ -1,0 +1,86 @@
+//! Rendered stereo pairs.
+
+use oaktwin::camera::ImageSize;
+use oaktwin::catalog::Role;
+use oaktwin::depth::imager;
+use oaktwin::pair::{Pair, PairOptions};
+use oaktwin::render::{available_bytes, check_size, gib};
+use oaktwin::sensor::{SensorOptions, calibration_error_px};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::device::Device;
+use crate::error::{error, wrong};
+use crate::grey::recorded;
+use crate::images::array;
+use crate::settings::assignments;
+
+/// What one pixel takes, bytes: of both cameras the light, the number, where it is rectified from and its number there;
+/// the truth.
+const BYTES_OF_PIXEL: u64 = 2 * (3 * 4 + 2 + 8 + 2) + 4;
+
+/// How a pair is taken, from Python's options.
+pub(crate) struct PairSettings<'a, 'py> {
+    pub(crate) size: Option<(u32, u32)>,
+    pub(crate) projector: f64,
+    pub(crate) ambient: f64,
+    pub(crate) imager: Option<&'a Bound<'py, PyAny>>,
+    pub(crate) seed: u64,
+    pub(crate) device_seed: Option<u64>,
+}
+
+impl PairSettings<'_, '_> {
+    pub(crate) fn options(&self, device: &Device) -> PyResult<PairOptions> {
+        let mut sensors = imager::Parameters::default();
+        if let Some(values) = self.imager {
+            for (name, value) in assignments("imager", values)? {
+                sensors
+                    .set(&name, &value)
+                    .map_err(|failed| error(format!("imager: {failed}")))?;
+            }
+        }
+        let size = self.size.map(|(width, height)| ImageSize::new(width, height));
+        let own = device.twin.camera(Role::Left).map(|left| left.intrinsics.size);
+        if let Some(size) = size.or(own) {
+            check_memory(device, size)?;
+        }
+        let of_device = SensorOptions {
+            device_seed: self.device_seed,
+            ..SensorOptions::default()
+        };
+        Ok(PairOptions {
+            imager: sensors,
+            projector: self.projector,
+            ambient: self.ambient,
+            lens: device.lens,
+            size,
+            bias_px: calibration_error_px(&of_device).map_err(error)?,
+            seed: self.seed,
+            ..PairOptions::default()
+        })
+    }
+}
+
+fn check_memory(device: &Device, size: ImageSize) -> PyResult<()> {
+    let name = &device.twin.device.name;
+    check_size(size).map_err(|found| error(format!("{name}: {found}")))?;
+    let needed = u64::from(size.width) * u64::from(size.height) * BYTES_OF_PIXEL;
+    match available_bytes() {
+        Some(available) if needed > available => {
+            let is = format!("needs {} of memory, and {} are free", gib(needed), gib(available));
+            Err(wrong(name, is, "take smaller images"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A dictionary by name.
+pub(crate) fn arrays(py: Python<'_>, pair: Pair) -> PyResult<Bound<'_, PyDict>> {
+    let all = PyDict::new(py);
+    all.set_item("left", recorded(py, pair.left)?)?;
+    all.set_item("right", recorded(py, pair.right)?)?;
+    all.set_item("rectified_left", recorded(py, pair.rectified_left)?)?;
+    all.set_item("rectified_right", recorded(py, pair.rectified_right)?)?;
+    all.set_item("z", array(py, pair.z.0)?)?;
+    Ok(all)
+}

@@ -1,0 +1,463 @@
+"""Pairs, rendered and matched: against the truth, against OpenCV, against the program, and in wrong hands."""
+
+import copy
+import json
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import oaktwin
+from stereo_scenes import box, everywhere, pair
+
+FX, BASELINE = 300.0, 0.075
+PRO = "OAK-D Pro PoE"
+
+
+@pytest.fixture(scope="module")
+def textured():
+    """A slanted ground with a box before it, 120 x 320: left, right, disparity, and where both see it."""
+    layers = [(everywhere, (9.3, 0.01, 0.02)), (box(140, 30, 220, 90), (31.7, 0.0, 0.0))]
+    return pair(np.random.default_rng(5), 120, 320, layers, sigma=1.0)
+
+
+@pytest.fixture(scope="module")
+def matcher():
+    return oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
+
+
+def same(a, b):
+    assert a.keys() == b.keys()
+    assert [str(finding) for finding in a["findings"]] == [str(finding) for finding in b["findings"]]
+    return all(a[name].dtype == b[name].dtype and np.array_equal(a[name], b[name]) for name in a if name != "findings")
+
+
+def test_known_disparity(matcher, textured):
+    left, right, truth, both = textured
+    seen = matcher(left, right)
+    assert seen["findings"] == [] and list(seen) == [
+        "depth", "disparity", "confidence", "rectified_left", "rectified_right", "findings"
+    ]
+    disparity, depth = seen["disparity"], seen["depth"]
+    assert disparity.dtype == depth.dtype == np.float32 and seen["confidence"].dtype == np.uint8
+    assert disparity.shape == depth.shape == seen["confidence"].shape == (120, 320)
+    measured = disparity > 0
+    assert np.array_equal(measured, depth > 0) and measured[both].mean() > 0.9
+    error = np.abs(disparity - truth)[measured & both]
+    assert np.median(error) < 0.2 and np.mean(error > 1) < 0.01
+    # Depth is that of the disparity, in whole millimetres.
+    assert np.abs(depth - FX * BASELINE / np.where(measured, disparity, 1))[measured].max() < 5.1e-4
+    assert np.array_equal(seen["rectified_left"], left) and np.array_equal(seen["rectified_right"], right)
+    assert seen["confidence"][measured].min() > 0
+
+
+def test_beside_opencv(matcher, textured):
+    cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed here")
+    left, right, truth, both = textured
+    sgbm = cv2.StereoSGBM_create(
+        0, 96, 5, P1=8 * 25, P2=32 * 25, disp12MaxDiff=1, uniquenessRatio=10, mode=cv2.STEREO_SGBM_MODE_HH
+    )
+    theirs = sgbm.compute(left, right).astype(np.float32) / 16
+    ours = matcher(left, right)["disparity"]
+    both = both & (ours > 0) & (theirs > 0)
+    # OpenCV finds nothing in the first 96 columns.
+    assert both.sum() > 0.6 * ours.size
+    assert np.median(np.abs(ours - theirs)[both]) < 0.2 and np.mean(np.abs(ours - theirs)[both] > 1) < 0.02
+    assert np.median(np.abs(ours - truth)[both]) < 1.2 * np.median(np.abs(theirs - truth)[both])
+
+
+def written(folder, left, right):
+    image = pytest.importorskip("PIL.Image", reason="Pillow is not installed here")
+    for name, pixels in [("left", left), ("right", right)]:
+        image.fromarray(pixels).save(folder / f"{name}.png")
+    return folder / "left.png", folder / "right.png"
+
+
+def by_program(program, folder, left, right, *options, code=0):
+    out = folder / "out"
+    text = program("stereo", *written(folder, left, right), "-o", out, "--disparity", "--confidence", *options, code=code)
+    names = {"depth": "depth_sensor_distance", "disparity": "disparity", "confidence": "confidence"}
+    return {name: np.load(out / f"{file}.npy") for name, file in names.items()}, text
+
+
+@pytest.mark.parametrize("kind", ["grey", "ten bits", "colours"])
+@pytest.mark.parametrize(
+    "options, arguments",
+    [
+        ({}, []),
+        ({"preset": "robotics", "platform": "rvc4"}, ["--preset", "robotics", "--platform", "rvc4"]),
+        (
+            {
+                "filters": ["decimation:factor=2", "median:size=5"],
+                "parameters": {"subpixelFractionalBits": 3, "leftRightCheck": False},
+                "extended_disparity": True,
+            },
+            ["--filter", "decimation:factor=2", "--filter", "median:size=5", "--param", "subpixelFractionalBits=3",
+             "--param", "leftRightCheck=false", "--extended-disparity"],
+        ),
+    ],
+)
+def test_the_program_says_the_same(program, tmp_path, textured, kind, options, arguments):
+    left, right, _, _ = textured
+    if kind == "ten bits":
+        left, right = (image.astype(np.uint16) * 4 + 3 for image in (left, right))
+    elif kind == "colours":
+        left, right = (np.stack([image, image // 2, 255 - image], axis=-1) for image in (left, right))
+    expected, _ = by_program(program, tmp_path, left, right, "--hfov", 61.7, "--baseline", 0.05, *arguments)
+    seen = oaktwin.StereoMatcher(hfov_deg=61.7, baseline=0.05, **options)(left, right)
+    for name, array in expected.items():
+        assert array.dtype == seen[name].dtype and array.tobytes() == seen[name].tobytes(), name
+
+
+@pytest.fixture(scope="module")
+def wall():
+    """A wall 2 m before the origin along x, and a smaller thing before it."""
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    vertices = [[x, half * y, half * z] for x, half in [(2.0, 9), (1.2, 0.2)] for y, z in corners]
+    return oaktwin.Scene.from_triangles(np.array(vertices), np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]))
+
+
+@pytest.fixture(scope="module")
+def unit(calibration):
+    return oaktwin.Device.from_calibration(calibration)
+
+
+AHEAD = oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="body")
+
+
+def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration):
+    taken = wall.render_pair(unit, AHEAD, size=(320, 200), projector=1, seed=3)
+    for arguments, options in [([], {}), (["--rectify", "full"], {"rectify": "full"}), (["--rectified"], {"raw": False})]:
+        expected, _ = by_program(
+            program, tmp_path, taken["left"], taken["right"], "--calibration", calibration, *arguments
+        )
+        seen = oaktwin.StereoMatcher(unit, **options)(taken["left"], taken["right"])
+        for name, array in expected.items():
+            assert array.tobytes() == seen[name].tobytes(), (name, options)
+
+
+def test_rendered_matched_and_compared(wall, unit):
+    # Of the unit a homography leaves the lens's distortion, which the truth has not.
+    for device, most in [(oaktwin.Device(PRO), 0.02), (oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), 0.02), (unit, 0.05)]:
+        taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0)
+        assert all(taken[name].shape == (400, 640) for name in taken)
+        matcher = oaktwin.StereoMatcher(device)
+        seen = matcher(taken["left"], taken["right"])
+        for side in ["rectified_left", "rectified_right"]:
+            assert np.array_equal(seen[side], taken[side])
+        again = oaktwin.StereoMatcher(device, raw=False)(taken["rectified_left"], taken["rectified_right"])
+        assert same(again, seen)
+        depth, z = seen["depth"], taken["z"]
+        assert z.dtype == np.float32 and depth.shape == z.shape
+        measured = depth > 0
+        # What only one camera sees has no depth, nor have the border and what is between the dots.
+        assert measured.mean() > 0.5 and np.median(np.abs(depth / z - 1)[measured]) < most
+        # The truth is that of the matcher's own camera.
+        assert matcher.camera.size == (640, 400) and matcher.baseline == pytest.approx(0.075, rel=0.02)
+        truth = wall.render(matcher.camera, AHEAD @ matcher.camera.body_from_camera)["distance_to_image_plane"]
+        assert np.array_equal(truth, z)
+
+
+def test_a_nominal_pair_is_rectified(wall):
+    device = oaktwin.Device(PRO)
+    taken = wall.render_pair(device, AHEAD, size=(320, 200), projector=0.5)
+    for side in ["left", "right"]:
+        assert np.array_equal(taken[side], taken[f"rectified_{side}"])
+    matcher = oaktwin.StereoMatcher(device)
+    assert matcher.rectify is None and oaktwin.StereoMatcher(device, raw=True).rectify == "homography"
+    rectification, camera = device.rectification(), matcher.camera
+    assert camera.size == (1280, 800) and np.allclose(camera.K, rectification.P1[:, :3], rtol=1e-9)
+    assert np.allclose(camera.body_from_camera, device.cameras["left"].body_from_camera)
+
+
+def test_how_a_pair_is_taken(wall):
+    device = oaktwin.Device(PRO)
+    take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **options)
+    plain = take(projector=1)
+    assert same({**take(projector=1), "findings": []}, {**plain, "findings": []})
+    assert not np.array_equal(take(projector=1, frame=1)["left"], plain["left"])
+    assert not np.array_equal(take(projector=1, seed=1)["left"], plain["left"])
+    assert np.array_equal(take(projector=1, seed=1)["z"], plain["z"])
+    ten = take(projector=1, imager={"bits": 10})
+    assert ten["left"].dtype == ten["rectified_right"].dtype == np.uint16 and 255 < ten["left"].max() < 1024
+    still = [take(projector=1, frame=frame, imager={"noise": False})["left"] for frame in (0, 1)]
+    assert np.array_equal(*still)
+    # A device that is wrong about itself measures something else.
+    off = take(projector=1, device_seed=5)
+    matcher = oaktwin.StereoMatcher(device)
+    assert np.array_equal(off["z"], plain["z"]) and not np.array_equal(off["right"], plain["right"])
+    depths = [matcher(one["left"], one["right"])["depth"] for one in (plain, off)]
+    assert abs(np.subtract(*[np.median(depth[depth > 0]) for depth in depths])) > 1e-3
+    # Without light nothing fits; a blank wall without dots neither.
+    assert plain["left"].std() > 5 > take()["left"][90:110, 10:60].std()
+
+
+def test_pairs_that_cannot_be_taken(wall):
+    device = oaktwin.Device(PRO)
+    for call, said in [
+        (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: it has no dot projector"),
+        (lambda: wall.render_pair(device, AHEAD, projector=2), "projector: 2 is out of range; give 0 to 1"),
+        (lambda: wall.render_pair(device, AHEAD, projector=float("nan")), "projector: NaN is out of range"),
+        (lambda: wall.render_pair(device, AHEAD, ambient=-1), "ambient: -1 is out of range"),
+        (lambda: wall.render_pair(device, AHEAD, imager={"fullwell": 0}), "fullWell"),
+        (lambda: wall.render_pair(device, AHEAD, imager={"bit": 10}), "imager: .*bit"),
+        (lambda: wall.render_pair(device, AHEAD, imager=10), "imager: is no mapping"),
+        (lambda: wall.render_pair(device, AHEAD, size=(0, 4)), "has no pixel"),
+        (lambda: wall.render_pair(device, AHEAD, size=(1 << 20, 1 << 20)), "more than 2.31 pixels"),
+        (lambda: wall.render_pair(device, np.stack([AHEAD] * 2)), "world_from_body: is several poses"),
+        (lambda: wall.render_pair(device, AHEAD * np.nan), "world_from_body: has numbers that are not finite"),
+    ]:
+        with pytest.raises(oaktwin.Error, match=said):
+            call()
+    with pytest.raises(TypeError):
+        wall.render_pair(None, AHEAD)
+
+
+def test_images_of_any_making(matcher, textured):
+    left, right, _, _ = textured
+    expected = matcher(left, right)
+    wide = np.zeros((240, 640), np.uint8)
+    wide[::2, ::2] = left
+    for one, two in [
+        (np.asfortranarray(left), wide[::2, ::2]),
+        (memoryview(left), left[:, ::-1][:, ::-1]),
+        (left[..., None], left),
+        (np.repeat(left[..., None], 3, axis=2), np.repeat(left[..., None], 4, axis=2)),
+    ]:
+        assert same(matcher(one, right), expected) and same(matcher(two, right), expected)
+    # Luma as the program has it.
+    colours = np.random.default_rng(0).integers(0, 256, (120, 320, 3)).astype(np.uint8)
+    grey = (colours.astype(int) @ [299, 587, 114] + 500) // 1000
+    assert np.array_equal(matcher(colours, colours)["rectified_left"], grey)
+    ten = [image.astype(">u2") for image in (left, right)]
+    assert matcher(*ten)["rectified_left"].dtype == np.uint16
+    read_only = left.copy()
+    read_only.flags.writeable = False
+    assert same(matcher(read_only, right), expected)
+
+
+@pytest.mark.parametrize(
+    "left, right, kind, said",
+    [
+        (np.zeros((9, 12), np.uint8), np.zeros((9, 13), np.uint8), oaktwin.Error, "left image is 12x9, the right one 13x9"),
+        (np.zeros((9, 12), np.uint8), np.zeros((9, 12), np.uint16), oaktwin.Error, "8 bits, the right one 10"),
+        (np.zeros((9, 12), np.float32), np.zeros((9, 12), np.uint8), TypeError, "left: its numbers are float32; give uint8"),
+        (np.zeros((9, 12), np.uint8), np.full((9, 12), np.nan), TypeError, "right: its numbers are float64"),
+        (np.zeros((9, 12), np.int16), np.zeros((9, 12), np.int16), TypeError, "left: its numbers are int16"),
+        (np.zeros((9, 12), bool), np.zeros((9, 12), bool), TypeError, "left: its numbers are bool"),
+        (np.zeros((0, 12), np.uint8), np.zeros((0, 12), np.uint8), oaktwin.Error, "left: .*has no pixel"),
+        (np.zeros((2, 9, 12), np.uint8), np.zeros((2, 9, 12), np.uint8), oaktwin.Error, r"left: has shape \[2, 9, 12\]; give one"),
+        (np.zeros(12, np.uint8), np.zeros(12, np.uint8), oaktwin.Error, r"left: has shape \[12\]"),
+        (np.zeros((9, 12, 3), np.uint16), np.zeros((9, 12, 3), np.uint16), TypeError, "left: its colours are uint16"),
+        (np.full((9, 12), 1024, np.uint16), np.zeros((9, 12), np.uint16), oaktwin.Error, "left: .*up to 1024; .*>> 6"),
+        ([[1, 2], [3, 4]], np.zeros((2, 2), np.uint8), TypeError, "left: list is no array"),
+        (np.zeros((2, 2), np.uint8), None, TypeError, "right: NoneType is no array"),
+    ],
+)
+def test_wrong_images(matcher, textured, left, right, kind, said):
+    before = matcher(*textured[:2])
+    with pytest.raises(kind, match=said):
+        matcher(left, right)
+    assert same(matcher(*textured[:2]), before)
+
+
+def test_small_images(matcher):
+    for height, width in [(1, 1), (1, 200), (200, 1), (3, 5)]:
+        image = np.arange(height * width, dtype=np.uint8).reshape(height, width)
+        seen = matcher(image, image)
+        assert seen["depth"].shape == (height, width)
+
+
+@pytest.mark.parametrize(
+    "options, said",
+    [
+        ({}, "device: nothing says what takes the images; give a device, or fx"),
+        ({"fx": 300}, "nothing says"),
+        ({"baseline": 0.1}, "nothing says"),
+        ({"fx": 300, "hfov_deg": 60, "baseline": 0.1}, "fx, hfov_deg: both say the same"),
+        ({"fx": float("nan"), "baseline": 0.1}, "fx: NaN is no camera's"),
+        ({"fx": 0, "baseline": 0.1}, "fx: 0 is no camera's"),
+        ({"hfov_deg": 180, "baseline": 0.1}, "hfov"),
+        ({"fx": 300, "baseline": 0}, "baseline"),
+        ({"fx": 300, "baseline": float("inf")}, "baseline"),
+        ({"fx": 300, "baseline": 0.1, "raw": True}, "raw, rectify: only a device's images are rectified here"),
+        ({"fx": 300, "baseline": 0.1, "rectify": "full"}, "raw, rectify: only a device's"),
+        ({"fx": 300, "baseline": 0.1, "platform": "rvc5"}, "platform: there is no `rvc5`; did you mean rvc"),
+        ({"fx": 300, "baseline": 0.1, "preset": "robotic"}, "robotic"),
+        ({"fx": 300, "baseline": 0.1, "filters": ["medium"]}, "median"),
+        ({"fx": 300, "baseline": 0.1, "parameters": {"path": 3}}, "paths"),
+        ({"fx": 300, "baseline": 0.1, "parameters": {"bias": 1}}, "the error of its own calibration"),
+        ({"device": PRO, "fx": 300}, "device: it says what its cameras are; leave out fx"),
+        ({"device": PRO, "raw": False, "rectify": "full"}, "rectify: images that are rectified are not rectified again"),
+        ({"device": PRO, "rectify": "ful"}, "rectify: there is no `ful`; did you mean full"),
+    ],
+)
+def test_matchers_that_cannot_be(options, said):
+    device = options.get("device")
+    options = {**options, "device": device and oaktwin.Device(device)}
+    with pytest.raises(oaktwin.Error, match=said):
+        oaktwin.StereoMatcher(**options)
+
+
+def test_depth_is_no_pair(device, room):
+    with pytest.raises(oaktwin.Error, match="engine: stereo-matching needs a pair of images.*use StereoMatcher"):
+        oaktwin.DepthSensor(device, engine="stereo-matching")
+
+
+def codes(seen):
+    return [finding.code for finding in seen["findings"]]
+
+
+def test_findings(matcher, textured, program, tmp_path):
+    left, right, _, _ = textured
+    assert codes(matcher(right, left)) == ["pair-swapped"]
+    lower = np.roll(right, 4, axis=0)
+    assert codes(matcher(left, lower)) == ["vertical-offset"]
+    assert codes(matcher(np.full_like(left, 90), right)) == ["no-texture"]
+    bright = np.maximum(left, np.where(np.arange(320) % 320 < 200, 255, 0)).astype(np.uint8)
+    assert "saturated" in codes(matcher(bright, bright))
+    assert "range-beyond-image" in codes(matcher(left[:, :60].copy(), right[:, :60].copy()))
+    finding = matcher(right, left)["findings"][0]
+    assert finding.level == "warning" and finding.remedy == "swap the left and the right image"
+    _, text = by_program(program, tmp_path, right, left, "--fx", FX, "--baseline", BASELINE, "--json", code=1)
+    assert finding.message in text
+
+
+def test_temporal_filters_remember(textured):
+    left, right, _, _ = textured
+    matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, filters=["temporal:alpha=0.3"])
+    other = right + np.random.default_rng(0).integers(0, 9, right.shape).astype(np.uint8)
+    first, second = matcher(left, right)["depth"], matcher(left, other)["depth"]
+    fresh = copy.copy(matcher)(left, other)["depth"]
+    assert not np.array_equal(second, fresh)
+    # What is wrong with images changes nothing that is remembered.
+    with pytest.raises(oaktwin.Error):
+        matcher(left, right[:50])
+    matcher.reset()
+    assert np.array_equal(matcher(left, right)["depth"], first) and np.array_equal(matcher(left, other)["depth"], second)
+    matcher(left[:50].copy(), right[:50].copy())
+    assert np.array_equal(matcher(left, other)["depth"], fresh)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"fx": 299.9, "baseline": 0.05, "platform": "rvc4"},
+        {"hfov_deg": 70, "baseline": 0.075, "preset": "robotics", "extended_disparity": True},
+        {"filters": ["median:size=3"], "parameters": {"paths": 3, "leftRightCheck": False}},
+        {"raw": True, "rectify": "mesh", "platform": "rvc4"},
+    ],
+)
+def test_pickles(textured, options):
+    left, right, _, _ = textured
+    device = None if "baseline" in options else oaktwin.Device(PRO)
+    matcher = oaktwin.StereoMatcher(device, **options)
+    expected = matcher(left, right)
+    for other in [pickle.loads(pickle.dumps(matcher)), copy.copy(matcher), copy.deepcopy(matcher)]:
+        assert same(other(left, right), expected)
+        assert repr(other) == repr(matcher) and other.filters == matcher.filters
+        assert other.parameters == matcher.parameters and other.rectify == matcher.rectify
+
+
+def test_a_matcher_of_a_unit_travels(tmp_path, textured, calibration, unit):
+    file = tmp_path / calibration.name
+    file.write_bytes(calibration.read_bytes())
+    matcher = oaktwin.StereoMatcher(oaktwin.Device.from_calibration(file))
+    text = pickle.dumps(matcher)
+    file.unlink()
+    assert same(pickle.loads(text)(*textured[:2]), oaktwin.StereoMatcher(unit)(*textured[:2]))
+    assert matcher.rectify == "homography" and "homography" in repr(matcher)
+
+
+def test_a_calibration_without_the_pair(tmp_path, calibration):
+    told = json.loads(calibration.read_text("utf-8"))
+    for _, camera in told["cameraData"]:
+        camera["extrinsics"]["toCameraSocket"] = -1
+    file = tmp_path / "apart.json"
+    file.write_text(json.dumps(told))
+    device = oaktwin.Device.from_calibration(file, force=True)
+    assert "pair-nominal" in [finding.code for finding in device.findings]
+    with pytest.raises(oaktwin.Error, match="apart.json: .*calibrate the stereo pair"):
+        oaktwin.StereoMatcher(device)
+
+
+def test_parameters_are_said():
+    matcher = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters={"paths": 3})
+    assert matcher.parameters["paths"] == "3" and float(matcher.parameters["focalLength"]) == 400
+    assert float(matcher.parameters["baseline"]) == matcher.baseline == 0.05 and matcher.findings == []
+    assert matcher.filters == [] and np.array_equal(matcher.camera.body_from_camera, np.eye(4))
+    again = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters=matcher.parameters)
+    assert again.parameters == matcher.parameters
+    assert oaktwin.StereoMatcher(fx=400, baseline=0.05, preset="default").filters != []
+
+
+def test_many_threads(matcher, textured):
+    left, right, _, _ = textured
+    pairs = [(left, right), (left[:60].copy(), right[:60].copy()), (right, right), (left[:, :200].copy(), right[:, :200].copy())]
+    expected = [matcher(*one) for one in pairs]
+    own = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
+
+    def work(number):
+        for i in range(2):
+            for one in [matcher, own]:
+                assert same(one(*pairs[(number + i) % 4]), expected[(number + i) % 4])
+
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(work, range(8)))
+
+
+def test_the_interpreter_runs_meanwhile(textured):
+    left, right = (np.tile(image, (6, 4)) for image in textured[:2])
+    matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
+    ticks, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            ticks[0] += 1
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    before = ticks[0]
+    matcher(left, right)
+    during = ticks[0] - before
+    done.set()
+    counter.join()
+    assert during > 1000
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
+def test_ctrl_c():
+    text = """
+import numpy as np, oaktwin
+matcher = oaktwin.StereoMatcher(fx=400, baseline=0.075)
+image = np.random.default_rng(0).integers(0, 255, (200, 320)).astype(np.uint8)
+print("ready", flush=True)
+try:
+    list(map(matcher, [image] * 100000, [image] * 100000))
+    print("finished")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    process = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    process.send_signal(signal.SIGINT)
+    answer, _ = process.communicate(timeout=120)
+    assert answer == "interrupted\n"
+
+
+def test_accuracy_of_matching(program):
+    measured = oaktwin.accuracy(
+        oaktwin.Device("OAK4-D"), engine="stereo-matching", distances=[1.5], devices=1, captures=1
+    )
+    text = program(
+        "accuracy", "OAK4-D", "--engine", "stereo-matching", "--distances", 1.5, "--devices", 1, "--captures", 1, "--json"
+    )
+    assert measured.report["distances"] == json.loads(text)["distances"]
+    assert measured.rows[0]["error_percent"] < 2
