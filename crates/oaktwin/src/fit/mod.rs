@@ -16,8 +16,8 @@
 //!   their noise explains.
 //!
 //! # `time_of_flight`
-//! * σ at each distance: half of the variance of such differences, by what frames share with the next, less whole
-//!   millimetres (unit²/12).
+//! * σ at each distance: half of the variance of such differences, by what frames share with the next (half of their
+//!   noise or none, as frames two apart tell), less whole millimetres (unit²/12).
 //! * Light (`signal`, `ambient`): σ over distance by robust least squares of its logarithm. Noise tells but
 //!   contrast²·albedo·signal, from where the light itself is most of it, and (ambient·albedo + read noise²) over
 //!   (contrast·albedo·signal)², from where it is not: contrast, albedo and read noise are those of the engine's parameters,

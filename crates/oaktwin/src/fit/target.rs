@@ -80,6 +80,8 @@ pub(super) struct Seen {
     pub(super) by_truth: Vec<Sum>,
     /// Of each pair of frames one after the other, half of their difference's.
     pub(super) pairs: Vec<Autocovariance>,
+    /// Of each pair of frames two apart, half of their difference's, of a pixel with itself.
+    pub(super) apart: Autocovariance,
     /// The side of the squares that are averaged, px.
     pub(super) square: u32,
     /// The mean depth, m.
@@ -228,7 +230,9 @@ struct Eye {
     square: u32,
     places: Vec<Place>,
     by_truth: BTreeMap<i64, Sum>,
-    before: Option<(Vec<f32>, Vec<f32>)>,
+    /// The frame before, and that before it.
+    before: [Option<(Vec<f32>, Vec<f32>)>; 2],
+    apart: Autocovariance,
     pairs: Vec<Autocovariance>,
 }
 
@@ -270,7 +274,8 @@ impl Eye {
             square,
             places: (0..count).map(place).collect(),
             by_truth: BTreeMap::new(),
-            before: None,
+            before: [None, None],
+            apart: Autocovariance::new(1),
             pairs: Vec::new(),
         }
     }
@@ -317,21 +322,27 @@ impl Eye {
         self.valid += offs.iter().filter(|off| off.is_finite()).count() as u64;
         self.mismatches += drop_mismatches(&mut offs, self.look.step);
         let shift: Vec<f32> = truths.iter().map(|&truth| truth as f32).collect();
-        if let Some((before, old_shift)) = &self.before {
+        let differences = |(before, old_shift): &(Vec<f32>, Vec<f32>)| -> Vec<f32> {
             let half = std::f32::consts::FRAC_1_SQRT_2;
             let pairs = offs.iter().zip(before).zip(shift.iter().zip(old_shift));
-            let differences: Vec<f32> = pairs
+            pairs
                 .map(|((&new, &old), (&a, &b))| {
                     // What moved has another error of those that repeat.
                     let is_same = f64::from((a - b).abs()) <= counting.still();
                     if is_same { (new - old) * half } else { f32::NAN }
                 })
-                .collect();
+                .collect()
+        };
+        let width = self.region.columns.len();
+        if let [Some(last), _] = &self.before {
             let mut pair = Autocovariance::new(self.lags);
-            pair.add(&differences, self.region.columns.len());
+            pair.add(&differences(last), width);
             if pair.values() > 0 {
                 self.pairs.push(pair);
             }
+        }
+        if let [_, Some(older)] = &self.before {
+            self.apart.add(&differences(older), width);
         }
         let columns = self.region.columns.len().max(1);
         let square = self.square as usize;
@@ -352,7 +363,8 @@ impl Eye {
             sum.measured += truth + f64::from(off);
             sum.values += 1;
         }
-        self.before = Some((offs, shift));
+        let [last, older] = &mut self.before;
+        *older = last.replace((offs, shift));
     }
 
     fn seen(self, stand: &Stand) -> Seen {
@@ -376,6 +388,7 @@ impl Eye {
             by_truth: self.by_truth.into_values().collect(),
             places: self.places,
             pairs: self.pairs,
+            apart: self.apart,
             square: self.square,
             depth_m,
             unit: self.look.counting.of_unit(self.unit_m, depth_m),

@@ -97,3 +97,19 @@ pub(super) fn of_light(light: &Light) -> Option<Finding> {
         "is the target of one albedo, and the lamp's light alike at all distances? were filters on?",
     ))
 }
+
+/// Frames that share other measurements than the engine's parameters say.
+pub(super) fn other_sharing(shared: f64) -> Finding {
+    let message = if shared > 0.0 {
+        "half of a frame's noise is the next one's too, as without burst mode: it is taken so"
+    } else {
+        "frames one after the other share no noise, as in burst mode: it is taken so"
+    };
+    Finding::new(
+        "shared-noise",
+        Level::Note,
+        "enableBurstMode",
+        message.to_owned(),
+        "",
+    )
+}

@@ -7,6 +7,7 @@ mod rays;
 #[cfg(test)]
 mod tests;
 
+use oaktwin_depth::measure::median;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
 use super::counting::{Counting, left_of_rounding};
@@ -40,6 +41,8 @@ pub(super) struct Tof {
     p: Parameters,
     rays: Vec<f64>,
     range_m: f64,
+    /// How much of a frame's noise is the next one's too.
+    shared: f64,
 }
 
 impl Tof {
@@ -65,6 +68,7 @@ impl Tof {
         Ok(Self {
             rays: rays::rays(&p, options.region),
             range_m: engine.range_m(),
+            shared: p.shared_noise(),
             p,
         })
     }
@@ -85,13 +89,28 @@ impl Tof {
 
     /// A pixel's over time without whole units, m².
     fn noise_m2(&self, one: &Seen) -> Option<f64> {
-        Some((one.variance()? - one.rounding(0.0)).max(0.0) / (1.0 - self.p.shared_noise()))
+        Some((one.variance()? - one.rounding(0.0)).max(0.0) / (1.0 - self.shared))
+    }
+
+    /// How much of a frame's noise is the next one's too, as far as frames tell: half where measurements are shared, as
+    /// frames two apart then differ by twice as much; else nothing.
+    fn shared_by(&self, seen: &[Seen]) -> Option<f64> {
+        let ratios: Vec<f64> = seen
+            .iter()
+            .filter_map(|one| {
+                let rounding = one.rounding(0.0);
+                let [next, apart] = [one.variance()? - rounding, one.apart.at(0)? - rounding];
+                (apart > rounding).then_some(next / apart)
+            })
+            .collect();
+        let ratio = median(&ratios)?;
+        Some(if ratio < 0.75 { 0.5 } else { 0.0 })
     }
 
     /// By how much the squares of so many differences, one after the other, vary more in their mean than independent
     /// ones: each shares a frame with the next, and its noise with the one after that.
     fn overlap(&self, pairs: usize) -> f64 {
-        let shared = self.p.shared_noise();
+        let shared = self.shared;
         let own = 2.0 - 2.0 * shared;
         let correlations = [(2.0 * shared - 1.0) / own, -shared / own];
         let with = |(apart, correlation): (f64, f64)| {
@@ -138,6 +157,12 @@ impl Method for Tof {
     }
 
     fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>) {
+        if let Some(shared) = self.shared_by(seen)
+            && shared != self.shared
+        {
+            self.shared = shared;
+            work.findings.push(findings::other_sharing(shared));
+        }
         let noise: Vec<Noise> = seen.iter().filter_map(|one| self.noise_of(one)).collect();
         let Some(light) = light::fit(&self.p, &self.rays, &noise) else {
             let (why, remedy) = if seen.iter().all(|one| one.variance().is_none()) {
@@ -194,7 +219,7 @@ impl Method for Tof {
 
     fn variance_of_mean(&self, one: &Seen, values: u64) -> Option<f64> {
         // A frame's with itself, and with the one before and after.
-        let by_time = self.noise_m2(one)? * (1.0 + 2.0 * self.p.shared_noise()) / (values as f64).max(1.0);
+        let by_time = self.noise_m2(one)? * (1.0 + 2.0 * self.shared) / (values as f64).max(1.0);
         // What pixels differ by always is there too.
         let places = one.places.iter().filter(|place| place.sum.values > 0).count() as f64;
         let by_place = one.plane().map_or(0.0, |(_, rms)| rms * rms / places);

@@ -169,8 +169,9 @@ fn intervals_hold_what_was_put_in() {
             frames: 4,
             turned_deg: 0.0,
         };
-        let burst = p.enable_burst_mode.to_string();
-        let (report, findings) = recorded.fitted(&with(options(), ("enableBurstMode", &burst)));
+        // Whether frames share noise is seen.
+        let (report, findings) = recorded.fitted(&options());
+        assert_eq!(codes(&findings).contains(&"shared-noise"), p.enable_burst_mode);
         assert!(report.is_good, "{run}: {findings:?}");
         let truths = [
             ("bias", p.bias_m),
