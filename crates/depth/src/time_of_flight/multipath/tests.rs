@@ -79,10 +79,10 @@ fn images_of_any_size_are_divided() {
         let grid = Grid::new(width, height);
         let cells = grid.size.map(|size| size.div_ceil(grid.cell));
         assert!(cells[0] <= 40 && cells[1] <= 30);
-        for axis in 0..2 {
+        for (axis, cells) in cells.into_iter().enumerate() {
             let all = grid.receivers(axis);
             assert!(all.is_sorted_by(|a, b| a < b) && *all.last().unwrap() < grid.size[axis]);
-            assert!(all.len() <= 2 * cells[axis]);
+            assert!(all.len() <= 2 * cells);
         }
     }
     assert_eq!((Grid::new(640, 480).cell, Grid::new(640, 480).step), (16, 8));

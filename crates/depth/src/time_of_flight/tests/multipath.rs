@@ -176,8 +176,8 @@ fn a_furnished_corner_is_as_the_sum() {
         .map(|i| ((found[i] - bias(furnished, 0.8, i)).abs(), i))
         .collect();
     off.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let at = |share: f64| off[(off.len() as f64 * share) as usize].0;
-    assert!(at(0.5) < 0.0015 && at(0.95) < 0.006, "{} {}", at(0.5), at(0.95));
+    let at = |percent: usize| off[off.len() * percent / 100].0;
+    assert!(at(50) < 0.0015 && at(95) < 0.006, "{} {}", at(50), at(95));
 }
 
 /// Twice as much light by other surfaces is twice the error, while it is small.
