@@ -24,16 +24,18 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
             .collect()
     };
     let mut layers = vec![line(far, 0.0)];
+    let mut heights = Vec::new();
     if let Some(found) = found {
         let (curve, band) = curve(found, report, near, far);
         if band.iter().any(|point| point[2] - point[1] > 0.0) {
             layers.push(layer("95 % of the curve", CURVE, Shape::Area(band)));
         }
+        heights.extend(curve.iter().map(|point| point[1]));
         layers.push(layer(&name(found, report), CURVE, Shape::Line(curve)));
     }
     let measured = pick(true, &|point| Some(to_one * point.error));
     let left_out = pick(false, &|point| Some(to_one * point.error));
-    let range = vertical(measured.iter().map(|point| point[1]));
+    let range = vertical(measured.iter().map(|point| point[1]).chain(heights));
     if !left_out.is_empty() {
         layers.push(layer("left out", LEFT_OUT, Shape::Dots(left_out)));
     }

@@ -137,11 +137,7 @@ impl Fitted for Found {
 
     fn name(&self, _report: &Report) -> String {
         let [bias_m, wiggling] = [self.solution.parameters[0], self.solution.parameters[1]];
-        format!(
-            "bias {:.2} mm, wiggling {}",
-            1e3 * bias_m,
-            number(wiggling.max(0.0))
-        )
+        format!("bias {:.2} mm, wiggling {:.4}", 1e3 * bias_m, wiggling.max(0.0))
     }
 
     fn noise(&self, report: &Report) -> String {
