@@ -95,8 +95,16 @@ def test_several_cameras(several, tmp_path):
     printed = run(SCRIPT, ours, "--model", "OAK-D ToF")
     assert "2 frames, 2 cameras" in printed and "Camera_pseudo_depth_tof 0000: 160x120" in printed
     run("-m", "oaktwin", "sense", theirs, "--model", "OAK-D ToF")
-    got = results(ours)
-    assert len(got) == 2 and got == results(theirs)
+    got, wanted = results(ours), results(theirs)
+    assert len(got) == 2 and got.keys() == wanted.keys()
+    for path in got:
+        if "_tof" in str(path):
+            # Time of flight looks along its pixels' rays: the program knows the principal point, the script the focal length.
+            a, b = (np.load(folder / path) for folder in (ours, theirs))
+            both = (a > 0) & (b > 0)
+            assert both.sum() > 0.99 * max((a > 0).sum(), (b > 0).sum()) and np.percentile(abs(a - b)[both], 99) < 0.01
+        else:
+            assert got[path] == wanted[path]
     # Cameras that are none of the model's depth sensors, and one that is among others.
     for names in [{"Camera_pseudo_depth_stereo": "Front", "Camera_pseudo_depth_tof": "Back"},
                   {"Camera_pseudo_depth_stereo": "Front"}]:  # fmt: skip

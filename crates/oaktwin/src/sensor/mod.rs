@@ -94,7 +94,13 @@ pub fn sensor(
                     what: format!("{} is no time-of-flight sensor", sensor.spec.prim),
                     remedy: "use stereo-noise, single-view, or the time-of-flight sensor".to_owned(),
                 })?;
-            let mut parameters = time_of_flight_parameters(options.image.unwrap_or(camera.intrinsics));
+            let mut image = options.image.unwrap_or(camera.intrinsics);
+            if own.is_none() {
+                // The twin's, however images that were read say it.
+                let scale = f64::from(image.size.width) / f64::from(camera.intrinsics.size.width);
+                image.fx = camera.intrinsics.fx * scale;
+            }
+            let mut parameters = time_of_flight_parameters(image);
             if let Some(Preset::TimeOfFlight(config)) = &preset {
                 config.apply_to(&mut parameters);
             }
