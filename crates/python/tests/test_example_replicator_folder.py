@@ -48,9 +48,10 @@ def frames(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def several(tmp_path_factory):
-    """A folder for each of two depth sensors' cameras, below them one for each annotator."""
+    """A folder for each of two depth sensors' cameras, below them one for each annotator. In their own size: a smaller image's
+    principal point is not quite in its middle, where the script takes a time-of-flight camera's to be."""
     return render(tmp_path_factory.mktemp("rendered") / "several", "--model", "OAK-D ToF", "--look-at", 3, -2, 1.5, 0, 0, 0.5,
-                  "--resolution", "160x120", "--annotators", "distance_to_image_plane,rgb,camera_params")  # fmt: skip
+                  "--annotators", "distance_to_image_plane,rgb,camera_params")  # fmt: skip
 
 
 def results(folder):
@@ -93,18 +94,10 @@ def test_several_cameras(several, tmp_path):
     pytest.importorskip("PIL", reason="Pillow is not installed")
     ours, theirs = (shutil.copytree(several, tmp_path / name) for name in ["ours", "theirs"])
     printed = run(SCRIPT, ours, "--model", "OAK-D ToF")
-    assert "2 frames, 2 cameras" in printed and "Camera_pseudo_depth_tof 0000: 160x120" in printed
+    assert "2 frames, 2 cameras" in printed and "Camera_pseudo_depth_tof 0000: 640x480" in printed
     run("-m", "oaktwin", "sense", theirs, "--model", "OAK-D ToF")
-    got, wanted = results(ours), results(theirs)
-    assert len(got) == 2 and got.keys() == wanted.keys()
-    for path in got:
-        if "_tof" in str(path):
-            # Time of flight looks along its pixels' rays: the program knows the principal point, the script the focal length.
-            a, b = (np.load(folder / path) for folder in (ours, theirs))
-            both = (a > 0) & (b > 0)
-            assert both.sum() > 0.99 * max((a > 0).sum(), (b > 0).sum()) and np.percentile(abs(a - b)[both], 99) < 0.01
-        else:
-            assert got[path] == wanted[path]
+    got = results(ours)
+    assert len(got) == 2 and got == results(theirs)
     # Cameras that are none of the model's depth sensors, and one that is among others.
     for names in [{"Camera_pseudo_depth_stereo": "Front", "Camera_pseudo_depth_tof": "Back"},
                   {"Camera_pseudo_depth_stereo": "Front"}]:  # fmt: skip
