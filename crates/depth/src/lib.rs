@@ -16,6 +16,7 @@ mod error;
 pub mod filter;
 pub mod imager;
 pub mod measure;
+mod named;
 pub mod preset;
 pub mod random;
 pub mod rectify;

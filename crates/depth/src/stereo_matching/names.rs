@@ -1,47 +1,11 @@
 //! Parameters by name, for command lines and presets.
 
-use std::fmt::Display;
-use std::str::FromStr;
-
-use oaktwin_diagnostic::{fold_name, nearest};
-
 use super::parameters::Parameters;
 use crate::ParameterError;
 use crate::choice::Choice;
 use crate::disparity::{DepthRounding, Subpixel};
+use crate::named::{self, Named, field, flag, text};
 use crate::preset::Platform;
-
-/// One parameter: its name, how to read and to change it, and what it may be.
-struct Named {
-    name: &'static str,
-    get: fn(&Parameters) -> String,
-    set: fn(&mut Parameters, &str) -> Option<()>,
-    values: &'static str,
-}
-
-/// A parameter that is a field of a type that reads as text.
-macro_rules! field {
-    ($name:literal, $($field:ident).+, $values:literal) => {
-        Named {
-            name: $name,
-            get: |p| text(&p.$($field).+),
-            set: |p, value| put(&mut p.$($field).+, value),
-            values: $values,
-        }
-    };
-}
-
-/// A switch.
-macro_rules! flag {
-    ($name:literal, $($field:ident).+) => {
-        Named {
-            name: $name,
-            get: |p| text(&p.$($field).+),
-            set: |p, value| flag(value).map(|value| p.$($field).+ = value),
-            values: "give true or false",
-        }
-    };
-}
 
 /// One of a few names.
 macro_rules! named {
@@ -55,7 +19,7 @@ macro_rules! named {
     };
 }
 
-const TABLE: [Named; 43] = [
+const TABLE: [Named<Parameters>; 43] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
@@ -63,7 +27,7 @@ const TABLE: [Named; 43] = [
         name: "subpixel",
         get: |p| text(&(p.subpixel != Subpixel::Off)),
         set: |p, value| {
-            match (flag(value)?, p.subpixel) {
+            match (named::switch(value)?, p.subpixel) {
                 (false, _) => p.subpixel = Subpixel::Off,
                 (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
                 (true, _) => {}
@@ -211,15 +175,7 @@ const TABLE: [Named; 43] = [
 ];
 
 /// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = {
-    let mut names = [""; TABLE.len()];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = TABLE[at].name;
-        at += 1;
-    }
-    names
-};
+pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
 
 impl Parameters {
     /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
@@ -227,23 +183,7 @@ impl Parameters {
     /// # Errors
     /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
     pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        let named = find(name)?;
-        let mut changed = *self;
-        (named.set)(&mut changed, value.trim()).ok_or_else(|| {
-            ParameterError::new(
-                named.name,
-                format!("`{value}` is none of its values"),
-                named.values,
-            )
-        })?;
-        // What was wrong before is not this value's fault.
-        match changed.check() {
-            Err(error) if error.name == named.name => Err(error),
-            _ => {
-                *self = changed;
-                Ok(())
-            }
-        }
+        find(name)?.change(self, value, Self::check)
     }
 
     /// One of [`NAMES`], as [`Parameters::set`] takes it.
@@ -255,37 +195,10 @@ impl Parameters {
     }
 }
 
-fn find(name: &str) -> Result<&'static Named, ParameterError> {
-    let folded = fold_name(name);
-    let found = TABLE.iter().find(|named| fold_name(named.name) == folded);
-    found.ok_or_else(|| {
-        let near = nearest(name, NAMES);
-        let remedy = if near.is_empty() {
-            format!("use one of {}", NAMES.join(", "))
-        } else {
-            format!("did you mean {}?", near.join(", "))
-        };
-        ParameterError::new(name, "stereo-matching has no such parameter", remedy)
-    })
-}
-
-fn text(value: &impl Display) -> String {
-    value.to_string()
-}
-
-fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
-    *field = value.parse().ok()?;
-    Some(())
+fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
+    named::find(&TABLE, name, || named::unknown("stereo-matching", name, &NAMES))
 }
 
 fn pick<C: Choice>(value: &str) -> Option<C> {
     C::CHOICES.iter().copied().find(|choice| choice.text() == value)
-}
-
-fn flag(value: &str) -> Option<bool> {
-    match value {
-        "true" | "1" => Some(true),
-        "false" | "0" => Some(false),
-        _ => None,
-    }
 }

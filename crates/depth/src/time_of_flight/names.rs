@@ -1,46 +1,10 @@
 //! Parameters by name, for command lines and presets.
 
-use std::fmt::Display;
-use std::str::FromStr;
-
-use oaktwin_diagnostic::fold_name;
-
 use super::parameters::{INDOOR_E, OUTDOOR_E, Parameters};
+use crate::named::{self, Named, field, flag, put, text};
 use crate::{ParameterError, choice};
 
-/// One parameter: its name, how to read and to change it, and what it may be.
-struct Named {
-    name: &'static str,
-    get: fn(&Parameters) -> String,
-    set: fn(&mut Parameters, &str) -> Option<()>,
-    values: &'static str,
-}
-
-/// A parameter that is a field of a type that reads as text.
-macro_rules! field {
-    ($name:literal, $field:ident, $values:literal) => {
-        Named {
-            name: $name,
-            get: |p| text(&p.$field),
-            set: |p, value| put(&mut p.$field, value),
-            values: $values,
-        }
-    };
-}
-
-/// A switch.
-macro_rules! flag {
-    ($name:literal, $field:ident) => {
-        Named {
-            name: $name,
-            get: |p| text(&p.$field),
-            set: |p, value| flag(value).map(|value| p.$field = value),
-            values: "give true or false",
-        }
-    };
-}
-
-const TABLE: [Named; 28] = [
+const TABLE: [Named<Parameters>; 28] = [
     field!("focalLength", focal_length_px, "give pixels, 457"),
     field!("width", width_px, "give whole pixels, 640"),
     Named {
@@ -118,15 +82,7 @@ const TABLE: [Named; 28] = [
 ];
 
 /// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = {
-    let mut names = [""; TABLE.len()];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = TABLE[at].name;
-        at += 1;
-    }
-    names
-};
+pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
 
 impl Parameters {
     /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
@@ -134,23 +90,7 @@ impl Parameters {
     /// # Errors
     /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
     pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        let named = find(name)?;
-        let mut changed = *self;
-        (named.set)(&mut changed, value.trim()).ok_or_else(|| {
-            ParameterError::new(
-                named.name,
-                format!("`{value}` is none of its values"),
-                named.values,
-            )
-        })?;
-        // What was wrong before is not this value's fault.
-        match changed.check() {
-            Err(error) if error.name == named.name => Err(error),
-            _ => {
-                *self = changed;
-                Ok(())
-            }
-        }
+        find(name)?.change(self, value, Self::check)
     }
 
     /// One of [`NAMES`], as [`Parameters::set`] takes it.
@@ -162,27 +102,10 @@ impl Parameters {
     }
 }
 
-fn find(name: &str) -> Result<&'static Named, ParameterError> {
-    let folded = fold_name(name);
-    let found = TABLE.iter().find(|named| fold_name(named.name) == folded);
-    found.ok_or_else(|| choice::unknown(name, "parameter of time-of-flight", &NAMES))
-}
-
-fn text(value: &impl Display) -> String {
-    value.to_string()
-}
-
-fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
-    *field = value.parse().ok()?;
-    Some(())
-}
-
-fn flag(value: &str) -> Option<bool> {
-    match value {
-        "true" | "1" => Some(true),
-        "false" | "0" => Some(false),
-        _ => None,
-    }
+fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
+    named::find(&TABLE, name, || {
+        choice::unknown(name, "parameter of time-of-flight", &NAMES)
+    })
 }
 
 /// Two numbers with a comma between.
