@@ -9,6 +9,7 @@
 //! name, the frame and the pixel, never on threads, tiles, batch order or call history.
 
 pub mod align;
+mod batch;
 mod choice;
 mod disparity;
 pub mod dots;
