@@ -2,8 +2,6 @@ mod asked;
 mod report;
 mod sensors;
 
-use std::ops::ControlFlow;
-
 use oaktwin::camera::ImageSize;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
@@ -29,9 +27,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         Some(file) => trajectory::read(file)?,
         None => Vec::new(),
     };
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
+    args.threads.apply();
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &asked::open_options(args)?)?;
     let mut findings = std::mem::take(&mut scene.findings);
@@ -84,11 +80,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let mut progress = Progress::new();
     let mut watch = |done: render::Done| {
         progress.at(done.images, done.of);
-        if interrupt::asked() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        interrupt::flow()
     };
     let written = render::write_frames(&renderer, &cameras, &path, &options, outputs, &mut watch);
     drop(progress);

@@ -1,7 +1,7 @@
 //! Frame after frame: rendered, encoded and written, the next one rendered while the last is written.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::mpsc;
 use std::thread;
 
@@ -17,7 +17,7 @@ use super::trajectory::TimedPose;
 use crate::camera::RigidTransform;
 use crate::dataset::{self, BasicWriter, CameraParams, DatasetError, Extras, Shot};
 use crate::diagnostic::{Finding, Level};
-use crate::files::FileError;
+use crate::files::{FileError, WrittenFile};
 use crate::image::annotation::{Annotator, Frame};
 use crate::image::{Image, png};
 use crate::pair::PairCameras;
@@ -68,15 +68,6 @@ pub struct Written {
     pub findings: Vec<Finding>,
     /// Whether the caller asked to stop before the end.
     pub is_interrupted: bool,
-}
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WrittenFile {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its length.
-    pub bytes: u64,
 }
 
 /// How far it is: images that are rendered, of all.
