@@ -15,6 +15,8 @@ mod disparity;
 pub mod dots;
 mod error;
 pub mod filter;
+#[cfg(test)]
+mod fixture;
 pub mod imager;
 pub mod measure;
 mod named;
