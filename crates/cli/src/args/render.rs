@@ -46,12 +46,12 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
-    /// What to render, apart by commas; all is everything
     #[arg(
         long,
         value_name = "NAMES",
         value_delimiter = ',',
-        default_value = "rgb,distance_to_image_plane,camera_params"
+        help = "What to render, apart by commas; all is everything. By default rgb, distance_to_image_plane and camera_params, \
+        and depth_sensor_distance where an option of the depth sensor is given"
     )]
     pub(crate) annotators: Vec<String>,
 

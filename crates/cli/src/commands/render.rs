@@ -31,6 +31,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &asked::open_options(args)?)?;
     let mut findings = std::mem::take(&mut scene.findings);
+    findings.extend(asked::unused(args, &annotators));
     let (mut cameras, more) = match &oak {
         Some(oak) => oak.cameras(args, size, scene.scene.up)?,
         None => own_cameras(&scene, args, size, &path)?,
@@ -75,6 +76,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         backend: args.backend.into(),
         extras: asked::extras(args),
         strict: args.strict,
+        writes_pair: args.pair.pair,
         list_files: args.json,
     };
     let mut progress = Progress::new();

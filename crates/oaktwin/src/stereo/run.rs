@@ -9,7 +9,6 @@ use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::camera::{Camera, ImageSize};
-use crate::depth::imager::Recorded;
 use crate::depth::rectify::Method;
 use crate::diagnostic::{Finding, Level};
 use crate::files::{FileError, WrittenFile};
@@ -165,11 +164,7 @@ fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec
             .into_iter()
             .zip(&seen.rectified)
         {
-            let bytes = match image {
-                Recorded::Eight(image) => png::encode(image)?,
-                Recorded::Ten(image) => png::encode(image)?,
-            };
-            products.push((name, "png", bytes));
+            products.push((name, "png", image.to_png()?));
         }
     }
     if options.ply {
