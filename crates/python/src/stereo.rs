@@ -279,7 +279,7 @@ impl StereoMatcher {
                 match field_of_view {
                     FieldOfView::FocalLength(fx) => options.set_item("fx", fx)?,
                     FieldOfView::Degrees(hfov) => options.set_item("hfov_deg", hfov)?,
-                    FieldOfView::Known => {}
+                    FieldOfView::Known | FieldOfView::Camera(_) => {}
                 }
                 options.set_item("baseline", baseline_m)?;
                 None

@@ -9,10 +9,9 @@ use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::camera::{Camera, ImageSize};
-use crate::depth::imager::Recorded;
 use crate::depth::rectify::Method;
 use crate::diagnostic::{Finding, Level};
-use crate::files::FileError;
+use crate::files::{FileError, WrittenFile};
 use crate::image::{CodecError, Image, ZDepth, millimetres, npy, ply, png, preview};
 use crate::render::OutputFolder;
 use crate::sense::positions;
@@ -41,7 +40,7 @@ pub struct StereoOptions {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matched {
     /// Whole ones.
-    pub files: Vec<StereoFile>,
+    pub files: Vec<WrittenFile>,
     /// Of each pair the share (0 to 1) of pixels that were measured.
     pub fill: Vec<f64>,
     /// What is wrong with the images, and what was chosen; each kind once, of the first pair that has it.
@@ -54,15 +53,6 @@ pub struct Matched {
     pub method: Option<&'static str>,
     /// Whether the caller asked to stop before the end.
     pub is_interrupted: bool,
-}
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StereoFile {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its length.
-    pub bytes: u64,
 }
 
 /// Matches pairs of files, one after the other, and writes what is measured into a folder. `watch` is asked before each,
@@ -174,11 +164,7 @@ fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec
             .into_iter()
             .zip(&seen.rectified)
         {
-            let bytes = match image {
-                Recorded::Eight(image) => png::encode(image)?,
-                Recorded::Ten(image) => png::encode(image)?,
-            };
-            products.push((name, "png", bytes));
+            products.push((name, "png", image.to_png()?));
         }
     }
     if options.ply {
@@ -228,7 +214,7 @@ impl Writer {
         })
     }
 
-    fn put(&mut self, name: &str, bytes: &[u8]) -> Result<StereoFile, FileError> {
+    fn put(&mut self, name: &str, bytes: &[u8]) -> Result<WrittenFile, FileError> {
         let path = self.folder.path().join(name);
         if path.canonicalize().is_ok_and(|path| self.inputs.contains(&path)) {
             return Err(FileError::new(
@@ -246,6 +232,6 @@ impl Writer {
         }
         let path = self.folder.write(Path::new(name), bytes)?;
         let bytes = bytes.len() as u64;
-        Ok(StereoFile { path, bytes })
+        Ok(WrittenFile { path, bytes })
     }
 }
