@@ -41,6 +41,18 @@ SETTINGS = [
     {"platform": "RVC4", "noiseThresholdOffset": 1, "noiseThresholdScale": 1, "confidenceThreshold": 20},
     {"platform": "RVC4", "noiseThresholdScale": -40, "p1Config_enableAdaptive": False, "p2Config_enableAdaptive": False},
     {"platform": "RVC4", "p1Config_enableAdaptive": False, "p2Config_smoothValue": 90, "paths": 5, "confidenceThreshold": 0},
+    {"platform": "RVC4", "holeFilling_enable": False, "adaptiveMedianFilter_enable": False, "confidenceThreshold": 0},
+    {"platform": "RVC4", "occlusionConfidenceWeight": 0, "leftRightCheck": False, "motionVectorConfidenceWeight": 32,
+     "motionVectorConfidenceThreshold": 0, "confidenceThreshold": 120, "subpixelFractionalBits": 0},
+    {"platform": "RVC4", "leftRightCheck": False, "motionVectorConfidenceThreshold": 3, "confidenceThreshold": 0,
+     "holeFilling_minValidDisparity": 3, "holeFilling_invalidateDisparities": False, "subpixelFractionalBits": 3},
+    {"platform": "RVC4", "flatnessOverride": True, "flatnessConfidenceThreshold": 7, "numInvalidateEdgePixels": 20},
+    {"platform": "RVC4", "extendedDisparity": True, "occlusionConfidenceWeight": 14, "motionVectorConfidenceWeight": 16,
+     "flatnessConfidenceWeight": 2, "flatnessConfidenceThreshold": 4, "holeFilling_highConfidenceThreshold": 240,
+     "holeFilling_fillConfidenceThreshold": 251, "confidenceThreshold": 97},
+    {"platform": "RVC4", "occlusionConfidenceWeight": 32, "flatnessConfidenceWeight": 32, "enableCompanding": True,
+     "holeFilling_minValidDisparity": 2, "adaptiveMedianFilter_confidenceThreshold": 255, "confidenceThreshold": 0},
+    {"platform": "RVC4", "holeFilling_enable": False, "adaptiveMedianFilter_confidenceThreshold": 255, "confidenceThreshold": 0},
 ]
 
 SIZES = [(24, 200), (17, 131), (9, 300), (30, 61), (3, 700), (1, 40), (20, 1), (2, 3)]
