@@ -237,7 +237,7 @@ def metrics(fixed, seen, share, p):
     apart = np.clip(around(fixed) - fixed, -(16 << bits), 16 << bits)
     variance = 9 * (apart**2).sum(0) - apart.sum(0) ** 2
     still = 255 - np.minimum((variance << p.motionVectorConfidenceThreshold) >> (2 * bits + 1), 255)
-    steep = np.clip(16 * share - 255 * p.flatnessConfidenceThreshold, 0, 255)
+    steep = np.clip(8 * share - 255 * p.flatnessConfidenceThreshold, 0, 255)
     if p.flatnessOverride:
         return steep
     weighted = (
@@ -248,7 +248,7 @@ def metrics(fixed, seen, share, p):
     return np.minimum(weighted >> 5, 255)
 
 
-def superpixels(grey, side=16, rounds=2):
+def superpixels(grey, side=8, rounds=2):
     """Each pixel's superpixel: the number of the cell that its centre began in."""
     height, width = grey.shape
     y, x = np.mgrid[0:height, 0:width]

@@ -69,7 +69,7 @@ impl Kernel for Confidence<'_> {
             // 81 times the variance.
             let variance = 9 * squares - sum * sum;
             let still = 255 - ((variance << raise) >> lower).min(255);
-            let steep = (16 * i32::from(*confidence) - 255 * threshold).clamp(0, 255);
+            let steep = (8 * i32::from(*confidence) - 255 * threshold).clamp(0, 255);
             let mean = (occlusion * seen + motion * still + flatness * steep) >> 5;
             let sure = if is_override { steep } else { mean.min(255) };
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]

@@ -18,7 +18,7 @@ pub struct ConfidenceMetrics {
     /// `flatnessConfidenceWeight`, 0 to 32, of how flat the sums of costs are: of the share by which the least is below the
     /// least of those not beside it.
     pub flatness_weight: u8,
-    /// `flatnessConfidenceThreshold`, 1 to 7: where that share is up to so many sixteenths the measure is 0, from one more
+    /// `flatnessConfidenceThreshold`, 1 to 7: where that share is up to so many eighths the measure is 0, from one more
     /// on 255.
     pub flatness_threshold: u8,
     /// `flatnessOverride`: whether that measure alone is the confidence.
@@ -42,7 +42,7 @@ impl Default for ConfidenceMetrics {
 /// `holeFilling` of RVC4: what is not sure takes the mean of its superpixel.
 ///
 /// Superpixels are those of SLIC, which Qualcomm's interface to the hardware names. Their size is not published: here one
-/// for each 16×16 pixels of the left image, after two rounds, and a grey level of 8 bits counts as much as a pixel. Nor is
+/// for each 8×8 pixels of the left image, after two rounds, and a grey level of 8 bits counts as much as a pixel. Nor is
 /// whether what was filled becomes surer: here it does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HoleFilling {

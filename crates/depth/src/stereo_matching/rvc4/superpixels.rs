@@ -7,7 +7,7 @@ use super::super::census::Census;
 use crate::simd::{self, Kernel, Level};
 
 /// Pixels between neighbouring centres at first.
-pub(super) const SIDE: usize = 16;
+pub(super) const SIDE: usize = 8;
 
 /// How often pixels choose.
 const ROUNDS: usize = 2;
@@ -239,7 +239,7 @@ impl Kernel for Choose<'_> {
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
-    reason = "up to sixteen"
+    reason = "up to eight"
 )]
 fn lane(i: usize) -> i32 {
     i as i32
