@@ -66,7 +66,8 @@ const FIRST_SIZE: ImageSize = ImageSize {
 /// Returns a dictionary. "depth": (H, W) float32 metres along the axis of the rectified left camera, 0 where nothing was
 /// measured; smaller where a filter decimates. "disparity": (H, W) float32 px, 0 where nothing was measured. "confidence":
 /// (H, W) uint8, 255 is surest. "rectified_left" and "rectified_right": what was matched. "findings": what is wrong with
-/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image".
+/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated",
+/// "range-beyond-image", "same-image", "unrelated".
 ///
 /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape and for two images of two
 /// sizes or kinds.
