@@ -143,7 +143,7 @@ fn pattern() -> Image<[u8; 4]> {
     let grey = squares.map(|(x, y)| {
         let of_size = |size: u16| {
             // Their corners are not all in one place.
-            let [x, y] = [(x, 7), (y, 13)].map(|(at, by)| (at + by * size) % SQUARES >> size);
+            let [x, y] = [(x, 7), (y, 13)].map(|(at, by)| ((at + by * size) % SQUARES) >> size);
             white_noise(x.into(), y.into(), 77 + u32::from(size)) - 0.5
         };
         (127.5 + contrast * (0..SIZES).map(of_size).sum::<f32>()) as u8
