@@ -60,11 +60,18 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         (None, Some(file)) => {
             let product = unit::read_calibration(file)?.1.board.product_name;
             let known = context.catalog.device(&product);
-            known.map_err(|_| {
-                format!(
-                    "{}: productName: no model is called {product:?}; name one with --model",
-                    file.display()
-                )
+            known.map_err(|unknown| {
+                let names = if product.is_empty() {
+                    "the file names no model".to_owned()
+                } else {
+                    format!("no model is called {product:?}")
+                };
+                let nearest = match &unknown.nearest[..] {
+                    [] => &unknown.known,
+                    nearest => nearest,
+                };
+                let remedy = format!("name one with --model: {}", nearest.join(" or "));
+                format!("{}: productName: {names}; {remedy}", file.display())
             })?;
             product
         }

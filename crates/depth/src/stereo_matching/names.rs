@@ -4,7 +4,7 @@ use super::parameters::Parameters;
 use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits, text};
 use crate::preset::Platform;
 
-const TABLE: [Named<Parameters>; 43] = [
+const TABLE: [Named<Parameters>; 56] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
@@ -102,6 +102,58 @@ const TABLE: [Named<Parameters>; 43] = [
     field!("p2Config.smoothValue", p2.smooth, "give a whole number"),
     field!("edgeThreshold", edge_threshold, "give whole grey levels"),
     field!("smoothThreshold", smooth_threshold, "give whole grey levels"),
+    field!(
+        "occlusionConfidenceWeight",
+        confidence_metrics.occlusion_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "motionVectorConfidenceWeight",
+        confidence_metrics.motion_vector_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "motionVectorConfidenceThreshold",
+        confidence_metrics.motion_vector_threshold,
+        "give a whole number, 0 to 3"
+    ),
+    field!(
+        "flatnessConfidenceWeight",
+        confidence_metrics.flatness_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "flatnessConfidenceThreshold",
+        confidence_metrics.flatness_threshold,
+        "give a whole number, 1 to 7"
+    ),
+    flag!("flatnessOverride", confidence_metrics.flatness_override),
+    flag!("holeFilling.enable", hole_filling.enable),
+    field!(
+        "holeFilling.highConfidenceThreshold",
+        hole_filling.high_confidence_threshold,
+        "give a whole number, 1 to 255"
+    ),
+    field!(
+        "holeFilling.fillConfidenceThreshold",
+        hole_filling.fill_confidence_threshold,
+        "give a whole number, 1 to 255"
+    ),
+    field!(
+        "holeFilling.minValidDisparity",
+        hole_filling.min_valid_disparity,
+        "give 1 (a half), 2 (a quarter) or 3 (an eighth)"
+    ),
+    flag!(
+        "holeFilling.invalidateDisparities",
+        hole_filling.invalidate_disparities
+    ),
+    flag!("adaptiveMedianFilter.enable", adaptive_median.enable),
+    field!(
+        "adaptiveMedianFilter.confidenceThreshold",
+        adaptive_median.confidence_threshold,
+        "give a whole number, 0 to 255"
+    ),
     field!("paths", paths, "give 3, 4, 5, 6 or 8"),
     one_of!("depthRounding", depth_rounding, "give nearest or truncate"),
     Named {

@@ -106,7 +106,14 @@ pub fn stereo(
             error => error,
         };
         let seen = matcher.look(left, right).map_err(of_files)?;
-        for finding in &seen.findings {
+        let ZDepth(metres) = &seen.capture.distance;
+        let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
+        let is_strange = measured == 0 && seen.findings.is_empty();
+        for finding in seen
+            .findings
+            .iter()
+            .chain(is_strange.then_some(&nothing_measured()))
+        {
             if !matched.findings.iter().any(|known| known.code == finding.code) {
                 let place = format!("{}: {}", pair.left.display(), finding.place);
                 matched.findings.push(Finding {
@@ -115,8 +122,6 @@ pub fn stereo(
                 });
             }
         }
-        let ZDepth(metres) = &seen.capture.distance;
-        let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
         matched
             .fill
             .push(measured as f64 / metres.pixels().len().max(1) as f64);
@@ -138,6 +143,16 @@ impl Matched {
             .iter()
             .any(|finding| finding.level >= Level::Warning)
     }
+}
+
+fn nothing_measured() -> Finding {
+    Finding::new(
+        "nothing-measured",
+        Level::Warning,
+        "stereo pair",
+        "not one pixel was measured",
+        "check that the two are a rectified pair, or loosen confidenceThreshold, leftRightCheckThreshold and the filters",
+    )
 }
 
 type Product = (&'static str, &'static str, Vec<u8>);
