@@ -229,6 +229,53 @@ const TABLE: [Named<Parameters>; 56] = [
 /// The names of all parameters: `DepthAI`'s where it has one.
 pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
 
+/// Those that count on one platform only.
+const RVC2_ONLY: [&str; 5] = [
+    "horizontalPenaltyCostP1",
+    "horizontalPenaltyCostP2",
+    "verticalPenaltyCostP1",
+    "verticalPenaltyCostP2",
+    "penaltyShift",
+];
+const RVC4_ONLY: [&str; 23] = [
+    "p1Config.enableAdaptive",
+    "p1Config.defaultValue",
+    "p1Config.edgeValue",
+    "p1Config.smoothValue",
+    "p2Config.enableAdaptive",
+    "p2Config.defaultValue",
+    "p2Config.edgeValue",
+    "p2Config.smoothValue",
+    "edgeThreshold",
+    "smoothThreshold",
+    "occlusionConfidenceWeight",
+    "motionVectorConfidenceWeight",
+    "motionVectorConfidenceThreshold",
+    "flatnessConfidenceWeight",
+    "flatnessConfidenceThreshold",
+    "flatnessOverride",
+    "holeFilling.enable",
+    "holeFilling.highConfidenceThreshold",
+    "holeFilling.fillConfidenceThreshold",
+    "holeFilling.minValidDisparity",
+    "holeFilling.invalidateDisparities",
+    "adaptiveMedianFilter.enable",
+    "adaptiveMedianFilter.confidenceThreshold",
+];
+
+/// The platform that a parameter counts on, by its name; none where it counts on all.
+#[must_use]
+pub fn platform_of(name: &str) -> Option<Platform> {
+    let own = find(name).ok()?.name;
+    if RVC2_ONLY.contains(&own) {
+        Some(Platform::Rvc2)
+    } else if RVC4_ONLY.contains(&own) {
+        Some(Platform::Rvc4)
+    } else {
+        None
+    }
+}
+
 impl Parameters {
     /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
     ///
