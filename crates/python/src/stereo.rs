@@ -62,20 +62,22 @@ const FIRST_SIZE: ImageSize = ImageSize {
 /// A call, `matcher(left, right)`, matches one pair, or a batch of pairs of one size:
 ///
 /// left, right: (H, W) or (N, H, W) uint8, or uint16 of 10 bits (0 to 1023), or colours (H, W, 3 or 4) or (N, H, W, 3 or 4)
-///     uint8, of which the luma is taken. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU.
+///     uint8, of which the luma is taken. Any object with the buffer protocol, DLPack or NumPy's array interface in the
+///     memory of the CPU.
 ///
 /// Returns a dictionary. "depth": (H, W) float32 metres along the axis of the rectified left camera, 0 where nothing was
 /// measured; smaller where a filter decimates. "disparity": (H, W) float32 px, 0 where nothing was measured. "confidence":
 /// (H, W) uint8, 255 is surest. "rectified_left" and "rectified_right": what was matched. "findings": what is wrong with
-/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image".
+/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image",
+/// "same-image", "unrelated".
 /// Of a batch each array begins with N, and a finding's place with the number of its pair; pairs are matched as by a matcher
 /// that has seen none before, each on a thread of its own where there are enough.
 ///
 /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape and for two images of two
 /// sizes or kinds.
 ///
-/// A temporal filter remembers the pairs of earlier calls, but for batches, until their size changes. Safe to use from many threads; calls
-/// of one matcher wait for each other. A pickle has the settings, and a calibration with its device, but not what was seen.
+/// A temporal filter remembers the pairs of earlier calls, but for batches, until their size changes. Safe to use from many
+/// threads; calls of one matcher wait for each other. A pickle has the settings, and a calibration with its device, but not what was seen.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct StereoMatcher {
     source: Source,
@@ -361,7 +363,7 @@ impl StereoMatcher {
                 match field_of_view {
                     FieldOfView::FocalLength(fx) => options.set_item("fx", fx)?,
                     FieldOfView::Degrees(hfov) => options.set_item("hfov_deg", hfov)?,
-                    FieldOfView::Known => {}
+                    FieldOfView::Known | FieldOfView::Camera(_) => {}
                 }
                 options.set_item("baseline", baseline_m)?;
                 None

@@ -2,56 +2,16 @@
 
 use super::parameters::Parameters;
 use crate::ParameterError;
-use crate::choice::Choice;
-use crate::disparity::{DepthRounding, Subpixel};
-use crate::named::{self, Named, field, flag, text};
+use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits, text};
 use crate::preset::Platform;
-
-/// One of a few names.
-macro_rules! named {
-    ($name:literal, $field:ident, $values:literal) => {
-        Named {
-            name: $name,
-            get: |p| p.$field.text().to_owned(),
-            set: |p, value| pick(value).map(|value| p.$field = value),
-            values: $values,
-        }
-    };
-}
 
 const TABLE: [Named<Parameters>; 56] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
-    Named {
-        name: "subpixel",
-        get: |p| text(&(p.subpixel != Subpixel::Off)),
-        set: |p, value| {
-            match (named::switch(value)?, p.subpixel) {
-                (false, _) => p.subpixel = Subpixel::Off,
-                (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
-                (true, _) => {}
-            }
-            Some(())
-        },
-        values: "give true or false",
-    },
-    Named {
-        name: "subpixelFractionalBits",
-        get: |p| text(&p.subpixel.bits()),
-        set: |p, value| {
-            p.subpixel = match value.parse().ok()? {
-                0 => Subpixel::Off,
-                3 => Subpixel::Bits3,
-                4 => Subpixel::Bits4,
-                5 => Subpixel::Bits5,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give 0, 3, 4 or 5",
-    },
-    named!(
+    subpixel!("subpixel", subpixel),
+    subpixel_bits!("subpixelFractionalBits", subpixel),
+    one_of!(
         "subpixelInterpolation",
         interpolation,
         "give LINES, PARABOLA_5 or PARABOLA"
@@ -70,7 +30,7 @@ const TABLE: [Named<Parameters>; 56] = [
         "give a whole number, 0 (keep all) to 255"
     ),
     field!("numInvalidateEdgePixels", invalid_edge_px, "give whole pixels"),
-    named!(
+    one_of!(
         "kernelSize",
         kernel_size,
         "give AUTO, KERNEL_5x5, KERNEL_7x7 or KERNEL_7x9"
@@ -104,7 +64,7 @@ const TABLE: [Named<Parameters>; 56] = [
         noise_threshold_scale,
         "give a whole number"
     ),
-    named!(
+    one_of!(
         "disparityWidth",
         disparity_width,
         "give DISPARITY_64 or DISPARITY_96"
@@ -196,25 +156,7 @@ const TABLE: [Named<Parameters>; 56] = [
         "give a whole number, 0 to 255"
     ),
     field!("paths", paths, "give 3, 4, 5, 6 or 8"),
-    Named {
-        name: "depthRounding",
-        get: |p| {
-            match p.depth_rounding {
-                DepthRounding::Nearest => "nearest",
-                DepthRounding::Truncate => "truncate",
-            }
-            .to_owned()
-        },
-        set: |p, value| {
-            p.depth_rounding = match value {
-                "nearest" => DepthRounding::Nearest,
-                "truncate" => DepthRounding::Truncate,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give nearest or truncate",
-    },
+    one_of!("depthRounding", depth_rounding, "give nearest or truncate"),
     Named {
         name: "confidenceThresholdV2",
         get: |p| text(&p.confidence_threshold_v2()),
@@ -226,8 +168,11 @@ const TABLE: [Named<Parameters>; 56] = [
     },
 ];
 
-/// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
+named::by_name!(Parameters, TABLE, unknown);
+
+fn unknown(name: &str) -> ParameterError {
+    named::unknown("stereo-matching", name, &NAMES)
+}
 
 /// Those that count on one platform only.
 const RVC2_ONLY: [&str; 5] = [
@@ -266,7 +211,7 @@ const RVC4_ONLY: [&str; 23] = [
 /// The platform that a parameter counts on, by its name; none where it counts on all.
 #[must_use]
 pub fn platform_of(name: &str) -> Option<Platform> {
-    let own = find(name).ok()?.name;
+    let own = named::find(&TABLE, name, unknown).ok()?.name;
     if RVC2_ONLY.contains(&own) {
         Some(Platform::Rvc2)
     } else if RVC4_ONLY.contains(&own) {
@@ -274,30 +219,4 @@ pub fn platform_of(name: &str) -> Option<Platform> {
     } else {
         None
     }
-}
-
-impl Parameters {
-    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
-    ///
-    /// # Errors
-    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
-    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        find(name)?.change(self, value, Self::check)
-    }
-
-    /// One of [`NAMES`], as [`Parameters::set`] takes it.
-    ///
-    /// # Errors
-    /// No such name.
-    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
-        find(name).map(|named| (named.get)(self))
-    }
-}
-
-fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
-    named::find(&TABLE, name, || named::unknown("stereo-matching", name, &NAMES))
-}
-
-fn pick<C: Choice>(value: &str) -> Option<C> {
-    C::CHOICES.iter().copied().find(|choice| choice.text() == value)
 }

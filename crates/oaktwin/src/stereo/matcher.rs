@@ -276,6 +276,12 @@ fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, Para
             Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
         }
         FieldOfView::Degrees(hfov) => Err(wrong("hfov", hfov, "give degrees between 0 and 180")),
+        FieldOfView::Camera(camera) if camera.intrinsics.size == size => Ok(camera.intrinsics),
+        FieldOfView::Camera(camera) => Err(ParameterError {
+            name: "camera".to_owned(),
+            what: format!("its images are {}, and these {size}", camera.intrinsics.size),
+            remedy: "give the camera at their size".to_owned(),
+        }),
         FieldOfView::Known => Err(ParameterError {
             name: "fx".to_owned(),
             what: "nothing says the images' field of view".to_owned(),

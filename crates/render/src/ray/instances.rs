@@ -4,6 +4,9 @@ use oaktwin_scene::Scene;
 use super::bvh::{self, Bounds, Item, Node};
 use super::mesh_tree::MeshTree;
 
+/// The most instances of a leaf: to look into one costs more than to look at its box.
+const LEAF: usize = 1;
+
 /// The boxes over a scene's instances.
 #[derive(Debug)]
 pub(crate) struct Instances {
@@ -36,7 +39,7 @@ impl Instances {
                 items.push(Item::new(bounds, index));
             }
         }
-        let nodes = bvh::build(&mut items);
+        let nodes = bvh::build(&mut items, LEAF);
         let bounds = Bounds::of_nodes(&nodes[0]);
         let order = items.iter().map(Item::index).collect();
         Self {

@@ -26,7 +26,7 @@ impl MeshTree {
                 bounds.is_finite().then(|| Item::new(bounds, index))
             })
             .collect();
-        let nodes = bvh::build(&mut items);
+        let nodes = bvh::build(&mut items, bvh::LEAF);
         let triangles = items
             .par_iter()
             .with_min_len(4096)

@@ -1,4 +1,3 @@
-use super::LEAF;
 use super::bounds::{Bounds, Item};
 
 /// How finely the surface area heuristic looks for a place to split.
@@ -95,8 +94,9 @@ impl Bins {
         self
     }
 
-    /// The cut with the least surface area times leaves; `None` where all is in one slice.
-    pub(super) fn best_cut(&self) -> Option<Cut> {
+    /// The cut with the least surface area times leaves of at most `leaf` items; `None` where all is in one slice.
+    pub(super) fn best_cut(&self, leaf: usize) -> Option<Cut> {
+        let leaves = |items| leaves(items, leaf);
         let mut best: Option<(f32, Cut)> = None;
         for axis in 0..3 {
             let (bounds, counts) = (&self.bounds[axis], &self.counts[axis]);
@@ -131,6 +131,6 @@ impl Bins {
 
 /// How many leaves items fill, at best: a leaf costs the same however full it is.
 #[allow(clippy::cast_precision_loss, reason = "a heuristic")]
-fn leaves(items: u32) -> f32 {
-    (items as usize).div_ceil(LEAF) as f32
+fn leaves(items: u32, leaf: usize) -> f32 {
+    (items as usize).div_ceil(leaf) as f32
 }

@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
+use super::Node;
 use super::bins::{Bins, Grid};
 use super::bounds::{Bounds, Item};
-use super::{LEAF, Node};
 
 /// From here on down a range is halved whatever its shape, so that no tree is deeper than this and 32 halvings.
 const DEEPEST: u32 = 48;
@@ -13,8 +13,8 @@ const PARALLEL: usize = 1 << 14;
 /// So many items are put into slices at a time where that is done in parallel.
 const CHUNK: usize = 1 << 16;
 
-/// The nodes over all items, the root first; leaves refer to the items' new order.
-pub(crate) fn build(items: &mut [Item]) -> Vec<Node> {
+/// The nodes over all items, the root first; leaves, of at most `leaf` items, refer to the items' new order.
+pub(crate) fn build(items: &mut [Item], leaf: usize) -> Vec<Node> {
     let measured = items.par_chunks(CHUNK).map(measure).reduce(
         || (Bounds::EMPTY, Bounds::EMPTY),
         |a, b| (a.0.join(b.0), a.1.join(b.1)),
@@ -25,6 +25,7 @@ pub(crate) fn build(items: &mut [Item]) -> Vec<Node> {
         bounds: measured.0,
         centers: measured.1,
         depth: 0,
+        leaf,
     };
     let mut nodes = Vec::new();
     if range.items.is_empty() {
@@ -43,6 +44,8 @@ struct Range<'a> {
     bounds: Bounds,
     centers: Bounds,
     depth: u32,
+    /// The most items of a leaf.
+    leaf: usize,
 }
 
 fn measure(items: &[Item]) -> (Bounds, Bounds) {
@@ -61,7 +64,7 @@ fn center(item: &Item) -> Bounds {
 
 impl<'a> Range<'a> {
     fn is_leaf(&self) -> bool {
-        self.items.len() <= LEAF
+        self.items.len() <= self.leaf
     }
 
     /// Two halves, neither of them empty.
@@ -91,6 +94,7 @@ impl<'a> Range<'a> {
             bounds,
             centers,
             depth: self.depth + 1,
+            leaf: self.leaf,
         };
         [
             part(self.first, below, cut.below, centers[0]),
@@ -108,7 +112,7 @@ impl<'a> Range<'a> {
         } else {
             Bins::new(&grid, self.items)
         };
-        Some((grid, bins.best_cut()?))
+        Some((grid, bins.best_cut(self.leaf)?))
     }
 
     /// In the middle of the list: for items that no plane tells apart.
@@ -123,6 +127,7 @@ impl<'a> Range<'a> {
                 bounds,
                 centers,
                 depth: self.depth + 1,
+                leaf: self.leaf,
             }
         })
     }
@@ -136,7 +141,7 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
         low.extend(high);
         return low;
     }
-    let most = items_per_child(range.items.len());
+    let most = items_per_child(range.items.len(), range.leaf);
     let mut children = Vec::with_capacity(8);
     children.push(range);
     while children.len() < 8 {
@@ -156,13 +161,13 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
 
 /// How many items a child of a node over so many may have: as many as fill whole levels of the tree below it, so that
 /// nodes near the leaves, which are nearly all, have all their children.
-fn items_per_child(items: usize) -> usize {
-    let mut most = LEAF;
+fn items_per_child(items: usize, leaf: usize) -> usize {
+    let mut most = leaf;
     while most * 8 < items - items / 8 {
         most *= 8;
     }
     // Halves are never quite equal.
-    if most > LEAF { most + most / 8 } else { most }
+    if most > leaf { most + most / 8 } else { most }
 }
 
 /// Up to four parts.

@@ -41,7 +41,7 @@ fn check_build(bounds: &[Bounds]) -> usize {
         .zip(bounds)
         .map(|(index, b)| Item::new(*b, index))
         .collect();
-    let nodes = build(&mut items);
+    let nodes = build(&mut items, LEAF);
     check(&nodes, &items, bounds)
 }
 
@@ -116,7 +116,7 @@ fn the_number_of_threads_changes_nothing() {
             .zip(&bounds)
             .map(|(index, b)| Item::new(*b, index))
             .collect();
-        let nodes = pool.install(|| build(&mut items));
+        let nodes = pool.install(|| build(&mut items, LEAF));
         let order: Vec<u32> = items.iter().map(Item::index).collect();
         (format!("{nodes:?}"), order)
     };
