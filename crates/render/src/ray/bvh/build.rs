@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
+use super::Node;
 use super::bins::{Bins, Grid};
 use super::bounds::{Bounds, Item};
-use super::Node;
 
 /// From here on down a range is halved whatever its shape, so that no tree is deeper than this and 32 halvings.
 const DEEPEST: u32 = 48;
