@@ -37,14 +37,22 @@ def cameras(folder: Path) -> Iterator[tuple[str, Path, bool]]:
             yield camera.name, camera, True
 
 
-def focal_length(params: Path) -> float | None:
-    """Pixels, from a camera_params_*.json; None where there is none."""
+def image_camera(params: Path) -> oaktwin.Camera | None:
+    """What took the images, from a camera_params_*.json; None where there is none. A lens is left aside: a depth sensor's
+    images are rectified."""
     if not params.is_file():
         return None
     said = json.loads(params.read_text(encoding="utf-8"))
+    width, height = said["renderProductResolution"]
     if said.get("cameraModel", "pinhole") == "pinhole":
-        return said["cameraProjection"][0] * said["renderProductResolution"][0] / 2
-    return said["cameraOpenCVFx"]
+        p = said["cameraProjection"]
+        fx, fy = p[0] * width / 2, p[5] * height / 2
+        # Of normalized device coordinates: y up, from the image's border, not from the centre of the first pixel.
+        cx, cy = (1 - p[8]) * width / 2 - 0.5, (1 + p[9]) * height / 2 - 0.5
+    else:
+        fx, fy = said["cameraOpenCVFx"], said["cameraOpenCVFy"]
+        cx, cy = said["cameraFisheyeOpticalCentre"]
+    return oaktwin.Camera((width, height), K=[[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
 
 
 def read_picture(path: Path) -> np.ndarray | None:
@@ -122,20 +130,21 @@ def main() -> None:
 
         depth_files = sorted((beside(ANNOTATOR, "", "npy").parent).glob(f"{ANNOTATOR}_*.npy"))
         numbers = [match[1] for file in depth_files if (match := re.fullmatch(rf"{ANNOTATOR}_(\d+)\.npy", file.name))]
-        sensor, focal = None, None
+        sensor, params = None, None
         for number in sorted(numbers, key=int):
             depth = np.load(beside(ANNOTATOR, number, "npy"))
             rgb = None if options.no_rgb else read_picture(beside("rgb", number, "png"))
-            # One sensor for a camera's frames, in their order: filters remember. Another field of view is another sensor.
-            its_focal = focal_length(beside("camera_params", number, "json"))
-            if sensor is None or its_focal != focal:
-                focal = its_focal
+            # One sensor for a camera's frames, in their order: filters remember. Another camera is another sensor.
+            camera = image_camera(beside("camera_params", number, "json"))
+            its_params = camera and (camera.size, camera.K.tolist())
+            if sensor is None or its_params != params:
+                params = its_params
                 sensor = oaktwin.DepthSensor(
                     device,
                     sensor=prims.get(name),
                     preset=options.preset,
                     seed=options.seed,
-                    fx=focal,
+                    camera=camera,
                     name=name if name and not own else None,
                 )
             measured = sensor(depth, rgb, frame=int(number))

@@ -59,6 +59,19 @@ class Parameters:
     p2Config_smoothValue: int = 63
     edgeThreshold: int = 15
     smoothThreshold: int = 5
+    occlusionConfidenceWeight: int = 20
+    motionVectorConfidenceWeight: int = 4
+    motionVectorConfidenceThreshold: int = 1
+    flatnessConfidenceWeight: int = 8
+    flatnessConfidenceThreshold: int = 2
+    flatnessOverride: bool = False
+    holeFilling_enable: bool = True
+    holeFilling_highConfidenceThreshold: int = 210
+    holeFilling_fillConfidenceThreshold: int = 200
+    holeFilling_minValidDisparity: int = 1
+    holeFilling_invalidateDisparities: bool = True
+    adaptiveMedianFilter_enable: bool = True
+    adaptiveMedianFilter_confidenceThreshold: int = 200
     paths: int = 4
 
 
@@ -196,11 +209,88 @@ def one_pass(left, right, bits, full_width, p, invalid_edge):
 
     x = np.arange(width)[None, :]
     partner = x - own
-    kept = (partner >= 0) & (confidence >= p.confidenceThreshold) & (x >= invalid_edge)
+    there = right_disparities(sums, disparities)[np.arange(height)[:, None], np.maximum(partner, 0)]
+    apart = np.where((partner >= 0) & (there >= 0), np.abs(there - own), 10**6)
+    kept = (partner >= 0) & (x >= invalid_edge)
     if p.leftRightCheck:
-        there = right_disparities(sums, disparities)[np.arange(height)[:, None], np.maximum(partner, 0)]
-        kept &= (there >= 0) & (np.abs(there - own) <= p.leftRightCheckThreshold)
-    return np.where(kept, fixed, 0), confidence
+        kept &= apart <= p.leftRightCheckThreshold
+    if p.platform == "RVC4":
+        confidence = metrics(fixed, apart <= 1, confidence.astype(np.int64), p)
+        if p.holeFilling_enable:
+            fixed = fill_holes(fixed, confidence, superpixels(grey), p)
+        if p.adaptiveMedianFilter_enable:
+            fixed = adaptive_median(fixed, confidence, p)
+    kept &= confidence >= p.confidenceThreshold
+    return np.where(kept, fixed, 0), confidence.astype(np.uint8)
+
+
+def around(image):
+    """The 3×3 neighbours, first axis; beyond a border is what is at it."""
+    height, width = image.shape
+    padded = np.pad(image, 1, mode="edge")
+    return np.stack([padded[y : y + height, x : x + width] for y in range(3) for x in range(3)])
+
+
+def metrics(fixed, seen, share, p):
+    """The confidence of RVC4."""
+    bits = p.subpixelFractionalBits
+    apart = np.clip(around(fixed) - fixed, -(16 << bits), 16 << bits)
+    variance = 9 * (apart**2).sum(0) - apart.sum(0) ** 2
+    still = 255 - np.minimum((variance << p.motionVectorConfidenceThreshold) >> (2 * bits + 1), 255)
+    steep = np.clip(8 * share - 255 * p.flatnessConfidenceThreshold, 0, 255)
+    if p.flatnessOverride:
+        return steep
+    weighted = (
+        p.occlusionConfidenceWeight * 255 * seen
+        + p.motionVectorConfidenceWeight * still
+        + p.flatnessConfidenceWeight * steep
+    )
+    return np.minimum(weighted >> 5, 255)
+
+
+def superpixels(grey, side=8, rounds=2):
+    """Each pixel's superpixel: the number of the cell that its centre began in."""
+    height, width = grey.shape
+    y, x = np.mgrid[0:height, 0:width]
+    columns = -(-width // side)
+    rows = -(-height // side)
+    own = y // side * columns + x // side
+    label = own
+    for _ in range(rounds):
+        count = np.bincount(label.ravel(), minlength=rows * columns)
+        means = []
+        for what in (x, y, grey):
+            total = np.bincount(label.ravel(), what.ravel(), rows * columns).astype(np.int64)
+            means.append((total + count // 2) // np.maximum(count, 1))
+        least, best = np.full(grey.shape, 10**9), label
+        for dy in (-1, 0, 1):
+            for dx in (-1, 0, 1):
+                row, column = y // side + dy, x // side + dx
+                there = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
+                cell = np.where(there, row * columns + column, 0)
+                distance = (x - means[0][cell]) ** 2 + (y - means[1][cell]) ** 2 + (grey - means[2][cell]) ** 2
+                better = there & (count[cell] > 0) & (distance < least)
+                least, best = np.where(better, distance, least), np.where(better, cell, best)
+        label = best
+    return label
+
+
+def fill_holes(fixed, confidence, label, p):
+    sure = confidence > p.holeFilling_highConfidenceThreshold
+    size = label.max() + 1
+    count = np.bincount(label.ravel(), minlength=size)
+    sures = np.bincount(label[sure], minlength=size)
+    total = np.bincount(label[sure], fixed[sure], size).astype(np.int64)
+    mean = (total + sures // 2) // np.maximum(sures, 1)
+    enough = (sures > 0) & (sures << p.holeFilling_minValidDisparity >= count)
+    filled = np.where(enough[label], mean[label], 0 if p.holeFilling_invalidateDisparities else fixed)
+    return np.where(confidence < p.holeFilling_fillConfidenceThreshold, filled, fixed)
+
+
+def adaptive_median(fixed, confidence, p):
+    near = around(fixed)
+    medians = np.median(np.where(near == 0, fixed, near), axis=0).astype(np.int64)
+    return np.where(confidence < p.adaptiveMedianFilter_confidenceThreshold, medians, fixed)
 
 
 def fractions(sums, best, p):

@@ -41,6 +41,18 @@ SETTINGS = [
     {"platform": "RVC4", "noiseThresholdOffset": 1, "noiseThresholdScale": 1, "confidenceThreshold": 20},
     {"platform": "RVC4", "noiseThresholdScale": -40, "p1Config_enableAdaptive": False, "p2Config_enableAdaptive": False},
     {"platform": "RVC4", "p1Config_enableAdaptive": False, "p2Config_smoothValue": 90, "paths": 5, "confidenceThreshold": 0},
+    {"platform": "RVC4", "holeFilling_enable": False, "adaptiveMedianFilter_enable": False, "confidenceThreshold": 0},
+    {"platform": "RVC4", "occlusionConfidenceWeight": 0, "leftRightCheck": False, "motionVectorConfidenceWeight": 32,
+     "motionVectorConfidenceThreshold": 0, "confidenceThreshold": 120, "subpixelFractionalBits": 0},
+    {"platform": "RVC4", "leftRightCheck": False, "motionVectorConfidenceThreshold": 3, "confidenceThreshold": 0,
+     "holeFilling_minValidDisparity": 3, "holeFilling_invalidateDisparities": False, "subpixelFractionalBits": 3},
+    {"platform": "RVC4", "flatnessOverride": True, "flatnessConfidenceThreshold": 7, "numInvalidateEdgePixels": 20},
+    {"platform": "RVC4", "extendedDisparity": True, "occlusionConfidenceWeight": 14, "motionVectorConfidenceWeight": 16,
+     "flatnessConfidenceWeight": 2, "flatnessConfidenceThreshold": 4, "holeFilling_highConfidenceThreshold": 240,
+     "holeFilling_fillConfidenceThreshold": 251, "confidenceThreshold": 97},
+    {"platform": "RVC4", "occlusionConfidenceWeight": 32, "flatnessConfidenceWeight": 32, "enableCompanding": True,
+     "holeFilling_minValidDisparity": 2, "adaptiveMedianFilter_confidenceThreshold": 255, "confidenceThreshold": 0},
+    {"platform": "RVC4", "holeFilling_enable": False, "adaptiveMedianFilter_confidenceThreshold": 255, "confidenceThreshold": 0},
 ]
 
 SIZES = [(24, 200), (17, 131), (9, 300), (30, 61), (3, 700), (1, 40), (20, 1), (2, 3)]
@@ -53,8 +65,8 @@ def ask():
         pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
     process = subprocess.Popen([named], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
-    def request(**fields):
-        process.stdin.write(json.dumps({"op": "stereo_matching", **fields}) + "\n")
+    def request(op="stereo_matching", **fields):
+        process.stdin.write(json.dumps({"op": op, **fields}) + "\n")
         process.stdin.flush()
         answer = json.loads(process.stdout.readline())
         assert "error" not in answer, answer
@@ -179,3 +191,74 @@ def test_findings(ask, tmp_path):
         paths = {name: str(tmp_path / f"{name}.npy") for name in ("left", "right", "disparity", "confidence")}
         found = ask(width=1280, set={}, **paths)["findings"]
         assert set(codes) <= set(found) and (codes or not found), (codes, found)
+
+
+# Where DepthAI's configuration has a parameter that is named otherwise here.
+PLACES = {
+    "subpixel": "algorithmControl.enableSubpixel",
+    "subpixelFractionalBits": "algorithmControl.subpixelFractionalBits",
+    "extendedDisparity": "algorithmControl.enableExtended",
+    "disparityShift": "algorithmControl.disparityShift",
+    "leftRightCheck": "algorithmControl.enableLeftRightCheck",
+    "leftRightCheckThreshold": "algorithmControl.leftRightCheckThreshold",
+    "numInvalidateEdgePixels": "algorithmControl.numInvalidateEdgePixels",
+    "censusTransform.threshold": "censusTransform.threshold",
+    "alpha": "costMatching.linearEquationParameters.alpha",
+    "beta": "costMatching.linearEquationParameters.beta",
+    "linearEquationParameters.threshold": "costMatching.linearEquationParameters.threshold",
+    "edgeThreshold": "costAggregation.p1Config.edgeThreshold",
+    "smoothThreshold": "costAggregation.p1Config.smoothThreshold",
+}
+SECTIONS = ["", "censusTransform.", "costMatching.", "costAggregation.", "confidenceMetrics.", "postProcessing."]
+OURS = {"focalLength", "baseline", "width", "subpixelInterpolation", "platform", "penaltyShift", "paths", "depthRounding",
+        "confidenceThresholdV2"}
+
+
+def depthai_value(config, name):
+    """What DepthAI's configuration has under one of our names, as text."""
+    for place in [PLACES[name]] if name in PLACES else [section + name for section in SECTIONS]:
+        value = config
+        for part in place.split("."):
+            value = getattr(value, part, None)
+        if value is not None:
+            value = getattr(value, "name", value)
+            return str(value).lower() if isinstance(value, bool) else str(value)
+    raise AssertionError(f"DepthAI has no {name}")
+
+
+def test_defaults_are_depthais(ask):
+    config = pytest.importorskip("depthai").StereoDepthConfig()
+    for platform in ("RVC2", "RVC4"):
+        ours = ask(op="stereo_matching_parameters", platform=platform)["parameters"]
+        for name in set(ours) - OURS:
+            # RVC2 has no such thresholds, and here 0 stands for that.
+            if platform == "RVC2" and name.startswith("noiseThreshold"):
+                assert ours[name] == "0"
+                continue
+            theirs = depthai_value(config, name)
+            assert ours[name] == (hex(int(theirs)) if name == "kernelMask" else theirs), name
+
+
+def blank_pair(random, height=200, width=1280, level=60, sigma=2.0):
+    """A wall without texture in too little light: nothing but noise."""
+    return [
+        np.clip(np.round(level + sigma * random.standard_normal((height, width))), 0, 255).astype(np.uint8)
+        for _ in range(2)
+    ]
+
+
+def test_a_blank_wall_of_rvc4(matched):
+    """Less of it is measured than without the steps that RVC4 has, and a textured one as well as without."""
+    random = np.random.default_rng(11)
+    rvc4 = {"platform": "RVC4", "noiseThresholdOffset": 1, "noiseThresholdScale": 1}
+    plain = {**rvc4, "holeFilling_enable": False, "adaptiveMedianFilter_enable": False}
+    left, right = blank_pair(random)
+    kept = {}
+    for name, settings in (("RVC2", {}), ("RVC4, without", plain), ("RVC4", rvc4)):
+        found, _ = matched(left, right, **settings)
+        kept[name] = (found > 0).mean()
+        figures = np.mean([quality(matched(l, r, **settings)[0] / 32, d, seen) for _, l, r, d, seen in scenes()], 0)
+        print(f"{name}: blank {kept[name]:.2%} kept; scenes {figures[0]:.3f} found, {figures[1]:.2%} > 1 px")
+        assert figures[0] > 0.985 and figures[1] < 0.02
+    assert kept["RVC4"] < 0.08 and kept["RVC4"] < kept["RVC2"] / 1.5
+    assert kept["RVC4"] < kept["RVC4, without"] / 4

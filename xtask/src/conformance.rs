@@ -1,9 +1,9 @@
 //! `cargo xtask conformance`: the program as a user runs it, against Isaac Sim's own output.
 
 use std::path::PathBuf;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
-use crate::python::{ENVIRONMENTS, Interpreter};
+use crate::python::{CURRENT, isolated};
 use crate::workspace;
 
 #[derive(clap::Args)]
@@ -36,16 +36,11 @@ pub(crate) fn run(args: &Args) -> ExitCode {
 }
 
 fn compare(data: PathBuf) -> Result<u8, String> {
-    let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin"])?;
-    let program = programs
-        .remove("oaktwin")
-        .ok_or("cargo built no program named oaktwin")?;
-    let [current, _] = &ENVIRONMENTS;
-    let python = current.prepare(current.choose(&Interpreter::find_all())?)?;
+    let program = workspace::build_program("oaktwin", &["--workspace"])?;
+    let python = CURRENT.ready()?;
     let script = workspace::root().join("tests/oracles/conformance.py");
-    let mut command = Command::new(python);
+    let mut command = isolated(&python);
     command.arg(script).arg(program).arg(data);
-    command.env_remove("PYTHONPATH").env_remove("PYTHONHOME");
     let status = command
         .status()
         .map_err(|error| format!("{}: {error}", workspace::shown(&command)))?;

@@ -2,14 +2,13 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use crate::python::{Interpreter, PACKAGE, build_wheel, install_wheel};
+use crate::python::{PACKAGE, build_wheel, install_wheel, isolated};
 use crate::workspace::{self, output};
 
 /// Builds the package as it is now and its manual; prints where that is.
 pub(crate) fn run() -> Result<(), String> {
-    let python = PACKAGE.prepare(PACKAGE.choose(&Interpreter::find_all())?)?;
+    let python = PACKAGE.ready()?;
     install_wheel(&python, &build_wheel(&python, "dev")?)?;
     let page = build(&python)?;
     println!("{}", page.display());
@@ -22,9 +21,9 @@ pub(crate) fn build(python: &Path) -> Result<PathBuf, String> {
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
-    let mut command = Command::new(python);
+    let mut command = isolated(python);
     command.current_dir(workspace::root());
     command.arg("docs/python/build.py").arg(&folder);
-    output(command.env_remove("PYTHONPATH").env_remove("PYTHONHOME"))?;
+    output(&mut command)?;
     Ok(folder.join("index.html"))
 }

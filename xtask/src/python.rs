@@ -29,13 +29,16 @@ pub(crate) struct Environment {
 /// The tests that ask other people's libraries.
 const ORACLES: &str = "tests/oracles";
 
-/// The newest OpenUSD and the other oracles; the OpenUSD generation of Isaac Sim 5.1.
+/// The newest OpenUSD and the other oracles.
+pub(crate) const CURRENT: Environment = Environment {
+    name: "current",
+    versions: ((3, 11), None),
+    tests: ORACLES,
+};
+
+/// That, and the OpenUSD generation of Isaac Sim 5.1.
 pub(crate) const ENVIRONMENTS: [Environment; 2] = [
-    Environment {
-        name: "current",
-        versions: ((3, 11), None),
-        tests: ORACLES,
-    },
+    CURRENT,
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),
@@ -142,6 +145,11 @@ impl Environment {
         workspace::target().join("oracles").join(self.name)
     }
 
+    /// Made, with the first interpreter that it can be made with; the path of its Python.
+    pub(crate) fn ready(&self) -> Result<PathBuf, String> {
+        self.prepare(self.choose(&Interpreter::find_all())?)
+    }
+
     /// Makes it if it is not there as its requirements file has it; the path of its Python.
     pub(crate) fn prepare(&self, interpreter: &Interpreter) -> Result<PathBuf, String> {
         let pins = workspace::root().join(format!("tests/oracles/requirements-{}.txt", self.name));
@@ -150,6 +158,13 @@ impl Environment {
         let folder = workspace::target().join("oracles");
         prepare_in(&folder, self.name, interpreter, &pins, &stamp)
     }
+}
+
+/// A Python that does not see the packages of whoever runs this.
+pub(crate) fn isolated(python: &Path) -> Command {
+    let mut command = Command::new(python);
+    command.env_remove("PYTHONPATH").env_remove("PYTHONHOME");
+    command
 }
 
 /// What a requirements file pins, with the files that it names: their texts one after the other.

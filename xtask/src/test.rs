@@ -219,29 +219,15 @@ fn build_programs(all: bool) -> Result<Programs, String> {
 fn build_with_rerun() -> Result<PathBuf, String> {
     let folder = workspace::target().join("rerun");
     let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
-    let arguments = [
-        "-p",
-        "oaktwin-cli",
-        "--features",
-        "rerun",
-        "--bin",
-        "oaktwin",
-        "--target-dir",
-        folder,
-    ];
-    let mut programs = workspace::build(&arguments)?;
-    programs
-        .remove("oaktwin")
-        .ok_or_else(|| "cargo built no program named oaktwin".to_owned())
+    let arguments = ["-p", "oaktwin-cli", "--features", "rerun", "--target-dir", folder];
+    workspace::build_program("oaktwin", &arguments)
 }
 
 /// A pinned environment's: nothing of the user's own Python gets in.
 fn interpreter(python: &Path) -> Command {
-    let mut command = Command::new(python);
+    let mut command = python::isolated(python);
     command
         .current_dir(workspace::root())
-        .env_remove("PYTHONPATH")
-        .env_remove("PYTHONHOME")
         .env("PYTHONDONTWRITEBYTECODE", "1");
     command
 }

@@ -131,6 +131,13 @@ pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, Str
     Ok(programs)
 }
 
+/// Builds a program with these arguments besides; its path.
+pub(crate) fn build_program(name: &str, arguments: &[&str]) -> Result<PathBuf, String> {
+    build(&[arguments, &["--bin", name]].concat())?
+        .remove(name)
+        .ok_or_else(|| format!("cargo built no program named {name}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

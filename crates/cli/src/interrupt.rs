@@ -1,5 +1,6 @@
 //! Ctrl-C while files are written: the first asks to stop after a whole file, the second ends the program.
 
+use std::ops::ControlFlow;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -17,7 +18,11 @@ pub(crate) fn watch() -> Result<()> {
     .map_err(|error| format!("Ctrl-C cannot be watched ({error}); try again").into())
 }
 
-/// Whether somebody asked.
-pub(crate) fn asked() -> bool {
-    ASKED.load(Ordering::SeqCst)
+/// Whether to go on: until somebody asked.
+pub(crate) fn flow() -> ControlFlow<()> {
+    if ASKED.load(Ordering::SeqCst) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
 }

@@ -1,5 +1,6 @@
 //! A bar on standard error for what takes longer than a moment; none where that is no terminal.
 
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -32,6 +33,21 @@ impl Progress {
         // What there is to do may become known on the way.
         bar.set_length(total);
         bar.set_position(done);
+    }
+}
+
+/// The bar of what several threads do.
+pub(crate) struct SharedProgress(Mutex<Progress>);
+
+impl SharedProgress {
+    pub(crate) fn new() -> Self {
+        Self(Mutex::new(Progress::new()))
+    }
+
+    pub(crate) fn at(&self, done: u64, total: u64) {
+        if let Ok(mut progress) = self.0.lock() {
+            progress.at(done, total);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use oaktwin_camera::StereoGeometry;
 
+use crate::choice::choice;
 use crate::simd::{self, Kernel};
 
 /// The fractional bits of a disparity.
@@ -30,6 +31,22 @@ impl Subpixel {
         }
     }
 
+    /// So many bits; none where the device has no such mode.
+    pub(crate) fn of_bits(bits: u32) -> Option<Self> {
+        [Self::Off, Self::Bits3, Self::Bits4, Self::Bits5]
+            .into_iter()
+            .find(|subpixel| subpixel.bits() == bits)
+    }
+
+    /// On, with the bits there are or else the default's, or off.
+    pub(crate) fn switched(self, is_on: bool) -> Self {
+        match (is_on, self) {
+            (false, _) => Self::Off,
+            (true, Self::Off) => Self::default(),
+            (true, own) => own,
+        }
+    }
+
     /// The step, px.
     #[must_use]
     pub fn step_px(self) -> f64 {
@@ -37,14 +54,14 @@ impl Subpixel {
     }
 }
 
-/// How depth becomes whole millimetres. What the device does is not published.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DepthRounding {
-    /// The nearest, halves up.
-    #[default]
-    Nearest,
-    /// The one below.
-    Truncate,
+choice! {
+    /// How depth becomes whole millimetres. What the device does is not published.
+    DepthRounding {
+        /// the nearest, halves up.
+        Nearest = "nearest",
+        /// the one below.
+        Truncate = "truncate",
+    }
 }
 
 /// What a disparity image counts in.

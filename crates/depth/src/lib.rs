@@ -9,11 +9,14 @@
 //! name, the frame and the pixel, never on threads, tiles, batch order or call history.
 
 pub mod align;
+mod batch;
 mod choice;
 mod disparity;
 pub mod dots;
 mod error;
 pub mod filter;
+#[cfg(test)]
+mod fixture;
 pub mod imager;
 pub mod measure;
 mod named;

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use oaktwin_diagnostic::{fold_name, nearest};
 
 use crate::ParameterError;
+use crate::choice::Choice;
 
 /// One parameter of `P`: its name, how to read and to change it, and what it may be.
 pub(crate) struct Named<P: 'static> {
@@ -44,6 +45,86 @@ macro_rules! flag {
 }
 pub(crate) use flag;
 
+/// One of a few named values.
+macro_rules! one_of {
+    ($name:literal, $($field:ident).+, $values:literal) => {
+        $crate::named::Named {
+            name: $name,
+            get: |p| p.$($field).+.name().to_owned(),
+            set: |p, value| $crate::named::pick(value).map(|value| p.$($field).+ = value),
+            values: $values,
+        }
+    };
+}
+pub(crate) use one_of;
+
+/// Whether disparities have a fraction.
+macro_rules! subpixel {
+    ($name:literal, $($field:ident).+) => {
+        $crate::named::Named {
+            name: $name,
+            get: |p| $crate::named::text(&(p.$($field).+.bits() > 0)),
+            set: |p, value| {
+                let is_on = $crate::named::switch(value)?;
+                p.$($field).+ = p.$($field).+.switched(is_on);
+                Some(())
+            },
+            values: $crate::named::FLAG,
+        }
+    };
+}
+pub(crate) use subpixel;
+
+/// Of how many bits it is.
+macro_rules! subpixel_bits {
+    ($name:literal, $($field:ident).+) => {
+        $crate::named::Named {
+            name: $name,
+            get: |p| $crate::named::text(&p.$($field).+.bits()),
+            set: |p, value| {
+                p.$($field).+ = $crate::disparity::Subpixel::of_bits(value.parse().ok()?)?;
+                Some(())
+            },
+            values: "give 0, 3, 4 or 5",
+        }
+    };
+}
+pub(crate) use subpixel_bits;
+
+/// `NAMES` of a table, and of its parameters `set`, `get` and `by_name`. A name that is none has the error that `$unknown`
+/// makes of it.
+macro_rules! by_name {
+    ($parameters:ty, $table:ident, $unknown:expr) => {
+        /// The names of all parameters: `DepthAI`'s where it has one.
+        pub const NAMES: [&str; $table.len()] = $crate::named::names(&$table);
+
+        impl $parameters {
+            /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
+            ///
+            /// # Errors
+            /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
+            pub fn set(&mut self, name: &str, value: &str) -> Result<(), $crate::ParameterError> {
+                $crate::named::find(&$table, name, $unknown)?.change(self, value, Self::check)
+            }
+
+            /// One of [`NAMES`], as [`set`](Self::set) takes it.
+            ///
+            /// # Errors
+            /// No such name.
+            pub fn get(&self, name: &str) -> Result<String, $crate::ParameterError> {
+                let named = $crate::named::find(&$table, name, $unknown)?;
+                Ok((named.get)(self))
+            }
+
+            /// All of [`NAMES`], as [`set`](Self::set) takes them.
+            pub fn by_name(&self) -> impl Iterator<Item = (&'static str, String)> {
+                $table.iter().map(|named| (named.name, (named.get)(self)))
+            }
+        }
+    };
+}
+pub(crate) use by_name;
+
 /// The names of a table.
 pub(crate) const fn names<P, const N: usize>(table: &[Named<P>; N]) -> [&'static str; N] {
     let mut names = [""; N];
@@ -59,11 +140,11 @@ pub(crate) const fn names<P, const N: usize>(table: &[Named<P>; N]) -> [&'static
 pub(crate) fn find<P>(
     table: &'static [Named<P>],
     name: &str,
-    unknown: impl FnOnce() -> ParameterError,
+    unknown: impl FnOnce(&str) -> ParameterError,
 ) -> Result<&'static Named<P>, ParameterError> {
     let folded = fold_name(name);
     let found = table.iter().find(|named| fold_name(named.name) == folded);
-    found.ok_or_else(unknown)
+    found.ok_or_else(|| unknown(name))
 }
 
 /// The error for a name that is none of an engine's.
@@ -107,6 +188,10 @@ pub(crate) fn text(value: &impl Display) -> String {
 pub(crate) fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
     *field = value.parse().ok()?;
     Some(())
+}
+
+pub(crate) fn pick<C: Choice>(value: &str) -> Option<C> {
+    C::CHOICES.iter().copied().find(|choice| choice.text() == value)
 }
 
 pub(crate) fn switch(value: &str) -> Option<bool> {

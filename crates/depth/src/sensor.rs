@@ -24,6 +24,23 @@ pub enum Engine {
     StereoMatching(StereoMatching),
 }
 
+impl Engine {
+    /// Its parameters by name with their values, as their `set` takes them.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<(&'static str, String)> {
+        match self {
+            Self::SingleView(engine) => {
+                let (names, own) = (single_view::Parameters::NAMES, engine.parameters());
+                let named = |name: &&'static str| Some((*name, own.get(name)?));
+                names.iter().filter_map(named).collect()
+            }
+            Self::StereoNoise(engine) => engine.parameters().by_name().collect(),
+            Self::TimeOfFlight(engine) => engine.parameters().by_name().collect(),
+            Self::StereoMatching(engine) => engine.parameters().by_name().collect(),
+        }
+    }
+}
+
 /// An engine with its filters: looks at one image after the other, and may remember earlier ones.
 ///
 /// # Where filters run

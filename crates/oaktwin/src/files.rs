@@ -70,6 +70,15 @@ impl FileError {
     }
 }
 
+/// A file that was written.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct WrittenFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its length.
+    pub bytes: u64,
+}
+
 /// Reads a whole file of at most `limit` bytes, of which `what` (`a calibration`) never has more.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Grey images of a camera: 8 bits, or 10.
 
-use numpy::{Element, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::depth::imager::Recorded;
 use oaktwin::image::Image;
@@ -16,8 +16,18 @@ use crate::images::array;
 /// The largest number of 10 bits.
 const TEN_BITS: u16 = 1023;
 
-/// (H, W) uint8, or uint16 of 10 bits; colours (H, W, 3 or 4) uint8 become luma.
-pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Recorded> {
+/// What a camera recorded, once or many times.
+pub(crate) struct Images {
+    /// How many; `None` of one image that is no batch.
+    pub(crate) batch: Option<usize>,
+    pub(crate) size: ImageSize,
+    /// Of 10 bits.
+    pub(crate) is_wide: bool,
+    pub(crate) images: Vec<Recorded>,
+}
+
+/// (H, W) or (N, H, W) uint8, or uint16 of 10 bits; colours (..., H, W, 3 or 4) uint8 become luma.
+pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Images> {
     let array = view(name, object)?;
     let is_wide = is_like::<u16>(&array);
     if !is_wide && !is_like::<u8>(&array) {
@@ -26,8 +36,9 @@ pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Recorded> 
             array.dtype()
         )));
     }
-    let (size, channels) = shape(name, &array)?;
-    if is_wide {
+    let (batch, size, channels) = shape(name, &array)?;
+    let numbers = size.width as usize * size.height as usize * channels;
+    let images = if is_wide {
         if channels > 1 {
             return Err(PyTypeError::new_err(format!(
                 "{name}: its colours are {}; give uint8, or grey",
@@ -40,35 +51,55 @@ pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Recorded> 
             let is = format!("has numbers of more than 10 bits, up to {most}");
             return Err(wrong(name, is, "give 0 to 1023: of 16 bits the upper 10 (>> 6)"));
         }
-        return image(name, size, values.to_vec()).map(Recorded::Ten);
-    }
-    let values = contiguous::<u8>(name, &array)?;
-    let values = values.as_slice().map_err(error)?;
-    let grey = match channels {
+        let images = values.chunks_exact(numbers);
+        let one = |values: &[u16]| image(name, size, values.to_vec()).map(Recorded::Ten);
+        images.map(one).collect::<PyResult<_>>()?
+    } else {
+        let values = contiguous::<u8>(name, &array)?;
+        let values = values.as_slice().map_err(error)?;
+        let images = values.chunks_exact(numbers);
+        let one = |values: &[u8]| image(name, size, grey(values, channels)).map(Recorded::Eight);
+        images.map(one).collect::<PyResult<_>>()?
+    };
+    Ok(Images {
+        batch,
+        size,
+        is_wide,
+        images,
+    })
+}
+
+fn grey(values: &[u8], channels: usize) -> Vec<u8> {
+    match channels {
         3 => values.as_chunks::<3>().0.iter().copied().map(luma).collect(),
         4 => {
             let colours = values.as_chunks::<4>().0.iter();
             colours.map(|&[r, g, b, _]| luma([r, g, b])).collect()
         }
         _ => values.to_vec(),
-    };
-    image(name, size, grey).map(Recorded::Eight)
+    }
 }
 
-/// Rows and columns, and how many numbers a pixel has.
-fn shape(name: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<(ImageSize, usize)> {
-    let (height, width, channels) = match *array.shape() {
-        [height, width] => (height, width, 1),
-        [height, width, channels @ (1 | 3 | 4)] => (height, width, channels),
+/// How many, rows and columns, and how many numbers a pixel has.
+fn shape(name: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<(Option<usize>, ImageSize, usize)> {
+    let (batch, height, width, channels) = match *array.shape() {
+        [height, width] => (None, height, width, 1),
+        [height, width, channels @ (1 | 3 | 4)] => (None, height, width, channels),
+        [count, height, width] => (Some(count), height, width, 1),
+        [count, height, width, channels @ (1 | 3 | 4)] => (Some(count), height, width, channels),
         _ => {
             let is = format!("has shape {:?}", array.shape());
-            return Err(wrong(name, is, "give one image (H, W), or colours (H, W, 3)"));
+            return Err(wrong(
+                name,
+                is,
+                "give one image (H, W), colours (H, W, 3), or a batch (N, H, W)",
+            ));
         }
     };
     let side = |length: usize| u32::try_from(length).unwrap_or(u32::MAX);
     let size = ImageSize::new(side(width), side(height));
     check_size(size).map_err(|found| error(format!("{name}: {found}")))?;
-    Ok((size, channels))
+    Ok((batch, size, channels))
 }
 
 fn image<T: Element>(name: &str, size: ImageSize, values: Vec<T>) -> PyResult<Image<T>> {
@@ -81,5 +112,35 @@ pub(crate) fn recorded(py: Python<'_>, image: Recorded) -> PyResult<Bound<'_, Py
     match image {
         Recorded::Eight(image) => array(py, image),
         Recorded::Ten(image) => array(py, image),
+    }
+}
+
+/// Images of one size as one array (N, H, W).
+pub(crate) struct Stack<T> {
+    count: usize,
+    size: (u32, u32),
+    values: Vec<T>,
+}
+
+impl<T: Element + Clone> Stack<T> {
+    /// Of images of this width and height.
+    pub(crate) fn new(size: (u32, u32)) -> Self {
+        Self {
+            count: 0,
+            size,
+            values: Vec::new(),
+        }
+    }
+
+    pub(crate) fn push(&mut self, image: &Image<T>) {
+        self.count += 1;
+        self.size = (image.width(), image.height());
+        self.values.extend_from_slice(image.pixels());
+    }
+
+    pub(crate) fn array(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        let (width, height) = (self.size.0 as usize, self.size.1 as usize);
+        let values = PyArray1::from_vec(py, self.values);
+        Ok(values.reshape([self.count, height, width])?.into_any())
     }
 }

@@ -3,12 +3,13 @@ use std::sync::{Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
 use oaktwin::catalog::{Origin, Role};
+use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::{Method, RectifyOptions};
 use oaktwin::depth::stereo_matching::{NAMES, Pair};
 use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::{Engine, SensorOptions, platform};
-use oaktwin::stereo::{Matcher, PairOf, StereoError, check_calibration};
+use oaktwin::stereo::{Matcher, PairOf, Seen, StereoError, check_calibration};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -18,7 +19,7 @@ use crate::choice::choose;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
-use crate::grey::{read, recorded};
+use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
 use crate::settings::Settings;
 use crate::threads;
@@ -58,21 +59,25 @@ const FIRST_SIZE: ImageSize = ImageSize {
 /// Raises oaktwin.Error for a device without a pair, or whose calibration does not say how it is placed; for a preset,
 /// filter or parameter that does not exist or is out of its range, with the nearest names.
 ///
-/// A call, `matcher(left, right)`, matches one pair:
+/// A call, `matcher(left, right)`, matches one pair, or a batch of pairs of one size:
 ///
-/// left, right: (H, W) uint8, or uint16 of 10 bits (0 to 1023), or colours (H, W, 3 or 4) uint8, of which the luma is
-///     taken. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU.
+/// left, right: (H, W) or (N, H, W) uint8, or uint16 of 10 bits (0 to 1023), or colours (H, W, 3 or 4) or (N, H, W, 3 or 4)
+///     uint8, of which the luma is taken. Any object with the buffer protocol, DLPack or NumPy's array interface in the
+///     memory of the CPU.
 ///
 /// Returns a dictionary. "depth": (H, W) float32 metres along the axis of the rectified left camera, 0 where nothing was
 /// measured; smaller where a filter decimates. "disparity": (H, W) float32 px, 0 where nothing was measured. "confidence":
 /// (H, W) uint8, 255 is surest. "rectified_left" and "rectified_right": what was matched. "findings": what is wrong with
-/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image".
+/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image",
+/// "same-image", "unrelated".
+/// Of a batch each array begins with N, and a finding's place with the number of its pair; pairs are matched as by a matcher
+/// that has seen none before, each on a thread of its own where there are enough.
 ///
 /// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape and for two images of two
 /// sizes or kinds.
 ///
-/// A temporal filter remembers the pairs of earlier calls, until their size changes. Safe to use from many threads; calls
-/// of one matcher wait for each other. A pickle has the settings, and a calibration with its device, but not what was seen.
+/// A temporal filter remembers the pairs of earlier calls, but for batches, until their size changes. Safe to use from many
+/// threads; calls of one matcher wait for each other. A pickle has the settings, and a calibration with its device, but not what was seen.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct StereoMatcher {
     source: Source,
@@ -188,6 +193,85 @@ impl Source {
 }
 
 impl StereoMatcher {
+    /// Uses the matcher of a size, the interpreter released.
+    fn with_matcher<T: Send>(
+        &self,
+        py: Python<'_>,
+        size: ImageSize,
+        work: impl FnOnce(&mut Matcher) -> Result<T, StereoError> + Send,
+    ) -> PyResult<T> {
+        py.check_signals()?;
+        let done = py.detach(|| {
+            // Taken before the pool's threads are: they never wait for it.
+            let mut matcher = self.matcher.lock().unwrap_or_else(PoisonError::into_inner);
+            let matcher = &mut *matcher;
+            threads::install(|| {
+                if matcher.size() != size {
+                    *matcher = self.source.matcher(self.platform, &self.options, size)?;
+                }
+                work(matcher)
+            })
+        })?;
+        done.map_err(error)
+    }
+
+    fn match_batch<'py>(&self, py: Python<'py>, left: Images, right: Images) -> PyResult<Bound<'py, PyDict>> {
+        let (size, is_wide) = (left.size, left.is_wide);
+        if (right.size, right.is_wide) != (size, is_wide) {
+            let is = format!("is {} of another kind than left, {size}", right.size);
+            return Err(wrong("right", is, "give both in one size and type"));
+        }
+        let own = (size.width, size.height);
+        let smaller = self.with_matcher(py, size, |matcher| {
+            Ok(matcher.sensor().filters().size(size.width, size.height))
+        })?;
+        let (mut depth, mut disparity) = (Stack::new(smaller), Stack::new(smaller));
+        let mut confidence = Stack::new(own);
+        let mut eight = [Stack::new(own), Stack::new(own)];
+        let mut ten = [Stack::new(own), Stack::new(own)];
+        let mut findings = Vec::new();
+        // As many as are matched at once, then signals are looked at.
+        let at_once = threads::install(rayon::current_num_threads)?.max(1);
+        let mut pairs = left.images.into_iter().zip(right.images);
+        for first in (0..).step_by(at_once) {
+            let some: Vec<[Recorded; 2]> = pairs.by_ref().take(at_once).map(Into::into).collect();
+            if some.is_empty() {
+                break;
+            }
+            let seen: Vec<Seen> = self.with_matcher(py, size, |matcher| matcher.look_all(some, first))?;
+            for seen in seen {
+                depth.push(&seen.capture.distance.0);
+                if let Some(fixed) = seen.capture.disparity {
+                    disparity.push(&fixed.to_px());
+                }
+                if let Some(sure) = seen.capture.confidence {
+                    confidence.push(&sure);
+                }
+                for ((rectified, eight), ten) in seen.rectified.iter().zip(&mut eight).zip(&mut ten) {
+                    match rectified {
+                        Recorded::Eight(image) => eight.push(image),
+                        Recorded::Ten(image) => ten.push(image),
+                    }
+                }
+                findings.extend(seen.findings);
+            }
+        }
+        let all = PyDict::new(py);
+        all.set_item("depth", depth.array(py)?)?;
+        all.set_item("disparity", disparity.array(py)?)?;
+        all.set_item("confidence", confidence.array(py)?)?;
+        for ((name, eight), ten) in ["rectified_left", "rectified_right"]
+            .into_iter()
+            .zip(eight)
+            .zip(ten)
+        {
+            let images = if is_wide { ten.array(py)? } else { eight.array(py)? };
+            all.set_item(name, images)?;
+        }
+        all.set_item("findings", finding::list(&findings))?;
+        Ok(all)
+    }
+
     /// Asks the matcher of the size that was looked at last.
     fn ask<T: Send>(&self, py: Python<'_>, what: impl FnOnce(&mut Matcher) -> T + Send) -> T {
         py.detach(|| what(&mut self.matcher.lock().unwrap_or_else(PoisonError::into_inner)))
@@ -279,7 +363,7 @@ impl StereoMatcher {
                 match field_of_view {
                     FieldOfView::FocalLength(fx) => options.set_item("fx", fx)?,
                     FieldOfView::Degrees(hfov) => options.set_item("hfov_deg", hfov)?,
-                    FieldOfView::Known => {}
+                    FieldOfView::Known | FieldOfView::Camera(_) => {}
                 }
                 options.set_item("baseline", baseline_m)?;
                 None
@@ -300,23 +384,26 @@ impl StereoMatcher {
         left: &Bound<'py, PyAny>,
         right: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (left, right) = (read("left", left)?, read("right", right)?);
+        let (mut left, mut right) = (read("left", left)?, read("right", right)?);
+        let (left, right) = match (left.batch, right.batch) {
+            (None, None) => match (left.images.pop(), right.images.pop()) {
+                (Some(left), Some(right)) => (left, right),
+                _ => return Err(wrong("left, right", "have no image", "give one")),
+            },
+            (count, other) if count == other => return self.match_batch(py, left, right),
+            (count, other) => {
+                let words = |count: Option<usize>| match count {
+                    Some(count) => format!("a batch of {count}"),
+                    None => "one image".to_owned(),
+                };
+                let is = format!("is {}, left {}", words(other), words(count));
+                return Err(wrong("right", is, "give a right image for each left one"));
+            }
+        };
         // Before another size makes it forget.
         Pair::new(&left, &right).map_err(error)?;
         let size = ImageSize::new(left.width(), left.height());
-        py.check_signals()?;
-        let seen = py.detach(|| {
-            // Taken before the pool's threads are: they never wait for it.
-            let mut matcher = self.matcher.lock().unwrap_or_else(PoisonError::into_inner);
-            let matcher = &mut *matcher;
-            threads::install(|| {
-                if matcher.size() != size {
-                    *matcher = self.source.matcher(self.platform, &self.options, size)?;
-                }
-                matcher.look(left, right)
-            })
-        })?;
-        let seen = seen.map_err(error)?;
+        let seen = self.with_matcher(py, size, |matcher| matcher.look(left, right))?;
         let [left, right] = seen.rectified;
         let all = PyDict::new(py);
         all.set_item("depth", array(py, seen.capture.distance.0)?)?;

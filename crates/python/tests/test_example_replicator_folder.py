@@ -48,10 +48,10 @@ def frames(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def several(tmp_path_factory):
-    """A folder for each of two depth sensors' cameras, below them one for each annotator. In their own size: a smaller image's
-    principal point is not quite in its middle, where the script takes a time-of-flight camera's to be."""
+    """A folder for each of two depth sensors' cameras, below them one for each annotator. Smaller than their own size: the
+    principal points are not quite in the middle then."""
     return render(tmp_path_factory.mktemp("rendered") / "several", "--model", "OAK-D ToF", "--look-at", 3, -2, 1.5, 0, 0, 0.5,
-                  "--annotators", "distance_to_image_plane,rgb,camera_params")  # fmt: skip
+                  "--resolution", "320x200", "--annotators", "distance_to_image_plane,rgb,camera_params")  # fmt: skip
 
 
 def results(folder):
@@ -94,7 +94,7 @@ def test_several_cameras(several, tmp_path):
     pytest.importorskip("PIL", reason="Pillow is not installed")
     ours, theirs = (shutil.copytree(several, tmp_path / name) for name in ["ours", "theirs"])
     printed = run(SCRIPT, ours, "--model", "OAK-D ToF")
-    assert "2 frames, 2 cameras" in printed and "Camera_pseudo_depth_tof 0000: 640x480" in printed
+    assert "2 frames, 2 cameras" in printed and "Camera_pseudo_depth_tof 0000: 320x200" in printed
     run("-m", "oaktwin", "sense", theirs, "--model", "OAK-D ToF")
     got = results(ours)
     assert len(got) == 2 and got == results(theirs)

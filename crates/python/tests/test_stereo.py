@@ -461,3 +461,44 @@ def test_accuracy_of_matching(program):
     )
     assert measured.report["distances"] == json.loads(text)["distances"]
     assert measured.rows[0]["error_percent"] < 2
+
+
+def test_a_batch_is_as_one_pair_at_a_time(textured):
+    left, right, _, _ = textured
+    lefts = np.stack([np.roll(left, 7 * k, axis=0) for k in range(5)])
+    rights = np.stack([np.roll(right, 7 * k, axis=0) for k in range(5)])
+    lefts[2] = rights[2] = 90
+    for options in [{}, {"platform": "rvc4"}, {"preset": "default"}, {"preset": "robotics", "platform": "rvc4"}]:
+        matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)
+        seen = matcher(lefts, rights)
+        for k in range(5):
+            alone = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)(lefts[k], rights[k])
+            for name in set(alone) - {"findings"}:
+                assert seen[name].dtype == alone[name].dtype
+                assert np.array_equal(seen[name][k], alone[name]), (options, k, name)
+        assert [(finding.code, finding.place[:7]) for finding in seen["findings"]] == [("no-texture", "pair 2:")]
+        # Nothing of it is remembered.
+        assert same(matcher(lefts[0], rights[0]), oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)(left, right))
+
+
+def test_kinds_of_batches(matcher, textured):
+    left, right, _, _ = textured
+    seen = matcher(left, right)
+    ten = matcher(left[None].astype(np.uint16) * 4, right[None].astype(np.uint16) * 4)
+    assert ten["rectified_left"].dtype == np.uint16 and ten["depth"].shape == (1, 120, 320)
+    colours = matcher(np.stack([left] * 3, -1)[None], np.stack([right] * 3, -1)[None])
+    assert np.array_equal(colours["depth"][0], seen["depth"])
+    none = matcher(np.zeros((0, 12, 20), np.uint8), np.zeros((0, 12, 20), np.uint8))
+    assert {name: array.shape for name, array in none.items() if name != "findings"} == dict.fromkeys(
+        ["depth", "disparity", "confidence", "rectified_left", "rectified_right"], (0, 12, 20)
+    )
+    wrong = [
+        ((left[None], right), "a batch of 1"),
+        ((left[None], np.stack([right, right])), "a batch of 2"),
+        ((left[None], right[None, :, :-1]), "one size"),
+        ((left[None], right[None].astype(np.uint16)), "type"),
+        ((left[None, None], right[None, None]), "batch"),
+    ]
+    for images, message in wrong:
+        with pytest.raises(oaktwin.Error, match=message):
+            matcher(*images)

@@ -1,8 +1,29 @@
 //! The depth sensor of a stage: the attributes of NVIDIA's schemas on a render product or its camera, as authored.
 
 use crate::asset::IsaacVersion;
-use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
+pub use crate::nvidia::OUTLIER_REMOVAL;
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
+
+/// The attributes of both schemas with the types that Isaac Sim 5.1 gives them; `outlierRemovalEnabled` is a `bool` in 6.
+/// What else is a `bool` is a switch, the rest shapes what the sensor reports. Source: Kit's schema; ovrtx documents the same
+/// fourteen.
+pub const ATTRIBUTES: [(&str, &str); 14] = [
+    ("baselineMM", "float"),
+    ("confidenceThreshold", "float"),
+    ("enabled", "bool"),
+    ("focalLengthPixel", "float"),
+    ("maxDisparityPixel", "float"),
+    ("maxDistance", "float"),
+    ("minDistance", "float"),
+    ("noiseDownscaleFactorPixel", "float"),
+    ("noiseMean", "float"),
+    ("noiseSigma", "float"),
+    (OUTLIER_REMOVAL, "int"),
+    ("rgbDepthOutputMode", "int"),
+    ("sensorSizePixel", "float"),
+    ("showDistance", "bool"),
+];
 
 /// What a stage says about a depth sensor; what it does not say has the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]

@@ -12,4 +12,4 @@ pub(crate) const CAMERA_NAMESPACE: &str = "omni:sensor:depthSensor:";
 /// itself.
 pub(crate) const SENSOR_SCHEMA: &str = "OmniSensorAPI";
 /// An `int` in Isaac Sim 5.x, a range in pixels; a `bool` in 6.x.
-pub(crate) const OUTLIER_REMOVAL: &str = "outlierRemovalEnabled";
+pub const OUTLIER_REMOVAL: &str = "outlierRemovalEnabled";

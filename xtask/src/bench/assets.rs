@@ -5,7 +5,8 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use super::median;
-use crate::python::{ENVIRONMENTS, Interpreter};
+use super::turns::Script;
+use crate::python::CURRENT;
 use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
@@ -25,8 +26,7 @@ const RUNS_IN_PROCESS: usize = 20;
 struct Contestants {
     library: PathBuf,
     program: PathBuf,
-    python: PathBuf,
-    script: PathBuf,
+    peer: Script,
 }
 
 /// Medians, in seconds.
@@ -67,14 +67,10 @@ impl Contestants {
                 .ok_or(format!("cargo built no program named {name}"))
         };
         let (program, library) = (take("oaktwin")?, take("time_assets")?);
-        let [current, _] = &ENVIRONMENTS;
-        let python = current.prepare(current.choose(&Interpreter::find_all())?)?;
-        let script = workspace::root().join("tests/oracles/bench_assets.py");
         Ok(Self {
             library,
             program,
-            python,
-            script,
+            peer: Script::new(&CURRENT, "bench_assets.py")?,
         })
     }
 
@@ -90,8 +86,8 @@ impl Contestants {
             program.push(whole(
                 Command::new(&self.program).args(["asset", "all", "-o"]).arg(into),
             )?);
-            python_inside.push(inside(self.python().arg(empty(folder, "python")?))?);
-            python_whole.push(whole(self.python().arg(empty(folder, "python")?).arg("1"))?);
+            python_inside.push(inside(self.peer.command().arg(empty(folder, "python")?))?);
+            python_whole.push(whole(self.peer.command().arg(empty(folder, "python")?).arg("1"))?);
         }
         Ok(Medians {
             library: median(library),
@@ -99,15 +95,6 @@ impl Contestants {
             python_inside: median(python_inside),
             python_whole: median(python_whole),
         })
-    }
-
-    fn python(&self) -> Command {
-        let mut command = Command::new(&self.python);
-        command
-            .arg(&self.script)
-            .env_remove("PYTHONPATH")
-            .env_remove("PYTHONHOME");
-        command
     }
 }
 

@@ -1,13 +1,14 @@
 //! The sensor models and filters, against the same steps in NumPy and against DepthAI's own filters.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use serde_json::Value;
 
 use super::median;
-use crate::python::{ENVIRONMENTS, Interpreter};
+use super::turns::{Script, Times, lines, program};
+use crate::python::CURRENT;
 use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
@@ -26,13 +27,6 @@ pub(crate) struct Args {
     no_python: bool,
 }
 
-/// Seconds a frame, by the clock and of processor time.
-#[derive(Default)]
-struct Times {
-    wall: Vec<f64>,
-    cpu: Vec<f64>,
-}
-
 /// A case of ours on so many threads, or of a peer.
 #[derive(Default)]
 struct Case {
@@ -46,23 +40,13 @@ const THREADS: [u64; 2] = [1, 2];
 
 /// Measures and prints.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let package = [
-        "--release",
-        "--package",
-        "oaktwin-testkit",
-        "--no-default-features",
-    ];
-    let mut programs = workspace::build(&[&package[..], &["--bin", "depth-bench"]].concat())?;
-    let own = programs
-        .remove("depth-bench")
-        .ok_or("cargo built no program named depth-bench")?;
+    let own = program("depth-bench")?;
     let folder = workspace::target().join("bench-depth");
     output(Command::new(&own).arg("make").arg(&folder))?;
-    let python = if args.no_python {
+    let peers = if args.no_python {
         None
     } else {
-        let [current, _] = &ENVIRONMENTS;
-        Some(current.prepare(current.choose(&Interpreter::find_all())?)?)
+        Some(Script::new(&CURRENT, "bench_depth.py")?)
     };
 
     let mut names: Vec<String> = Vec::new();
@@ -85,10 +69,11 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
                 case.by_threads.entry(threads).or_default().take(&line);
             }
         }
-        for line in python
-            .as_deref()
-            .map_or(Ok(Vec::new()), |python| peer_lines(python, &folder, args))?
-        {
+        let peer_lines = match &peers {
+            Some(peers) => lines(&output(peers.command().arg(&folder).arg(&args.case))?),
+            None => Vec::new(),
+        };
+        for line in peer_lines {
             let text = |key: &str| line[key].as_str().unwrap_or_default().to_owned();
             if let Some(case) = cases.get_mut(&text("case")) {
                 case.peers.entry(text("peer")).or_default().take(&line);
@@ -114,35 +99,6 @@ fn own_lines(own: &Path, args: &Args, threads: u64) -> Result<Vec<Value>, String
     Ok(lines(&output(&mut command)?))
 }
 
-fn peer_lines(python: &Path, folder: &Path, args: &Args) -> Result<Vec<Value>, String> {
-    let script: PathBuf = workspace::root().join("tests/oracles/bench_depth.py");
-    let mut command = Command::new(python);
-    command
-        .arg(script)
-        .arg(folder)
-        .arg(&args.case)
-        .env_remove("PYTHONPATH")
-        .env_remove("PYTHONHOME");
-    Ok(lines(&output(&mut command)?))
-}
-
-fn lines(text: &str) -> Vec<Value> {
-    text.lines()
-        .filter_map(|line| serde_json::from_str(line).ok())
-        .collect()
-}
-
-impl Times {
-    fn take(&mut self, line: &Value) {
-        let numbers = |key: &str| {
-            let list = line[key].as_array().cloned().unwrap_or_default();
-            list.into_iter().filter_map(|value| value.as_f64())
-        };
-        self.wall.extend(numbers("wall_s"));
-        self.cpu.extend(numbers("cpu_s"));
-    }
-}
-
 /// Copying, read and written together.
 fn print_bandwidth(bandwidths: BTreeMap<u64, Vec<f64>>) {
     for (threads, values) in bandwidths {
@@ -166,10 +122,7 @@ fn print_cases(names: &[String], mut cases: BTreeMap<String, Case>) {
         let Some(mut case) = cases.remove(name) else {
             continue;
         };
-        let mut times = |threads: u64| {
-            let times = case.by_threads.remove(&threads).unwrap_or_default();
-            (median(times.wall), median(times.cpu))
-        };
+        let mut times = |threads: u64| case.by_threads.remove(&threads).unwrap_or_default().medians();
         let ((one, one_cpu), (two, _)) = (times(1), times(2));
         let rate = |seconds: f64| format!("{:.2} ({:.0})", seconds * 1e3, 1.0 / seconds);
         let own = format!(
@@ -183,7 +136,7 @@ fn print_cases(names: &[String], mut cases: BTreeMap<String, Case>) {
             println!("{own} | | |");
         }
         for (peer, times) in case.peers {
-            let (wall, cpu) = (median(times.wall), median(times.cpu));
+            let (wall, cpu) = times.medians();
             println!(
                 "{own} {peer} | {:.1} | {:.1} x ({:.1}) |",
                 wall * 1e3,

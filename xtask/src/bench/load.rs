@@ -6,7 +6,8 @@ use std::process::Command;
 use serde_json::Value;
 
 use super::median;
-use crate::python::{ENVIRONMENTS, Interpreter};
+use super::turns::{Script, Times, lines};
+use crate::python::CURRENT;
 use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
@@ -26,34 +27,21 @@ struct Stage {
 /// Who opens, and how often in a process: the first time is its warm-up.
 struct Loaders {
     own: PathBuf,
-    python: PathBuf,
-    script: PathBuf,
+    peer: Script,
 }
 
 const OPENINGS: usize = 3;
 
-/// Seconds by the clock and of processor time.
-#[derive(Default)]
-struct Times {
-    wall: Vec<f64>,
-    cpu: Vec<f64>,
-}
-
 /// Measures and prints.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let mut programs =
-        workspace::build(&["--release", "--package", "oaktwin-testkit", "--bin", "load-bench"])?;
-    let [current, _] = &ENVIRONMENTS;
+    let package = ["--release", "--package", "oaktwin-testkit"];
     let loaders = Loaders {
-        own: programs
-            .remove("load-bench")
-            .ok_or("cargo built no program named load-bench")?,
-        python: current.prepare(current.choose(&Interpreter::find_all())?)?,
-        script: workspace::root().join("tests/oracles/bench_load.py"),
+        own: workspace::build_program("load-bench", &package)?,
+        peer: Script::new(&CURRENT, "bench_load.py")?,
     };
     let folder = workspace::target().join("bench-load");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    output(loaders.python().arg("make").arg(&folder))?;
+    output(loaders.peer.command().arg("make").arg(&folder))?;
 
     println!(
         "Opening and extracting, medians of {} rounds in turns; in parentheses the ratio of processor times\n",
@@ -106,11 +94,12 @@ impl Loaders {
                 .arg(&stage.file)
                 .args([OPENINGS, stage.frames].map(|n| n.to_string()));
             last = lines(&output(&mut command)?);
-            own.take(&last[..OPENINGS.min(last.len())]);
+            last.iter().take(OPENINGS).skip(1).for_each(|line| own.take(line));
             for (what, peer) in &mut peers {
-                let mut python = self.python();
+                let mut python = self.peer.command();
                 python.arg(what).arg(&stage.file).arg(OPENINGS.to_string());
-                peer.take(&lines(&output(&mut python)?));
+                let opened = lines(&output(&mut python)?);
+                opened.iter().skip(1).for_each(|line| peer.take(line));
             }
         }
         let triangles = last
@@ -132,35 +121,6 @@ impl Loaders {
         );
         Ok(last.split_off(OPENINGS.min(last.len())))
     }
-
-    fn python(&self) -> Command {
-        let mut command = Command::new(&self.python);
-        command
-            .arg(&self.script)
-            .env_remove("PYTHONPATH")
-            .env_remove("PYTHONHOME");
-        command
-    }
-}
-
-impl Times {
-    fn medians(self) -> (f64, f64) {
-        (median(self.wall), median(self.cpu))
-    }
-
-    /// All but the warm-up.
-    fn take(&mut self, lines: &[Value]) {
-        for line in lines.iter().skip(1) {
-            self.wall.extend(line["wall_s"].as_f64());
-            self.cpu.extend(line["cpu_s"].as_f64());
-        }
-    }
-}
-
-fn lines(text: &str) -> Vec<Value> {
-    text.lines()
-        .filter_map(|line| serde_json::from_str(line).ok())
-        .collect()
 }
 
 /// Colour beside depth, the same view in turns.

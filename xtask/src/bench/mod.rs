@@ -6,6 +6,7 @@ mod load;
 mod python;
 mod render;
 mod stereo;
+mod turns;
 
 #[derive(clap::Subcommand)]
 pub(crate) enum Bench {

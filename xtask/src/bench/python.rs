@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::python::{Interpreter, PEERS, build_wheel, install_wheel};
+use crate::python::{PEERS, build_wheel, install_wheel};
 use crate::workspace::{self, check};
 
 #[derive(clap::Args)]
@@ -17,7 +17,7 @@ pub(crate) struct Args {
 
 /// Measures and prints.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let python = PEERS.prepare(PEERS.choose(&Interpreter::find_all())?)?;
+    let python = PEERS.ready()?;
     install_wheel(&python, &build_wheel(&python, &args.profile)?)?;
     let script = workspace::root().join("tests/oracles/bench_python.py");
     check(Command::new(&python).arg(script).arg(args.rounds.to_string()))

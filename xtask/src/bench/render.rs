@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::python::{Interpreter, RENDER};
+use super::turns::{Script, program};
+use crate::python::RENDER;
 use crate::workspace::{self, check, output};
 
 #[derive(clap::Args)]
@@ -15,18 +16,7 @@ pub(crate) struct Args {
 
 /// Prepares and runs it; what cannot be prepared is named and left out.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    // Not the whole workspace: reading USD takes minutes to compile and has no part in this.
-    let package = [
-        "--release",
-        "--package",
-        "oaktwin-testkit",
-        "--no-default-features",
-        "--bin",
-        "render-bench",
-    ];
-    let mut programs = workspace::build(&package)?;
-    let program = programs.remove("render-bench");
-    let program = program.ok_or("cargo built no program named render-bench")?;
+    let program = program("render-bench")?;
     if args.arguments.iter().any(|word| word == "--help" || word == "-h") {
         return check(Command::new(program).args(&args.arguments));
     }
@@ -44,8 +34,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 
 /// The Python environment, and the chess set's triangles as OpenUSD extracts them.
 fn prepare() -> Result<(), String> {
-    let interpreters = Interpreter::find_all();
-    let python = RENDER.prepare(RENDER.choose(&interpreters)?)?;
+    let script = Script::new(&RENDER, "extract_triangles.py")?;
     let data = std::env::var_os("OAKTWIN_TEST_DATA").ok_or("the chess set: OAKTWIN_TEST_DATA is not set")?;
     let stage = PathBuf::from(data).join("data/scenes/OpenChessSet/chess_set.usda");
     if !stage.exists() {
@@ -53,10 +42,9 @@ fn prepare() -> Result<(), String> {
     }
     let folder = workspace::target().join("bench-render");
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let script = workspace::root().join("tests/oracles/extract_triangles.py");
-    let mut extract = Command::new(python);
-    extract.arg(script).arg(stage);
+    let mut extract = script.command();
+    extract.arg(stage);
     extract.args(["positions.f32", "triangles.u32"].map(|part| folder.join(format!("chess.{part}"))));
-    output(extract.env_remove("PYTHONPATH").env_remove("PYTHONHOME"))?;
+    output(&mut extract)?;
     Ok(())
 }

@@ -3,10 +3,8 @@
 use std::collections::BTreeMap;
 use std::process::Command;
 
-use serde_json::Value;
-
-use super::median;
-use crate::python::{ENVIRONMENTS, Interpreter};
+use super::turns::{Script, Times, lines, program};
+use crate::python::CURRENT;
 use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
@@ -36,33 +34,15 @@ const CASES: [(&str, &[&str]); 5] = [
 
 const THREADS: [&str; 2] = ["1", "2"];
 
-/// Seconds a frame by the clock, of processor time, and the most memory.
-#[derive(Default)]
-struct Times {
-    wall: Vec<f64>,
-    cpu: Vec<f64>,
-    peak_bytes: f64,
-}
-
 /// Measures and prints.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let package = [
-        "--release",
-        "--package",
-        "oaktwin-testkit",
-        "--no-default-features",
-    ];
-    let mut programs = workspace::build(&[&package[..], &["--bin", "stereo-bench"]].concat())?;
-    let own = programs
-        .remove("stereo-bench")
-        .ok_or("cargo built no program named stereo-bench")?;
+    let own = program("stereo-bench")?;
     let folder = workspace::target().join("bench-stereo");
     output(Command::new(&own).arg("make").arg(&folder))?;
-    let python = if args.no_python {
+    let peer = if args.no_python {
         None
     } else {
-        let [current, _] = &ENVIRONMENTS;
-        Some(current.prepare(current.choose(&Interpreter::find_all())?)?)
+        Some(Script::new(&CURRENT, "bench_stereo.py")?)
     };
 
     let mut names: Vec<String> = Vec::new();
@@ -78,14 +58,11 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
                     .args(settings);
                 take(&mut names, &mut all, name, threads, &output(&mut command)?);
             }
-            if let Some(python) = &python {
-                let mut command = Command::new(python);
+            if let Some(peer) = &peer {
+                let mut command = peer.command();
                 command
-                    .arg(workspace::root().join("tests/oracles/bench_stereo.py"))
                     .args([folder.as_os_str(), threads.as_ref()])
-                    .arg(args.frames.to_string())
-                    .env_remove("PYTHONPATH")
-                    .env_remove("PYTHONHOME");
+                    .arg(args.frames.to_string());
                 take(&mut names, &mut all, "OpenCV", threads, &output(&mut command)?);
             }
         }
@@ -105,35 +82,24 @@ fn take<'a>(
     threads: &'a str,
     text: &str,
 ) {
-    let lines = text
-        .lines()
-        .filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    for line in lines {
+    for line in lines(text) {
         let name = line["peer"].as_str().unwrap_or(name).to_owned();
         if !names.contains(&name) {
             names.push(name.clone());
         }
-        let times = all.entry((name, threads)).or_default();
-        let numbers = |key: &str| {
-            let list = line[key].as_array().cloned().unwrap_or_default();
-            list.into_iter().filter_map(|value| value.as_f64())
-        };
-        times.wall.extend(numbers("wall_s"));
-        times.cpu.extend(numbers("cpu_s"));
-        times.peak_bytes = times.peak_bytes.max(line["peak_bytes"].as_f64().unwrap_or(0.0));
+        all.entry((name, threads)).or_default().take(&line);
     }
 }
 
 /// What everything is compared with.
 const PEER: &str = "OpenCV, 8 paths";
 
-fn print(names: &[String], mut all: BTreeMap<(String, &str), Times>) {
+fn print(names: &[String], all: BTreeMap<(String, &str), Times>) {
     let mut numbers = BTreeMap::new();
-    for ((name, threads), times) in std::mem::take(&mut all) {
-        numbers.insert(
-            (name, threads),
-            (median(times.wall), median(times.cpu), times.peak_bytes),
-        );
+    for ((name, threads), times) in all {
+        let peak_bytes = times.peak_bytes;
+        let (wall, cpu) = times.medians();
+        numbers.insert((name, threads), (wall, cpu, peak_bytes));
     }
     let of = |name: &str, threads: &'static str| {
         let none = (f64::NAN, f64::NAN, f64::NAN);

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
-use super::SensorArgs;
+use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -43,26 +43,8 @@ pub(crate) struct AccuracyArgs {
     #[command(flatten)]
     pub(crate) engine: SensorArgs,
 
-    /// The DepthAI calibration (JSON) of one unit: its optics
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "A measured unit")]
-    pub(crate) calibration: Option<PathBuf>,
-
-    /// Use a calibration in spite of the errors found in it
-    #[arg(long, requires = "calibration", help_heading = "A measured unit")]
-    pub(crate) force: bool,
-
-    /// Its focal length, pixels of the width below
-    #[arg(
-        long,
-        value_name = "F",
-        allow_negative_numbers = true,
-        help_heading = "A measured unit"
-    )]
-    pub(crate) focal_px: Option<f64>,
-
-    /// The width of its images: 1280 at 800P, 640 at 480P and 400P
-    #[arg(long, value_name = "W", help_heading = "A measured unit")]
-    pub(crate) stereo_width: Option<u32>,
+    #[command(flatten, next_help_heading = "A measured unit")]
+    pub(crate) unit: MeasuredUnitArgs,
 
     /// Its measured errors to lay over the curve: CSV with columns for the distance in metres and the error in percent
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "A measured unit")]
@@ -83,14 +65,8 @@ pub(crate) struct AccuracyArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
     pub(crate) plot: Option<PathBuf>,
 
-    /// Threads; by default one a core
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=1024),
-        help_heading = "Output"
-    )]
-    pub(crate) threads: Option<u32>,
+    #[command(flatten, next_help_heading = "Output")]
+    pub(crate) threads: ThreadArgs,
 
     /// Print JSON
     #[arg(long, help_heading = "Output")]

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 
-use super::SensorArgs;
+use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -11,6 +11,9 @@ use super::SensorArgs;
     mut_arg("device_seed", |arg| arg.hide(true)),
     mut_arg("filters", |arg| arg.hide(true)),
     mut_arg("isaac", |arg| arg.hide(true)),
+    mut_arg("stereo_width", |arg| arg.help(
+        "The width of its matcher's images: 1280 at 800P, 640 at 480P and 400P"
+    )),
     after_help = "RECORDING is a folder of depth images of a flat target, perpendicular to the camera, and a table \
     distances.csv in it: the columns file (an image, an NPY batch, or a folder of images) and distance_m. Or a folder in \
     the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance. Or a CSV of errors with \
@@ -67,39 +70,15 @@ pub(crate) struct FitArgs {
     #[command(flatten)]
     pub(crate) engine: SensorArgs,
 
-    /// The DepthAI calibration (JSON) of one unit: its optics
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "The recorded unit")]
-    pub(crate) calibration: Option<PathBuf>,
-
-    /// Use a calibration in spite of the errors found in it
-    #[arg(long, requires = "calibration", help_heading = "The recorded unit")]
-    pub(crate) force: bool,
-
-    /// Its focal length, pixels of the width below
-    #[arg(
-        long,
-        value_name = "F",
-        allow_negative_numbers = true,
-        help_heading = "The recorded unit"
-    )]
-    pub(crate) focal_px: Option<f64>,
-
-    /// The width of its matcher's images: 1280 at 800P, 640 at 480P and 400P
-    #[arg(long, value_name = "W", help_heading = "The recorded unit")]
-    pub(crate) stereo_width: Option<u32>,
+    #[command(flatten, next_help_heading = "The recorded unit")]
+    pub(crate) unit: MeasuredUnitArgs,
 
     /// Draw the errors, the curve through them and what it leaves: svg or png
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
     pub(crate) plot: Option<PathBuf>,
 
-    /// Threads; by default one a core
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=1024),
-        help_heading = "Output"
-    )]
-    pub(crate) threads: Option<u32>,
+    #[command(flatten, next_help_heading = "Output")]
+    pub(crate) threads: ThreadArgs,
 
     /// Print JSON
     #[arg(long, help_heading = "Output")]

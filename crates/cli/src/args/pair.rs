@@ -19,6 +19,12 @@ pub(crate) struct PairArgs {
     /// Set a parameter of the image sensors by its name; repeatable
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, long_help = imager_help())]
     pub(crate) imager: Vec<(String, String)>,
+
+    #[arg(
+        long,
+        help = "What the two cameras record too, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG"
+    )]
+    pub(crate) pair: bool,
 }
 
 impl PairArgs {
@@ -28,6 +34,7 @@ impl PairArgs {
             (self.projector.is_some(), "--projector"),
             (self.ambient.is_some(), "--ambient"),
             (!self.imager.is_empty(), "--imager"),
+            (self.pair, "--pair"),
         ]
         .into_iter()
         .find_map(|(is_given, name)| is_given.then_some(name))

@@ -5,7 +5,7 @@ use oaktwin::catalog::{DepthKind, Role};
 use oaktwin::depth::align;
 use oaktwin::sense;
 
-use super::{SensorArgs, UnitArgs};
+use super::{DepthFileArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -114,13 +114,8 @@ pub(crate) struct SenseArgs {
     )]
     pub(crate) outputs: Vec<String>,
 
-    /// Depth also as 16-bit PNG in millimetres
-    #[arg(long, help_heading = "More files")]
-    pub(crate) png16: bool,
-
-    /// Depth also as a picture, coloured by distance
-    #[arg(long, help_heading = "More files")]
-    pub(crate) preview: bool,
+    #[command(flatten, next_help_heading = "More files")]
+    pub(crate) depth_files: DepthFileArgs,
 
     /// The measured points as PLY
     #[arg(long, help_heading = "More files")]
@@ -130,14 +125,8 @@ pub(crate) struct SenseArgs {
     #[arg(long, value_enum, default_value_t = CloudFrame::Optical, help_heading = "More files")]
     pub(crate) pointcloud_frame: CloudFrame,
 
-    /// Threads; by default one a core
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=1024),
-        help_heading = "How"
-    )]
-    pub(crate) threads: Option<u32>,
+    #[command(flatten, next_help_heading = "How")]
+    pub(crate) threads: ThreadArgs,
 
     /// Print what was written as JSON
     #[arg(long, help_heading = "How")]

@@ -70,6 +70,24 @@ pub(crate) enum Engine {
 }
 
 impl SensorArgs {
+    /// The first option that was given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let settings = &self.settings;
+        [
+            (self.engine.is_some(), "--engine"),
+            (settings.preset.is_some(), "--preset"),
+            (!settings.filters.is_empty(), "--filter"),
+            (!settings.parameters.is_empty(), "--param"),
+            (settings.extended_disparity, "--extended-disparity"),
+            (self.params.is_some(), "--params"),
+            (self.isaac.is_some(), "--isaac"),
+            (self.seed != 0, "--seed"),
+            (self.device_seed.is_some(), "--device-seed"),
+        ]
+        .into_iter()
+        .find_map(|(is_given, name)| is_given.then_some(name))
+    }
+
     /// As typed, and what the file of parameters says; the intrinsics of the images come later.
     pub(crate) fn options(&self) -> Result<SensorOptions> {
         let mut options = SensorOptions {

@@ -5,7 +5,7 @@ use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 use oaktwin::depth::stereo_matching;
 
-use super::{SettingsArgs, UnitArgs};
+use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -105,26 +105,15 @@ pub(crate) struct StereoArgs {
     #[arg(long, help_heading = "More files")]
     pub(crate) rectified_images: bool,
 
-    /// Depth also as 16-bit PNG in millimetres
-    #[arg(long, help_heading = "More files")]
-    pub(crate) png16: bool,
-
-    /// Depth also as a picture, coloured by distance
-    #[arg(long, help_heading = "More files")]
-    pub(crate) preview: bool,
+    #[command(flatten, next_help_heading = "More files")]
+    pub(crate) depth_files: DepthFileArgs,
 
     /// The measured points as PLY: x right, y down, z forward
     #[arg(long, help_heading = "More files")]
     pub(crate) ply: bool,
 
-    /// Threads; by default one a core
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=1024),
-        help_heading = "How"
-    )]
-    pub(crate) threads: Option<u32>,
+    #[command(flatten, next_help_heading = "How")]
+    pub(crate) threads: ThreadArgs,
 
     /// Print what was written as JSON
     #[arg(long, help_heading = "How")]

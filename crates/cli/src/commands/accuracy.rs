@@ -2,41 +2,30 @@ mod text;
 
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::Mutex;
 
-use oaktwin::accuracy::{self, Bench, MeasuredOptics, Options, measured};
-use oaktwin::render;
+use oaktwin::accuracy::{self, Bench, Options, measured};
 
-use crate::args::{AccuracyArgs, Lens, UnitArgs};
+use crate::args::AccuracyArgs;
 use crate::context::{Context, Exit, Result};
 use crate::plot::Plot;
-use crate::progress::Progress;
+use crate::progress::SharedProgress;
 use crate::{destination, output};
 
 pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
-    let unit = UnitArgs {
-        calibration: args.calibration.clone(),
-        force: args.force,
-        lens: Lens::Pinhole,
-    };
     let options = options(args)?;
-    let (twin, mut findings) = context.twin(&args.model, &unit)?;
+    let (twin, mut findings) = context.twin(&args.model, &args.unit.unit())?;
     let curve = args.measured.as_deref().map(measured::read).transpose()?;
     if let Some(plot) = &plot {
-        let inputs = [args.measured.as_deref(), args.calibration.as_deref()];
+        let inputs = [args.measured.as_deref(), args.unit.calibration.as_deref()];
         destination::spare_inputs(plot.file, inputs)?;
     }
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
+    args.threads.apply();
     let (bench, more) = Bench::new(&twin, &options)?;
     findings.extend(more);
-    let progress = Mutex::new(Progress::new());
+    let progress = SharedProgress::new();
     let watch = |done: u64, of: u64| {
-        if let Ok(mut progress) = progress.lock() {
-            progress.at(done, of);
-        }
+        progress.at(done, of);
         ControlFlow::Continue(())
     };
     let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), &watch)?;
@@ -55,6 +44,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         output::print(&text)?;
     }
     let about = args
+        .unit
         .calibration
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
@@ -78,10 +68,7 @@ fn options(args: &AccuracyArgs) -> Result<Options> {
         devices: args.devices,
         captures: args.captures,
         region: args.region / 100.0,
-        optics: MeasuredOptics {
-            focal_length_px: args.focal_px,
-            width_px: args.stereo_width,
-        },
+        optics: args.unit.optics(),
         from_m: args.from,
     })
 }

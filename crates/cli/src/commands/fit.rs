@@ -2,52 +2,38 @@ mod text;
 
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::Mutex;
 
-use oaktwin::accuracy::MeasuredOptics;
+use oaktwin::files;
 use oaktwin::fit::{self, Options};
-use oaktwin::{files, render};
 
-use crate::args::{Also, FitArgs, Lens, UnitArgs};
+use crate::args::{Also, FitArgs};
 use crate::context::{Context, Exit, Result};
 use crate::plot::Plot;
-use crate::progress::Progress;
+use crate::progress::SharedProgress;
 use crate::{destination, output};
 
 pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
-    let unit = UnitArgs {
-        calibration: args.calibration.clone(),
-        force: args.force,
-        lens: Lens::Pinhole,
-    };
     let options = Options {
         sensor: args.sensor.clone(),
         engine: args.engine.options()?,
-        optics: MeasuredOptics {
-            focal_length_px: args.focal_px,
-            width_px: args.stereo_width,
-        },
+        optics: args.unit.optics(),
         region: args.region / 100.0,
         depth_scale: args.depth_scale,
         from_m: args.from,
         fits_focal_length: args.fit.contains(&Also::Focal),
     };
-    let (twin, mut findings) = context.twin(&args.model, &unit)?;
+    let (twin, mut findings) = context.twin(&args.model, &args.unit.unit())?;
     let written = [args.output.as_deref(), args.plot.as_deref()];
     for file in written.into_iter().flatten() {
         let inputs = args.recordings.iter().map(|path| Some(path.as_path()));
-        let others = [args.calibration.as_deref(), args.engine.params.as_deref()];
+        let others = [args.unit.calibration.as_deref(), args.engine.params.as_deref()];
         destination::spare_inputs(file, inputs.chain(others))?;
     }
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
-    let progress = Mutex::new(Progress::new());
+    args.threads.apply();
+    let progress = SharedProgress::new();
     let watch = |done: u64, of: u64| {
-        if let Ok(mut progress) = progress.lock() {
-            progress.at(done, of);
-        }
+        progress.at(done, of);
         ControlFlow::Continue(())
     };
     let (fit, more) = fit::fit(&twin, &args.recordings, &options, &watch)?;
@@ -70,6 +56,7 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         output::print(&text)?;
     }
     let about = args
+        .unit
         .calibration
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));

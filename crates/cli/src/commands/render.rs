@@ -2,8 +2,6 @@ mod asked;
 mod report;
 mod sensors;
 
-use std::ops::ControlFlow;
-
 use oaktwin::camera::ImageSize;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
@@ -29,12 +27,11 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         Some(file) => trajectory::read(file)?,
         None => Vec::new(),
     };
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
+    args.threads.apply();
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &asked::open_options(args)?)?;
     let mut findings = std::mem::take(&mut scene.findings);
+    findings.extend(asked::unused(args, &annotators));
     let (mut cameras, more) = match &oak {
         Some(oak) => oak.cameras(args, size, scene.scene.up)?,
         None => own_cameras(&scene, args, size, &path)?,
@@ -79,16 +76,13 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         backend: args.backend.into(),
         extras: asked::extras(args),
         strict: args.strict,
+        writes_pair: args.pair.pair,
         list_files: args.json,
     };
     let mut progress = Progress::new();
     let mut watch = |done: render::Done| {
         progress.at(done.images, done.of);
-        if interrupt::asked() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        interrupt::flow()
     };
     let written = render::write_frames(&renderer, &cameras, &path, &options, outputs, &mut watch);
     drop(progress);

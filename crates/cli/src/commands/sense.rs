@@ -2,9 +2,7 @@ mod asked;
 mod report;
 
 use std::io::{self, IsTerminal};
-use std::ops::ControlFlow;
 
-use oaktwin::render;
 use oaktwin::sense::{self, Done, Output, SenseError};
 
 use crate::args::SenseArgs;
@@ -17,9 +15,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let options = asked::options(args)?;
     let inputs = asked::inputs(args)?;
     let is_stream = asked::is_stream(args);
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
+    args.threads.apply();
     let (twin, calibration_findings) = context.twin(&args.model, &args.unit)?;
     if is_stream && io::stdout().is_terminal() {
         return Err(
@@ -30,11 +26,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let mut progress = Progress::new();
     let mut watch = |done: Done| {
         progress.at(done.images, done.of);
-        if interrupt::asked() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        interrupt::flow()
     };
     let mut stdout = io::stdout().lock();
     let to = if is_stream {

@@ -1,14 +1,12 @@
 mod report;
 
-use std::ops::ControlFlow;
-
 use oaktwin::catalog::Twin;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
 use oaktwin::diagnostic::Finding;
 use oaktwin::sense::FieldOfView;
 use oaktwin::stereo::{self, PairOf, StereoOptions};
-use oaktwin::{render, sensor, unit};
+use oaktwin::{sensor, unit};
 
 use crate::args::{Lens, StereoArgs};
 use crate::context::{Context, Exit, Result};
@@ -20,16 +18,14 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     let unit = twin(context, args)?;
     let of = pair_of(args, unit.as_ref().map(|(twin, _)| twin))?;
     let pairs = stereo::pairs(&args.left, &args.right)?;
-    if let Some(threads) = args.threads {
-        render::use_threads(threads as usize);
-    }
+    args.threads.apply();
     let options = StereoOptions {
         sensor: args.settings.options(),
         disparity: args.disparity,
         confidence: args.confidence,
         rectified: args.rectified_images,
-        png16: args.png16,
-        preview: args.preview,
+        png16: args.depth_files.png16,
+        preview: args.depth_files.preview,
         ply: args.ply,
     };
     interrupt::watch()?;
@@ -37,11 +33,7 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     let all = pairs.len() as u64;
     let mut watch = |done: u64| {
         progress.at(done, all);
-        if interrupt::asked() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        interrupt::flow()
     };
     let matched = stereo::stereo(&pairs, &of, &options, &args.output, &mut watch);
     drop(progress);
@@ -68,11 +60,18 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         (None, Some(file)) => {
             let product = unit::read_calibration(file)?.1.board.product_name;
             let known = context.catalog.device(&product);
-            known.map_err(|_| {
-                format!(
-                    "{}: productName: no model is called {product:?}; name one with --model",
-                    file.display()
-                )
+            known.map_err(|unknown| {
+                let names = if product.is_empty() {
+                    "the file names no model".to_owned()
+                } else {
+                    format!("no model is called {product:?}")
+                };
+                let nearest = match &unknown.nearest[..] {
+                    [] => &unknown.known,
+                    nearest => nearest,
+                };
+                let remedy = format!("name one with --model: {}", nearest.join(" or "));
+                format!("{}: productName: {names}; {remedy}", file.display())
             })?;
             product
         }

@@ -10,6 +10,7 @@ mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_pair;
 mod render_record;
 mod render_sensor;
 mod sense;

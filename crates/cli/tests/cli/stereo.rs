@@ -5,7 +5,7 @@ use std::fs;
 use oaktwin::image::npy::{self, Values};
 use oaktwin::image::{Image, png};
 
-use crate::program::{Ended, Program};
+use crate::program::{EXAMPLE, Ended, Program};
 
 const SIZE: (u32, u32) = (320, 120);
 /// px
@@ -45,6 +45,17 @@ fn floats(program: &Program, name: &str) -> Vec<f32> {
     };
     assert_eq!(array.shape, [SIZE.1 as usize, SIZE.0 as usize]);
     values
+}
+
+/// A calibration whose right camera is placed nowhere.
+fn without_pair(calibration: &str) -> String {
+    let mut json: serde_json::Value = serde_json::from_str(calibration).unwrap();
+    for camera in json["cameraData"].as_array_mut().unwrap() {
+        camera[1]["extrinsics"]["toCameraSocket"] = (-1).into();
+    }
+    json["stereoRectificationData"]["leftCameraSocket"] = (-1).into();
+    json["stereoRectificationData"]["rightCameraSocket"] = (-1).into();
+    json.to_string()
 }
 
 const PLAIN: [&str; 4] = ["--fx", "300", "--baseline", "0.075"];
@@ -111,11 +122,44 @@ fn two_folders_are_a_sequence() {
 #[test]
 fn what_is_wrong_with_a_pair() {
     let program = program();
+    let mut turned = noise(0, 0).into_pixels();
+    turned.reverse();
+    let turned = Image::new(SIZE.0, SIZE.1, turned).unwrap();
+    for (name, image) in [
+        ("turned.png", &turned),
+        ("dot.png", &Image::filled(1, 1, 90)),
+        ("narrow.png", &Image::filled(60, 40, 90)),
+        ("bright.png", &Image::filled(SIZE.0, SIZE.1, 255)),
+    ] {
+        program.put(name, png::encode(image).unwrap());
+    }
+    program.put("float.npy", npy::encode(&[2, 3], &[0f32; 6]).unwrap());
+    program.put("none.npy", npy::encode(&[0, 3], &[0u8; 0]).unwrap());
+    program.put("deep.npy", npy::encode(&[5, 2, 7], &[0u8; 70]).unwrap());
+    program.put("cut.png", &fs::read(program.path("left.png")).unwrap()[..900]);
+    program.put("words.png", "nothing to see");
+    let calibration = fs::read_to_string(EXAMPLE).unwrap();
+    let named = calibration.replacen("OAK-D-PRO-POE", "OAK-D Pro AF", 1);
+    assert_ne!(named, calibration);
+    program.put("other.json", named);
+    program.put("alone.json", without_pair(&calibration));
     let mut all = String::new();
     for arguments in [
         stereo("right.png", "left.png", &[]),
         stereo("left.png", "lower.png", &[]),
         stereo("flat.png", "flat.png", &[]),
+        stereo("left.png", "flat.png", &[]),
+        stereo("left.png", "left.png", &[]),
+        stereo("left.png", "turned.png", &[]),
+        stereo("left.png", "right.png", &["--filter", "threshold:min=9,max=10"]),
+        stereo("dot.png", "dot.png", &[]),
+        stereo("narrow.png", "narrow.png", &[]),
+        stereo("bright.png", "bright.png", &[]),
+        stereo("float.npy", "float.npy", &[]),
+        stereo("none.npy", "none.npy", &[]),
+        stereo("deep.npy", "deep.npy", &[]),
+        stereo("cut.png", "cut.png", &[]),
+        stereo("words.png", "words.png", &[]),
         stereo("left.png", "small.png", &[]),
         stereo("left.png", "ten_right.png", &[]),
         stereo("left.png", "nope.png", &[]),
@@ -123,7 +167,23 @@ fn what_is_wrong_with_a_pair() {
         stereo("left.png", "right.png", &["--param", "pathz=8"]),
         stereo("left.png", "right.png", &["--param", "bias=1"]),
         stereo("left.png", "right.png", &["--preset", "robotic"]),
+        stereo("left.png", "right.png", &["--param", "disparityShift=2000"]),
         vec!["stereo", "left.png", "right.png"],
+        vec![
+            "stereo",
+            "left.png",
+            "right.png",
+            "--fx",
+            "300",
+            "--baseline",
+            "75",
+        ],
+        [&["stereo", "left.png", "right.png", "-o", "left.png"], &PLAIN[..]].concat(),
+        [&["stereo", "left.png", "right.png", "-o", "no/such"], &PLAIN[..]].concat(),
+        vec!["stereo", "left.png", "right.png", "--model", "oak-d-pr"],
+        vec!["stereo", "left.png", "right.png", "--calibration", "words.png"],
+        vec!["stereo", "left.png", "right.png", "--calibration", "other.json"],
+        vec!["stereo", "left.png", "right.png", "--calibration", "alone.json"],
         vec!["stereo", "left.png", "right.png", "--fx", "-3", "--baseline", "1"],
     ] {
         all += &text(&program.run(&arguments));
@@ -144,4 +204,59 @@ fn sixteen_bits_are_those_of_a_camera_of_ten() {
     );
     let disparity = floats(&program, "out/ten_disparity.npy");
     assert!((disparity[SIZE.0 as usize * 60 + 160] - 20.0).abs() < 0.25);
+}
+
+/// A row or two up or down is told, at the size of a device's images.
+#[test]
+fn small_vertical_offsets() {
+    let program = program();
+    for (down, way) in [(1, "1 px lower"), (2, "2 px lower"), (5, "5 px lower")] {
+        program.put("moved.png", png::encode(&noise(DISPARITY, down)).unwrap());
+        let run = program.run(&stereo("left.png", "moved.png", &[]));
+        assert!(run.code == 1 && run.stderr.contains(way), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
+    use std::process::{Command, Stdio};
+    use std::{thread::sleep, time::Duration};
+    let program = program();
+    fs::create_dir(program.path("pairs")).unwrap();
+    for side in ["left", "right"] {
+        let first = program.path(&format!("pairs/{side}_0.png"));
+        fs::copy(program.path(&format!("{side}.png")), &first).unwrap();
+        for i in 1..2000 {
+            fs::hard_link(&first, program.path(&format!("pairs/{side}_{i}.png"))).unwrap();
+        }
+    }
+    let mut child = program
+        .command(&stereo("pairs", "pairs", &[]))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !program.path("out/depth_sensor_distance_2.npy").exists() {
+        assert_eq!(child.try_wait().unwrap(), None, "ended before its third pair");
+        sleep(Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    let kill = Command::new("kill").args(["-INT", &id]).status();
+    assert!(kill.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.starts_with("interrupted: "), "{message}");
+    let written: Vec<String> = program
+        .names()
+        .into_iter()
+        .filter(|name| name.starts_with("out/"))
+        .collect();
+    assert!(
+        message.contains(&format!("interrupted: {} pairs are whole", written.len())),
+        "{message}"
+    );
+    for name in written {
+        floats(&program, &name);
+    }
 }

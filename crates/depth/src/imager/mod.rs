@@ -4,15 +4,18 @@
 //! that fills the range of the numbers.
 //!
 //! # Steps
-//! 1. **Exposure**: a time and a gain. A fixed one, or one that gives the images' mean a target, as a camera's own
+//! 1. **Blur** of the lens: the light of a point falls on the pixels around it too, as a normal distribution. It is made of
+//!    the pixels' light, so it does not take away what a picture is aliased by.
+//! 2. **Exposure**: a time and a gain. A fixed one, or one that gives the images' mean a target, as a camera's own
 //!    control does ([`Imager::expose`]); beyond the longest time only the gain grows, and with it the noise.
-//! 2. **Vignetting**, an option: light falls off by cos⁴ of the angle from the optical axis.
-//! 3. **Noise**: λ electrons become λ + √(λ + r²)·N with N standard normal: shot noise, whose variance is λ, and read
+//! 3. **Vignetting**, an option: light falls off by cos⁴ of the angle from the optical axis.
+//! 4. **Noise**: λ electrons become λ + √(λ + r²)·N with N standard normal: shot noise, whose variance is λ, and read
 //!    noise of r electrons. The normal distribution stands for Poisson's, whose mean and variance it has.
-//! 4. **Numbers**: the full well, divided by the gain, is the largest number; nearest, 8 or 10 bits, none below 0.
+//! 5. **Numbers**: the full well, divided by the gain, is the largest number; nearest, 8 or 10 bits, none below 0.
 //!
 //! The response is linear, without gamma and black level: a pair is matched by what a pixel's neighbours are like.
 
+mod blur;
 mod expose;
 mod names;
 mod parameters;

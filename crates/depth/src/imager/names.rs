@@ -7,7 +7,7 @@ use crate::ParameterError;
 use crate::choice::unknown;
 
 /// The names of all parameters.
-pub const NAMES: [&str; 10] = [
+pub const NAMES: [&str; 11] = [
     "autoExposure",
     "exposureTarget",
     "exposure",
@@ -16,6 +16,7 @@ pub const NAMES: [&str; 10] = [
     "fullWell",
     "readNoise",
     "noise",
+    "lensBlur",
     "vignetting",
     "bits",
 ];
@@ -71,6 +72,7 @@ impl Parameters {
             "fullWell" => Field::Number(&mut self.full_well_e),
             "readNoise" => Field::Number(&mut self.read_noise_e),
             "noise" => Field::Flag(&mut self.noise),
+            "lensBlur" => Field::Number(&mut self.lens_blur_px),
             "vignetting" => Field::Number(&mut self.vignetting),
             "bits" => Field::Bits(&mut self.bits),
             _ => return Err(unknown(name, "parameter of an imager", &NAMES)),

@@ -1,3 +1,4 @@
+use super::blur::MOST_SIGMA_PX;
 use crate::ParameterError;
 
 /// How many bits a recorded number has.
@@ -53,6 +54,9 @@ pub struct Parameters {
     pub read_noise_e: f64,
     /// `noise`: whether there is any.
     pub noise: bool,
+    /// `lensBlur`: the standard deviation of what the lens makes of a point, px. 0.6, an estimate: the vendor's lens (2.35 mm,
+    /// f/2.0, sharp from 19.6 cm on) makes a disk of 2.35 px of a far point, whose standard deviation is a quarter of that.
+    pub lens_blur_px: f64,
     /// `vignetting`, 0 to 1: the share of cos⁴ falloff. 0, an estimate: what a device's lens and its correction leave is
     /// not published.
     pub vignetting: f64,
@@ -71,6 +75,7 @@ impl Default for Parameters {
             full_well_e: 6300.0,
             read_noise_e: 2.5,
             noise: true,
+            lens_blur_px: 0.6,
             vignetting: 0.0,
             bits: Bits::default(),
         }
@@ -108,6 +113,7 @@ impl Parameters {
             ("maxGain", self.max_gain, 1.0, 1000.0, "(16 is ISO 1600)"),
             ("fullWell", self.full_well_e, 10.0, 1e7, "electrons"),
             ("readNoise", self.read_noise_e, 0.0, 1e4, "electrons"),
+            ("lensBlur", self.lens_blur_px, 0.0, MOST_SIGMA_PX, "px"),
             ("vignetting", self.vignetting, 0.0, 1.0, "(1 is all of cos⁴)"),
         ];
         for (name, value, low, high, unit) in ranges {

@@ -1,4 +1,4 @@
-use oaktwin_image::Image;
+use oaktwin_image::{CodecError, Image, png};
 
 use super::Bits;
 use crate::stereo_matching::Luminance;
@@ -37,6 +37,17 @@ impl Recorded {
         match self {
             Self::Eight(image) => image.height(),
             Self::Ten(image) => image.height(),
+        }
+    }
+
+    /// As PNG, grey of 8 bits, or of 16 with numbers up to 1023.
+    ///
+    /// # Errors
+    /// An image without pixels.
+    pub fn to_png(&self) -> Result<Vec<u8>, CodecError> {
+        match self {
+            Self::Eight(image) => png::encode(image),
+            Self::Ten(image) => png::encode(image),
         }
     }
 

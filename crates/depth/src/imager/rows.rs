@@ -4,6 +4,7 @@ use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::ImageView;
 use rayon::prelude::*;
 
+use super::blur::Blur;
 use super::{Exposure, Parameters};
 use crate::random::Plane;
 use crate::simd::{self, Kernel, whole};
@@ -71,6 +72,7 @@ impl Falloff {
 /// All that rows have in common.
 pub(super) struct Rows<'a> {
     random: &'a Plane,
+    blur: Blur,
     falloff: Falloff,
     /// Electrons of light 1.
     electrons: f32,
@@ -94,6 +96,7 @@ impl<'a> Rows<'a> {
         let largest = f32::from(parameters.bits.max());
         Self {
             random,
+            blur: Blur::new(parameters.lens_blur_px),
             falloff: Falloff::new(intrinsics, parameters.vignetting),
             electrons: (full * exposure.time) as f32,
             most_electrons: (100.0 * full) as f32,
@@ -106,19 +109,16 @@ impl<'a> Rows<'a> {
 
     pub(super) fn record<N: Number>(&self, light: ImageView<'_, f32>, out: &mut [N]) {
         let width = (light.width() as usize).max(1);
-        let bands = out
-            .par_chunks_mut(width * ROWS)
-            .zip(light.pixels().par_chunks(width * ROWS));
-        bands.enumerate().for_each_init(
-            || vec![0.0; width],
-            |normals, (band, (out, light))| {
-                let rows = out.chunks_exact_mut(width).zip(light.chunks_exact(width));
-                for ((out, light), y) in rows.zip(band * ROWS..) {
+        let bands = out.par_chunks_mut(width * ROWS).enumerate();
+        bands.for_each_init(
+            || Scratch::new(width, &self.blur),
+            |scratch, (band, out)| {
+                for (out, y) in out.chunks_exact_mut(width).zip(band * ROWS..) {
                     simd::run(Record {
                         rows: self,
-                        y: u32::try_from(y).unwrap_or(u32::MAX),
+                        y,
                         light,
-                        normals,
+                        scratch,
                         out,
                     });
                 }
@@ -127,11 +127,29 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// What a row is made in.
+struct Scratch {
+    /// Without noise they stay 0.
+    normals: Vec<f32>,
+    padded: Vec<f32>,
+    blurred: Vec<f32>,
+}
+
+impl Scratch {
+    fn new(width: usize, blur: &Blur) -> Self {
+        Self {
+            normals: vec![0.0; width],
+            padded: vec![0.0; width + 2 * blur.reach()],
+            blurred: vec![0.0; width],
+        }
+    }
+}
+
 struct Record<'a, N> {
     rows: &'a Rows<'a>,
-    y: u32,
-    light: &'a [f32],
-    normals: &'a mut [f32],
+    y: usize,
+    light: ImageView<'a, f32>,
+    scratch: &'a mut Scratch,
     out: &'a mut [N],
 }
 
@@ -144,17 +162,29 @@ impl<N: Number> Kernel for Record<'_, N> {
             rows,
             y,
             light,
-            normals,
+            scratch,
             out,
         } = self;
-        // Without noise they stay 0.
+        let Scratch {
+            normals,
+            padded,
+            blurred,
+        } = scratch;
+        let row = if rows.blur.is_on() {
+            rows.blur.row(light, y, padded, blurred);
+            blurred
+        } else {
+            let width = out.len();
+            light.pixels().get(y * width..(y + 1) * width).unwrap_or_default()
+        };
+        let y = u32::try_from(y).unwrap_or(u32::MAX);
         if rows.noise {
             rows.random.normals_here(y, normals);
         }
         if rows.falloff.share > 0.0 {
-            record(rows, light, normals, out, |x| rows.falloff.at(x, y));
+            record(rows, row, normals, out, |x| rows.falloff.at(x, y));
         } else {
-            record(rows, light, normals, out, |_| 1.0);
+            record(rows, row, normals, out, |_| 1.0);
         }
     }
 }
@@ -189,13 +219,15 @@ mod tests {
     fn all_instructions_make_the_same() {
         let parameters = Parameters {
             vignetting: 0.6,
+            lens_blur_px: 0.9,
             ..Parameters::default()
         };
         let intrinsics = Intrinsics::from_hfov(ImageSize::new(1283, 800), 1.3);
         let random = Stream::new(1, "left").plane(Stage::Exposure, 2, 0);
         let exposure = Exposure { time: 2.0, gain: 1.7 };
         let rows = Rows::new(&parameters, &intrinsics, exposure, &random);
-        let light: Vec<f32> = (0..1283i16).map(|i| f32::from(i) / 1700.0).collect();
+        let light: Vec<f32> = (0..9 * 1283i16).map(|i| f32::from(i % 1283) / 1700.0).collect();
+        let light = oaktwin_image::Image::new(1283, 9, light).unwrap();
         let with = |level| {
             let mut out = vec![0u16; 1283];
             run_at(
@@ -203,8 +235,8 @@ mod tests {
                 Record {
                     rows: &rows,
                     y: 7,
-                    light: &light,
-                    normals: &mut vec![0.0; 1283],
+                    light: (&light).into(),
+                    scratch: &mut Scratch::new(1283, &rows.blur),
                     out: &mut out,
                 },
             );

@@ -116,6 +116,7 @@ fn numbers_end_at_the_largest_and_nonsense_is_dark() {
     let p = Parameters {
         noise: false,
         bits: Bits::Eight,
+        lens_blur_px: 0.0,
         ..fixed(1.0)
     };
     let light = [
@@ -160,7 +161,9 @@ fn the_same_on_any_number_of_threads_and_another_in_every_frame() {
 
 #[test]
 fn parameters_by_name() {
-    let values = ["false", "0.2", "3", "4", "8", "9000", "3.5", "false", "0.5", "10"];
+    let values = [
+        "false", "0.2", "3", "4", "8", "9000", "3.5", "false", "1.5", "0.5", "10",
+    ];
     for (name, value) in NAMES.iter().zip(values) {
         let mut p = Parameters::default();
         assert_ne!(p.get(name).unwrap(), value, "{name}");

@@ -2,7 +2,7 @@ use super::{PresetError, TIME_OF_FLIGHT_PRESETS, is_named};
 use crate::filter::{
     Brightness, Decimation, DecimationMode, Filter, Median, Spatial, Speckle, Temporal, Threshold,
 };
-use crate::stereo_matching;
+use crate::stereo_matching::{self, AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 use crate::stereo_noise::{self, Subpixel};
 
 /// The processor of a device: presets differ.
@@ -152,6 +152,12 @@ pub struct StereoConfig {
     pub noise_threshold: [i32; 2],
     /// `defaultValue` of RVC4's `p1Config` and `p2Config` where they are not adaptive.
     pub fixed_penalties: Option<[u32; 2]>,
+    /// `confidenceMetrics` of RVC4
+    pub confidence_metrics: ConfidenceMetrics,
+    /// `holeFilling` of RVC4
+    pub hole_filling: HoleFilling,
+    /// `adaptiveMedianFilter` of RVC4
+    pub adaptive_median: AdaptiveMedian,
     /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: what is above it is kept. That of `DepthAI` 2 is 255 less this.
     pub confidence_threshold: u8,
     /// `filteringOrder`
@@ -183,6 +189,9 @@ impl Default for StereoConfig {
             platform: Platform::Rvc2,
             noise_threshold: [0, 0],
             fixed_penalties: None,
+            confidence_metrics: ConfidenceMetrics::default(),
+            hole_filling: HoleFilling::default(),
+            adaptive_median: AdaptiveMedian::default(),
             confidence_threshold: 55,
             filtering_order: [
                 FilterStage::Median,
@@ -307,6 +316,17 @@ impl StereoConfig {
                 confidence_threshold: 20,
                 noise_threshold: [0, -40],
                 fixed_penalties: Some([20, 85]),
+                confidence_metrics: ConfidenceMetrics {
+                    occlusion_weight: 28,
+                    motion_vector_weight: 0,
+                    flatness_weight: 4,
+                    flatness_threshold: 4,
+                    ..ConfidenceMetrics::default()
+                },
+                hole_filling: HoleFilling {
+                    enable: false,
+                    ..HoleFilling::default()
+                },
                 median: Some(Median::Kernel5x5),
                 speckle: Some(Speckle {
                     speckle_range: 200,
@@ -322,6 +342,18 @@ impl StereoConfig {
                 confidence_threshold: 97,
                 noise_threshold: [0, 84],
                 fixed_penalties: Some([16, 65]),
+                confidence_metrics: ConfidenceMetrics {
+                    occlusion_weight: 14,
+                    motion_vector_weight: 16,
+                    flatness_weight: 2,
+                    flatness_threshold: 4,
+                    ..ConfidenceMetrics::default()
+                },
+                hole_filling: HoleFilling {
+                    high_confidence_threshold: 240,
+                    fill_confidence_threshold: 251,
+                    ..HoleFilling::default()
+                },
                 ..extended
             },
         }
@@ -358,7 +390,8 @@ impl StereoConfig {
         parameters.confidence_threshold = self.confidence_threshold;
     }
 
-    /// Configures the matcher: as [`StereoConfig::apply_to`], the census transform's noise and the penalties of paths.
+    /// Configures the matcher: as [`StereoConfig::apply_to`], the census transform's noise, the penalties of paths and RVC4's
+    /// steps.
     pub fn apply_to_matching(&self, parameters: &mut stereo_matching::Parameters) {
         parameters.subpixel = self.subpixel;
         parameters.extended_disparity = self.extended_disparity;
@@ -377,5 +410,8 @@ impl StereoConfig {
             (parameters.p1.adaptive, parameters.p1.default) = (false, p1);
             (parameters.p2.adaptive, parameters.p2.default) = (false, p2);
         }
+        parameters.confidence_metrics = self.confidence_metrics;
+        parameters.hole_filling = self.hole_filling;
+        parameters.adaptive_median = self.adaptive_median;
     }
 }

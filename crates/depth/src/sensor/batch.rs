@@ -1,9 +1,9 @@
-use oaktwin_image::ImageView;
 use rayon::prelude::*;
 
 use super::{Engine, Sensor};
+use crate::BatchError;
+use crate::batch::{Batch, check_length};
 use crate::single_view::Wanted;
-use crate::{BatchError, Shot};
 
 impl Sensor {
     /// What it reports of a batch of images of one frame, as the environments of a simulator make them: `[count, height,
@@ -40,61 +40,30 @@ impl Sensor {
         if matches!(self.engine, Engine::StereoMatching(_)) {
             return Err(no_pairs(shape));
         }
-        let [count, height, width] = shape;
-        let fits = |what, shape: [usize; 3], length| {
-            let pixels = shape.iter().try_fold(1usize, |all, side| all.checked_mul(*side));
-            if pixels == Some(length) {
-                Ok(())
-            } else {
-                Err(BatchError { what, shape, length })
-            }
-        };
-        fits("depth", shape, depth.len())?;
-        if let Some(rgb) = rgb {
-            fits("picture", shape, rgb.len())?;
-        }
-        // An image with pixels is not longer than its array.
-        let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
-        let Some((columns, rows)) = size.filter(|_| !depth.is_empty()) else {
-            return fits("result", [0; 3], out.len());
+        let batch = Batch::new(depth, shape, frame, first_item)?.with_rgb(rgb)?;
+        let Some([columns, rows]) = batch.size() else {
+            return check_length("result", [0; 3], out.len());
         };
         let (out_columns, out_rows) = self.filters.size(columns, rows);
-        let out_shape = [count, out_rows as usize, out_columns as usize];
-        fits("result", out_shape, out.len())?;
-        let (pixels, out_pixels) = (height * width, (out_shape[1] * out_shape[2]).max(1));
+        let out_shape = [shape[0], out_rows as usize, out_columns as usize];
+        check_length("result", out_shape, out.len())?;
+        let out_pixels = (out_shape[1] * out_shape[2]).max(1);
         let fresh = {
             let mut fresh = self.clone();
             fresh.reset();
             fresh
         };
-        depth
-            .par_chunks_exact(pixels)
-            .zip(out.par_chunks_exact_mut(out_pixels))
-            .enumerate()
-            .for_each_init(
-                || fresh.clone(),
-                |sensor, (i, (depth, out))| {
-                    sensor.reset();
-                    let Some(view) = ImageView::new(columns, rows, depth) else {
-                        return;
-                    };
-                    let mut shot = Shot::new(view);
-                    #[expect(clippy::cast_possible_truncation, reason = "items are numbered modulo 2³²")]
-                    let number = i as u32;
-                    (shot.frame, shot.item) = (frame, first_item.wrapping_add(number));
-                    let picture = rgb.and_then(|rgb| rgb.get(i * pixels..(i + 1) * pixels));
-                    let picture = picture.and_then(|rgb| ImageView::new(columns, rows, rgb));
-                    // Of one size, as the batch is.
-                    let shot = match picture {
-                        Some(picture) => shot.with_rgb(picture).unwrap_or(shot),
-                        None => shot,
-                    };
-                    let distance = sensor.capture(&shot, Wanted::default()).distance;
-                    if distance.0.pixels().len() == out.len() {
-                        out.copy_from_slice(distance.0.pixels());
-                    }
-                },
-            );
+        out.par_chunks_exact_mut(out_pixels).enumerate().for_each_init(
+            || fresh.clone(),
+            |sensor, (index, out)| {
+                sensor.reset();
+                let Some(shot) = batch.shot(index) else { return };
+                let distance = sensor.capture(&shot, Wanted::default()).distance;
+                if distance.0.pixels().len() == out.len() {
+                    out.copy_from_slice(distance.0.pixels());
+                }
+            },
+        );
         Ok(())
     }
 }

@@ -62,6 +62,7 @@ pub use assumptions::{
 pub use parameters::{MAX_OUTLIER_RANGE_PX, OutputMode, Parameters};
 pub use sense::{Output, Wanted};
 
+use crate::batch::Batch;
 use crate::random::Stream;
 use crate::{BatchError, ParameterError, Shot};
 
@@ -118,7 +119,8 @@ impl SingleView {
         random: &Stream,
         out: &mut [f32],
     ) -> Result<(), BatchError> {
-        sense::batch(self, depth, shape, [frame, u64::from(first_item)], random, out)
+        let batch = Batch::new(depth, shape, frame, first_item)?;
+        sense::batch(self, &batch, random, out)
     }
 }
 

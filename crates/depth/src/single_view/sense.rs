@@ -1,10 +1,11 @@
-use oaktwin_image::{Image, ImageView, ZDepth};
+use oaktwin_image::{Image, ZDepth};
 use rayon::prelude::*;
 
 use super::SingleView;
 use super::parameters::OutputMode;
 use super::plan::Plan;
 use super::tile::{self, Planes, Rows, Scratch};
+use crate::batch::{Batch, check_length};
 use crate::random::Stream;
 use crate::{BatchError, Shot};
 
@@ -89,37 +90,20 @@ fn image<T: Clone>(is_wanted: bool, width: u32, height: u32, value: T) -> Option
     is_wanted.then(|| Image::filled(width, height, value))
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "items are numbered modulo 2³²")]
 pub(super) fn batch(
     sensor: &SingleView,
-    depth: &[f32],
-    shape: [usize; 3],
-    [frame, first_item]: [u64; 2],
+    batch: &Batch<'_>,
     random: &Stream,
     out: &mut [f32],
 ) -> Result<(), BatchError> {
-    let [count, height, width] = shape;
-    let pixels = height.saturating_mul(width);
-    for (what, length) in [("depth", depth.len()), ("result", out.len())] {
-        if pixels.checked_mul(count) != Some(length) {
-            return Err(BatchError { what, shape, length });
-        }
-    }
-    // An image with pixels is not longer than its array.
-    let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
-    let Some((columns, lines)) = size.filter(|_| pixels > 0) else {
+    let [count, height, width] = batch.shape();
+    check_length("result", batch.shape(), out.len())?;
+    let Some([columns, lines]) = batch.size() else {
         return Ok(());
     };
     let plan = Plan::new(sensor.parameters(), sensor.assumptions(), columns, lines);
-    let sense = |scratch: &mut Scratch, i: usize, rows: (usize, &mut [f32])| {
-        let image = depth.get(i * pixels..(i + 1) * pixels).unwrap_or_default();
-        let Some(view) = ImageView::new(columns, lines, image) else {
-            return;
-        };
-        let mut shot = Shot::new(view);
-        shot.frame = frame;
-        shot.item = (first_item as u32).wrapping_add(i as u32);
-        let (first, distance) = rows;
+    let sense = |scratch: &mut Scratch, i: usize, (first, distance): (usize, &mut [f32])| {
+        let Some(shot) = batch.shot(i) else { return };
         let mut rows = Rows {
             first,
             distance,
@@ -133,7 +117,7 @@ pub(super) fn batch(
     };
     if count < IMAGES_A_THREAD * rayon::current_num_threads() {
         let rows = tile_rows(height);
-        for (i, image) in out.chunks_exact_mut(pixels).enumerate() {
+        for (i, image) in out.chunks_exact_mut(batch.pixels()).enumerate() {
             let tiles = image.par_chunks_mut(rows * width).enumerate();
             tiles.for_each_init(Scratch::default, |scratch, (k, tile)| {
                 sense(scratch, i, (k * rows, tile));
@@ -142,7 +126,7 @@ pub(super) fn batch(
     } else {
         let rows = *TILE_ROWS.end();
         let images = out
-            .par_chunks_exact_mut(pixels)
+            .par_chunks_exact_mut(batch.pixels())
             .enumerate()
             .with_min_len(IMAGES_A_THREAD);
         images.for_each_init(Scratch::default, |scratch, (i, image)| {

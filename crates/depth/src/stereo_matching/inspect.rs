@@ -23,6 +23,9 @@ const FEWEST: usize = 12;
 /// A place is another if points differ this many times less there.
 const BETTER: f64 = 1.5;
 
+/// What fits by chance differs by so much of what it differs from any other row, and of its own contrast, at least.
+const CHANCE: [f64; 2] = [0.75, 0.5];
+
 /// Grey levels that are noise.
 const FLOOR: f64 = 1.0;
 
@@ -30,7 +33,7 @@ const FLOOR: f64 = 1.0;
 const SATURATED: f64 = 0.4;
 
 /// What about a pair, or about what is searched in it, makes depth wrong or none. Each finding is a warning:
-/// `range-beyond-image`, `saturated`, `no-texture`, `pair-swapped`, `vertical-offset`.
+/// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
 #[must_use]
 pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
     let warn =
@@ -73,16 +76,27 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         right: &grey[1],
         reach: last.min(width / 3),
     };
-    let points = look.points();
-    if points.len() < FEWEST {
+    let points = look.points(look.left);
+    for (name, count) in [
+        ("left image", points.len()),
+        ("right image", look.points(look.right).len()),
+    ] {
+        if count < FEWEST {
+            findings.push(warn(
+                "no-texture",
+                name,
+                format!("only {count} places in it have a texture that can be matched"),
+                "light it, switch the dot projector on, or look at something with a texture",
+            ));
+            return findings;
+        }
+    }
+    if look.left == look.right {
         findings.push(warn(
-            "no-texture",
-            "left image",
-            format!(
-                "only {} places in it have a texture that can be matched",
-                points.len()
-            ),
-            "light it, switch the dot projector on, or look at something with a texture",
+            "same-image",
+            "stereo pair",
+            "the left and the right image are the same".to_owned(),
+            "give the images of both cameras",
         ));
         return findings;
     }
@@ -105,7 +119,14 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         ));
     }
     let (least, rows) = if is_swapped { swapped } else { given };
-    if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
+    if !is_swapped && look.is_by_chance(&points, least) {
+        findings.push(warn(
+            "unrelated",
+            "stereo pair",
+            "what is in the left image is not in the right one, or nearer than is searched".to_owned(),
+            "give the images of both cameras at one moment; for near things --extended-disparity",
+        ));
+    } else if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
         let to = if rows > 0 { "lower" } else { "higher" };
         findings.push(warn(
             "vertical-offset",
@@ -134,8 +155,8 @@ impl Look<'_> {
         image.get(y * self.width + x).copied().unwrap_or_default().into()
     }
 
-    /// The most textured place of each cell, where it has any.
-    fn points(&self) -> Vec<[usize; 2]> {
+    /// The most textured place of each cell of an image, where it has any.
+    fn points(&self, image: &[u8]) -> Vec<[usize; 2]> {
         let [side, up] = [WINDOW[0] + 1, WINDOW[1] + 1];
         let (left, top) = (self.reach + side, MOST_ROWS.min(self.height / 8) + up);
         let mut points = Vec::new();
@@ -151,12 +172,8 @@ impl Look<'_> {
                 let mut best = (TEXTURE, None);
                 for y in y0..(y0 + cell_height).min(top + rows) {
                     for x in x0..(x0 + cell_width).min(left + columns) {
-                        let along = self
-                            .at(self.left, x + 1, y)
-                            .abs_diff(self.at(self.left, x - 1, y));
-                        let across = self
-                            .at(self.left, x, y + 1)
-                            .abs_diff(self.at(self.left, x, y - 1));
+                        let along = self.at(image, x + 1, y).abs_diff(self.at(image, x - 1, y));
+                        let across = self.at(image, x, y + 1).abs_diff(self.at(image, x, y - 1));
                         let texture = along.min(across);
                         if texture > best.0 {
                             best = (texture, Some([x, y]));
@@ -167,6 +184,34 @@ impl Look<'_> {
             }
         }
         points
+    }
+
+    /// Whether points that differ so much fit no better than where they cannot be, half an image above or below. A pattern
+    /// that repeats fits there too, but well.
+    fn is_by_chance(&self, points: &[[usize; 2]], least: f64) -> bool {
+        let far = self.height.cast_signed() / 2;
+        if far <= 2 * MOST_ROWS.cast_signed() {
+            return false;
+        }
+        let elsewhere = self
+            .difference(points, far, false)
+            .min(self.difference(points, -far, false));
+        least > CHANCE[0] * elsewhere && least > CHANCE[1] * self.contrast(points)
+    }
+
+    /// The mean grey levels by which the pixels around points differ from their mean.
+    fn contrast(&self, points: &[[usize; 2]]) -> f64 {
+        let [side, up] = WINDOW;
+        let area = ((2 * side + 1) * (2 * up + 1)) as f64;
+        let all = points.iter().map(|&[x, y]| {
+            let levels = || {
+                let rows = y - up..=y + up;
+                rows.flat_map(|y| (x - side..=x + side).map(move |x| f64::from(self.at(self.left, x, y))))
+            };
+            let mean = levels().sum::<f64>() / area;
+            levels().map(|level| (level - mean).abs()).sum::<f64>() / area
+        });
+        all.sum::<f64>() / points.len().max(1) as f64
     }
 
     /// The mean grey levels by which points differ from where they fit best, so many rows below; to the left, or swapped

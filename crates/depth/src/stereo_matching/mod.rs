@@ -14,23 +14,28 @@
 //!    by [`Parameters::penalty_shift`]. The sum is divided by [`Parameters::division_factor`].
 //! 4. **Winner takes all**: the least sum, of equal ones the smaller disparity.
 //! 5. **Confidence**, 0 to 255, higher is surer: ⌊255 (s₂ − s₁) / s₂⌋ with s₁ the least sum and s₂ the least of those not
-//!    beside it; 0 where s₂ is 0.
+//!    beside it; 0 where s₂ is 0. RVC4 makes its own of whether both directions agree, of how disparities vary around and
+//!    of this share: [`ConfidenceMetrics`].
 //! 6. **Subpixel** interpolation ([`Parameters::interpolation`]) to 1/8, 1/16 or 1/32 px, halves up; none at the first and
 //!    the last candidate.
 //! 7. **Left-right check**: the same sums, read along the pixels of the right image, give its disparities; a pixel whose
 //!    partner's differs by more than the threshold, or is not in the image, is lost.
-//! 8. **Losses**: what has less confidence than asked for, and columns at the left border.
-//! 9. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images halved; its disparities,
-//!    doubled, stand where they are beyond the range of the whole images, and where those have none.
+//! 8. On RVC4, before anything is lost: **holes** take the mean of their superpixel or are lost ([`HoleFilling`]), then what is
+//!    not sure takes the median of its neighbours ([`AdaptiveMedian`]).
+//! 9. **Losses**: what has less confidence than asked for, and columns at the left border.
+//! 10. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images halved; its disparities,
+//!     doubled, stand where they are beyond the range of the whole images, and where those have none.
 //!
 //! Filters belong between these and depth z = f·b/d, as in [`crate::stereo_noise`].
 //!
 //! # What is published, and what is not
 //! Published: the steps' order, census windows and masks, the linear equation and its defaults, P1 and P2, the range and
 //! its companding (in steps of 1, 2 and 4 px), that confidence is of a ratio of costs, that subpixel looks at two
-//! neighbours on each side, which thresholds there are, and `DepthAI`'s defaults of all. Ours: the number of paths, what
+//! neighbours on each side, which thresholds and weights there are, and `DepthAI`'s defaults of all. Ours: the number of paths, what
 //! unit RVC2's penalties are in, which penalties paths aslant have (the vertical ones), rounding, the formulas of 5 and 6,
-//! what is beyond the image, which of two passes counts, and the scale of RVC4's noise thresholds.
+//! what is beyond the image, which of two passes counts, the scale of RVC4's noise thresholds, what RVC4's measures of confidence
+//! are, its superpixels and its median; and that it fills and filters first and loses then (Qualcomm's interface to the
+//! hardware fills and filters, and knows neither a threshold of confidence nor a left-right check).
 //!
 //! # Speed and memory
 //! Two threads share an image; more are of use where several images are matched at once. Memory is about a byte for each
@@ -48,6 +53,7 @@ mod pass;
 mod paths;
 mod plan;
 mod refine;
+mod rvc4;
 mod scan;
 mod select;
 
@@ -55,6 +61,7 @@ pub use inspect::inspect;
 pub use names::NAMES;
 pub use pair::{Luminance, Pair, PairError};
 pub use parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
+pub use rvc4::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};

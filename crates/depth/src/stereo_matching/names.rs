@@ -1,57 +1,16 @@
 //! Parameters by name, for command lines and presets.
 
 use super::parameters::Parameters;
-use crate::ParameterError;
-use crate::choice::Choice;
-use crate::disparity::{DepthRounding, Subpixel};
-use crate::named::{self, Named, field, flag, text};
+use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits, text};
 use crate::preset::Platform;
 
-/// One of a few names.
-macro_rules! named {
-    ($name:literal, $field:ident, $values:literal) => {
-        Named {
-            name: $name,
-            get: |p| p.$field.text().to_owned(),
-            set: |p, value| pick(value).map(|value| p.$field = value),
-            values: $values,
-        }
-    };
-}
-
-const TABLE: [Named<Parameters>; 43] = [
+const TABLE: [Named<Parameters>; 56] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
-    Named {
-        name: "subpixel",
-        get: |p| text(&(p.subpixel != Subpixel::Off)),
-        set: |p, value| {
-            match (named::switch(value)?, p.subpixel) {
-                (false, _) => p.subpixel = Subpixel::Off,
-                (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
-                (true, _) => {}
-            }
-            Some(())
-        },
-        values: "give true or false",
-    },
-    Named {
-        name: "subpixelFractionalBits",
-        get: |p| text(&p.subpixel.bits()),
-        set: |p, value| {
-            p.subpixel = match value.parse().ok()? {
-                0 => Subpixel::Off,
-                3 => Subpixel::Bits3,
-                4 => Subpixel::Bits4,
-                5 => Subpixel::Bits5,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give 0, 3, 4 or 5",
-    },
-    named!(
+    subpixel!("subpixel", subpixel),
+    subpixel_bits!("subpixelFractionalBits", subpixel),
+    one_of!(
         "subpixelInterpolation",
         interpolation,
         "give LINES, PARABOLA_5 or PARABOLA"
@@ -70,7 +29,7 @@ const TABLE: [Named<Parameters>; 43] = [
         "give a whole number, 0 (keep all) to 255"
     ),
     field!("numInvalidateEdgePixels", invalid_edge_px, "give whole pixels"),
-    named!(
+    one_of!(
         "kernelSize",
         kernel_size,
         "give AUTO, KERNEL_5x5, KERNEL_7x7 or KERNEL_7x9"
@@ -104,7 +63,7 @@ const TABLE: [Named<Parameters>; 43] = [
         noise_threshold_scale,
         "give a whole number"
     ),
-    named!(
+    one_of!(
         "disparityWidth",
         disparity_width,
         "give DISPARITY_64 or DISPARITY_96"
@@ -143,26 +102,60 @@ const TABLE: [Named<Parameters>; 43] = [
     field!("p2Config.smoothValue", p2.smooth, "give a whole number"),
     field!("edgeThreshold", edge_threshold, "give whole grey levels"),
     field!("smoothThreshold", smooth_threshold, "give whole grey levels"),
+    field!(
+        "occlusionConfidenceWeight",
+        confidence_metrics.occlusion_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "motionVectorConfidenceWeight",
+        confidence_metrics.motion_vector_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "motionVectorConfidenceThreshold",
+        confidence_metrics.motion_vector_threshold,
+        "give a whole number, 0 to 3"
+    ),
+    field!(
+        "flatnessConfidenceWeight",
+        confidence_metrics.flatness_weight,
+        "give a whole number, 0 to 32"
+    ),
+    field!(
+        "flatnessConfidenceThreshold",
+        confidence_metrics.flatness_threshold,
+        "give a whole number, 1 to 7"
+    ),
+    flag!("flatnessOverride", confidence_metrics.flatness_override),
+    flag!("holeFilling.enable", hole_filling.enable),
+    field!(
+        "holeFilling.highConfidenceThreshold",
+        hole_filling.high_confidence_threshold,
+        "give a whole number, 1 to 255"
+    ),
+    field!(
+        "holeFilling.fillConfidenceThreshold",
+        hole_filling.fill_confidence_threshold,
+        "give a whole number, 1 to 255"
+    ),
+    field!(
+        "holeFilling.minValidDisparity",
+        hole_filling.min_valid_disparity,
+        "give 1 (a half), 2 (a quarter) or 3 (an eighth)"
+    ),
+    flag!(
+        "holeFilling.invalidateDisparities",
+        hole_filling.invalidate_disparities
+    ),
+    flag!("adaptiveMedianFilter.enable", adaptive_median.enable),
+    field!(
+        "adaptiveMedianFilter.confidenceThreshold",
+        adaptive_median.confidence_threshold,
+        "give a whole number, 0 to 255"
+    ),
     field!("paths", paths, "give 3, 4, 5, 6 or 8"),
-    Named {
-        name: "depthRounding",
-        get: |p| {
-            match p.depth_rounding {
-                DepthRounding::Nearest => "nearest",
-                DepthRounding::Truncate => "truncate",
-            }
-            .to_owned()
-        },
-        set: |p, value| {
-            p.depth_rounding = match value {
-                "nearest" => DepthRounding::Nearest,
-                "truncate" => DepthRounding::Truncate,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give nearest or truncate",
-    },
+    one_of!("depthRounding", depth_rounding, "give nearest or truncate"),
     Named {
         name: "confidenceThresholdV2",
         get: |p| text(&p.confidence_threshold_v2()),
@@ -174,31 +167,8 @@ const TABLE: [Named<Parameters>; 43] = [
     },
 ];
 
-/// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
-
-impl Parameters {
-    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
-    ///
-    /// # Errors
-    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
-    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        find(name)?.change(self, value, Self::check)
-    }
-
-    /// One of [`NAMES`], as [`Parameters::set`] takes it.
-    ///
-    /// # Errors
-    /// No such name.
-    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
-        find(name).map(|named| (named.get)(self))
-    }
-}
-
-fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
-    named::find(&TABLE, name, || named::unknown("stereo-matching", name, &NAMES))
-}
-
-fn pick<C: Choice>(value: &str) -> Option<C> {
-    C::CHOICES.iter().copied().find(|choice| choice.text() == value)
-}
+named::by_name!(Parameters, TABLE, |name| named::unknown(
+    "stereo-matching",
+    name,
+    &NAMES
+));

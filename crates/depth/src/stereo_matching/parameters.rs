@@ -1,5 +1,6 @@
 use oaktwin_camera::StereoGeometry;
 
+use super::rvc4::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 use crate::ParameterError;
 use crate::choice::choice;
 use crate::disparity::{DepthRounding, Fixed, Subpixel};
@@ -107,7 +108,7 @@ pub struct Parameters {
     pub cost_threshold: u8,
     /// `divisionFactor`: what sums of costs are divided by.
     pub division_factor: u8,
-    /// `platform`: which penalties count, RVC2's or RVC4's.
+    /// `platform`: whose penalties and steps count, RVC2's or RVC4's. What is the other's has no effect.
     pub platform: Platform,
     /// `horizontalPenaltyCostP1` of RVC2: along rows, for a step of one disparity.
     pub horizontal_p1: u32,
@@ -127,6 +128,12 @@ pub struct Parameters {
     pub edge_threshold: u32,
     /// `smoothThreshold` of RVC4, grey levels of 8 bits.
     pub smooth_threshold: u32,
+    /// `confidenceMetrics` of RVC4
+    pub confidence_metrics: ConfidenceMetrics,
+    /// `holeFilling` of RVC4
+    pub hole_filling: HoleFilling,
+    /// `adaptiveMedianFilter` of RVC4
+    pub adaptive_median: AdaptiveMedian,
     /// `paths`: how many there are, 3, 4, 5, 6 or 8. Not `DepthAI`'s, whose number is not published. 3: along rows, and
     /// from above; 4: from below too; 5: along rows, and from above straight and aslant; 6: from straight below too; 8: all.
     pub paths: u32,
@@ -189,6 +196,9 @@ impl Parameters {
             },
             edge_threshold: 15,
             smooth_threshold: 5,
+            confidence_metrics: ConfidenceMetrics::default(),
+            hole_filling: HoleFilling::default(),
+            adaptive_median: AdaptiveMedian::default(),
             paths: 4,
             depth_rounding: DepthRounding::default(),
         }
@@ -367,7 +377,8 @@ impl Parameters {
             let what = format!("there is no set of {}", self.paths);
             return Err(ParameterError::new("paths", what, "give 3, 4, 5, 6 or 8"));
         }
-        Ok(())
+        self.confidence_metrics.check()?;
+        self.hole_filling.check()
     }
 }
 

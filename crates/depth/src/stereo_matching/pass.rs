@@ -6,6 +6,7 @@
 use super::census::{Census, Source};
 use super::lanes::Lane;
 use super::plan::{Plan, Width};
+use super::rvc4;
 use super::scan::{Scan, View};
 use crate::simd::Level;
 
@@ -16,6 +17,7 @@ pub(super) struct Workspace {
     narrow: Scans<u8, u8>,
     mixed: Scans<u8, u16>,
     wide: Scans<u16, u16>,
+    rvc4: rvc4::Memory,
 }
 
 #[derive(Clone, Debug)]
@@ -56,7 +58,7 @@ pub(super) fn run(
         census: [left, right],
         width: images[0].width,
     };
-    let out = (disparity, confidence);
+    let out = (&mut *disparity, &mut *confidence);
     match (plan.width, plan.candidates) {
         (Width::Narrow, 64) => memory.narrow.run::<64>(view, out),
         (Width::Narrow, _) => memory.narrow.run::<96>(view, out),
@@ -64,6 +66,9 @@ pub(super) fn run(
         (Width::Mixed, _) => memory.mixed.run::<96>(view, out),
         (Width::Wide, 64) => memory.wide.run::<64>(view, out),
         (Width::Wide, _) => memory.wide.run::<96>(view, out),
+    }
+    if let Some(steps) = &plan.rvc4 {
+        steps.run(level, left, &mut memory.rvc4, disparity, confidence);
     }
 }
 

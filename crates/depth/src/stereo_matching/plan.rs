@@ -1,6 +1,7 @@
 //! What parameters mean for a pair of some size.
 
 use super::parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
+use super::rvc4::Steps;
 use crate::preset::Platform;
 
 /// Most candidates.
@@ -45,10 +46,14 @@ pub(super) struct Plan {
     pub(super) division: u8,
     pub(super) width: Width,
     pub(super) check: Option<u16>,
+    /// Whether it is asked what the right image's disparities are.
+    pub(super) looks_back: bool,
     pub(super) confidence: u8,
     pub(super) invalid_edge: usize,
     pub(super) bits: u32,
     pub(super) interpolation: Interpolation,
+    /// What RVC4 does then.
+    pub(super) rvc4: Option<Steps>,
 }
 
 /// The penalties of paths.
@@ -137,6 +142,7 @@ impl Plan {
         let largest = most + penalties.largest();
         let sum = largest * counter(paths[0] + paths[1]);
         let zones = zones(p);
+        let rvc4 = Steps::new(p);
         let mut disparities = [0; MOST];
         for zone in &zones {
             for k in 0..zone.count {
@@ -171,10 +177,12 @@ impl Plan {
             check: p
                 .left_right_check
                 .then_some(narrow(p.left_right_check_threshold_px)),
+            looks_back: p.left_right_check || rvc4.is_some_and(|steps| steps.look_back()),
             confidence: p.confidence_threshold,
             invalid_edge: p.invalid_edge_px as usize,
             bits: p.subpixel.bits(),
             interpolation: p.interpolation,
+            rvc4,
         }
     }
 

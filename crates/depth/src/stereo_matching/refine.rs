@@ -2,6 +2,7 @@
 
 use super::parameters::Interpolation;
 use super::plan::Plan;
+use super::rvc4::{LOST, OCCLUDED};
 use super::select::Found;
 use crate::simd::{self, Kernel, Level};
 
@@ -17,7 +18,8 @@ pub(super) struct Refined {
     pub(super) right: Vec<u16>,
 }
 
-/// A row's disparities, in steps from the shift, 0 for none; and its confidence.
+/// A row's disparities, in steps from the shift, 0 for none; and its confidence, 255 (s₂ − s₁) / s₂. For the steps of RVC4 all
+/// winners' disparities, with [bits](LOST) that say what is against them.
 pub(super) fn row(
     level: Level,
     plan: &Plan,
@@ -41,7 +43,12 @@ pub(super) fn row(
             confidence,
         },
     );
-    let unit = f32::from(1u16 << plan.bits);
+    if plan.rvc4.is_some() {
+        for (x, out) in disparity.iter_mut().enumerate() {
+            *out = marked(plan, found, memory, x);
+        }
+        return;
+    }
     for x in 0..width {
         let candidate = usize::from(found.best[x]);
         let own = plan.disparities[candidate];
@@ -53,25 +60,56 @@ pub(super) fn row(
             let other = memory.right.get(partner).copied().unwrap_or(NONE);
             other != NONE && other.abs_diff(own) <= threshold
         });
-        let fraction = memory.fractions[x];
-        // The step to the neighbour that the fraction goes to.
-        let toward = if fraction < 0.0 {
-            candidate.wrapping_sub(1)
-        } else {
-            candidate + 1
-        };
-        let neighbour = plan.disparities.get(toward).copied().unwrap_or(own);
-        let step = f32::from(neighbour.abs_diff(own).max(1));
-        let exact = (f32::from(own - plan.shift) + fraction * step) * unit;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "saturates"
-        )]
-        let fixed = (exact + 0.5) as u16;
         let is_kept = agrees && confidence[x] >= plan.confidence && x >= plan.invalid_edge;
-        disparity[x] = if is_kept { fixed } else { 0 };
+        disparity[x] = if is_kept {
+            fixed(plan, candidate, memory.fractions[x])
+        } else {
+            0
+        };
     }
+}
+
+/// A winner's disparity, in steps from the shift.
+#[inline(always)]
+fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
+    let own = plan.disparities[candidate];
+    // The step to the neighbour that the fraction goes to.
+    let toward = if fraction < 0.0 {
+        candidate.wrapping_sub(1)
+    } else {
+        candidate + 1
+    };
+    let neighbour = plan.disparities.get(toward).copied().unwrap_or(own);
+    let step = f32::from(neighbour.abs_diff(own).max(1));
+    let exact = (f32::from(own - plan.shift) + fraction * step) * f32::from(1u16 << plan.bits);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "saturates"
+    )]
+    let fixed = (exact + 0.5) as u16;
+    fixed
+}
+
+/// A winner's disparity with its bits.
+fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
+    let candidate = usize::from(found.best[x]);
+    let own = plan.disparities[candidate];
+    let partner = x.checked_sub(own.into());
+    // How far the right image's is from it.
+    let apart = partner
+        .and_then(|partner| memory.right.get(partner))
+        .filter(|&&other| other != NONE)
+        .map(|other| other.abs_diff(own));
+    let agrees = match plan.check {
+        Some(threshold) => apart.is_some_and(|apart| apart <= threshold),
+        None => partner.is_some(),
+    };
+    let is_kept = agrees && x >= plan.invalid_edge;
+    let is_seen = apart.is_some_and(|apart| apart <= 1);
+    fixed(plan, candidate, memory.fractions[x])
+        | if is_kept { 0 } else { LOST }
+        | if is_seen { 0 } else { OCCLUDED }
 }
 
 struct Fractions<'a> {

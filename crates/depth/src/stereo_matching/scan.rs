@@ -157,7 +157,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
             let by = f32::from(plan.division);
             simd::run_at(view.level, Divide { sums: &mut *sums, by });
         }
-        let right = plan.check.map(|_| {
+        let right = plan.looks_back.then(|| {
             self.right.reset(plan, view.width, S::LAST);
             &mut self.right
         });
@@ -170,7 +170,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
                 right,
             },
         );
-        if plan.check.is_some() {
+        if plan.looks_back {
             let right = &mut self.refined.right;
             right.resize(view.width, NONE);
             self.right.read(plan, view.width, |x, key| {

@@ -1,42 +1,14 @@
 //! Parameters by name, for command lines and presets.
 
 use super::parameters::Parameters;
-use crate::ParameterError;
-use crate::disparity::{DepthRounding, Subpixel};
-use crate::named::{self, FLAG, Named, field, flag, text};
+use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits};
 
 const TABLE: [Named<Parameters>; 19] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
-    Named {
-        name: "subpixel",
-        get: |p| text(&(p.subpixel != Subpixel::Off)),
-        set: |p, value| {
-            match (named::switch(value)?, p.subpixel) {
-                (false, _) => p.subpixel = Subpixel::Off,
-                (true, Subpixel::Off) => p.subpixel = Subpixel::default(),
-                (true, _) => {}
-            }
-            Some(())
-        },
-        values: FLAG,
-    },
-    Named {
-        name: "subpixelFractionalBits",
-        get: |p| text(&p.subpixel.bits()),
-        set: |p, value| {
-            p.subpixel = match value.parse().ok()? {
-                0 => Subpixel::Off,
-                3 => Subpixel::Bits3,
-                4 => Subpixel::Bits4,
-                5 => Subpixel::Bits5,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give 0, 3, 4 or 5",
-    },
+    subpixel!("subpixel", subpixel),
+    subpixel_bits!("subpixelFractionalBits", subpixel),
     flag!("extendedDisparity", extended_disparity),
     field!("disparityShift", disparity_shift_px, "give whole pixels"),
     flag!("occlusion", occlusion),
@@ -58,55 +30,19 @@ const TABLE: [Named<Parameters>; 19] = [
     field!("pixelLocking", pixel_locking_px, "give pixels"),
     field!("jitter", jitter_px, "give pixels"),
     field!("window", window_px, "give an odd number of pixels, 7"),
-    Named {
-        name: "depthRounding",
-        get: |p| {
-            match p.depth_rounding {
-                DepthRounding::Nearest => "nearest",
-                DepthRounding::Truncate => "truncate",
-            }
-            .to_owned()
-        },
-        set: |p, value| {
-            p.depth_rounding = match value {
-                "nearest" => DepthRounding::Nearest,
-                "truncate" => DepthRounding::Truncate,
-                _ => return None,
-            };
-            Some(())
-        },
-        values: "give nearest or truncate",
-    },
+    one_of!("depthRounding", depth_rounding, "give nearest or truncate"),
 ];
 
-/// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
-
-impl Parameters {
-    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
-    ///
-    /// # Errors
-    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
-    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        find(name)?.change(self, value, Self::check)
-    }
-
-    /// One of [`NAMES`], as [`Parameters::set`] takes it.
-    ///
-    /// # Errors
-    /// No such name.
-    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
-        find(name).map(|named| (named.get)(self))
-    }
-}
-
-fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
-    named::find(&TABLE, name, || named::unknown("stereo-noise", name, &NAMES))
-}
+named::by_name!(Parameters, TABLE, |name| named::unknown(
+    "stereo-noise",
+    name,
+    &NAMES
+));
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::disparity::Subpixel;
     use oaktwin_camera::StereoGeometry;
 
     fn parameters() -> Parameters {

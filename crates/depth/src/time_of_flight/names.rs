@@ -1,8 +1,8 @@
 //! Parameters by name, for command lines and presets.
 
 use super::parameters::{INDOOR_E, OUTDOOR_E, Parameters};
+use crate::choice;
 use crate::named::{self, Named, field, flag, put, text};
-use crate::{ParameterError, choice};
 
 const TABLE: [Named<Parameters>; 28] = [
     field!("focalLength", focal_length_px, "give pixels, 457"),
@@ -81,32 +81,9 @@ const TABLE: [Named<Parameters>; 28] = [
     field!("confidenceThreshold", confidence_threshold, "give a number, 0.1"),
 ];
 
-/// The names of all parameters: `DepthAI`'s where it has one.
-pub const NAMES: [&str; TABLE.len()] = named::names(&TABLE);
-
-impl Parameters {
-    /// Changes one of [`NAMES`]; case, hyphens and underscores in the name do not matter.
-    ///
-    /// # Errors
-    /// No such name, a value that is none of its kind, or out of its range. Then nothing is changed.
-    pub fn set(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
-        find(name)?.change(self, value, Self::check)
-    }
-
-    /// One of [`NAMES`], as [`Parameters::set`] takes it.
-    ///
-    /// # Errors
-    /// No such name.
-    pub fn get(&self, name: &str) -> Result<String, ParameterError> {
-        find(name).map(|named| (named.get)(self))
-    }
-}
-
-fn find(name: &str) -> Result<&'static Named<Parameters>, ParameterError> {
-    named::find(&TABLE, name, || {
-        choice::unknown(name, "parameter of time-of-flight", &NAMES)
-    })
-}
+named::by_name!(Parameters, TABLE, |name| {
+    choice::unknown(name, "parameter of time-of-flight", &NAMES)
+});
 
 /// Two numbers with a comma between.
 fn numbers(pair: &str) -> Option<[f64; 2]> {

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 use super::*;
 use crate::catalog::Catalog;
-use crate::sensor::EngineKind;
+use crate::sensor::{EngineKind, SensorOptions};
 
 fn bench(model: &str, options: &Options) -> Bench {
     let catalog = Catalog::builtin();

@@ -1,7 +1,7 @@
 //! Frame after frame: rendered, encoded and written, the next one rendered while the last is written.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::mpsc;
 use std::thread;
 
@@ -17,10 +17,10 @@ use super::trajectory::TimedPose;
 use crate::camera::RigidTransform;
 use crate::dataset::{self, BasicWriter, CameraParams, DatasetError, Extras, Shot};
 use crate::diagnostic::{Finding, Level};
-use crate::files::FileError;
+use crate::files::{FileError, WrittenFile};
 use crate::image::annotation::{Annotator, Frame};
-use crate::image::{Image, png};
-use crate::pair::PairCameras;
+use crate::image::{CodecError, Image, png};
+use crate::pair::{Pair, PairCameras};
 use crate::recording::RecordingFileError;
 use crate::sensor::{Engine, Sensor};
 
@@ -40,6 +40,9 @@ pub struct FrameOptions<'a> {
     pub backend: Backend,
     /// What is written beside the files of Replicator's `BasicWriter`.
     pub extras: Extras,
+    /// Whether what a [`pair`](Self::pair) records is written too, PNG: `left`, `right`, `rectified_left`,
+    /// `rectified_right`, each with the frame's number.
+    pub writes_pair: bool,
     /// Whether a warning of the renderer is an error.
     pub strict: bool,
     /// Whether [`Written::files`] is wanted: it grows with every frame.
@@ -68,15 +71,6 @@ pub struct Written {
     pub findings: Vec<Finding>,
     /// Whether the caller asked to stop before the end.
     pub is_interrupted: bool,
-}
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WrittenFile {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its length.
-    pub bytes: u64,
 }
 
 /// How far it is: images that are rendered, of all.
@@ -115,6 +109,8 @@ struct Rendered<'a> {
     view: View,
     frame: Frame,
     sheet: Option<Image<[u8; 3]>>,
+    /// Where it is to be written.
+    pair: Option<Pair>,
 }
 
 /// Renders a frame for each pose of `path`, or the one where the cameras stand where `path` is empty, with every camera,
@@ -289,7 +285,7 @@ impl<'a> Station<'a> {
         frame.distance_to_image_plane = frame
             .distance_to_image_plane
             .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
-        findings.extend(pair.into_iter().flat_map(|pair| pair.findings));
+        findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
         let rendered = Rendered {
             camera: self.camera,
             at: self.index,
@@ -298,6 +294,7 @@ impl<'a> Station<'a> {
             view,
             frame,
             sheet,
+            pair: pair.filter(|_| options.writes_pair),
         };
         (rendered, findings)
     }
@@ -386,18 +383,40 @@ impl<'a> FolderWriter<'a> {
             self.put(file.path(), &bytes?)?;
         }
         if let Some(sheet) = &image.sheet {
-            let file = format!("sweep_{:04}.png", image.number);
-            let path = match shot.render_product {
-                Some(folder) => format!("{folder}/sweep/{file}"),
-                None => file,
-            };
-            let bytes = png::encode(sheet).map_err(|source| DatasetError::Codec {
-                path: path.clone(),
-                source,
-            })?;
-            self.put(&path, &bytes)?;
+            self.put_png(image, "sweep", "sweep", png::encode(sheet))?;
+        }
+        if let Some(pair) = &image.pair {
+            let images = [
+                ("left", &pair.left),
+                ("right", &pair.right),
+                ("rectified_left", &pair.rectified_left),
+                ("rectified_right", &pair.rectified_right),
+            ];
+            for (name, image_of_pair) in images {
+                self.put_png(image, "pair", name, image_of_pair.to_png())?;
+            }
         }
         Ok(())
+    }
+
+    /// Puts a picture into the folder, or, where cameras have folders, into one of this camera's.
+    fn put_png(
+        &mut self,
+        image: &Rendered<'_>,
+        folder: &str,
+        name: &str,
+        bytes: Result<Vec<u8>, CodecError>,
+    ) -> Result<(), FramesError> {
+        let file = format!("{name}_{:04}.png", image.number);
+        let path = if self.in_folders {
+            format!("{}/{folder}/{file}", image.camera.folder)
+        } else {
+            file
+        };
+        match bytes {
+            Ok(bytes) => self.put(&path, &bytes),
+            Err(source) => Err(DatasetError::Codec { path, source }.into()),
+        }
     }
 }
 

@@ -54,7 +54,7 @@ pub mod trajectory;
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
-pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, WrittenFile, write_frames};
+pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use limits::{
     MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
 };

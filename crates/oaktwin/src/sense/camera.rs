@@ -44,6 +44,21 @@ pub(super) fn of_images(
         camera,
     };
     match (asked, params) {
+        (FieldOfView::Camera(camera), _) => {
+            let own = camera.intrinsics.size;
+            if own != size {
+                return Err(SenseError::option(format!(
+                    "camera: its images are {own}, and these {size}; give the camera at their size"
+                )));
+            }
+            if camera.lens != LensModel::Pinhole {
+                findings.push(bent(
+                    "camera",
+                    "rectify them, and give the camera without the lens",
+                ));
+            }
+            Ok(said(camera))
+        }
         (FieldOfView::FocalLength(fx), _) => {
             if !(fx.is_finite() && fx > 0.0) {
                 return Err(SenseError::option(format!(
@@ -63,13 +78,8 @@ pub(super) fn of_images(
         (FieldOfView::Known, Some(params)) => {
             let camera = read_params(params, size)?;
             if camera.lens != LensModel::Pinhole {
-                findings.push(Finding::new(
-                    "image-lens",
-                    Level::Warning,
-                    params.display().to_string(),
-                    "the images have a lens that bends rays, and a depth sensor's are rectified: they are used as they are",
-                    "give --resample to rectify them",
-                ));
+                let place = params.display().to_string();
+                findings.push(bent(&place, "give --resample to rectify them"));
             }
             Ok(said(camera))
         }
@@ -100,6 +110,17 @@ pub(super) fn of_images(
             })
         }
     }
+}
+
+/// That images are not as a depth sensor's.
+fn bent(place: &str, remedy: &str) -> Finding {
+    Finding::new(
+        "image-lens",
+        Level::Warning,
+        place,
+        "the images have a lens that bends rays, and a depth sensor's are rectified: they are used as they are",
+        remedy,
+    )
 }
 
 fn is_same(a: &Intrinsics, b: &Intrinsics) -> bool {

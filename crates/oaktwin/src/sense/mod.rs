@@ -30,7 +30,7 @@ pub(crate) use geometry::positions;
 pub use options::{AlignTo, CloudFrame, FieldOfView, InputKind, SenseOptions};
 pub use plan::{STANDARD_INPUT, depth_sensor};
 pub use rig::align_to;
-pub use run::{Done, Output, Sensed, SensedFile, sense};
+pub use run::{Done, Output, Sensed, sense};
 
 use crate::files::FileError;
 use crate::sensor::ParameterError;

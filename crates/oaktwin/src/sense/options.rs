@@ -24,6 +24,8 @@ pub enum FieldOfView {
     FocalLength(f64),
     /// A horizontal angle, degrees.
     Degrees(f64),
+    /// That of their camera, with its principal point; it has their size.
+    Camera(Camera),
 }
 
 /// The axes of a point cloud.

@@ -15,7 +15,7 @@ use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig
 use crate::camera::{Camera, ImageSize, LensModel};
 use crate::catalog::Twin;
 use crate::diagnostic::{Finding, Level};
-use crate::files::FileError;
+use crate::files::{FileError, WrittenFile};
 use crate::image::Image;
 use crate::image::annotation::Annotator;
 use crate::sensor::{Engine, EngineKind, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
@@ -47,22 +47,13 @@ pub struct Sensed {
     /// Images whose results are whole.
     pub images: u64,
     /// Whole ones.
-    pub files: Vec<SensedFile>,
+    pub files: Vec<WrittenFile>,
     /// What is not as the model says, and what was chosen, each once.
     pub findings: Vec<Finding>,
     /// The prims of the sensors, and the names of their engines.
     pub sensors: Vec<(String, &'static str)>,
     /// Whether the caller asked to stop before the end.
     pub is_interrupted: bool,
-}
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SensedFile {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its length.
-    pub bytes: u64,
 }
 
 /// Shows depth images to the sensor of a twin and writes what it reports. `watch` is asked before each part; where it

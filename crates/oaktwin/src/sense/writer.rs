@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use super::plan::Results;
 use super::product::{Body, Numbers, Product};
-use super::{Output, SenseError, SensedFile};
-use crate::files::{FileError, InParts};
+use super::{Output, SenseError};
+use crate::files::{FileError, InParts, WrittenFile};
 use crate::render::OutputFolder;
 
 pub(super) struct Writer<'a> {
@@ -17,7 +17,7 @@ pub(super) struct Writer<'a> {
     inputs: BTreeSet<PathBuf>,
     /// Those that were written into: empty ones that were made for it are gone at the end.
     folders: BTreeMap<PathBuf, OutputFolder>,
-    pub(super) files: Vec<SensedFile>,
+    pub(super) files: Vec<WrittenFile>,
 }
 
 /// Where the results of one depth file go.
@@ -90,7 +90,7 @@ impl<'a> Writer<'a> {
                     let path = place.results.path(annotator, &name, item, extension);
                     self.prepare(&path)?;
                     crate::files::write(&path, &bytes)?;
-                    self.files.push(SensedFile {
+                    self.files.push(WrittenFile {
                         path,
                         bytes: bytes.len() as u64,
                     });
@@ -116,7 +116,7 @@ impl<'a> Writer<'a> {
     pub(super) fn finish(&mut self, place: Place<'_>) -> Result<(), SenseError> {
         for parts in place.arrays.into_values() {
             let (path, bytes) = parts.finish()?;
-            self.files.push(SensedFile { path, bytes });
+            self.files.push(WrittenFile { path, bytes });
         }
         Ok(())
     }

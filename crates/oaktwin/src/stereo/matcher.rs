@@ -1,5 +1,7 @@
 //! Two images to depth.
 
+use rayon::prelude::*;
+
 use super::StereoError;
 use crate::camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use crate::catalog::Twin;
@@ -178,6 +180,43 @@ impl Matcher {
     /// # Errors
     /// Images of another size, or of two kinds.
     pub fn look(&mut self, left: Recorded, right: Recorded) -> Result<Seen, StereoError> {
+        let rectified = self.rectified(left, right)?;
+        see(&mut self.sensor, rectified)
+    }
+
+    /// Matches pairs of one moment, left and right, those of many rigs: each as a matcher would that has seen none before,
+    /// and this one does not remember them. Threads match a pair each while there are enough, and share those that are
+    /// left; there are never more at work than threads. Findings say the pair's number, from `first` on.
+    ///
+    /// # Errors
+    /// As for [`Matcher::look`], of the first pair that has one.
+    pub fn look_all(&self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
+        let mut fresh = self.sensor.clone();
+        fresh.reset();
+        let threads = rayon::current_num_threads().max(1);
+        let mut all = Vec::with_capacity(pairs.len());
+        let mut pairs = pairs.into_iter();
+        loop {
+            let some: Vec<[Recorded; 2]> = pairs.by_ref().take(threads).collect();
+            if some.is_empty() {
+                return Ok(all);
+            }
+            let look = |[left, right]: [Recorded; 2]| {
+                let rectified = self.rectified(left, right)?;
+                see(&mut fresh.clone(), rectified)
+            };
+            let some: Vec<Result<Seen, StereoError>> = some.into_par_iter().map(look).collect();
+            for seen in some {
+                let (mut seen, number) = (seen?, first + all.len());
+                for finding in &mut seen.findings {
+                    finding.place = format!("pair {number}: {}", finding.place);
+                }
+                all.push(seen);
+            }
+        }
+    }
+
+    fn rectified(&self, left: Recorded, right: Recorded) -> Result<[Recorded; 2], StereoError> {
         // First, so that what is wrong is told of the images as they came.
         Pair::new(&left, &right)?;
         let rectified = match (&self.rectify, &left, &right) {
@@ -198,23 +237,26 @@ impl Matcher {
             }
             .into());
         }
-        let rectified = rectified.unwrap_or([left, right]);
-        let [left, right] = &rectified;
-        let pair = Pair::new(left, right)?;
-        let findings = match self.sensor.engine() {
-            Engine::StereoMatching(engine) => stereo_matching::inspect(&pair, engine.parameters()),
-            _ => Vec::new(),
-        };
-        // The measured depth has the size of the pair.
-        let none = Image::filled(1, 1, 0.0);
-        let shot = Shot::new((&none).into()).with_pair(pair);
-        let capture = self.sensor.capture(&shot, single_view::Wanted::default());
-        Ok(Seen {
-            capture,
-            rectified,
-            findings,
-        })
+        Ok(rectified.unwrap_or([left, right]))
     }
+}
+
+fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoError> {
+    let [left, right] = &rectified;
+    let pair = Pair::new(left, right)?;
+    let findings = match sensor.engine() {
+        Engine::StereoMatching(engine) => stereo_matching::inspect(&pair, engine.parameters()),
+        _ => Vec::new(),
+    };
+    // The measured depth has the size of the pair.
+    let none = Image::filled(1, 1, 0.0);
+    let shot = Shot::new((&none).into()).with_pair(pair);
+    let capture = sensor.capture(&shot, single_view::Wanted::default());
+    Ok(Seen {
+        capture,
+        rectified,
+        findings,
+    })
 }
 
 fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, ParameterError> {
@@ -234,6 +276,12 @@ fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, Para
             Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
         }
         FieldOfView::Degrees(hfov) => Err(wrong("hfov", hfov, "give degrees between 0 and 180")),
+        FieldOfView::Camera(camera) if camera.intrinsics.size == size => Ok(camera.intrinsics),
+        FieldOfView::Camera(camera) => Err(ParameterError {
+            name: "camera".to_owned(),
+            what: format!("its images are {}, and these {size}", camera.intrinsics.size),
+            remedy: "give the camera at their size".to_owned(),
+        }),
         FieldOfView::Known => Err(ParameterError {
             name: "fx".to_owned(),
             what: "nothing says the images' field of view".to_owned(),

@@ -12,7 +12,7 @@ mod run;
 pub use files::{PairFiles, pairs};
 pub use grey::{luma, read_pair};
 pub use matcher::{Matcher, PairOf, Seen};
-pub use run::{Matched, StereoFile, StereoOptions, stereo};
+pub use run::{Matched, StereoOptions, stereo};
 
 use std::path::Path;
 

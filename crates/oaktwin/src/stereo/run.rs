@@ -9,10 +9,9 @@ use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::camera::{Camera, ImageSize};
-use crate::depth::imager::Recorded;
 use crate::depth::rectify::Method;
 use crate::diagnostic::{Finding, Level};
-use crate::files::FileError;
+use crate::files::{FileError, WrittenFile};
 use crate::image::{CodecError, Image, ZDepth, millimetres, npy, ply, png, preview};
 use crate::render::OutputFolder;
 use crate::sense::positions;
@@ -41,7 +40,7 @@ pub struct StereoOptions {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matched {
     /// Whole ones.
-    pub files: Vec<StereoFile>,
+    pub files: Vec<WrittenFile>,
     /// Of each pair the share (0 to 1) of pixels that were measured.
     pub fill: Vec<f64>,
     /// What is wrong with the images, and what was chosen; each kind once, of the first pair that has it.
@@ -54,15 +53,6 @@ pub struct Matched {
     pub method: Option<&'static str>,
     /// Whether the caller asked to stop before the end.
     pub is_interrupted: bool,
-}
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StereoFile {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Its length.
-    pub bytes: u64,
 }
 
 /// Matches pairs of files, one after the other, and writes what is measured into a folder. `watch` is asked before each,
@@ -116,7 +106,14 @@ pub fn stereo(
             error => error,
         };
         let seen = matcher.look(left, right).map_err(of_files)?;
-        for finding in &seen.findings {
+        let ZDepth(metres) = &seen.capture.distance;
+        let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
+        let is_strange = measured == 0 && seen.findings.is_empty();
+        for finding in seen
+            .findings
+            .iter()
+            .chain(is_strange.then_some(&nothing_measured()))
+        {
             if !matched.findings.iter().any(|known| known.code == finding.code) {
                 let place = format!("{}: {}", pair.left.display(), finding.place);
                 matched.findings.push(Finding {
@@ -125,8 +122,6 @@ pub fn stereo(
                 });
             }
         }
-        let ZDepth(metres) = &seen.capture.distance;
-        let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
         matched
             .fill
             .push(measured as f64 / metres.pixels().len().max(1) as f64);
@@ -148,6 +143,16 @@ impl Matched {
             .iter()
             .any(|finding| finding.level >= Level::Warning)
     }
+}
+
+fn nothing_measured() -> Finding {
+    Finding::new(
+        "nothing-measured",
+        Level::Warning,
+        "stereo pair",
+        "not one pixel was measured",
+        "check that the two are a rectified pair, or loosen confidenceThreshold, leftRightCheckThreshold and the filters",
+    )
 }
 
 type Product = (&'static str, &'static str, Vec<u8>);
@@ -174,11 +179,7 @@ fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec
             .into_iter()
             .zip(&seen.rectified)
         {
-            let bytes = match image {
-                Recorded::Eight(image) => png::encode(image)?,
-                Recorded::Ten(image) => png::encode(image)?,
-            };
-            products.push((name, "png", bytes));
+            products.push((name, "png", image.to_png()?));
         }
     }
     if options.ply {
@@ -228,7 +229,7 @@ impl Writer {
         })
     }
 
-    fn put(&mut self, name: &str, bytes: &[u8]) -> Result<StereoFile, FileError> {
+    fn put(&mut self, name: &str, bytes: &[u8]) -> Result<WrittenFile, FileError> {
         let path = self.folder.path().join(name);
         if path.canonicalize().is_ok_and(|path| self.inputs.contains(&path)) {
             return Err(FileError::new(
@@ -246,6 +247,6 @@ impl Writer {
         }
         let path = self.folder.write(Path::new(name), bytes)?;
         let bytes = bytes.len() as u64;
-        Ok(StereoFile { path, bytes })
+        Ok(WrittenFile { path, bytes })
     }
 }

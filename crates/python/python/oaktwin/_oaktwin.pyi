@@ -208,6 +208,7 @@ class DepthSensor:
         isaac: _Isaac = "5.1",
         fx: float | None = None,
         hfov_deg: float | None = None,
+        camera: Camera | None = None,
         name: str | None = None,
     ) -> DepthSensor: ...
     @overload

@@ -3,6 +3,7 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
 use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
+use crate::depth_sensor::ATTRIBUTES;
 use crate::nvidia::OUTLIER_REMOVAL;
 use crate::stage::Value;
 
@@ -54,24 +55,6 @@ const CAMERA_TYPES: [(&str, &str); 11] = [
     ("exposure", "float"),
 ];
 
-/// Attributes of the single-view depth sensor. Source: Kit's schema; ovrtx documents the same fourteen.
-const DEPTH_TYPES: [(&str, &str); 14] = [
-    ("baselineMM", "float"),
-    ("confidenceThreshold", "float"),
-    ("enabled", "bool"),
-    ("focalLengthPixel", "float"),
-    ("maxDisparityPixel", "float"),
-    ("maxDistance", "float"),
-    ("minDistance", "float"),
-    ("noiseDownscaleFactorPixel", "float"),
-    ("noiseMean", "float"),
-    ("noiseSigma", "float"),
-    (OUTLIER_REMOVAL, "int"),
-    ("rgbDepthOutputMode", "int"),
-    ("sensorSizePixel", "float"),
-    ("showDistance", "bool"),
-];
-
 pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     for (name, expected) in CAMERA_TYPES {
         if let Some(attribute) = camera.camera.prim.attributes.get(name)
@@ -103,7 +86,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             ));
             continue;
         }
-        let Some((_, expected)) = DEPTH_TYPES.iter().find(|(known, _)| *known == name) else {
+        let Some((_, expected)) = ATTRIBUTES.iter().find(|(known, _)| *known == name) else {
             findings.push(unknown(sensor.generation, path, &full, name));
             continue;
         };
@@ -142,7 +125,7 @@ fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Findin
             format!("{full} is not among the names that ovrtx's pages give; its full list is not public"),
         );
     }
-    let near = nearest(name, DEPTH_TYPES.iter().map(|(known, _)| *known));
+    let near = nearest(name, ATTRIBUTES.iter().map(|(known, _)| *known));
     let remedy = match near.first() {
         Some(near) => format!("write {PRODUCT_NAMESPACE}{near}, or remove it"),
         None => "remove it".to_owned(),

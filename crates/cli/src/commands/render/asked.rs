@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
 use oaktwin::dataset::Extras;
+use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, OpenOptions, Sweep};
 use oaktwin::scene::Up;
@@ -24,6 +25,7 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
         ("--ply", args.ply),
         ("--preview", args.preview),
         ("--sweep", !args.sweep.is_empty()),
+        ("--pair", args.pair.pair),
     ];
     match files.iter().find(|(_, is_asked)| *is_asked) {
         Some((option, _)) => Err(format!(
@@ -34,9 +36,22 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
     }
 }
 
+/// What is rendered where nobody says what.
+const USUAL: [Annotator; 3] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::CameraParams,
+];
+
 /// Those that are named, and those that a file beside them is made from.
 pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
+    if args.annotators.is_empty() {
+        chosen.extend(USUAL);
+    }
+    if senses(args) {
+        chosen.push(Annotator::DepthSensorDistance);
+    }
     for name in &args.annotators {
         match name.trim() {
             "all" => chosen.extend(Annotator::ALL),
@@ -63,8 +78,32 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     Ok(chosen)
 }
 
+/// Whether what a sensor reports is wanted although nobody named it. A sweep has a sheet of its own.
+fn senses(args: &RenderArgs) -> bool {
+    let is_set = args.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
+    is_set || args.pair.pair
+}
+
+/// An option of the depth sensor of which nothing comes.
+pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
+    let option = args.sensor.given().filter(|_| args.sweep.is_empty())?;
+    let is_used = annotators.iter().any(|one| one.is_of_depth_sensor());
+    (!is_used).then(|| {
+        Finding::new(
+            "sensor-unused",
+            Level::Warning,
+            option,
+            "changes nothing: none of the annotators is what a depth sensor reports",
+            "add depth_sensor_distance to --annotators",
+        )
+    })
+}
+
 /// Whether a depth sensor's annotators are wanted only where there is a sensor: nobody named one.
 pub(super) fn everything(args: &RenderArgs) -> bool {
+    if senses(args) {
+        return false;
+    }
     let named = args
         .annotators
         .iter()

@@ -2,11 +2,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin::camera::{LensModel, Usd};
-use oaktwin::depth::{stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::diagnostic::Finding;
+use oaktwin::files::WrittenFile;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{PlacedCamera, Written, WrittenFile};
-use oaktwin::sensor::{Engine, EngineKind, Sensor, single_view};
+use oaktwin::render::{PlacedCamera, Written};
+use oaktwin::sensor::{EngineKind, Sensor};
 use serde::Serialize;
 
 use crate::args::RenderArgs;
@@ -20,7 +20,7 @@ pub(super) struct Report<'a> {
     /// The folder, where one is written.
     output: Option<&'a Path>,
     /// The recording, where it is whole.
-    recording: Option<FileReport>,
+    recording: Option<WrittenFile>,
     /// Whole ones.
     frames: usize,
     #[serde(skip)]
@@ -28,7 +28,7 @@ pub(super) struct Report<'a> {
     pub(super) is_interrupted: bool,
     annotators: Vec<&'static str>,
     cameras: Vec<CameraReport<'a>>,
-    files: Vec<FileReport>,
+    files: Vec<WrittenFile>,
     /// About the scene, its cameras and the rendering.
     findings: Vec<Finding>,
     /// About the calibration that the twin was made from.
@@ -58,21 +58,6 @@ struct SensorReport {
     parameters: BTreeMap<&'static str, String>,
 }
 
-#[derive(Debug, Serialize)]
-struct FileReport {
-    path: PathBuf,
-    bytes: u64,
-}
-
-impl FileReport {
-    fn new(file: WrittenFile) -> Self {
-        Self {
-            path: file.path,
-            bytes: file.bytes,
-        }
-    }
-}
-
 impl<'a> Report<'a> {
     pub(super) fn new(
         (args, output): (&'a RenderArgs, Option<&'a Path>),
@@ -87,7 +72,7 @@ impl<'a> Report<'a> {
         Self {
             scene: &args.scene,
             output,
-            recording: written.recording.map(FileReport::new),
+            recording: written.recording,
             frames: written.frames,
             wanted_frames,
             is_interrupted: written.is_interrupted,
@@ -100,7 +85,7 @@ impl<'a> Report<'a> {
                     CameraReport::new(camera, sensor, output, is_flat)
                 })
                 .collect(),
-            files: written.files.into_iter().map(FileReport::new).collect(),
+            files: written.files,
             findings,
             calibration_findings,
         }
@@ -173,47 +158,9 @@ impl<'a> CameraReport<'a> {
 
 impl SensorReport {
     fn new(sensor: &Sensor) -> Self {
-        match sensor.engine() {
-            Engine::SingleView(engine) => {
-                let parameters = engine.parameters();
-                let names = single_view::Parameters::NAMES.iter();
-                Self {
-                    engine: EngineKind::SingleView.as_str(),
-                    parameters: names
-                        .filter_map(|name| Some((*name, parameters.get(name)?)))
-                        .collect(),
-                }
-            }
-            Engine::StereoNoise(engine) => {
-                let parameters = engine.parameters();
-                let names = stereo_noise::NAMES.iter();
-                Self {
-                    engine: EngineKind::StereoNoise.as_str(),
-                    parameters: names
-                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
-                        .collect(),
-                }
-            }
-            Engine::TimeOfFlight(engine) => {
-                let parameters = engine.parameters();
-                let names = time_of_flight::NAMES.iter();
-                Self {
-                    engine: EngineKind::TimeOfFlight.as_str(),
-                    parameters: names
-                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
-                        .collect(),
-                }
-            }
-            Engine::StereoMatching(engine) => {
-                let parameters = engine.parameters();
-                let names = stereo_matching::NAMES.iter();
-                Self {
-                    engine: EngineKind::StereoMatching.as_str(),
-                    parameters: names
-                        .filter_map(|name| Some((*name, parameters.get(name).ok()?)))
-                        .collect(),
-                }
-            }
+        Self {
+            engine: EngineKind::of(sensor.engine()).as_str(),
+            parameters: sensor.engine().parameters().into_iter().collect(),
         }
     }
 }

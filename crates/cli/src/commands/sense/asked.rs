@@ -31,8 +31,8 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
             fill: args.align_fill.into(),
         }),
         annotators: annotators(args)?,
-        png16: args.png16,
-        preview: args.preview,
+        png16: args.depth_files.png16,
+        preview: args.depth_files.preview,
         cloud: args.pointcloud.then(|| args.pointcloud_frame.into()),
     })
 }
@@ -74,8 +74,8 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
             return Err("- and other inputs: standard output takes one result; say -o DIR".into());
         }
         let writes_files = [
-            (args.png16, "--png16"),
-            (args.preview, "--preview"),
+            (args.depth_files.png16, "--png16"),
+            (args.depth_files.preview, "--preview"),
             (args.pointcloud, "--pointcloud"),
             (!args.outputs.is_empty(), "--outputs"),
             (args.json, "--json"),

@@ -1,7 +1,8 @@
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
+use oaktwin::files::WrittenFile;
 use oaktwin::sense::Sensed;
 use serde::Serialize;
 
@@ -15,7 +16,7 @@ pub(super) struct Report {
     sensors: Vec<SensorReport>,
     images: u64,
     is_interrupted: bool,
-    files: Vec<FileReport>,
+    files: Vec<WrittenFile>,
     findings: Vec<Finding>,
     /// About the calibration that the twin was made from.
     calibration_findings: Vec<Finding>,
@@ -25,12 +26,6 @@ pub(super) struct Report {
 struct SensorReport {
     prim: String,
     engine: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct FileReport {
-    path: PathBuf,
-    bytes: u64,
 }
 
 impl Report {
@@ -44,14 +39,7 @@ impl Report {
                 .collect(),
             images: sensed.images,
             is_interrupted: sensed.is_interrupted,
-            files: sensed
-                .files
-                .into_iter()
-                .map(|file| FileReport {
-                    path: file.path,
-                    bytes: file.bytes,
-                })
-                .collect(),
+            files: sensed.files,
             findings: sensed.findings,
             calibration_findings,
         }

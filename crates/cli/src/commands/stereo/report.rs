@@ -1,7 +1,8 @@
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
+use oaktwin::files::WrittenFile;
 use oaktwin::stereo::Matched;
 use serde::Serialize;
 
@@ -24,16 +25,10 @@ pub(super) struct Report {
     /// Of each pair the share (0 to 1) of pixels that were measured.
     fill: Vec<f64>,
     is_interrupted: bool,
-    files: Vec<FileReport>,
+    files: Vec<WrittenFile>,
     findings: Vec<Finding>,
     /// About the calibration.
     calibration_findings: Vec<Finding>,
-}
-
-#[derive(Debug, Serialize)]
-struct FileReport {
-    path: PathBuf,
-    bytes: u64,
 }
 
 impl Report {
@@ -53,14 +48,7 @@ impl Report {
             pairs: matched.fill.len(),
             fill: matched.fill,
             is_interrupted: matched.is_interrupted,
-            files: matched
-                .files
-                .into_iter()
-                .map(|file| FileReport {
-                    path: file.path,
-                    bytes: file.bytes,
-                })
-                .collect(),
+            files: matched.files,
             findings: matched.findings,
             calibration_findings,
         }
@@ -99,7 +87,7 @@ impl Report {
             fill * 100.0
         );
         for file in &self.files {
-            text += &format!("{}\n", Path::new(&file.path).display());
+            text += &format!("{}\n", file.path.display());
         }
         text
     }

@@ -44,6 +44,11 @@ fn what_is_wrong_is_told() {
         codes(&[Image::filled(640, 200, 90), Image::filled(640, 200, 90)]),
         ["no-texture"]
     );
+    assert_eq!(
+        codes(&[left.clone(), Image::filled(640, 200, 90)]),
+        ["no-texture"]
+    );
+    assert_eq!(codes(&[left.clone(), left.clone()]), ["same-image"]);
     let rows_only = codes(&[blank.clone(), blank]);
     assert_eq!(rows_only, ["no-texture"]);
     let bright = Image::filled(640, 200, 255);
@@ -52,6 +57,33 @@ fn what_is_wrong_is_told() {
         ["saturated", "saturated", "no-texture"]
     );
     assert!(codes(&step(90, 200, 3.0, 9.0, 30.0, 50.0)).contains(&"range-beyond-image"));
+}
+
+/// Of another place, or of so long before that nothing is where it was; a pattern that repeats is no such thing, nor are
+/// cameras that are not exposed alike.
+#[test]
+fn images_of_two_places() {
+    let [left, right] = step(640, 200, 12.0, 40.0, 250.0, 400.0);
+    let turned = |image: &Image<u8>| {
+        let pixels = image.pixels().iter().rev().copied().collect();
+        Image::new(640, 200, pixels).unwrap()
+    };
+    assert_eq!(codes(&[left.clone(), turned(&right)]), ["unrelated"]);
+    assert_eq!(codes(&[left.clone(), turned(&left)]), ["unrelated"]);
+    let darker = right.map(|&level| level / 4 * 3);
+    assert!(codes(&[left, darker]).is_empty());
+    let squares = |moved: u32| {
+        let grey = |x: u32, y: u32| {
+            if ((x + moved) / 10 + y / 10).is_multiple_of(2) {
+                40
+            } else {
+                200
+            }
+        };
+        let pixels = (0..200).flat_map(|y| (0..640).map(move |x| grey(x, y)));
+        Image::new(640, 200, pixels.collect()).unwrap()
+    };
+    assert!(codes(&[squares(0), squares(7)]).is_empty());
 }
 
 #[test]

@@ -8,6 +8,7 @@
 mod effects;
 mod findings;
 mod names;
+mod rvc4;
 mod same_bytes;
 
 use oaktwin_camera::StereoGeometry;

@@ -1,6 +1,6 @@
 use super::parameters;
 use crate::preset::{Platform, StereoConfig};
-use crate::stereo_matching::NAMES;
+use crate::stereo_matching::{NAMES, Parameters};
 
 #[test]
 fn each_name_changes_what_it_reads() {
@@ -43,6 +43,13 @@ fn wrong_values_change_nothing() {
         ("kernelMask", "0xG"),
         ("platform", "RVC3"),
         ("kernelSize", "KERNEL_9x9"),
+        ("occlusionConfidenceWeight", "33"),
+        ("motionVectorConfidenceThreshold", "4"),
+        ("flatnessConfidenceThreshold", "0"),
+        ("flatnessConfidenceThreshold", "8"),
+        ("holeFilling.highConfidenceThreshold", "0"),
+        ("holeFilling.minValidDisparity", "4"),
+        ("adaptiveMedianFilter.confidenceThreshold", "256"),
     ];
     for (name, value) in wrong {
         assert_eq!(p.set(name, value).unwrap_err().name, name, "{name}={value}");
@@ -76,6 +83,25 @@ fn presets_configure_it() {
         (-40, 20, 85)
     );
     assert!(p.platform == Platform::Rvc4 && !p.p1.adaptive && p.check().is_ok());
+    let values = |p: &Parameters| {
+        let names = [
+            "occlusionConfidenceWeight",
+            "motionVectorConfidenceWeight",
+            "motionVectorConfidenceThreshold",
+            "flatnessConfidenceWeight",
+            "flatnessConfidenceThreshold",
+            "holeFilling.enable",
+            "holeFilling.highConfidenceThreshold",
+            "holeFilling.fillConfidenceThreshold",
+            "holeFilling.minValidDisparity",
+            "adaptiveMedianFilter.enable",
+        ];
+        names.map(|name| p.get(name).unwrap()).join(" ")
+    };
+    assert_eq!(values(&p), "28 0 1 4 4 false 210 200 1 true");
+    preset(Platform::Rvc4, "ROBOTICS").apply_to_matching(&mut p);
+    assert_eq!(values(&p), "14 16 1 2 4 true 240 251 1 true");
+    assert_eq!(values(&parameters()), "20 4 1 8 2 true 210 200 1 true");
 }
 
 #[test]

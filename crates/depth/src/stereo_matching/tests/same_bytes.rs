@@ -2,7 +2,7 @@ use super::{changed, pair, step};
 use crate::simd::Level;
 use crate::stereo_matching::StereoMatching;
 
-const SETTINGS: [&[(&str, &str)]; 8] = [
+const SETTINGS: [&[(&str, &str)]; 10] = [
     &[],
     &[("paths", "8"), ("subpixelInterpolation", "PARABOLA")],
     &[("subpixelInterpolation", "PARABOLA_5")],
@@ -23,6 +23,19 @@ const SETTINGS: [&[(&str, &str)]; 8] = [
         ("extendedDisparity", "true"),
     ],
     &[("disparityWidth", "DISPARITY_64"), ("paths", "3")],
+    &[
+        ("platform", "RVC4"),
+        ("holeFilling.fillConfidenceThreshold", "251"),
+        ("holeFilling.minValidDisparity", "3"),
+        ("adaptiveMedianFilter.confidenceThreshold", "255"),
+        ("confidenceThreshold", "0"),
+    ],
+    &[
+        ("platform", "RVC4"),
+        ("leftRightCheck", "false"),
+        ("holeFilling.invalidateDisparities", "false"),
+        ("subpixelFractionalBits", "3"),
+    ],
 ];
 
 #[test]

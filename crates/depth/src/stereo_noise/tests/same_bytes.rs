@@ -1,4 +1,5 @@
 use super::*;
+use crate::random::Stream;
 use crate::simd::Level;
 use crate::stereo_noise::sense::{Job, Scratch};
 use proptest::prelude::*;

@@ -5,24 +5,24 @@ use crate::depth::single_view::Parameters;
 use crate::diagnostic::{Finding, Level, nearest};
 use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
 use crate::usd::asset::IsaacVersion;
-use crate::usd::depth_sensor::DepthSensor;
+use crate::usd::depth_sensor::{ATTRIBUTES, DepthSensor, OUTLIER_REMOVAL};
 use crate::usd::stage::{Attribute, Value};
 
-/// The schema's attributes that shape what the sensor reports, with their types.
-const SHAPING: [(&str, &str); 12] = [
-    ("baselineMM", "float"),
-    ("confidenceThreshold", "float"),
-    ("focalLengthPixel", "float"),
-    ("maxDisparityPixel", "float"),
-    ("maxDistance", "float"),
-    ("minDistance", "float"),
-    ("noiseDownscaleFactorPixel", "float"),
-    ("noiseMean", "float"),
-    ("noiseSigma", "float"),
-    ("outlierRemovalEnabled", "int (Isaac Sim 5.1) or bool (6)"),
-    ("rgbDepthOutputMode", "int"),
-    ("sensorSizePixel", "float"),
-];
+/// The schema's attributes that shape what the sensor reports, all but its switches, with the types they may have.
+fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let shapes = ATTRIBUTES
+        .into_iter()
+        .filter(|(_, type_name)| *type_name != "bool");
+    shapes.map(|(name, type_name)| match name {
+        OUTLIER_REMOVAL => (name, "int (Isaac Sim 5.1) or bool (6)"),
+        _ => (name, type_name),
+    })
+}
+
+/// The names of these.
+fn shaping_names() -> impl Iterator<Item = &'static str> {
+    shaping().map(|(name, _)| name)
+}
 
 /// The sensor that a stage describes, its noise keyed by `name`.
 pub(super) fn sensor(
@@ -59,7 +59,7 @@ fn parameters(
     let mut findings = Vec::new();
     let mut authored = Vec::new();
     for (name, attribute) in stage.attributes() {
-        let Some((name, expected)) = SHAPING.iter().find(|(known, _)| *known == name) else {
+        let Some((name, types)) = shaping().find(|(known, _)| *known == name) else {
             findings.extend(unknown(stage, name));
             continue;
         };
@@ -72,7 +72,7 @@ fn parameters(
         let text = text(name, value, attribute).ok_or_else(|| {
             wrong(
                 format!("is of type {}", attribute.type_name),
-                format!("author it as {expected}"),
+                format!("author it as {types}"),
             )
         })?;
         parameters
@@ -81,11 +81,9 @@ fn parameters(
         if attribute.animated {
             findings.push(animated(stage, name, &text));
         }
-        authored.push(*name);
+        authored.push(name);
     }
-    let missing: Vec<&str> = SHAPING
-        .iter()
-        .map(|(name, _)| *name)
+    let missing: Vec<&str> = shaping_names()
         .filter(|name| !authored.contains(name) && *name != "rgbDepthOutputMode")
         .collect();
     if !missing.is_empty() {
@@ -107,9 +105,9 @@ fn parameters(
 /// another type than the attribute may have.
 fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
     match (name, value) {
-        ("outlierRemovalEnabled", Value::Bool(on)) => Some(u8::from(*on).to_string()),
-        ("outlierRemovalEnabled" | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
-        ("outlierRemovalEnabled" | "rgbDepthOutputMode", _) => None,
+        (OUTLIER_REMOVAL, Value::Bool(on)) => Some(u8::from(*on).to_string()),
+        (OUTLIER_REMOVAL | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
+        (OUTLIER_REMOVAL | "rgbDepthOutputMode", _) => None,
         (_, Value::Int(int)) => Some(int.to_string()),
         #[expect(clippy::cast_possible_truncation, reason = "it was one")]
         (_, Value::Float(float)) if attribute.type_name == "float" => Some((*float as f32).to_string()),
@@ -123,8 +121,7 @@ fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
     if Parameters::NAMES.contains(&name) {
         return None;
     }
-    let known = SHAPING.iter().map(|(known, _)| *known);
-    let remedy = match nearest(name, known).first() {
+    let remedy = match nearest(name, shaping_names()).first() {
         Some(near) => format!("write {near}, or remove it"),
         None => "remove it".to_owned(),
     };

@@ -26,6 +26,8 @@ enum Request {
     SingleView(single_view::Request),
     /// An OAK's stereo on a pair.
     StereoMatching(stereo_matching::Request),
+    /// The parameters of that by name.
+    StereoMatchingParameters(stereo_matching::ParametersRequest),
     /// The errors of an OAK's stereo.
     StereoNoise(stereo_noise::Request),
     /// The errors of time of flight.
@@ -40,6 +42,7 @@ fn answer(line: &str) -> Result<Value, Box<dyn Error>> {
         Request::Rectify(request) => request.answer(),
         Request::SingleView(request) => request.answer(),
         Request::StereoMatching(request) => request.answer(),
+        Request::StereoMatchingParameters(request) => request.answer(),
         Request::StereoNoise(request) => request.answer(),
         Request::TimeOfFlight(request) => request.answer(),
         Request::DepthConfidence(request) => request.answer(),

@@ -5,11 +5,16 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::stereo_matching::{Pair, Parameters, StereoMatching, inspect};
+use oaktwin_depth::stereo_matching::{NAMES, Pair, Parameters, StereoMatching, inspect};
 use oaktwin_image::{Image, ImageView, npy};
 use serde_json::{Value, json};
 
 use crate::files;
+
+const STEREO: StereoGeometry = StereoGeometry {
+    focal_length_px: 800.0,
+    baseline_m: 0.075,
+};
 
 #[derive(serde::Deserialize)]
 pub(crate) struct Request {
@@ -27,11 +32,7 @@ pub(crate) struct Request {
 
 impl Request {
     pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
-        let stereo = StereoGeometry {
-            focal_length_px: 800.0,
-            baseline_m: 0.075,
-        };
-        let mut parameters = Parameters::new(Platform::Rvc2, stereo, self.width);
+        let mut parameters = Parameters::new(Platform::Rvc2, STEREO, self.width);
         for (name, value) in &self.set {
             parameters.set(name, value)?;
         }
@@ -52,6 +53,23 @@ impl Request {
         files::write(&self.confidence, &matched.confidence)?;
         let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
         Ok(json!({ "findings": codes }))
+    }
+}
+
+#[derive(serde::Deserialize)]
+pub(crate) struct ParametersRequest {
+    /// RVC2 or RVC4.
+    platform: String,
+}
+
+impl ParametersRequest {
+    pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
+        let platforms = [Platform::Rvc2, Platform::Rvc4];
+        let platform = platforms.into_iter().find(|known| known.name() == self.platform);
+        let parameters = Parameters::new(platform.ok_or("no such platform")?, STEREO, 1280);
+        let values = NAMES.into_iter().map(|name| Ok((name, parameters.get(name)?)));
+        let values: BTreeMap<&str, String> = values.collect::<Result<_, Box<dyn Error>>>()?;
+        Ok(json!({ "parameters": values }))
     }
 }
 

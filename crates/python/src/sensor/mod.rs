@@ -1,28 +1,32 @@
+mod annotate;
+mod eye;
+mod image_camera;
+mod sense;
+
 use std::sync::{Arc, Mutex, PoisonError};
 
-use numpy::{Element, PyArray1, PyArrayMethods};
-use oaktwin::camera::{self, ImageSize};
-use oaktwin::catalog::{Twin, TwinDepthSensor};
-use oaktwin::diagnostic;
-use oaktwin::image::annotation::{Annotator, Frame};
-use oaktwin::image::{Image, ImageView, ZDepth};
-use oaktwin::render::{annotator, sense_frame};
-use oaktwin::sense::{self, AlignTo, FieldOfView};
-use oaktwin::sensor::{self, Engine, EngineKind, Sensor, SensorOptions, Shot, single_view};
+use oaktwin::camera::ImageSize;
+use oaktwin::image::annotation::Frame;
+use oaktwin::image::{Image, ZDepth};
+use oaktwin::render::sense_frame;
+use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
+use oaktwin::sensor::{Engine, EngineKind, single_view};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
+use annotate::{sensed, sensor_annotator};
+use eye::{Eye, Source};
+use image_camera::field_of_view;
+
 use crate::align::{aligned, fill, role};
+use crate::camera::Camera;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
-use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape, array, part};
+use crate::images::{Depth, Out, Pictures};
 use crate::settings::{Settings, isaac_name, kind};
 use crate::threads;
-
-/// Pixels of a batch between two looks at the signals.
-const PIXELS_AT_ONCE: usize = 1 << 23;
 
 /// The depth sensor of a device: exact depth in, what the device would have measured out.
 ///
@@ -37,12 +41,15 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 /// device_seed: of the device's calibration error; None has none.
 /// extended_disparity: find disparities up to 190 px instead of 95: nearer things.
 /// isaac: whose defaults "single-view" has, "5.1" or "6".
-/// fx: the images' focal length at their width, px; or hfov_deg: their horizontal field of view, degrees. By default they
-///     have the model's field of view, whatever their size.
+/// fx: the images' focal length at their width, px; or hfov_deg: their horizontal field of view, degrees. Their principal
+///     point is then in the middle. By default they have the model's field of view, whatever their size.
+/// camera: what took the images, a Camera of their size: its focal length and principal point, which time of flight, points
+///     and aligned depth look at. fx and hfov_deg beside it may say the same. Images are rectified: a lens that bends rays
+///     is a finding.
 /// name: the camera's name, which tells its noise from other cameras'; by default the sensor's prim.
 ///
 /// Raises oaktwin.Error for an engine, preset, filter or parameter that does not exist or is out of its range, with the
-/// nearest names.
+/// nearest names; for a camera that has another field of view than fx or hfov_deg say.
 ///
 /// A call, `sensor(depth, rgb=None, *, frame=0, out=None)`, is what the sensor reports of exact depth:
 ///
@@ -61,219 +68,28 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// A temporal filter remembers the (H, W) images of earlier calls; the images of a batch have no past.
 ///
-/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
+/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape, or size than the camera's.
 ///
 /// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other. A pickle has the
 /// settings, and a calibration with its device, but not the images that were seen.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
     device: Py<Device>,
-    twin: Arc<Twin>,
-    depth: TwinDepthSensor,
-    options: SensorOptions,
-    field_of_view: FieldOfView,
+    source: Source,
+    camera: Option<Camera>,
     lens: LensChoice,
     eye: Mutex<Eye>,
-}
-
-/// What images of one size are looked at with.
-#[derive(Clone)]
-struct Eye {
-    camera: camera::Camera,
-    sensor: Arc<Sensor>,
-    findings: Vec<diagnostic::Finding>,
-}
-
-impl DepthSensor {
-    fn eye(
-        twin: &Twin,
-        depth: &TwinDepthSensor,
-        options: &SensorOptions,
-        field_of_view: FieldOfView,
-        size: Option<ImageSize>,
-    ) -> PyResult<Eye> {
-        let own = twin.camera(depth.spec.camera).ok_or_else(|| {
-            wrong(
-                &depth.spec.prim,
-                "its camera is not known",
-                "choose another model",
-            )
-        })?;
-        let size = size.unwrap_or(own.intrinsics.size);
-        let (camera, mut findings) =
-            sense::image_camera(size, field_of_view, own.intrinsics).map_err(error)?;
-        let options = SensorOptions {
-            image: Some(camera.intrinsics),
-            ..options.clone()
-        };
-        let (sensor, more) = sensor::sensor(twin, depth, &options).map_err(error)?;
-        findings.extend(more);
-        Ok(Eye {
-            camera,
-            sensor: Arc::new(sensor),
-            findings,
-        })
-    }
-
-    /// The eye for a size; another size than before forgets all frames.
-    fn look<'a>(&self, eye: &'a mut Eye, size: ImageSize) -> PyResult<&'a mut Eye> {
-        if eye.camera.intrinsics.size != size {
-            *eye = Self::eye(
-                &self.twin,
-                &self.depth,
-                &self.options,
-                self.field_of_view,
-                Some(size),
-            )?;
-        }
-        Ok(eye)
-    }
-
-    /// What is there of the images of a size.
-    fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<Eye> {
-        py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let size = size.unwrap_or(eye.camera.intrinsics.size);
-            Ok(self.look(&mut eye, size)?.clone())
-        })
-    }
-
-    fn image(
-        &self,
-        py: Python<'_>,
-        depth: DepthSlice<'_>,
-        rgb: Option<&[[u8; 4]]>,
-        size: ImageSize,
-        frame: u64,
-        out: &mut OutSlice<'_>,
-    ) -> PyResult<()> {
-        py.detach(|| {
-            // Held while a sensor that remembers looks, and taken before the pool's threads are: they never wait for it.
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let sensor = &mut self.look(&mut eye, size)?.sensor;
-            let metres = depth.metres();
-            let view = |pixels| {
-                ImageView::new(size.width, size.height, pixels)
-                    .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))
-            };
-            let mut shot = Shot::new(view(&metres)?);
-            shot.frame = frame;
-            if let Some(rgb) = rgb {
-                let rgb = ImageView::new(size.width, size.height, rgb);
-                if let Some(rgb) = rgb {
-                    shot = shot.with_rgb(rgb).map_err(error)?;
-                }
-            }
-            let wanted = single_view::Wanted::default();
-            let distance = if sensor.remembers() {
-                let sensor = Arc::make_mut(sensor);
-                threads::install(|| sensor.capture(&shot, wanted).distance)?
-            } else {
-                let mut sensor = Sensor::clone(sensor);
-                drop(eye);
-                threads::install(|| sensor.capture(&shot, wanted).distance)?
-            };
-            out.fill(0, distance.0.pixels().len(), |room| {
-                room.copy_from_slice(distance.0.pixels());
-                Ok(())
-            })
-        })
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "a batch and where it goes")]
-    fn batch(
-        &self,
-        py: Python<'_>,
-        sensor: &Sensor,
-        depth: DepthSlice<'_>,
-        rgb: Option<&[[u8; 4]]>,
-        shape: Shape,
-        frame: u64,
-        out_pixels: usize,
-        out: &mut OutSlice<'_>,
-    ) -> PyResult<()> {
-        let [count, height, width] = shape.of_batch();
-        let pixels = shape.pixels();
-        let at_once = (PIXELS_AT_ONCE / pixels).max(1);
-        for first in (0..count).step_by(at_once) {
-            py.check_signals()?;
-            let many = at_once.min(count - first);
-            let depth = depth.part(first * pixels, many * pixels);
-            let rgb = rgb.map(|rgb| part(rgb, first * pixels, many * pixels));
-            let item = u32::try_from(first).map_err(|_| {
-                wrong(
-                    "depth",
-                    format_args!("has {count} images"),
-                    "give fewer than 2^32 at once",
-                )
-            })?;
-            threads::run(py, || {
-                let metres = depth.metres();
-                out.fill(first * out_pixels, many * out_pixels, |room| {
-                    sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
-                })
-            })?
-            .map_err(error)?;
-        }
-        Ok(())
-    }
-}
-
-/// One that a depth sensor has something to say to.
-fn sensor_annotator(name: &str) -> PyResult<Annotator> {
-    let found = annotator(name).map_err(error)?;
-    if found.is_of_depth_sensor() {
-        return Ok(found);
-    }
-    let remedy = "render the scene with it";
-    Err(wrong(name, "is no annotator of a depth sensor", remedy))
-}
-
-/// What was sensed for an annotator, as an array.
-fn sensed<'py>(
-    py: Python<'py>,
-    annotator: Annotator,
-    frame: &mut Frame,
-) -> PyResult<Option<Bound<'py, PyAny>>> {
-    Ok(match annotator {
-        Annotator::DepthSensorDistance => {
-            let image = frame.depth_sensor_distance.take();
-            image.map(|image| array(py, image.0)).transpose()?
-        }
-        Annotator::DepthSensorImager => {
-            let image = frame.depth_sensor_imager.take();
-            image.map(|image| array(py, image)).transpose()?
-        }
-        Annotator::DepthSensorPointCloudPosition => {
-            let image = frame.depth_sensor_point_cloud_position.take();
-            image.map(|image| colours(py, image)).transpose()?
-        }
-        Annotator::DepthSensorPointCloudColor => {
-            let image = frame.depth_sensor_point_cloud_color.take();
-            image.map(|image| colours(py, image)).transpose()?
-        }
-        Annotator::DepthSensorOutputVisualization => {
-            let image = frame.depth_sensor_output_visualization.take();
-            image.map(|image| colours(py, image)).transpose()?
-        }
-        _ => None,
-    })
-}
-
-fn colours<T: Element>(py: Python<'_>, image: Image<[T; 4]>) -> PyResult<Bound<'_, PyAny>> {
-    let dims = [image.height() as usize, image.width() as usize, 4];
-    let values = image.into_pixels().into_flattened();
-    Ok(PyArray1::from_vec(py, values).reshape(dims)?.into_any())
 }
 
 #[pymethods]
 impl DepthSensor {
     #[new]
     #[pyo3(signature = (device, *, sensor = None, engine = None, preset = None, filters = Vec::new(), parameters = None,
-        seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, name = None))]
+        seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, camera = None,
+        name = None))]
     #[pyo3(
         text_signature = "(device, *, sensor=None, engine=None, preset=None, filters=(), parameters=None, seed=0, \
-        device_seed=None, extended_disparity=False, isaac='5.1', fx=None, hfov_deg=None, name=None)"
+        device_seed=None, extended_disparity=False, isaac='5.1', fx=None, hfov_deg=None, camera=None, name=None)"
     )]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn new(
@@ -289,6 +105,7 @@ impl DepthSensor {
         isaac: &str,
         fx: Option<f64>,
         hfov_deg: Option<f64>,
+        camera: Option<&Bound<'_, Camera>>,
         name: Option<String>,
     ) -> PyResult<Self> {
         let settings = Settings {
@@ -305,38 +122,36 @@ impl DepthSensor {
         let options = settings.options()?;
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
-        let depth = sense::depth_sensor(twin, kind(sensor)?).map_err(error)?.clone();
-        let field_of_view = match (fx, hfov_deg) {
-            (None, None) => FieldOfView::Known,
-            (Some(fx), None) => FieldOfView::FocalLength(fx),
-            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
-            _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
-        };
+        let depth = sensing::depth_sensor(twin, kind(sensor)?).map_err(error)?.clone();
+        let camera = camera.map(|camera| camera.get().clone());
         if options.engine == Some(EngineKind::StereoMatching) {
             let is = "stereo-matching needs a pair of images, and depth is none";
             return Err(wrong("engine", is, "use StereoMatcher, or stereo-noise"));
         }
-        // By the model's own size: so what is wrong is told now.
-        let eye = Self::eye(twin, &depth, &options, field_of_view, None)?;
-        Ok(Self {
-            device: whole.clone().unbind(),
+        let source = Source {
             twin: Arc::clone(twin),
             depth,
             options,
-            field_of_view,
+            field_of_view: field_of_view(fx, hfov_deg, camera.as_ref())?,
+        };
+        Ok(Self {
+            device: whole.clone().unbind(),
+            // So what is wrong is told now.
+            eye: Mutex::new(source.eye(None)?),
+            source,
+            camera,
             lens: device.lens,
-            eye: Mutex::new(eye),
         })
     }
 
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Py<Device>,), Bound<'py, PyDict>)> {
-        let (own, options) = (&self.options, PyDict::new(py));
-        let (fx, hfov_deg) = match self.field_of_view {
-            FieldOfView::Known => (None, None),
+        let (own, options) = (&self.source.options, PyDict::new(py));
+        let (fx, hfov_deg) = match self.source.field_of_view {
+            FieldOfView::Known | FieldOfView::Camera(_) => (None, None),
             FieldOfView::FocalLength(fx) => (Some(fx), None),
             FieldOfView::Degrees(hfov) => (None, Some(hfov)),
         };
-        options.set_item("sensor", self.depth.spec.kind.as_str())?;
+        options.set_item("sensor", self.source.depth.spec.kind.as_str())?;
         options.set_item("engine", own.engine.map(EngineKind::as_str))?;
         options.set_item("preset", &own.preset)?;
         options.set_item("filters", &own.filters)?;
@@ -347,6 +162,7 @@ impl DepthSensor {
         options.set_item("isaac", isaac_name(own.isaac))?;
         options.set_item("fx", fx)?;
         options.set_item("hfov_deg", hfov_deg)?;
+        options.set_item("camera", self.camera.clone())?;
         options.set_item("name", &own.name)?;
         Ok(((&self.device,), options))
     }
@@ -494,14 +310,9 @@ impl DepthSensor {
         } else {
             shape.size
         };
-        let eye = Self::eye(
-            &self.twin,
-            &self.depth,
-            &self.options,
-            self.field_of_view,
-            Some(of_images),
-        )?;
-        let align = sense::align_to(&self.twin, &self.depth, &eye.sensor, &eye.camera, &to, self.lens);
+        let eye = self.source.eye(Some(of_images))?;
+        let (twin, depth_sensor) = (&self.source.twin, &self.source.depth);
+        let align = sensing::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, &to, self.lens);
         let align = align.map_err(error)?;
         aligned(py, &align, &depth, shape, out)
     }
@@ -516,29 +327,13 @@ impl DepthSensor {
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let parameters = PyDict::new(py);
-        match self.now(py, None)?.sensor.engine() {
-            Engine::SingleView(engine) => {
-                for name in single_view::Parameters::NAMES {
-                    parameters.set_item(name, engine.parameters().get(name))?;
-                }
-                for name in single_view::Assumptions::NAMES {
-                    parameters.set_item(name, engine.assumptions().get(name))?;
-                }
-            }
-            Engine::StereoNoise(engine) => {
-                for name in oaktwin::depth::stereo_noise::NAMES {
-                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
-                }
-            }
-            Engine::TimeOfFlight(engine) => {
-                for name in oaktwin::depth::time_of_flight::NAMES {
-                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
-                }
-            }
-            Engine::StereoMatching(engine) => {
-                for name in oaktwin::depth::stereo_matching::NAMES {
-                    parameters.set_item(name, engine.parameters().get(name).map_err(error)?)?;
-                }
+        let sensor = self.now(py, None)?.sensor;
+        for (name, value) in sensor.engine().parameters() {
+            parameters.set_item(name, value)?;
+        }
+        if let Engine::SingleView(engine) = sensor.engine() {
+            for name in single_view::Assumptions::NAMES {
+                parameters.set_item(name, engine.assumptions().get(name))?;
             }
         }
         Ok(parameters)
@@ -571,10 +366,10 @@ impl DepthSensor {
         };
         Ok(format!(
             "<oaktwin.DepthSensor {} {}: {}, {filters}, seed {}>",
-            self.twin.device.name,
-            self.depth.spec.prim,
+            self.source.twin.device.name,
+            self.source.depth.spec.prim,
             self.engine(py)?,
-            self.options.seed
+            self.source.options.seed
         ))
     }
 }

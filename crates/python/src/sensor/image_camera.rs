@@ -1,0 +1,37 @@
+use oaktwin::sense::FieldOfView;
+use pyo3::prelude::*;
+
+use crate::camera::Camera;
+use crate::error::wrong;
+
+/// How much two ways to say a focal length may differ, a share of it: the rounding of single precision.
+const SAME: f64 = 1e-5;
+
+/// What options say of the images; the camera, where it is given, says all.
+pub(super) fn field_of_view(
+    fx: Option<f64>,
+    hfov_deg: Option<f64>,
+    camera: Option<&Camera>,
+) -> PyResult<FieldOfView> {
+    let said = match (fx, hfov_deg) {
+        (None, None) => FieldOfView::Known,
+        (Some(fx), None) => FieldOfView::FocalLength(fx),
+        (None, Some(hfov)) => FieldOfView::Degrees(hfov),
+        _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
+    };
+    let Some(camera) = camera.map(|camera| camera.camera) else {
+        return Ok(said);
+    };
+    let own = camera.intrinsics;
+    let (option, given, of_camera) = match said {
+        FieldOfView::FocalLength(fx) => ("fx", fx, own.fx),
+        FieldOfView::Degrees(hfov) => ("hfov_deg", hfov, own.hfov().to_degrees()),
+        FieldOfView::Known | FieldOfView::Camera(_) => return Ok(FieldOfView::Camera(camera)),
+    };
+    // Written so that what is no number is not the same.
+    if (given - of_camera).abs() <= SAME * of_camera {
+        return Ok(FieldOfView::Camera(camera));
+    }
+    let is = format!("it is {given}, and the camera's {of_camera:.4}");
+    Err(wrong(option, is, "leave it out, or the camera"))
+}

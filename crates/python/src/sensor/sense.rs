@@ -1,0 +1,96 @@
+use std::sync::{Arc, PoisonError};
+
+use oaktwin::camera::ImageSize;
+use oaktwin::image::ImageView;
+use oaktwin::sensor::{Sensor, Shot, single_view};
+use pyo3::prelude::*;
+
+use super::DepthSensor;
+use crate::error::{error, wrong};
+use crate::images::{DepthSlice, OutSlice, Shape, part};
+use crate::threads;
+
+/// Pixels of a batch between two looks at the signals.
+const PIXELS_AT_ONCE: usize = 1 << 23;
+
+impl DepthSensor {
+    pub(super) fn image(
+        &self,
+        py: Python<'_>,
+        depth: DepthSlice<'_>,
+        rgb: Option<&[[u8; 4]]>,
+        size: ImageSize,
+        frame: u64,
+        out: &mut OutSlice<'_>,
+    ) -> PyResult<()> {
+        py.detach(|| {
+            // Held while a sensor that remembers looks, and taken before the pool's threads are: they never wait for it.
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            let sensor = &mut self.look(&mut eye, size)?.sensor;
+            let metres = depth.metres();
+            let view = |pixels| {
+                ImageView::new(size.width, size.height, pixels)
+                    .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))
+            };
+            let mut shot = Shot::new(view(&metres)?);
+            shot.frame = frame;
+            if let Some(rgb) = rgb {
+                let rgb = ImageView::new(size.width, size.height, rgb);
+                if let Some(rgb) = rgb {
+                    shot = shot.with_rgb(rgb).map_err(error)?;
+                }
+            }
+            let wanted = single_view::Wanted::default();
+            let distance = if sensor.remembers() {
+                let sensor = Arc::make_mut(sensor);
+                threads::install(|| sensor.capture(&shot, wanted).distance)?
+            } else {
+                let mut sensor = Sensor::clone(sensor);
+                drop(eye);
+                threads::install(|| sensor.capture(&shot, wanted).distance)?
+            };
+            out.fill(0, distance.0.pixels().len(), |room| {
+                room.copy_from_slice(distance.0.pixels());
+                Ok(())
+            })
+        })
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a batch and where it goes")]
+    pub(super) fn batch(
+        &self,
+        py: Python<'_>,
+        sensor: &Sensor,
+        depth: DepthSlice<'_>,
+        rgb: Option<&[[u8; 4]]>,
+        shape: Shape,
+        frame: u64,
+        out_pixels: usize,
+        out: &mut OutSlice<'_>,
+    ) -> PyResult<()> {
+        let [count, height, width] = shape.of_batch();
+        let pixels = shape.pixels();
+        let at_once = (PIXELS_AT_ONCE / pixels).max(1);
+        for first in (0..count).step_by(at_once) {
+            py.check_signals()?;
+            let many = at_once.min(count - first);
+            let depth = depth.part(first * pixels, many * pixels);
+            let rgb = rgb.map(|rgb| part(rgb, first * pixels, many * pixels));
+            let item = u32::try_from(first).map_err(|_| {
+                wrong(
+                    "depth",
+                    format_args!("has {count} images"),
+                    "give fewer than 2^32 at once",
+                )
+            })?;
+            threads::run(py, || {
+                let metres = depth.metres();
+                out.fill(first * out_pixels, many * out_pixels, |room| {
+                    sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
+                })
+            })?
+            .map_err(error)?;
+        }
+        Ok(())
+    }
+}

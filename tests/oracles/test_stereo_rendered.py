@@ -1,0 +1,148 @@
+"""The stereo matcher beside OpenCV's on what a device's two cameras record of rendered scenes.
+
+The views were chosen by a random number generator's seed, not by what they show.
+"""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+MODEL, BASELINE_M = "OAK-D-Pro-PoE", 0.075
+SEARCH = 96
+CHESS = "data/scenes/OpenChessSet/chess_set.usda"
+
+
+@pytest.fixture(scope="module")
+def room(program, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("demo")
+    subprocess.run([program, "demo", "-o", folder], check=True, capture_output=True)
+    return folder / "demo_room/demo_room.usda"
+
+
+def views():
+    """Where a camera stands in the demo room and what it looks at: within the walls, at least 1.5 m apart, level or not."""
+    random = np.random.default_rng(20)
+    while True:
+        eye, target = random.uniform([-1.0, -2.0, 0.6], [4.2, 2.1, 1.9], (2, 3))
+        if np.linalg.norm(target - eye) > 1.5:
+            yield [f"{number:.3f}" for number in (*eye, *target)]
+
+
+def cases():
+    views_of_room = views()
+    for number in range(4):
+        yield f"room {number}, 1280x800", "room", "1280x800", next(views_of_room), []
+    for number in range(4, 6):
+        yield f"room {number}, 640x400", "room", "640x400", next(views_of_room), []
+    dots = ["--projector", "1", "--ambient", "0.05"]
+    yield "room 6 by dots, 1280x800", "room", "1280x800", next(views_of_room), dots
+    yield "chess, 1280x800", "chess", "1280x800", ["0.5", "0.4", "0.6", "0", "0.03", "0"], []
+
+
+class View:
+    """What is rendered of a view, and what both matchers make of it."""
+
+    def __init__(self, program, folder, scene, size, at, light):
+        self.program, self.folder = program, folder
+        report = json.loads(self.run(
+            "render", scene, "--model", MODEL, "--look-at", *at, "--resolution", size, "--engine", "stereo-matching",
+            "--pair", "--camera", "depth", "--camera", "right", "--annotators", "distance_to_image_plane", *light,
+            "-o", folder, "--json"
+        ))
+        z, z_right = (np.load(next(folder.glob(f"*{name}*/distance_to_image_plane/*.npy"))) for name in ("depth", "right"))
+        self.pair = [next(folder.rglob(f"rectified_{side}_0000.png")) for side in ("left", "right")]
+        by_z = report["cameras"][0]["fx"] * BASELINE_M
+        height, width = z.shape
+        self.truth = by_z / z
+        # Whether the right camera sees the same there: at the nearest pixel or beside it.
+        there = np.arange(width) - self.truth
+        nearest = np.round(there).astype(int)
+        beside = [np.clip(nearest + k, 0, width - 1) for k in (-1, 0, 1)]
+        is_same = [np.abs(by_z / z_right[np.arange(height)[:, None], at] - self.truth) < 1 for at in beside]
+        self.seen = (there >= 0) & np.isfinite(z) & (self.truth < SEARCH - 1) & np.any(is_same, 0)
+
+    def run(self, *arguments):
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True)
+        assert done.returncode in (0, 1), done.stderr
+        return done.stdout
+
+    def ours(self, *options):
+        out = self.folder / "ours"
+        self.run("stereo", *self.pair, "--model", MODEL, "--disparity", "-o", out, *options)
+        return np.load(next(out.glob("*disparity*.npy")))
+
+    def opencv(self):
+        left, right = (cv2.imread(str(path), cv2.IMREAD_GRAYSCALE) for path in self.pair)
+        matcher = cv2.StereoSGBM_create(0, SEARCH, 5, 8 * 25, 32 * 25, 1, 63, 10, 0, 0, cv2.STEREO_SGBM_MODE_HH)
+        # Room on the left, so that it looks at every column.
+        left, right = (cv2.copyMakeBorder(image, 0, 0, SEARCH, 0, cv2.BORDER_CONSTANT) for image in (left, right))
+        found = matcher.compute(left, right)[:, SEARCH:] / 16
+        return np.where(found > 0, found, 0)
+
+    def quality(self, found, also):
+        """Of what both cameras see: the share found; of that the shares off by more than 1 and 3 px, and the same where
+        the other matcher found something too; of all the shares without a value within 1 and 3 px."""
+        kept, both = (found > 0) & self.seen, (found > 0) & (also > 0) & self.seen
+        off = np.abs(found - self.truth)
+        shares = [[np.mean(off[where] > px) for px in (1, 3)] for where in (kept, both)]
+        lost = [1 - np.mean(off[kept] <= px) * kept.sum() / self.seen.sum() for px in (1, 3)]
+        return np.array([kept.sum() / self.seen.sum(), *shares[0], *shares[1], *lost])
+
+
+NAMES = ["found", "> 1 px", "> 3 px", "both: > 1", "both: > 3", "lost > 1", "lost > 3"]
+
+# The device drops what it is not sure of, OpenCV has no such number: once as the device does it, once as OpenCV.
+OPTIONS = {
+    "RVC2": ["--platform", "rvc2"],
+    "RVC4": ["--platform", "rvc4"],
+    "all": ["--platform", "rvc2", "--param", "confidenceThreshold=0"],
+}
+
+
+def test_no_worse_than_opencv(program, room, tmp_path):
+    scenes = {"room": room}
+    chess = Path(os.environ.get("OAKTWIN_TEST_DATA", "no-such-folder")) / CHESS
+    if chess.is_file():
+        scenes["chess"] = chess
+    else:
+        print("skipped: the chess set")
+    table = {name: [] for name in OPTIONS}
+
+    def show(who, row):
+        print(f"  {who:7}" + "".join(f"{label} {value:7.2%}  " for label, value in zip(NAMES, row)))
+
+    for number, (name, scene, *rest) in enumerate(cases()):
+        if scene not in scenes:
+            continue
+        view = View(program, tmp_path / str(number), scenes[scene], *rest)
+        theirs = view.opencv()
+        print(f"{name}: {view.seen.mean():.1%} seen by both, disparity up to {view.truth[view.seen].max():.0f} px")
+        for options, rows in zip(OPTIONS, table.values()):
+            ours = view.ours(*OPTIONS[options])
+            rows.append((view.quality(ours, theirs), view.quality(theirs, ours)))
+            for who, row in zip((options, "OpenCV"), rows[-1]):
+                show(who, row)
+    print("mean")
+    differ = {}
+    for options, rows in table.items():
+        for who, mean in zip((options, "OpenCV"), np.mean(rows, 0)):
+            show(who, mean)
+        ours, theirs = np.swapaxes(rows, 0, 1)
+        # What the choice of views leaves uncertain: two standard errors of the mean difference.
+        differ[options] = np.mean(ours - theirs, 0), 2 * np.std(ours - theirs, 0, ddof=1) / np.sqrt(len(rows))
+    # As the device does it: fewer wrong ones among those found, no more where both found something; it finds fewer, which
+    # is what its threshold is for.
+    for platform in ("RVC2", "RVC4"):
+        mean, uncertain = differ[platform]
+        assert (mean[1:3] < 0).all() and (mean[3:5] < uncertain[3:5]).all(), (platform, mean, uncertain)
+        assert mean[0] > -0.08, (platform, mean)
+    # Without the threshold it finds as many, and has as many right within 1 and 3 px.
+    mean, uncertain = differ["all"]
+    assert mean[0] > -uncertain[0] and (mean[5:] < uncertain[5:]).all(), (mean, uncertain)
+    # No view is lost.
+    assert all(ours[0] > 0.8 and ours[2] < 0.05 for ours, _ in table["all"])
