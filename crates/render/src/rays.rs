@@ -13,6 +13,8 @@ pub(crate) struct Rays<'a> {
     along_axis: bool,
     /// Where there is a lens: one column and one row more than the image has; NaN where the lens sees nothing.
     table: Option<Image<DVec3>>,
+    /// Where there is none: from one pixel's ray to the next one's to the right, and below.
+    steps: [DVec3; 2],
 }
 
 impl<'a> Rays<'a> {
@@ -21,6 +23,10 @@ impl<'a> Rays<'a> {
             view,
             along_axis: view.clips_along_axis(),
             table: None,
+            steps: [
+                DVec3::X / view.camera.intrinsics.fx,
+                DVec3::Y / view.camera.intrinsics.fy,
+            ],
         };
         if view.camera.lens != LensModel::Pinhole {
             let size = view.camera.intrinsics.size;
@@ -52,6 +58,15 @@ impl<'a> Rays<'a> {
                 let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
                 Some((self.view.camera.intrinsics.normalized_from_pixel(centre)).extend(1.0))
             }
+        }
+    }
+
+    /// Those of the pixels to the right and below of one that has such a ray.
+    #[inline]
+    pub(crate) fn next(&self, x: u32, y: u32, ray: DVec3) -> [Option<DVec3>; 2] {
+        match &self.table {
+            Some(_) => [self.centre(x + 1, y), self.centre(x, y + 1)],
+            None => [Some(ray + self.steps[0]), Some(ray + self.steps[1])],
         }
     }
 

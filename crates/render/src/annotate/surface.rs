@@ -22,17 +22,21 @@ pub(crate) struct Surface<'a> {
     pub(crate) normal: DVec3,
     /// The normals, in the camera's frame, of the sides of the camera's pyramid over the triangle, each opposite a
     /// corner.
-    sides: [DVec3; 3],
+    pub(crate) sides: [DVec3; 3],
 }
 
 impl Surface<'_> {
-    /// The shares of the triangle's corners where another ray of the camera meets its plane; NaN or infinite where none
-    /// does.
+    /// The shares of the triangle's corners where a ray of the camera meets its plane; NaN or infinite where none does.
     #[inline]
-    pub(crate) fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
-        let sides = self.sides.map(|side| ray_in_camera.dot(side));
-        let whole = sides[0] + sides[1] + sides[2];
-        sides.map(|side| side / whole)
+    fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
+        let [a, b, c] = &self.sides;
+        let (a, b, c) = (
+            ray_in_camera.dot(*a),
+            ray_in_camera.dot(*b),
+            ray_in_camera.dot(*c),
+        );
+        let whole = a + b + c;
+        [a / whole, b / whole, c / whole]
     }
 }
 
@@ -182,21 +186,25 @@ impl Surface<'_> {
     /// Between the corners' values.
     #[inline]
     pub(crate) fn interpolated<const N: usize>(&self, corners: [[f32; N]; 3]) -> [f64; N] {
-        std::array::from_fn(|i| {
-            let [a, b, c] = corners.map(|corner| f64::from(corner[i]));
-            a * self.weights[0] + b * self.weights[1] + c * self.weights[2]
-        })
+        let [a, b, c] = &corners;
+        let mut between = [0.0; N];
+        for (i, value) in between.iter_mut().enumerate() {
+            *value = f64::from(a[i]) * self.weights[0]
+                + f64::from(b[i]) * self.weights[1]
+                + f64::from(c[i]) * self.weights[2];
+        }
+        between
     }
 }
 
 /// Shares from 0 to 1 that make up a whole, whatever rounding did to them.
 #[inline]
-fn clamped(shares: [f64; 3]) -> [f64; 3] {
-    let positive = shares.map(|share| share.clamp(0.0, 1.0));
-    let sum: f64 = positive.iter().sum();
+fn clamped([a, b, c]: [f64; 3]) -> [f64; 3] {
+    let (a, b, c) = (a.clamp(0.0, 1.0), b.clamp(0.0, 1.0), c.clamp(0.0, 1.0));
+    let sum = a + b + c;
     // Nor is a NaN a share.
     if sum > 0.0 {
-        positive.map(|share| share / sum)
+        [a / sum, b / sum, c / sum]
     } else {
         [1.0 / 3.0; 3]
     }

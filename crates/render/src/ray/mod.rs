@@ -21,10 +21,11 @@ use rayon::prelude::*;
 
 use self::instances::Instances;
 use self::mesh_tree::MeshTree;
-use self::simd::Instructions;
+pub(crate) use self::simd::{Instructions, Kernel, Lanes};
 use self::single::{Cast, Until};
 pub(crate) use self::stack::Stack;
 use self::tile::RayTables;
+pub(crate) use self::vector::Vector;
 use crate::{Hit, View, Visibility};
 
 /// A piece of a half-line in the world.

@@ -28,6 +28,7 @@ pub(crate) trait Lanes: Copy {
     fn sub(self, other: Self) -> Self;
     fn mul(self, other: Self) -> Self;
     fn div(self, other: Self) -> Self;
+    fn sqrt(self) -> Self;
     /// The lesser; `other` where either is NaN.
     fn min(self, other: Self) -> Self;
     /// The greater; `other` where either is NaN.
@@ -193,6 +194,10 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         self.zip(other, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(f32::sqrt))
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
@@ -373,6 +378,10 @@ mod avx2 {
             Self(unsafe { _mm256_div_ps(self.0, other.0) })
         }
         #[inline(always)]
+        fn sqrt(self) -> Self {
+            Self(unsafe { _mm256_sqrt_ps(self.0) })
+        }
+        #[inline(always)]
         fn min(self, other: Self) -> Self {
             Self(unsafe { _mm256_min_ps(self.0, other.0) })
         }
@@ -474,6 +483,7 @@ mod tests {
                 a.sub(b),
                 a.mul(b),
                 a.div(b),
+                a.sqrt(),
                 a.min(b),
                 a.max(b),
                 a.le(b),

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::rig::luminance;
 use super::{Sight, Studio};
-use crate::annotate::{Surface, SurfaceFinder};
+use crate::annotate::Surface;
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// Samples of a pixel in a row and in a column.
@@ -85,14 +85,14 @@ impl Studio<'_> {
             (sight.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
         let rows = out.pixels_mut().par_chunks_mut(row_length);
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
-            |(finder, stack), ((row, (depths, hits)), y)| {
+            || self.desk(),
+            |desk, ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
                     let Some(ray) = sight.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
                     };
-                    let next = [sight.rays.centre(x + 1, y), sight.rays.centre(x, y + 1)];
-                    let found = finder.find(*hit, ray, *z);
+                    let next = sight.rays.next(x, y, ray);
+                    let found = desk.finder.find(*hit, ray, *z);
                     let lit = found
                         .as_ref()
                         .and_then(|surface| Some((surface, self.lit(surface, ray, next, beam)?)));
@@ -103,15 +103,11 @@ impl Studio<'_> {
                     if beam
                         .pattern
                         .is_dark_around(middle.to_array(), lit.place.radius(middle))
-                        || is_shadowed(sight, surface, beam.world_from_beam.translation, stack)
+                        || is_shadowed(sight, surface, beam.world_from_beam.translation, &mut desk.stack)
                     {
                         continue;
                     }
-                    let finish = self.paint(surface, hit.triangle).at(
-                        surface,
-                        hit.triangle,
-                        next.map(|ray| ray.map_or([f64::NAN; 3], |ray| surface.weights_of(ray))),
-                    );
+                    let finish = self.coat(surface, *hit, desk).at(surface, || next);
                     let albedo = luminance(finish.color) * (1.0 - finish.metallic);
                     *pixel = mean(&lit.place, beam.pattern) * lit.strength * albedo;
                 }

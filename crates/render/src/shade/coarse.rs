@@ -1,11 +1,14 @@
 //! The light that reaches each second pixel of each second row, freed of the pattern, for all pixels.
+//!
+//! Each second of them in each second row looks at the lamps; those between look where these disagree.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use oaktwin_image::Image;
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
-use super::occlusion::{Light, Occlusion, Place};
+use super::lamp::Lamp;
+use super::occlusion::{Glimpses, Light, Occlusion, Place, Shares};
 use super::pattern::{PERIOD, Pattern};
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::Stack;
@@ -31,10 +34,15 @@ const NOTHING: Sample = Sample {
     light: Light::FULL,
 };
 
+/// So much kinship must places have with a pixel's to tell its light.
+const LEAST_KINSHIP: f32 = 0.02;
+
 /// A quarter of a view's pixels.
 #[derive(Debug)]
 pub(super) struct Coarse {
     samples: Image<Sample>,
+    /// Their light: what arrives of the lamps', all of that, the surroundings' share and the sky's.
+    light: Image<Vec4>,
 }
 
 pub(super) fn place(surface: &Surface<'_>, view: &View) -> Place {
@@ -85,35 +93,62 @@ impl Coarse {
         };
         let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
-        let rows = samples.pixels_mut().par_chunks_mut(row_length);
-        rows.zip(0..height)
-            .for_each_init(state, |(finder, stack), (row, y)| {
-                for (sample, x) in row.iter_mut().zip(0..) {
-                    if let Some(place) = place_of(finder, x, y) {
+        let mut glimpses = Image::filled(width.div_ceil(2), height.div_ceil(2), Glimpses::default());
+        // A row of glimpses for two of samples.
+        let glimpse_rows = glimpses.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
+        let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
+        rows.zip(glimpse_rows).zip(0..height.div_ceil(2)).for_each_init(
+            state,
+            |(finder, stack), ((samples, glimpses), half_y)| {
+                for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
+                    for (sample, x) in row.iter_mut().zip(0..) {
+                        let Some(place) = place_of(finder, x, y) else {
+                            continue;
+                        };
                         *sample = Sample::new(&place);
-                        let now = [x % 2 == 0 && y % 2 == 0, (x + y) % 2 == 0];
-                        sample.light = occlusion.look(&place, Pattern::turn(x, y), now, stack);
+                        let turn = Pattern::turn(x, y);
+                        if x % 2 == 0
+                            && y % 2 == 0
+                            && let Some(glimpses) = glimpses.get_mut(x as usize / 2)
+                        {
+                            (sample.light, *glimpses) = occlusion.look_at_lamps(&place, turn, stack);
+                        }
+                        (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
+                            occlusion.look_around(&place, turn, stack)
+                        } else {
+                            (f32::NAN, f32::NAN)
+                        };
                     }
                 }
-            });
+            },
+        );
         let first = samples.clone();
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
         rows.zip(0..height)
             .for_each_init(state, |(finder, stack), (row, y)| {
                 for (sample, x) in row.iter_mut().zip(0..) {
-                    // Between places that all see the small lamps, or all do not, no shadow begins.
-                    if sample.light.small.some.is_nan() {
-                        sample.light.small.some = match share_around(&first, sample, x, y) {
-                            Some(share) => sample.light.small.all * share,
-                            None => place_of(finder, x, y)
-                                .map_or(0.0, |place| occlusion.light_of_small_lamps(&place, stack)),
-                        };
+                    if sample.per_tolerance == 0.0 {
+                        continue;
                     }
+                    let turn = Pattern::turn(x, y);
+                    let (ambient, sky) = (sample.light.ambient, sample.light.sky);
+                    // Where all even places around see a lamp, or none does, no shadow begins.
+                    if x % 2 != 0 || y % 2 != 0 {
+                        let around = Around::new(&first, &glimpses, sample, x, y);
+                        let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
+                            around.all_see(index).unwrap_or_else(|| {
+                                place_of(finder, x, y)
+                                    .is_some_and(|place| occlusion.sees(&place, lamp, spot, stack))
+                            })
+                        };
+                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, turn, sees);
+                    }
+                    (sample.light.ambient, sample.light.sky) = (ambient, sky);
                     // Every other place asks its four neighbours.
-                    if sample.light.ambient.is_nan() {
+                    if ambient.is_nan() {
                         let found = mean_around(&first, sample, x, y).or_else(|| {
                             let place = place_of(finder, x, y)?;
-                            Some(occlusion.look_around(&place, Pattern::turn(x, y), stack))
+                            Some(occlusion.look_around(&place, turn, stack))
                         });
                         (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
                     }
@@ -126,11 +161,18 @@ impl Coarse {
             samples = smoothed(&samples, [tile, 0], Light::with_smooth_surroundings);
             samples = smoothed(&samples, [0, tile], Light::with_smooth_surroundings);
         }
-        Self { samples }
+        let light = samples.map(|Sample { light, .. }| {
+            let (some, all) = (
+                light.small.some + light.large.some,
+                light.small.all + light.large.all,
+            );
+            Vec4::new(some, all, light.ambient, light.sky)
+        });
+        Self { samples, light }
     }
 
     /// The light at a place that pixel `(x, y)` sees; `None` where none of its neighbours sees the same surface.
-    pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Light> {
+    pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Shares> {
         let at = Sample::new(place);
         // Smoothing over an even number of samples moved them by half of one, a pixel: of the pixels, those of odd
         // columns have a sample of their own and the others lie between two.
@@ -143,40 +185,63 @@ impl Coarse {
     }
 
     /// Of the samples of the same surface.
-    fn mean(&self, at: &Sample, columns: [u32; 2], rows: [u32; 2]) -> Option<Light> {
+    #[inline]
+    fn mean(&self, at: &Sample, columns: [u32; 2], rows: [u32; 2]) -> Option<Shares> {
         let within = |at: u32, count: u32| at.min(count.saturating_sub(1));
-        let mut sum = Light::default();
+        let mut sum = Vec4::ZERO;
         let mut weights = 0.0;
         for row in rows[0]..=rows[1] {
+            let row = within(row, self.samples.height());
             for column in columns[0]..=columns[1] {
                 let column = within(column, self.samples.width());
-                if let Some(sample) = self.samples.get(column, within(row, self.samples.height())) {
+                if let (Some(sample), Some(light)) =
+                    (self.samples.get(column, row), self.light.get(column, row))
+                {
                     let weight = at.kinship(sample);
-                    sum = sum.plus(sample.light, weight);
+                    sum += *light * weight;
                     weights += weight;
                 }
             }
         }
-        (weights > 0.02).then(|| sum.times(1.0 / weights))
+        let [some, all, ambient, sky] = sum.to_array();
+        (weights > LEAST_KINSHIP).then(|| Shares {
+            direct: if all > 0.0 { some / all } else { 1.0 },
+            ambient: ambient / weights,
+            sky: sky / weights,
+        })
     }
 }
 
-/// The share of the small lamps' light that arrives at all of the even places around a place, if it is the same.
-fn share_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<f32> {
-    let mut all = None;
-    for row in [y / 2 * 2, y.div_ceil(2) * 2] {
-        for column in [x / 2 * 2, x.div_ceil(2) * 2] {
-            let other = samples.get(column, row)?;
-            let arrived = other.light.small;
-            let share = if arrived.some == arrived.all { 1.0 } else { 0.0 };
-            let is_clear = arrived.all > 0.0 && (arrived.some == 0.0 || share == 1.0);
-            if !is_clear || at.kinship(other) < 0.25 || all.is_some_and(|all| all != share) {
+/// What the even places around a place see of the lamps; nothing where one of them may be of another surface.
+struct Around([Option<Glimpses>; 4]);
+
+impl Around {
+    fn new(samples: &Image<Sample>, glimpses: &Image<Glimpses>, at: &Sample, x: u32, y: u32) -> Self {
+        let (columns, rows) = ([x / 2, x.div_ceil(2)], [y / 2, y.div_ceil(2)]);
+        Self([0, 1, 2, 3].map(|i| {
+            let (column, row) = (columns[i % 2], rows[i / 2]);
+            let other = samples.get(2 * column, 2 * row)?;
+            let is_kin = at.kinship(other) >= 0.25;
+            glimpses.get(column, row).copied().filter(|_| is_kin)
+        }))
+    }
+
+    /// Whether all of them see a lamp, or none does.
+    fn all_see(&self, lamp: u32) -> Option<bool> {
+        let mut all = None;
+        for glimpses in &self.0 {
+            let found = glimpses
+                .as_ref()?
+                .iter()
+                .flatten()
+                .find(|glimpse| glimpse.lamp == lamp)?;
+            if all.is_some_and(|all| all != found.is_seen) {
                 return None;
             }
-            all = Some(share);
+            all = Some(found.is_seen);
         }
+        all
     }
-    all
 }
 
 /// The mean of what the four neighbours see around them; `None` where hardly any is of the same surface.

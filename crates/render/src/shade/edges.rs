@@ -5,9 +5,8 @@ use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
-use super::Studio;
-use crate::annotate::SurfaceFinder;
-use crate::ray::Stack;
+use super::film::Film;
+use super::{Desk, Studio};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
@@ -40,10 +39,10 @@ pub(crate) fn corners_of(view: &View) -> View {
 }
 
 /// The pixels at outlines, row by row.
-pub(super) fn outlines_of(seen: &Visibility, rgb: &Image<[u8; 4]>) -> Vec<Vec<u32>> {
-    (0..rgb.height())
+pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>) -> Vec<Vec<u32>> {
+    (0..colors.height())
         .into_par_iter()
-        .map(|y| outlines(seen, rgb, y))
+        .map(|y| outlines(film, seen, colors, y))
         .collect()
 }
 
@@ -62,12 +61,12 @@ pub(super) fn smooth<T: Send>(
     let row_length = (width as usize).max(1);
     let rows = image.pixels_mut().par_chunks_mut(row_length);
     rows.zip(outlines).zip(0..height).for_each_init(
-        || (SurfaceFinder::new(studio.scene, studio.view), Stack::new()),
-        |(finder, stack), ((row, outlines), y)| {
+        || studio.desk(),
+        |desk, ((row, outlines), y)| {
             // The corners on the right of one pixel are those on the left of the next.
             let mut last: Option<(u32, [Vec3; 2])> = None;
             for &x in outlines {
-                let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], finder, stack);
+                let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], desk);
                 let left = match last {
                     Some((column, colors)) if column == x => colors,
                     _ => [at(x, 0), at(x, 1)],
@@ -91,8 +90,7 @@ fn corner<'a>(
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
     [x, y]: [u32; 2],
-    finder: &mut SurfaceFinder<'a>,
-    stack: &mut Stack,
+    desk: &mut Desk<'a>,
 ) -> Vec3 {
     let hit = corners.seen.hits.get(x, y).copied().unwrap_or(Hit::MISS);
     let around = [
@@ -111,34 +109,26 @@ fn corner<'a>(
     let Some(ray) = corners.rays.centre(x, y) else {
         return Vec3::ZERO;
     };
-    let next = [corners.rays.centre(x + 1, y), corners.rays.centre(x, y + 1)];
+    let next = || corners.rays.next(x, y, ray);
     let z = corners.seen.z.0.get(x, y).copied().unwrap_or(f32::INFINITY);
-    studio.color([x, y], hit, ray, next, z, finder, stack)
+    studio.color([x, y], hit, ray, next, z, desk)
 }
 
 /// A row of what is seen.
 #[derive(Clone, Copy)]
 struct Row<'a> {
-    colors: &'a [[u8; 4]],
+    colors: &'a [[f32; 3]],
     hits: &'a [Hit],
     depths: &'a [f32],
 }
 
-/// A pixel of it.
-#[derive(Clone, Copy)]
-struct Pixel {
-    color: [u8; 4],
-    instance: u32,
-    z: f32,
-}
-
 impl<'a> Row<'a> {
-    fn new(seen: &'a Visibility, rgb: &'a Image<[u8; 4]>, y: u32) -> Option<Self> {
-        let width = rgb.width() as usize;
+    fn new(seen: &'a Visibility, colors: &'a Image<[f32; 3]>, y: u32) -> Option<Self> {
+        let width = colors.width() as usize;
         let first = y as usize * width;
         let range = first..first + width;
         Some(Self {
-            colors: rgb.pixels().get(range.clone())?,
+            colors: colors.pixels().get(range.clone())?,
             hits: seen.hits.pixels().get(range.clone())?,
             depths: seen.z.0.pixels().get(range)?,
         })
@@ -146,32 +136,55 @@ impl<'a> Row<'a> {
 
     #[inline]
     fn pixel(&self, x: usize) -> Option<Pixel> {
+        let (hit, z) = (self.hits.get(x)?, *self.depths.get(x)?);
         Some(Pixel {
-            color: *self.colors.get(x)?,
-            instance: self.hits.get(x)?.instance,
-            z: *self.depths.get(x)?,
+            instance: hit.instance,
+            z,
         })
+    }
+
+    /// As people see it, with coverage.
+    fn tone(&self, x: usize, film: Film) -> Option<[u8; 4]> {
+        let [r, g, b] = film.srgb(Vec3::from(*self.colors.get(x)?));
+        let coverage = if self.hits.get(x)?.is_miss() { 0 } else { 255 };
+        Some([r, g, b, coverage])
     }
 }
 
+/// What is seen of a pixel beside its colour.
+#[derive(Clone, Copy)]
+struct Pixel {
+    instance: u32,
+    z: f32,
+}
+
 /// The pixels of a row at outlines and sharp edges that can be seen as such.
-fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>, y: u32) -> Vec<u32> {
-    let Some(row) = Row::new(seen, rgb, y) else {
+fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> Vec<u32> {
+    let Some(row) = Row::new(seen, colors, y) else {
         return Vec::new();
     };
-    let above = y.checked_sub(1).and_then(|y| Row::new(seen, rgb, y));
-    let below = y.checked_add(1).and_then(|y| Row::new(seen, rgb, y));
-    (0..rgb.width())
+    let above = y.checked_sub(1).and_then(|y| Row::new(seen, colors, y));
+    let below = y.checked_add(1).and_then(|y| Row::new(seen, colors, y));
+    (0..colors.width())
         .filter(|x| {
             let x = *x as usize;
             let Some(pixel) = row.pixel(x) else {
                 return false;
             };
-            pixel.is_edge_between(row.pixel(x.wrapping_sub(1)), row.pixel(x + 1))
-                || pixel.is_edge_between(
+            // Colours are looked at last: there are few edges.
+            let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
+                let other = row.and_then(|row| row.tone(other, film));
+                mine.tone(x, film)
+                    .zip(other)
+                    .is_some_and(|(a, b)| contrast(a, b) >= LEAST_CONTRAST)
+            };
+            let (left, right) = (x.wrapping_sub(1), x + 1);
+            (pixel.is_edge_between(row.pixel(left), row.pixel(right))
+                && (differs(Some(row), left, row) || differs(Some(row), right, row)))
+                || (pixel.is_edge_between(
                     above.and_then(|row| row.pixel(x)),
                     below.and_then(|row| row.pixel(x)),
-                )
+                ) && (differs(above, x, row) || differs(below, x, row)))
         })
         .collect()
 }
@@ -179,10 +192,6 @@ fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>, y: u32) -> Vec<u32> {
 impl Pixel {
     #[inline]
     fn is_edge_between(&self, before: Option<Self>, after: Option<Self>) -> bool {
-        let differs = |other: Self| contrast(self.color, other.color) >= LEAST_CONTRAST;
-        if !(before.is_some_and(differs) || after.is_some_and(differs)) {
-            return false;
-        }
         let is_other = |other: Self| other.instance != self.instance;
         let bends = before
             .zip(after)

@@ -41,15 +41,38 @@ impl Harmonics {
     /// What a diffuse surface receives from its side of the world, over π: the mean radiance by cosine.
     #[inline]
     pub(super) fn mean_by_cosine(&self, normal: Vec3) -> Vec3 {
-        // The cosine's own coefficients over π.
-        const BANDS: [f32; 9] = [1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 0.25, 0.25, 0.25, 0.25, 0.25];
         let mut sum = Vec3::ZERO;
-        for ((coefficient, basis), band) in self.0.iter().zip(basis(normal)).zip(BANDS) {
-            sum += *coefficient * (basis * band);
+        for ((coefficient, polynomial), band) in self.0.iter().zip(polynomials(normal)).zip(BANDS) {
+            sum += *coefficient * (polynomial * band);
         }
         sum.max(Vec3::ZERO)
     }
+
+    /// What of that is to be multiplied with 1, y, z, x, xy, yz, 3z² − 1, xz and x² − y² of the normal.
+    #[inline]
+    pub(super) fn by_cosine(&self) -> [Vec3; 9] {
+        std::array::from_fn(|i| self.0[i] * BANDS[i])
+    }
+
+    /// Whether there is as much from everywhere.
+    #[inline]
+    pub(super) fn is_uniform(&self) -> bool {
+        self.0[1..].iter().all(|coefficient| *coefficient == Vec3::ZERO)
+    }
 }
+
+/// The basis' factors, times the cosine's own coefficients over π.
+const BANDS: [f32; 9] = [
+    BASIS_0,
+    BASIS_1 * 2.0 / 3.0,
+    BASIS_1 * 2.0 / 3.0,
+    BASIS_1 * 2.0 / 3.0,
+    1.092_548_4 / 4.0,
+    1.092_548_4 / 4.0,
+    0.315_391_57 / 4.0,
+    1.092_548_4 / 4.0,
+    0.546_274_2 / 4.0,
+];
 
 const BASIS_0: f32 = 0.282_094_8;
 const BASIS_1: f32 = 0.488_602_5;
@@ -67,6 +90,22 @@ fn basis(d: Vec3) -> [f32; 9] {
         0.315_391_57 * (3.0 * d.z * d.z - 1.0),
         1.092_548_4 * d.x * d.z,
         0.546_274_2 * (d.x * d.x - d.y * d.y),
+    ]
+}
+
+/// The same without their factors.
+#[inline]
+fn polynomials(d: Vec3) -> [f32; 9] {
+    [
+        1.0,
+        d.y,
+        d.z,
+        d.x,
+        d.x * d.y,
+        d.y * d.z,
+        3.0 * d.z * d.z - 1.0,
+        d.x * d.z,
+        d.x * d.x - d.y * d.y,
     ]
 }
 

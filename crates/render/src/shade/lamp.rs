@@ -184,16 +184,13 @@ pub(super) enum Emitter {
 }
 
 impl Emitter {
-    /// Calls `with` for each of its points: the unit vector to it, the irradiance of a surface that faces it, and how
-    /// wide it looks (the tangent of half its angle).
+    /// Calls `with` for each of its points: the unit vector to it, and the irradiance of a surface that faces it.
     #[inline]
-    pub(super) fn each(&self, point: Vec3, mut with: impl FnMut(Vec3, Vec3, f32)) {
+    pub(super) fn each(&self, point: Vec3, mut with: impl FnMut(Vec3, Vec3)) {
         match self {
             Self::Distant {
-                towards,
-                spread,
-                irradiance,
-            } => with(*towards, *irradiance, *spread),
+                towards, irradiance, ..
+            } => with(*towards, *irradiance),
             Self::Sphere {
                 centre,
                 radius,
@@ -203,7 +200,7 @@ impl Emitter {
                 let (d2, r2) = (way.length_squared(), radius * radius);
                 let share = std::f32::consts::PI * r2 / d2.max(r2).max(f32::MIN_POSITIVE);
                 let distance = d2.sqrt().max(f32::MIN_POSITIVE);
-                with(way / distance, *radiance * share, radius / distance.max(*radius));
+                with(way / distance, *radiance * share);
             }
             Self::Area {
                 points,
@@ -218,7 +215,7 @@ impl Emitter {
                     let towards = way / d2.sqrt();
                     let cosine = (-towards.dot(*normal)).max(0.0);
                     let share = quarter * cosine / d2.max(quarter / std::f32::consts::PI);
-                    with(towards, *radiance * share, (quarter / d2).sqrt().min(1.0));
+                    with(towards, *radiance * share);
                 }
             }
         }

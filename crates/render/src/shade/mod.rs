@@ -35,13 +35,13 @@ pub(crate) use self::edges::{Corners, corners_of};
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
-use self::paint::{Paint, paints};
+use self::paint::{Coat, Paint, paints};
 use self::pattern::Pattern;
-use self::reflect::{Facet, radiance};
+use self::reflect::{Facet, Facets, Radiance};
 use self::rig::{Rig, WHITE, luminance};
 use self::textures::Textures;
 use crate::annotate::{Surface, SurfaceFinder};
-use crate::ray::{RayCaster, Stack};
+use crate::ray::{Instructions, RayCaster, Stack};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
@@ -58,6 +58,7 @@ struct Studio<'a> {
     scene: &'a Scene,
     view: &'a View,
     rig: &'a Rig,
+    instructions: Instructions,
     paints: Vec<Paint<'a>>,
     occlusion: Occlusion<'a>,
     coarse: Coarse,
@@ -102,7 +103,7 @@ impl Shader {
             let colors = studio.centres(sight.rays, sight.seen);
             let mut rgb = film::developed(studio.film, &colors, sight.seen);
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(sight.seen, &rgb);
+                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
                 edges::smooth(
                     studio,
                     corners,
@@ -133,8 +134,7 @@ impl Shader {
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
-                let rgb = film::developed(studio.film, &colors, sight.seen);
-                let outlines = edges::outlines_of(sight.seen, &rgb);
+                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
                 edges::smooth(
                     studio,
                     corners,
@@ -177,12 +177,14 @@ impl Shader {
             rig: &self.rig,
             emitters: &emitters,
             pattern: &self.pattern,
+            eye: view.world_from_camera.translation,
         };
         let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
         let studio = Studio {
             scene,
             view,
             rig: &self.rig,
+            instructions: Instructions::detect(),
             paints: paints(scene, &self.textures),
             occlusion,
             coarse,
@@ -229,7 +231,30 @@ impl Shader {
     }
 }
 
+/// What a thread shades with, used again and again.
+struct Desk<'a> {
+    finder: SurfaceFinder<'a>,
+    stack: Stack,
+    /// What the triangle that was seen last is painted with.
+    coat: Option<(Hit, Coat<'a>)>,
+}
+
+/// What a pixel sees.
+enum Seen {
+    /// The sky, exposed.
+    Sky(Vec3),
+    Facet(Facet),
+}
+
 impl Studio<'_> {
+    fn desk(&self) -> Desk<'_> {
+        Desk {
+            finder: SurfaceFinder::new(self.scene, self.view),
+            stack: Stack::new(),
+            coat: None,
+        }
+    }
+
     /// The colour, on film, of what each pixel's centre sees; black where the lens sees nothing.
     fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
@@ -239,64 +264,126 @@ impl Studio<'_> {
         let seen_rows =
             (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
-            |(finder, stack), ((row, (depths, hits)), y)| {
-                for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
-                    if let Some(ray) = rays.centre(x, y) {
-                        let next = [rays.centre(x + 1, y), rays.centre(x, y + 1)];
-                        let color = self.color([x, y], *hit, ray, next, *z, finder, stack);
-                        *pixel = color.to_array();
+            || (self.desk(), Facets::default()),
+            |(desk, facets), ((row, (depths, hits)), y)| {
+                let (mut places, mut count) = ([0; 8], 0);
+                for ((z, hit), x) in depths.iter().zip(hits).zip(0..) {
+                    let Some(ray) = rays.centre(x, y) else {
+                        continue;
+                    };
+                    let next = || rays.next(x, y, ray);
+                    match self.seen([x, y], *hit, ray, next, *z, desk) {
+                        Seen::Sky(color) => {
+                            if let Some(pixel) = row.get_mut(x as usize) {
+                                *pixel = self.film.exposed(color).to_array();
+                            }
+                        }
+                        Seen::Facet(facet) => {
+                            facets.set(count, &facet);
+                            places[count] = x as usize;
+                            count += 1;
+                        }
+                    }
+                    if count == places.len() {
+                        self.expose(facets, &places, row);
+                        count = 0;
                     }
                 }
+                self.expose(facets, &places[..count], row);
             },
         );
         colors
     }
 
-    /// The colour, on film, of what a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a
-    /// pixel below.
-    #[expect(clippy::too_many_arguments, reason = "all that is known of a ray")]
+    /// Puts what the first facets send into their places of a row.
+    fn expose(&self, facets: &Facets, places: &[usize], row: &mut [[f32; 3]]) {
+        if places.is_empty() {
+            return;
+        }
+        let sent = self.sent(facets);
+        for (lane, place) in places.iter().enumerate() {
+            if let Some(pixel) = row.get_mut(*place) {
+                let color = Vec3::from(sent.map(|channel| channel[lane & 7]));
+                *pixel = self.film.exposed(color).to_array();
+            }
+        }
+    }
+
+    fn sent(&self, facets: &Facets) -> [[f32; 8]; 3] {
+        self.instructions.run(Radiance {
+            facets,
+            emitters: self.occlusion.emitters,
+            rig: self.rig,
+        })
+    }
+
+    /// The colour, on film, of what one ray sees; see [`seen`](Self::seen).
     fn color<'a>(
+        &'a self,
+        at: [u32; 2],
+        hit: Hit,
+        ray: DVec3,
+        next: impl Fn() -> [Option<DVec3>; 2],
+        z: f32,
+        desk: &mut Desk<'a>,
+    ) -> Vec3 {
+        let color = match self.seen(at, hit, ray, next, z, desk) {
+            Seen::Sky(color) => color,
+            Seen::Facet(facet) => {
+                let mut facets = Facets::default();
+                facets.set(0, &facet);
+                Vec3::from(self.sent(&facets).map(|channel| channel[0]))
+            }
+        };
+        self.film.exposed(color)
+    }
+
+    /// What a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a pixel below.
+    #[inline]
+    fn seen<'a>(
         &'a self,
         [x, y]: [u32; 2],
         hit: Hit,
         ray: DVec3,
-        next: [Option<DVec3>; 2],
+        next: impl Fn() -> [Option<DVec3>; 2],
         z: f32,
-        finder: &mut SurfaceFinder<'a>,
-        stack: &mut Stack,
-    ) -> Vec3 {
+        desk: &mut Desk<'a>,
+    ) -> Seen {
         let surface = if hit.is_miss() {
             None
         } else {
-            finder.find(hit, ray, z)
+            desk.finder.find(hit, ray, z)
         };
         let Some(surface) = surface else {
             let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return self.film.exposed(self.rig.background(direction));
+            return Seen::Sky(self.rig.background(direction));
         };
         let place = place(&surface, self.view);
         let light = self
             .coarse
             .light(x, y, &place)
-            .unwrap_or_else(|| self.occlusion.look_alone(&place, stack));
-        let facet = Facet {
+            .unwrap_or_else(|| self.occlusion.look_alone(&place, &mut desk.stack).shares());
+        Seen::Facet(Facet {
             point: place.from_eye,
             normal: surface.normal.as_vec3(),
-            eye: -place.from_eye.normalize_or_zero(),
-        };
-        let finish = self.paint(&surface, hit.triangle).at(
-            &surface,
-            hit.triangle,
-            next.map(|ray| ray.map_or([f64::NAN; 3], |ray| surface.weights_of(ray))),
-        );
-        let emitters = self.occlusion.emitters;
-        self.film
-            .exposed(radiance(&facet, &finish, &light, emitters, self.rig))
+            finish: self.coat(&surface, hit, desk).at(&surface, next),
+            direct: light.direct,
+            ambient: light.ambient,
+            sky: light.sky,
+        })
     }
 
-    fn paint(&self, surface: &Surface<'_>, triangle: u32) -> &Paint<'_> {
-        let material = surface.mesh.material(triangle);
-        (material.and_then(|index| self.paints.get(index as usize))).unwrap_or(&Paint::BARE)
+    /// What a triangle is painted with.
+    #[inline]
+    fn coat<'a, 'd>(&'a self, surface: &Surface<'_>, hit: Hit, desk: &'d mut Desk<'a>) -> &'d Coat<'a> {
+        if desk.coat.as_ref().is_some_and(|(last, _)| *last != hit) {
+            desk.coat = None;
+        }
+        let (_, coat) = desk.coat.get_or_insert_with(|| {
+            let material = surface.mesh.material(hit.triangle);
+            let paint = material.and_then(|index| self.paints.get(index as usize));
+            (hit, paint.unwrap_or(&Paint::BARE).coat(surface, hit.triangle))
+        });
+        coat
     }
 }

@@ -51,14 +51,14 @@ impl Light {
         sky: 1.0,
     };
 
-    /// The share of the lamps' light that arrives.
+    /// As shares.
     #[inline]
-    pub(super) fn direct(&self) -> f32 {
-        let all = self.small.all + self.large.all;
-        if all > 0.0 {
-            (self.small.some + self.large.some) / all
-        } else {
-            1.0
+    pub(super) fn shares(&self) -> Shares {
+        let (some, all) = (self.small.some + self.large.some, self.small.all + self.large.all);
+        Shares {
+            direct: if all > 0.0 { some / all } else { 1.0 },
+            ambient: self.ambient,
+            sky: self.sky,
         }
     }
 
@@ -96,6 +96,14 @@ impl Light {
     }
 }
 
+/// The shares of the lamps' light, of the surroundings' and of the sky's that reach a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shares {
+    pub(super) direct: f32,
+    pub(super) ambient: f32,
+    pub(super) sky: f32,
+}
+
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
@@ -123,52 +131,63 @@ pub(super) struct Occlusion<'a> {
     pub(super) rig: &'a Rig,
     pub(super) emitters: &'a [Emitter],
     pub(super) pattern: &'a Pattern,
+    /// In the world, metres.
+    pub(super) eye: DVec3,
 }
 
+/// A lamp of the scene, by its number there, and whether a place sees what it looks at of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Glimpse {
+    pub(super) lamp: u32,
+    pub(super) is_seen: bool,
+}
+
+/// Of the lamps that light a place most.
+pub(super) type Glimpses = [Option<Glimpse>; MOST_SHADOWS];
+
 impl Occlusion<'_> {
-    /// What one of 16 neighbours finds. What arrives of `small_lamps` and from all around may be left for later: NaN.
-    pub(super) fn look(
+    /// What the lamps send to a place that is `from_eye` away from the eye. `sees` says whether it sees its place on a lamp,
+    /// −1 to 1.
+    pub(super) fn lamplight(
         &self,
-        place: &Place,
+        from_eye: Vec3,
+        normal: Vec3,
         turn: Turn,
-        [small_lamps, around]: [bool; 2],
-        stack: &mut Stack,
-    ) -> Light {
-        let (ambient, sky) = if around {
-            self.look_around(place, turn, stack)
-        } else {
-            (f32::NAN, f32::NAN)
-        };
-        let mut light = Light {
-            ambient,
-            sky,
-            ..Light::default()
-        };
-        self.each_lamp(place, |lamp, strength| {
-            if lamp.looks_small_from(place.point) {
-                let some = if small_lamps {
-                    self.arriving(place, lamp, [0.0; 2], strength, stack)
-                } else {
-                    f32::NAN
-                };
-                light.small = light.small.plus(Arrived { some, all: strength }, 1.0);
+        mut sees: impl FnMut(u32, &Lamp, [f64; 2]) -> bool,
+    ) -> (Light, Glimpses) {
+        let mut light = Light::default();
+        let mut glimpses = Glimpses::default();
+        let strongest = self.strongest(from_eye, normal);
+        for (glimpse, (index, strength)) in glimpses.iter_mut().zip(strongest.into_iter().flatten()) {
+            let Some(lamp) = self.rig.lamps.get(index as usize) else {
+                continue;
+            };
+            let is_small = lamp.looks_small_from(self.eye + from_eye.as_dvec3());
+            let spot = if is_small {
+                [0.0; 2]
             } else {
-                let some = self.arriving(place, lamp, Pattern::place(turn.of_place), strength, stack);
-                light.large = light.large.plus(Arrived { some, all: strength }, 1.0);
+                Pattern::place(turn.of_place)
+            };
+            let is_seen = sees(index, lamp, spot);
+            *glimpse = Some(Glimpse { lamp: index, is_seen });
+            let arrived = Arrived {
+                some: if is_seen { strength } else { 0.0 },
+                all: strength,
+            };
+            if is_small {
+                light.small = light.small.plus(arrived, 1.0);
+            } else {
+                light.large = light.large.plus(arrived, 1.0);
             }
-        });
-        light
+        }
+        (light, glimpses)
     }
 
-    /// What arrives of the small lamps.
-    pub(super) fn light_of_small_lamps(&self, place: &Place, stack: &mut Stack) -> f32 {
-        let mut sum = 0.0;
-        self.each_lamp(place, |lamp, strength| {
-            if lamp.looks_small_from(place.point) {
-                sum += self.arriving(place, lamp, [0.0; 2], strength, stack);
-            }
-        });
-        sum
+    /// [`lamplight`](Self::lamplight), by looking.
+    pub(super) fn look_at_lamps(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (Light, Glimpses) {
+        self.lamplight(place.from_eye, place.normal.as_vec3(), turn, |_, lamp, spot| {
+            self.sees(place, lamp, spot, stack)
+        })
     }
 
     /// What a few of the neighbours find at one and the same place.
@@ -181,7 +200,13 @@ impl Occlusion<'_> {
                     of_place: turn,
                     of_tile: turn,
                 };
-                self.look(place, turn, [true; 2], stack)
+                let (light, _) = self.look_at_lamps(place, turn, stack);
+                let (ambient, sky) = self.look_around(place, turn, stack);
+                Light {
+                    ambient,
+                    sky,
+                    ..light
+                }
             })
             .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
     }
@@ -189,37 +214,43 @@ impl Occlusion<'_> {
     /// How open the surroundings and the sky are.
     pub(super) fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
         // Without a sky all tiles do the same, and none stands out.
-        let (far, of_tile) = if self.rig.has_sky {
-            (f64::INFINITY, turn.of_tile)
-        } else {
-            (self.rig.reach, 7)
-        };
+        let of_tile = if self.rig.has_sky { turn.of_tile } else { 7 };
         let turn = Turn { of_tile, ..turn };
         let (mut ambient, mut sky) = (0.0, 0.0);
         for direction in self.pattern.looks(turn, place.normal) {
-            let ray = Ray {
+            if direction.dot(place.flat_normal) <= 0.0 {
+                continue;
+            }
+            let near = Ray {
                 origin: place.above(),
                 direction,
                 near: 0.0,
-                far,
+                far: self.rig.reach,
             };
-            let into_surface = direction.dot(place.flat_normal) <= 0.0;
-            let found = if into_surface {
-                Some(0.0)
-            } else {
-                self.caster.cast(self.scene, ray, stack).map(|(t, _)| t)
+            if let Some((t, _)) = self.caster.cast(self.scene, near, stack) {
+                #[expect(clippy::cast_possible_truncation, reason = "a share")]
+                let distance = (t / self.rig.reach) as f32;
+                ambient += distance * distance;
+                continue;
+            }
+            ambient += 1.0;
+            // How far what hides the sky is does not matter.
+            let far = Ray {
+                near: self.rig.reach,
+                far: f64::INFINITY,
+                ..near
             };
-            #[expect(clippy::cast_possible_truncation, reason = "a share")]
-            let distance = found.map_or(1.0, |t| (t / self.rig.reach).min(1.0) as f32);
-            ambient += distance * distance;
-            sky += if found.is_none() { 1.0 } else { 0.0 };
+            if self.rig.has_sky && !self.caster.is_occluded(self.scene, far, stack) {
+                sky += 1.0;
+            }
         }
         #[expect(clippy::cast_precision_loss, reason = "a few")]
         let share = 1.0 / LOOKS as f32;
         (ambient * share, sky * share)
     }
 
-    fn arriving(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], strength: f32, stack: &mut Stack) -> f32 {
+    /// Whether a place sees one on a lamp, −1 to 1 across it.
+    pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
         let origin = place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {
@@ -229,31 +260,26 @@ impl Occlusion<'_> {
             // Just before the lamp, which may have a mesh to look at.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
-        let hidden =
-            direction.dot(place.flat_normal) <= 0.0 || self.caster.is_occluded(self.scene, ray, stack);
-        if hidden { 0.0 } else { strength }
+        direction.dot(place.flat_normal) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
     }
 
-    /// The lamps that light a place most, and how much.
-    fn each_lamp(&self, place: &Place, mut with: impl FnMut(&Lamp, f32)) {
-        let normal = place.normal.as_vec3();
-        let mut strongest: [Option<(&Lamp, f32)>; MOST_SHADOWS] = [None; MOST_SHADOWS];
-        for (lamp, emitter) in self.rig.lamps.iter().zip(self.emitters) {
+    /// The lamps that light a place most, and how much, as luminance.
+    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MOST_SHADOWS] {
+        let mut strongest = [None; MOST_SHADOWS];
+        for (index, emitter) in (0u32..).zip(self.emitters) {
             let mut strength = 0.0;
-            emitter.each(place.from_eye, |towards, irradiance, _| {
+            emitter.each(from_eye, |towards, irradiance| {
                 strength += luminance(irradiance) * normal.dot(towards).max(0.0);
             });
-            let mut entry = (strength > 0.0).then_some((lamp, strength));
+            let mut entry = (strength > 0.0).then_some((index, strength));
             for slot in &mut strongest {
                 if entry.is_some()
-                    && slot.is_none_or(|(_, other)| other < entry.map_or(0.0, |(_, mine)| mine))
+                    && slot.is_none_or(|(_, other): (u32, f32)| other < entry.map_or(0.0, |(_, mine)| mine))
                 {
                     std::mem::swap(slot, &mut entry);
                 }
             }
         }
-        for (lamp, strength) in strongest.into_iter().flatten() {
-            with(lamp, strength);
-        }
+        strongest
     }
 }

@@ -1,6 +1,7 @@
 //! What colour a surface has of itself.
 
-use glam::Vec3;
+use glam::{DVec2, Vec2, Vec3};
+use oaktwin_camera::math::DVec3;
 use oaktwin_scene::{Material, Scene, TextureUse};
 
 use super::pyramid::{Pyramid, Wraps};
@@ -63,86 +64,178 @@ impl<'a> Paint<'a> {
         }
     }
 
-    /// At a place of a surface, `neighbours` being the shares of the triangle's corners where the next pixels' rays to
-    /// the right and below meet its plane.
-    pub(super) fn at(&self, surface: &Surface<'_>, triangle: u32, neighbours: [[f64; 3]; 2]) -> Finish {
-        Finish {
-            color: self.color(surface, triangle, neighbours),
+    /// On a triangle that is seen.
+    pub(super) fn coat(&self, surface: &Surface<'_>, triangle: u32) -> Coat<'a> {
+        Coat {
+            fill: self.fill(surface, triangle),
             emissive: self.emissive,
             metallic: self.metallic,
             roughness: self.roughness,
         }
     }
 
-    fn color(&self, surface: &Surface<'_>, triangle: u32, neighbours: [[f64; 3]; 2]) -> Vec3 {
+    fn fill(&self, surface: &Surface<'_>, triangle: u32) -> Fill<'a> {
+        let mesh = surface.mesh;
         let triangle = triangle as usize;
         let factor = self.base_color.unwrap_or(Vec3::ONE);
-        let Some(vertices) = surface.mesh.triangles.get(triangle).copied() else {
-            return factor * GREY;
+        let Some(vertices) = mesh.triangles.get(triangle).copied() else {
+            return Fill::Plain(factor * GREY);
         };
         if let Some((used, pyramid)) = self.texture {
-            let uvs = surface.mesh.uvs.as_ref();
+            let uvs = mesh.uvs.as_ref();
+            let scale = Vec3::from(used.scale);
+            let bias = Vec3::from(used.bias);
             // A texture without coordinates shows its mean.
-            let corners = uvs.and_then(|uvs| uvs.corners(triangle, vertices));
-            let read = match corners {
-                Some(corners) => read(used, pyramid, surface, corners, neighbours),
-                None => pyramid.mean(),
+            return match uvs.and_then(|uvs| uvs.corners(triangle, vertices)) {
+                Some(corners) => Fill::Texture(Picture {
+                    pyramid,
+                    wraps: Wraps {
+                        s: used.wrap_s,
+                        t: used.wrap_t,
+                    },
+                    corners: Corners::new(&used, corners, surface.sides),
+                    scale,
+                    bias,
+                    factor,
+                }),
+                None => Fill::Plain(sane(
+                    ((Vec3::from(pyramid.mean()) * scale + bias) * factor).to_array(),
+                )),
             };
-            let scaled = Vec3::from(read) * Vec3::from(used.scale) + Vec3::from(used.bias);
-            return sane((scaled * factor).to_array());
         }
         if self.is_torn {
-            return factor * GREY;
+            return Fill::Plain(factor * GREY);
         }
-        let colors = surface.mesh.colors.as_ref();
+        let colors = mesh.colors.as_ref();
         match colors.and_then(|colors| colors.corners(triangle, vertices)) {
-            Some(corners) => {
-                let [r, g, b] = surface.interpolated(corners);
-                #[expect(clippy::cast_possible_truncation, reason = "colours are float32")]
-                {
-                    sane([r as f32, g as f32, b as f32]) * factor
-                }
-            }
-            None => self.base_color.unwrap_or(GREY),
+            Some(corners) => Fill::Corners { corners, factor },
+            None => Fill::Plain(self.base_color.unwrap_or(GREY)),
         }
     }
 }
 
-fn read(
-    used: TextureUse,
-    pyramid: &Pyramid,
-    surface: &Surface<'_>,
-    corners: [[f32; 2]; 3],
-    neighbours: [[f64; 3]; 2],
-) -> [f32; 3] {
-    // Relative to the first corner, so that large coordinates keep their fractions.
-    let [a, b, c] = corners.map(|uv| image_from_uv(&used, uv));
-    let edges = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
-    let offset = |weights: [f64; 3]| -> [f64; 2] {
-        std::array::from_fn(|i| edges[0][i] * weights[1] + edges[1][i] * weights[2])
-    };
-    let here = offset(surface.weights);
-    let [across, down] = neighbours.map(|weights| {
-        let there = offset(weights);
-        let step = glam::DVec2::new(there[0] - here[0], there[1] - here[1]);
-        // A neighbour that does not meet the plane says nothing.
-        if step.is_finite() {
-            step.as_vec2()
-        } else {
-            glam::Vec2::ZERO
-        }
-    });
-    let at = glam::DVec2::new(a[0] + here[0], a[1] + here[1]).as_vec2();
-    let wraps = Wraps {
-        s: used.wrap_s,
-        t: used.wrap_t,
-    };
-    pyramid.filtered(at, across, down, wraps)
+/// What a triangle is painted with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Coat<'a> {
+    fill: Fill<'a>,
+    emissive: Vec3,
+    metallic: f32,
+    roughness: f32,
 }
 
-fn image_from_uv(used: &TextureUse, [u, v]: [f32; 2]) -> [f64; 2] {
+#[derive(Clone, Copy, Debug)]
+enum Fill<'a> {
+    Plain(Vec3),
+    /// Between the corners' colours.
+    Corners {
+        corners: [[f32; 3]; 3],
+        factor: Vec3,
+    },
+    Texture(Picture<'a>),
+}
+
+/// A triangle's part of a texture.
+#[derive(Clone, Copy, Debug)]
+struct Picture<'a> {
+    pyramid: &'a Pyramid,
+    wraps: Wraps,
+    corners: Corners,
+    scale: Vec3,
+    bias: Vec3,
+    factor: Vec3,
+}
+
+/// Where a triangle's corners are in a texture; all but the first relative to it, so that large coordinates keep their
+/// fractions.
+#[derive(Clone, Copy, Debug)]
+struct Corners {
+    first: DVec2,
+    edges: [DVec2; 2],
+    /// Homogeneous: what a ray of the camera is multiplied with for its place.
+    from_ray: [DVec3; 3],
+}
+
+impl Corners {
+    fn new(used: &TextureUse, corners: [[f32; 2]; 3], [a_side, b_side, c_side]: [DVec3; 3]) -> Self {
+        let [a, b, c] = corners.map(|uv| image_from_uv(used, uv));
+        let (ab, ac) = (b - a, c - a);
+        Self {
+            first: a,
+            edges: [ab, ac],
+            from_ray: [
+                b_side * ab.x + c_side * ac.x,
+                b_side * ab.y + c_side * ac.y,
+                a_side + b_side + c_side,
+            ],
+        }
+    }
+
+    /// Of a place that has such shares of the corners.
+    #[inline]
+    fn offset(&self, weights: [f64; 3]) -> DVec2 {
+        self.edges[0] * weights[1] + self.edges[1] * weights[2]
+    }
+
+    /// Of where a ray meets the triangle's plane; NaN or infinite where it does not.
+    #[inline]
+    fn offset_of(&self, ray: DVec3) -> DVec2 {
+        let [u, v, whole] = &self.from_ray;
+        DVec2::new(ray.dot(*u), ray.dot(*v)) * (1.0 / ray.dot(*whole))
+    }
+
+    /// From a place to where a neighbour's ray meets the plane. One that does not says nothing.
+    #[inline]
+    fn step(&self, here: DVec2, ray: Option<DVec3>) -> Vec2 {
+        if let Some(ray) = ray {
+            let step = self.offset_of(ray) - here;
+            if step.is_finite() {
+                return step.as_vec2();
+            }
+        }
+        Vec2::ZERO
+    }
+}
+
+impl Coat<'_> {
+    /// At a place of the triangle, `next` being the rays, in the camera's frame, of the pixels to the right and below.
+    #[inline]
+    pub(super) fn at(&self, surface: &Surface<'_>, next: impl Fn() -> [Option<DVec3>; 2]) -> Finish {
+        let color = match &self.fill {
+            Fill::Plain(color) => *color,
+            Fill::Corners { corners, factor } => {
+                let [r, g, b] = surface.interpolated(*corners);
+                #[expect(clippy::cast_possible_truncation, reason = "colours are float32")]
+                {
+                    sane([r as f32, g as f32, b as f32]) * *factor
+                }
+            }
+            Fill::Texture(picture) => picture.at(surface, next()),
+        };
+        Finish {
+            color,
+            emissive: self.emissive,
+            metallic: self.metallic,
+            roughness: self.roughness,
+        }
+    }
+}
+
+impl Picture<'_> {
+    #[inline]
+    fn at(&self, surface: &Surface<'_>, next: [Option<DVec3>; 2]) -> Vec3 {
+        let here = self.corners.offset(surface.weights);
+        let [right, below] = next;
+        let (across, down) = (self.corners.step(here, right), self.corners.step(here, below));
+        let at = (self.corners.first + here).as_vec2();
+        let read = self.pyramid.filtered(at, across, down, self.wraps);
+        sane(((Vec3::from(read) * self.scale + self.bias) * self.factor).to_array())
+    }
+}
+
+fn image_from_uv(used: &TextureUse, [u, v]: [f32; 2]) -> DVec2 {
     let (u, v) = (f64::from(u), f64::from(v));
-    (used.image_from_uv).map(|[a, b, c]| f64::from(a) * u + f64::from(b) * v + f64::from(c))
+    let [x, y] = (used.image_from_uv).map(|[a, b, c]| f64::from(a) * u + f64::from(b) * v + f64::from(c));
+    DVec2::new(x, y)
 }
 
 /// Neither negative nor endless.

@@ -64,10 +64,14 @@ impl Pattern {
         }
     }
 
-    /// Its place on a lamp, −1 to 1.
+    /// Its place on a lamp, −1 to 1; of the first four turns at its corners.
     pub(super) fn place(turn: usize) -> [f64; 2] {
         #[expect(clippy::cast_precision_loss, reason = "a few")]
-        [turn % 4, turn / 4].map(|i| (i as f64 + 0.5) / 2.0 - 1.0)
+        [turn, turn / 2].map(|bits| {
+            let step = bits / 4 % 2;
+            let i = if bits % 2 == 0 { step } else { 3 - step };
+            (i as f64 + 0.5) / 2.0 - 1.0
+        })
     }
 
     /// Its directions into the hemisphere around `normal`.

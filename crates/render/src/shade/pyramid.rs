@@ -1,6 +1,6 @@
 //! A texture at every size, and what a pixel sees of it.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3A};
 use oaktwin_image::Image;
 use oaktwin_image::srgb::linear_from_srgb;
 use oaktwin_scene::Wrap;
@@ -76,18 +76,15 @@ impl Pyramid {
             probes += 1.0;
         }
         if probes <= 1.0 {
-            return self.trilinear(at, lod, wraps);
+            return self.trilinear(at, lod, wraps).to_array();
         }
-        let mut sum = [0.0f32; 3];
+        let mut sum = Vec3A::ZERO;
         let mut probe = 0.5;
         while probe < probes {
-            let color = self.trilinear(at + major * (probe / probes - 0.5), lod, wraps);
-            for (sum, color) in sum.iter_mut().zip(color) {
-                *sum += color;
-            }
+            sum += self.trilinear(at + major * (probe / probes - 0.5), lod, wraps);
             probe += 1.0;
         }
-        sum.map(|sum| sum / probes)
+        (sum / probes).to_array()
     }
 
     /// The mean of all of it.
@@ -105,7 +102,8 @@ impl Pyramid {
         clippy::cast_precision_loss,
         reason = "clamped to the levels"
     )]
-    fn trilinear(&self, at: Vec2, lod: f32, wraps: Wraps) -> [f32; 3] {
+    #[inline]
+    fn trilinear(&self, at: Vec2, lod: f32, wraps: Wraps) -> Vec3A {
         let last = self.levels.len() - 1;
         let lod = lod.clamp(0.0, last as f32);
         let (level, part) = (lod as usize, lod.fract());
@@ -115,12 +113,13 @@ impl Pyramid {
             return fine;
         }
         let coarse = self.bilinear(level + 1, at, wraps);
-        std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * part)
+        fine + (coarse - fine) * part
     }
 
     /// Between four pixels of a level.
     #[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
-    fn bilinear(&self, level: usize, at: Vec2, wraps: Wraps) -> [f32; 3] {
+    #[inline]
+    fn bilinear(&self, level: usize, at: Vec2, wraps: Wraps) -> Vec3A {
         let image = &self.levels[level];
         let (width, height) = (image.width(), image.height());
         let x = at.x * width as f32 - 0.5;
@@ -143,27 +142,34 @@ impl Pyramid {
         } else {
             None
         };
-        let square = square.unwrap_or_else(|| {
-            [top, top + 1].map(|y| {
-                [left, left + 1].map(|x| {
-                    let place = wrapped(x, width, wraps.s).zip(wrapped(y, height, wraps.t));
-                    place
-                        .and_then(|(x, y)| image.get(x, y))
-                        .copied()
-                        .unwrap_or_default()
-                })
-            })
-        });
+        let square = square.unwrap_or_else(|| across_border(image, [left, top], wraps));
         let [[a, b], [c, d]] = square;
-        let mut color = [0.0f32; 3];
-        for (i, value) in color.iter_mut().enumerate() {
-            let linear = |pixel: [u8; 4]| self.linear[usize::from(pixel[i])];
-            let upper = linear(a) + (linear(b) - linear(a)) * right_part;
-            let lower = linear(c) + (linear(d) - linear(c)) * right_part;
-            *value = upper + (lower - upper) * lower_part;
-        }
-        color
+        let (a, b, c, d) = (self.linear(a), self.linear(b), self.linear(c), self.linear(d));
+        let upper = a + (b - a) * right_part;
+        let lower = c + (d - c) * right_part;
+        upper + (lower - upper) * lower_part
     }
+
+    #[inline]
+    fn linear(&self, [r, g, b, _]: [u8; 4]) -> Vec3A {
+        let of = self.linear;
+        Vec3A::new(of[usize::from(r)], of[usize::from(g)], of[usize::from(b)])
+    }
+}
+
+/// The four pixels from one on that may lie beyond the border.
+#[cold]
+fn across_border(image: &Image<[u8; 4]>, [left, top]: [i64; 2], wraps: Wraps) -> [[[u8; 4]; 2]; 2] {
+    let (width, height) = (image.width(), image.height());
+    [top, top + 1].map(|y| {
+        [left, left + 1].map(|x| {
+            let place = wrapped(x, width, wraps.s).zip(wrapped(y, height, wraps.t));
+            place
+                .and_then(|(x, y)| image.get(x, y))
+                .copied()
+                .unwrap_or_default()
+        })
+    })
 }
 
 /// The whole number at or below; far beyond a texture's size it is any.

@@ -1,11 +1,12 @@
-//! How much of the light a surface sends to the eye.
+//! How much of the light surfaces send to the eye, eight places at a time.
 
 use glam::Vec3;
 
+use super::harmonics::Harmonics;
 use super::lamp::Emitter;
-use super::occlusion::Light;
 use super::paint::Finish;
 use super::rig::Rig;
+use crate::ray::{Kernel, Lanes, Vector};
 
 /// What dielectrics reflect of light that comes from straight above.
 const DIELECTRIC: f32 = 0.04;
@@ -13,88 +14,312 @@ const DIELECTRIC: f32 = 0.04;
 /// From this roughness on a dielectric shows no lamps.
 const DULL: f32 = 0.75;
 
-/// A place on a surface, in single precision, relative to the eye, in the world's axes.
+/// A place on a surface, in single precision, relative to the eye, in the world's axes; what it is made of, and the
+/// shares of the lamps' light, the surroundings' and the sky's that arrive there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
     pub(super) point: Vec3,
     pub(super) normal: Vec3,
-    /// Unit vector to the eye.
-    pub(super) eye: Vec3,
+    pub(super) finish: Finish,
+    pub(super) direct: f32,
+    pub(super) ambient: f32,
+    pub(super) sky: f32,
 }
 
-/// The exposed radiance that leaves a place towards the eye: diffuse, and a glossy part with the distribution of
-/// Trowbridge and Reitz ("GGX") and Schlick's Fresnel term. What a surface gives off by itself is not exposed: 1 is white.
-#[inline]
-pub(super) fn radiance(
-    facet: &Facet,
-    finish: &Finish,
-    light: &Light,
-    emitters: &[Emitter],
-    rig: &Rig,
-) -> Vec3 {
-    let albedo = finish.color * (1.0 - finish.metallic);
-    let straight = Vec3::splat(DIELECTRIC).lerp(finish.color, finish.metallic);
-    let alpha = (finish.roughness * finish.roughness).max(0.02);
-    let is_glossy = finish.roughness < DULL || finish.metallic > 0.0;
-    let (normal, eye) = (facet.normal, facet.eye);
-    let to_eye = normal.dot(eye).max(1e-3);
-    let mut diffuse = Vec3::ZERO;
-    let mut glossy = Vec3::ZERO;
-    for emitter in emitters {
-        emitter.each(facet.point, |towards, irradiance, width| {
-            let to_light = normal.dot(towards);
-            if to_light <= 0.0 {
-                return;
+/// Eight of them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Facets {
+    point: [[f32; 8]; 3],
+    normal: [[f32; 8]; 3],
+    color: [[f32; 8]; 3],
+    emissive: [[f32; 8]; 3],
+    metallic: [f32; 8],
+    roughness: [f32; 8],
+    direct: [f32; 8],
+    ambient: [f32; 8],
+    sky: [f32; 8],
+}
+
+impl Facets {
+    /// Of a lane below eight.
+    #[inline]
+    pub(super) fn set(&mut self, lane: usize, facet: &Facet) {
+        let Finish {
+            color,
+            emissive,
+            metallic,
+            roughness,
+        } = facet.finish;
+        let vectors = [
+            (&mut self.point, facet.point),
+            (&mut self.normal, facet.normal),
+            (&mut self.color, color),
+            (&mut self.emissive, emissive),
+        ];
+        for (lanes, vector) in vectors {
+            for (lanes, value) in lanes.iter_mut().zip(vector.to_array()) {
+                lanes[lane & 7] = value;
             }
-            let received = irradiance * to_light;
-            diffuse += received;
-            if is_glossy {
-                // A wide lamp has a wide reflection.
-                let alpha = (alpha + width * 0.5).min(1.0);
-                glossy += received * lobe(normal, eye, towards, to_eye, to_light, alpha, straight);
+        }
+        self.metallic[lane & 7] = metallic;
+        self.roughness[lane & 7] = roughness;
+        self.direct[lane & 7] = facet.direct;
+        self.ambient[lane & 7] = facet.ambient;
+        self.sky[lane & 7] = facet.sky;
+    }
+}
+
+/// The exposed radiance that leaves places towards the eye, by channel: diffuse, and a glossy part with the distribution
+/// of Trowbridge and Reitz ("GGX") and Schlick's Fresnel term. What a surface gives off by itself is not exposed: 1 is
+/// white.
+pub(super) struct Radiance<'a> {
+    pub(super) facets: &'a Facets,
+    pub(super) emitters: &'a [Emitter],
+    pub(super) rig: &'a Rig,
+}
+
+impl Kernel for Radiance<'_> {
+    type Output = [[f32; 8]; 3];
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Self::Output {
+        let Self {
+            facets,
+            emitters,
+            rig,
+        } = self;
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let point = load::<L>(&facets.point);
+        let normal = load::<L>(&facets.normal);
+        let color = load::<L>(&facets.color);
+        let (metallic, roughness) = (L::load(&facets.metallic), L::load(&facets.roughness));
+        let ambient = L::load(&facets.ambient);
+        let length = point.dot(point).sqrt().max(L::splat(f32::MIN_POSITIVE));
+        let eye = point.scale(L::splat(-1.0).div(length));
+        let dielectric = Vector::splat([DIELECTRIC; 3]);
+        let straight = dielectric.add(color.sub(dielectric).scale(metallic));
+        let to_eye = normal.dot(eye).max(L::splat(1e-3));
+        let is_smooth = roughness.lt(L::splat(DULL));
+        let mut shine = Shine {
+            normal,
+            eye,
+            to_eye,
+            straight,
+            alpha: roughness.mul(roughness).max(L::splat(0.02)),
+            is_glossy: is_smooth.select(is_smooth, zero.lt(metallic)),
+            diffuse: Vector::splat([0.0; 3]),
+            glossy: Vector::splat([0.0; 3]),
+        };
+        for emitter in emitters {
+            shine.add(emitter, point);
+        }
+        let direct = L::load(&facets.direct);
+        let mirrored = normal.scale(L::splat(2.0).mul(normal.dot(eye))).sub(eye);
+        let mut around = mean_by_cosine(&rig.ambient, normal).scale(ambient);
+        let mut reflected = mean_by_cosine(&rig.ambient, mirrored).scale(ambient);
+        if rig.has_sky {
+            let sky = L::load(&facets.sky);
+            around = around.add(mean_by_cosine(&rig.sky, normal).scale(sky));
+            reflected = reflected.add(mean_by_cosine(&rig.sky, mirrored).scale(sky));
+        }
+        let lambert = shine
+            .diffuse
+            .scale(direct.mul(L::splat(std::f32::consts::FRAC_1_PI)))
+            .add(around);
+        let even = one.sub(roughness);
+        let smooth = Vector {
+            x: even.max(straight.x),
+            y: even.max(straight.y),
+            z: even.max(straight.z),
+        };
+        let all_around = straight.add(smooth.sub(straight).scale(fifth_power(one.sub(to_eye))));
+        let sent = times(color.scale(one.sub(metallic)), lambert)
+            .add(shine.glossy.scale(direct))
+            .add(times(all_around, reflected))
+            .scale(L::splat(rig.exposure))
+            .add(load(&facets.emissive));
+        let mut out = [[0.0; 8]; 3];
+        sent.store(&mut out);
+        out
+    }
+}
+
+/// What lamps send, unhidden.
+struct Shine<L> {
+    normal: Vector<L>,
+    eye: Vector<L>,
+    to_eye: L,
+    straight: Vector<L>,
+    alpha: L,
+    /// All ones where lamps are reflected.
+    is_glossy: L,
+    diffuse: Vector<L>,
+    glossy: Vector<L>,
+}
+
+impl<L: Lanes> Shine<L> {
+    #[inline(always)]
+    fn add(&mut self, emitter: &Emitter, point: Vector<L>) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let least = L::splat(f32::MIN_POSITIVE);
+        match emitter {
+            Emitter::Distant {
+                towards,
+                spread,
+                irradiance,
+            } => self.light(
+                Vector::splat(towards.to_array()),
+                one,
+                *irradiance,
+                L::splat(*spread),
+            ),
+            Emitter::Sphere {
+                centre,
+                radius,
+                radiance,
+            } => {
+                let way = Vector::splat(centre.to_array()).sub(point);
+                let r2 = radius * radius;
+                let d2 = way.dot(way);
+                let share = L::splat(std::f32::consts::PI * r2).div(d2.max(L::splat(r2)).max(least));
+                let distance = d2.sqrt().max(least);
+                self.light(
+                    way.scale(one.div(distance)),
+                    share,
+                    *radiance,
+                    L::splat(*radius).div(distance.max(L::splat(*radius))),
+                );
             }
-        });
+            Emitter::Area {
+                points,
+                normal,
+                area,
+                radiance,
+            } => {
+                let quarter = area / 4.0;
+                let back = Vector::splat((-*normal).to_array());
+                for place in points {
+                    let way = Vector::splat(place.to_array()).sub(point);
+                    let d2 = way.dot(way).max(least);
+                    let towards = way.scale(one.div(d2.sqrt()));
+                    let cosine = towards.dot(back).max(zero);
+                    let nearest = L::splat(quarter / std::f32::consts::PI);
+                    let share = L::splat(quarter).mul(cosine).div(d2.max(nearest));
+                    let width = L::splat(quarter).div(d2).sqrt().min(one);
+                    self.light(towards, share, *radiance, width);
+                }
+            }
+        }
     }
-    let direct = light.direct();
-    let surroundings = rig.ambient.mean_by_cosine(normal) * light.ambient;
-    let mirrored = normal * (2.0 * normal.dot(eye)) - eye;
-    let mut reflected = rig.ambient.mean_by_cosine(mirrored) * light.ambient;
-    let mut above = Vec3::ZERO;
-    if rig.has_sky {
-        above = rig.sky.mean_by_cosine(normal) * light.sky;
-        reflected += rig.sky.mean_by_cosine(mirrored) * light.sky;
+
+    /// Light from the unit vector `towards` that is `share` of `radiance` on a surface that faces it, from a lamp that
+    /// looks `width` wide (the tangent of half its angle).
+    #[inline(always)]
+    fn light(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L) {
+        let zero = L::splat(0.0);
+        let to_light = self.normal.dot(towards).max(zero);
+        let share = share.mul(to_light);
+        let is_lit = zero.lt(share);
+        if is_lit.signs() == 0 {
+            return;
+        }
+        let received = Vector::splat(radiance.to_array()).scale(share);
+        self.diffuse = self.diffuse.add(received);
+        let is_lit = is_lit.and(self.is_glossy);
+        if is_lit.signs() == 0 {
+            return;
+        }
+        // A wide lamp has a wide reflection.
+        let one = L::splat(1.0);
+        let alpha = self.alpha.add(width.mul(L::splat(0.5))).min(one);
+        let (factor, fresnel) = self.lobe(towards, to_light, alpha);
+        let factor = is_lit.select(factor, zero);
+        self.glossy = self.glossy.add(times(received, fresnel).scale(factor));
     }
-    let lambert = diffuse * (direct * std::f32::consts::FRAC_1_PI) + surroundings + above;
-    let smooth = Vec3::splat(1.0 - finish.roughness).max(straight);
-    let all_around = straight + (smooth - straight) * fifth_power(1.0 - to_eye);
-    (albedo * lambert + glossy * direct + all_around * reflected) * rig.exposure + finish.emissive
+
+    /// The glossy part of the reflectance, without the cosine: a factor, and Fresnel's.
+    #[inline(always)]
+    fn lobe(&self, towards: Vector<L>, to_light: L, alpha: L) -> (L, Vector<L>) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let half = self.eye.add(towards);
+        let length = half.dot(half).sqrt();
+        let shortest = L::splat(1e-18);
+        let half = half.scale(shortest.lt(length).select(one.div(length.max(shortest)), zero));
+        let to_half = self.normal.dot(half).max(zero);
+        let eye_to_half = self.eye.dot(half).max(zero);
+        let a2 = alpha.mul(alpha);
+        let spread = to_half.mul(to_half).mul(a2.sub(one)).add(one);
+        // Schlick's masking, both ways, over the usual 4 cos cos.
+        let k = alpha.mul(L::splat(0.5));
+        let rest = one.sub(k);
+        let masking = self.to_eye.mul(rest).add(k).mul(to_light.mul(rest).add(k));
+        let below = L::splat(4.0 * std::f32::consts::PI)
+            .mul(spread.mul(spread))
+            .mul(masking);
+        let fresnel = Vector {
+            x: self
+                .straight
+                .x
+                .add(one.sub(self.straight.x).mul(fifth_power(one.sub(eye_to_half)))),
+            y: self
+                .straight
+                .y
+                .add(one.sub(self.straight.y).mul(fifth_power(one.sub(eye_to_half)))),
+            z: self
+                .straight
+                .z
+                .add(one.sub(self.straight.z).mul(fifth_power(one.sub(eye_to_half)))),
+        };
+        (a2.div(below), fresnel)
+    }
 }
 
-/// The glossy part of the reflectance, without the cosine.
-#[inline]
-fn lobe(
-    normal: Vec3,
-    eye: Vec3,
-    towards: Vec3,
-    to_eye: f32,
-    to_light: f32,
-    alpha: f32,
-    straight: Vec3,
-) -> Vec3 {
-    let half = (eye + towards).normalize_or_zero();
-    let (to_half, eye_to_half) = (normal.dot(half).max(0.0), eye.dot(half).max(0.0));
-    let a2 = alpha * alpha;
-    let spread = to_half * to_half * (a2 - 1.0) + 1.0;
-    let distribution = a2 / (std::f32::consts::PI * spread * spread);
-    // Schlick's masking, both ways, over the usual 4 cos cos.
-    let k = alpha * 0.5;
-    let masking = 0.25 / ((to_eye * (1.0 - k) + k) * (to_light * (1.0 - k) + k));
-    let fresnel = straight + (Vec3::ONE - straight) * fifth_power(1.0 - eye_to_half);
-    fresnel * (distribution * masking)
+#[inline(always)]
+fn load<L: Lanes>([x, y, z]: &[[f32; 8]; 3]) -> Vector<L> {
+    Vector {
+        x: L::load(x),
+        y: L::load(y),
+        z: L::load(z),
+    }
 }
 
-#[inline]
-fn fifth_power(x: f32) -> f32 {
-    let x2 = x * x;
-    x2 * x2 * x
+/// By channel.
+#[inline(always)]
+fn times<L: Lanes>(a: Vector<L>, b: Vector<L>) -> Vector<L> {
+    Vector {
+        x: a.x.mul(b.x),
+        y: a.y.mul(b.y),
+        z: a.z.mul(b.z),
+    }
+}
+
+/// [`Harmonics::mean_by_cosine`].
+#[inline(always)]
+fn mean_by_cosine<L: Lanes>(of: &Harmonics, d: Vector<L>) -> Vector<L> {
+    let zero = L::splat(0.0);
+    let [uniform, y, z, x, xy, yz, zz, xz, xx_yy] = of.by_cosine();
+    let one = L::splat(1.0);
+    let mut sum = Vector::splat(uniform.to_array());
+    if !of.is_uniform() {
+        sum = sum
+            .add(Vector::splat(y.to_array()).scale(d.y))
+            .add(Vector::splat(z.to_array()).scale(d.z))
+            .add(Vector::splat(x.to_array()).scale(d.x))
+            .add(Vector::splat(xy.to_array()).scale(d.x.mul(d.y)))
+            .add(Vector::splat(yz.to_array()).scale(d.y.mul(d.z)))
+            .add(Vector::splat(zz.to_array()).scale(L::splat(3.0).mul(d.z.mul(d.z)).sub(one)))
+            .add(Vector::splat(xz.to_array()).scale(d.x.mul(d.z)))
+            .add(Vector::splat(xx_yy.to_array()).scale(d.x.mul(d.x).sub(d.y.mul(d.y))));
+    }
+    Vector {
+        x: sum.x.max(zero),
+        y: sum.y.max(zero),
+        z: sum.z.max(zero),
+    }
+}
+
+#[inline(always)]
+fn fifth_power<L: Lanes>(x: L) -> L {
+    let x2 = x.mul(x);
+    x2.mul(x2).mul(x)
 }
