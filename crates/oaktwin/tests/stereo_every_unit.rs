@@ -1,6 +1,6 @@
 //! Every model's pair, with each lens, and every calibrated unit of the test data: rendered, rectified, matched, and right.
 
-#![expect(clippy::unwrap_used, reason = "a test")]
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test")]
 
 use std::path::Path;
 use std::sync::Arc;
@@ -163,7 +163,7 @@ fn every_calibrated_unit() {
     for file in &files {
         let name = file.file_stem().unwrap().to_string_lossy();
         for model in ["OAK-D Pro PoE", "OAK4-D Wide"] {
-            match unit::open(&catalog, catalog.device(model).unwrap(), file, true) {
+            match unit::open(catalog, catalog.device(model).unwrap(), file, true) {
                 Ok((twin, _)) => {
                     check(&twin, LensChoice::Pinhole, &format!("{name} as {model}"));
                     measured += 1;
