@@ -93,7 +93,10 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
         let point = intrinsics.normalized_from_pixel(PixelPoint::<Usd>::new(x, y)) * distance_m;
         [point.x as f32, point.y as f32, distance_m as f32]
     };
-    let uv = |pixel: [f64; 2]| pixel.map(|c| (c / (grain_px * f64::from(SQUARES))) as f32);
+    // From the optical axis: a part of an image sees the same board as the whole.
+    let axis = intrinsics.principal_point::<Usd>();
+    let uv =
+        |[x, y]: [f64; 2]| [x - axis.x, y - axis.y].map(|c| (c / (grain_px * f64::from(SQUARES))) as f32);
     let mesh = Mesh {
         positions: corners.map(position).to_vec(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],

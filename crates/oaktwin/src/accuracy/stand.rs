@@ -497,4 +497,32 @@ mod tests {
             }
         }
     }
+
+    /// A pair's noise and exposure are those of its own image: the same but for them. Near half a pixel, where some of the
+    /// pixels are drawn to the one side and some to the other, the median says which are more: not there.
+    #[test]
+    fn a_strip_is_enough_to_match() {
+        let mut stand = stand("oak4-d", EngineKind::StereoMatching, &[]);
+        stand.eyes = Some(Eyes::new(0.075, 0).unwrap());
+        let effort = Effort {
+            captures: 2,
+            quality: false,
+        };
+        for disparity in [75.0, 46.15, 18.9] {
+            let distance = stand.disparity_times_depth() / disparity;
+            let part = stand.part(distance);
+            assert!(part.intrinsics.size.height < stand.intrinsics.size.height / 2);
+            let whole = Part {
+                intrinsics: stand.intrinsics,
+                region: stand.region.clone(),
+            };
+            let [part, whole] = [part, whole].map(|part| {
+                let scenery = Scenery::new(&stand, &part, distance);
+                let unit = &stand.units[0];
+                let measured = stand.measure_unit(&unit.engine, unit, 0, &scenery, &part, effort);
+                stand.disparity_times_depth() / measured.unwrap().vendor.depth_m.unwrap()
+            });
+            assert!((part - whole).abs() < 0.05, "{distance} m: {part} {whole} px");
+        }
+    }
 }
