@@ -1,12 +1,14 @@
 """What every oracle test shares."""
 
 import os
+from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
 from assets import Builder
+from depth_eval import DepthEval
 
 # Not every environment has these; what asks them does not depend on the version of OpenUSD.
 NEEDS = {
@@ -51,3 +53,13 @@ def program() -> Path:
 def builder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Builder:
     """Assets, built on first use."""
     return Builder(program, tmp_path_factory.mktemp("assets"))
+
+
+@pytest.fixture(scope="session")
+def depth_eval() -> Iterator[DepthEval]:
+    named = os.environ.get("OAKTWIN_DEPTH_EVAL")
+    if not named:
+        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
+    program = DepthEval(named)
+    yield program
+    program.close()

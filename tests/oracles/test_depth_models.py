@@ -1,8 +1,5 @@
 """The program's sensor models against plain NumPy."""
 
-import json
-import os
-import subprocess
 
 import numpy as np
 import pytest
@@ -15,14 +12,9 @@ F = np.float32
 class Evaluator:
     """The program's models over a pipe."""
 
-    def __init__(self, path, folder):
+    def __init__(self, ask, folder):
+        self.ask = ask
         self.folder = folder
-        self.process = subprocess.Popen([path], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def ask(self, **request):
-        self.process.stdin.write(json.dumps(request) + "\n")
-        self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
 
     def single_view(self, depth, rgb=None, positions=None, parameters=None, assumptions=None, **rest):
         """What the program makes of it: its outputs by name."""
@@ -48,14 +40,8 @@ class Evaluator:
 
 
 @pytest.fixture(scope="module")
-def evaluator(tmp_path_factory):
-    path = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not path:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    evaluator = Evaluator(path, tmp_path_factory.mktemp("depth"))
-    yield evaluator
-    evaluator.process.stdin.close()
-    evaluator.process.wait()
+def evaluator(depth_eval, tmp_path_factory):
+    return Evaluator(depth_eval.answer, tmp_path_factory.mktemp("depth"))
 
 
 def scene(random, height, width):

@@ -1,8 +1,5 @@
 """The filters against DepthAI's own on random images, bit for bit; OpenCV's and NumPy's where those have none."""
 
-import json
-import os
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,6 +7,8 @@ import cv2
 import depthai as dai
 import numpy as np
 import pytest
+
+from depth_eval import DepthEval
 
 PARAMS = dai.filters.params
 KERNELS = {3: PARAMS.MedianFilter.KERNEL_3x3, 5: PARAMS.MedianFilter.KERNEL_5x5}
@@ -23,23 +22,16 @@ Filter = tuple[str, dict]
 
 
 class Ours:
-    """The program that runs our filters."""
+    """Our filters."""
 
-    def __init__(self, program: str, folder: Path) -> None:
+    def __init__(self, program: DepthEval, folder: Path) -> None:
+        self.program = program
         self.folder = folder
-        self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ask(self, filters: list[str], frames: np.ndarray) -> dict:
         np.save(self.folder / "in.npy", frames)
-        request = {
-            "op": "filters",
-            "frames": str(self.folder / "in.npy"),
-            "filtered": str(self.folder / "out.npy"),
-            "filters": filters,
-        }
-        self.process.stdin.write(json.dumps(request) + "\n")
-        self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
+        files = {"frames": str(self.folder / "in.npy"), "filtered": str(self.folder / "out.npy")}
+        return self.program.answer("filters", filters=filters, **files)
 
     def run(self, filters: list[Filter], frames: np.ndarray) -> np.ndarray:
         answer = self.ask([text(*f) for f in filters], frames)
@@ -52,14 +44,8 @@ def text(name: str, settings: dict) -> str:
 
 
 @pytest.fixture(scope="module")
-def ours(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ours]:
-    program = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not program:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    ours = Ours(program, tmp_path_factory.mktemp("filters"))
-    yield ours
-    ours.process.stdin.close()
-    ours.process.wait()
+def ours(depth_eval: DepthEval, tmp_path_factory: pytest.TempPathFactory) -> Ours:
+    return Ours(depth_eval, tmp_path_factory.mktemp("filters"))
 
 
 def depthai_filter(name: str, settings: dict) -> object:

@@ -1,12 +1,9 @@
 """Rectified pairs against OpenCV: stereoRectify, initUndistortRectifyMap and remap, warpPerspective for a homography;
 and DepthAI's own node that rectifies on a host."""
 
-import json
-import os
-import subprocess
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import timedelta
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -61,23 +58,9 @@ def pair(focal: float, coefficients: list[float], fisheye: bool = False) -> tupl
     return left, right, right_from_left
 
 
-@pytest.fixture(scope="module")
-def ask() -> Iterator:
-    named = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not named:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    process = subprocess.Popen([named], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def request(**fields) -> dict:
-        process.stdin.write(json.dumps({"op": "rectify", **fields}) + "\n")
-        process.stdin.flush()
-        answer = json.loads(process.stdout.readline())
-        assert "error" not in answer, answer
-        return answer
-
-    yield request
-    process.stdin.close()
-    process.wait()
+@pytest.fixture
+def ask(depth_eval):
+    return partial(depth_eval, "rectify")
 
 
 def picture(seed: int, dtype: type) -> np.ndarray:

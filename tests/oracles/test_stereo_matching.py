@@ -1,8 +1,6 @@
 """The stereo matcher against a NumPy implementation of the documented steps, and beside OpenCV's on known disparity."""
 
-import json
-import os
-import subprocess
+from functools import partial
 
 import cv2
 import numpy as np
@@ -58,23 +56,9 @@ SETTINGS = [
 SIZES = [(24, 200), (17, 131), (9, 300), (30, 61), (3, 700), (1, 40), (20, 1), (2, 3)]
 
 
-@pytest.fixture(scope="module")
-def ask():
-    named = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not named:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    process = subprocess.Popen([named], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def request(op="stereo_matching", **fields):
-        process.stdin.write(json.dumps({"op": op, **fields}) + "\n")
-        process.stdin.flush()
-        answer = json.loads(process.stdout.readline())
-        assert "error" not in answer, answer
-        return answer
-
-    yield request
-    process.stdin.close()
-    process.wait()
+@pytest.fixture
+def ask(depth_eval):
+    return partial(depth_eval, "stereo_matching")
 
 
 @pytest.fixture
@@ -226,10 +210,10 @@ def depthai_value(config, name):
     raise AssertionError(f"DepthAI has no {name}")
 
 
-def test_defaults_are_depthais(ask):
+def test_defaults_are_depthais(depth_eval):
     config = pytest.importorskip("depthai").StereoDepthConfig()
     for platform in ("RVC2", "RVC4"):
-        ours = ask(op="stereo_matching_parameters", platform=platform)["parameters"]
+        ours = depth_eval("stereo_matching_parameters", platform=platform)["parameters"]
         for name in set(ours) - OURS:
             # RVC2 has no such thresholds, and here 0 stands for that.
             if platform == "RVC2" and name.startswith("noiseThreshold"):

@@ -1,9 +1,7 @@
 """The errors of an OAK's stereo against a NumPy implementation of the documented steps."""
 
-import json
-import os
-import subprocess
 from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -35,23 +33,9 @@ SETTINGS = [
 SIZES = [(96, 1280), (60, 106), (70, 333), (40, 640), (9, 1), (1, 65), (30, 1920)]
 
 
-@pytest.fixture(scope="module")
-def ask():
-    named = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not named:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    process = subprocess.Popen([named], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def request(**fields):
-        process.stdin.write(json.dumps({"op": "stereo_noise", **fields}) + "\n")
-        process.stdin.flush()
-        answer = json.loads(process.stdout.readline())
-        assert "error" not in answer, answer
-        return answer
-
-    yield request
-    process.stdin.close()
-    process.wait()
+@pytest.fixture
+def ask(depth_eval):
+    return partial(depth_eval, "stereo_noise")
 
 
 def scene(random, height, width):

@@ -145,4 +145,4 @@ def test_no_worse_than_opencv(program, room, tmp_path):
     mean, uncertain = differ["all"]
     assert mean[0] > -uncertain[0] and (mean[5:] < uncertain[5:]).all(), (mean, uncertain)
     # No view is lost.
-    assert all(ours[0] > 0.8 and ours[2] < 0.05 for ours, _ in table["all"])
+    assert all(ours[0] > 0.8 and ours[2] < 0.1 for ours, _ in table["all"])

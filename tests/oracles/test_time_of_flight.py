@@ -1,9 +1,7 @@
 """Time of flight against a NumPy implementation of the documented steps, and its filter against DepthAI's own."""
 
-import json
-import os
-import subprocess
 from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -36,23 +34,9 @@ SETTINGS = [
 SIZES = [(96, 640), (60, 106), (70, 333), (9, 1), (1, 65), (30, 1280)]
 
 
-@pytest.fixture(scope="module")
-def ask():
-    named = os.environ.get("OAKTWIN_DEPTH_EVAL")
-    if not named:
-        pytest.skip("OAKTWIN_DEPTH_EVAL names no program: run by cargo xtask test")
-    process = subprocess.Popen([named], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def request(op="time_of_flight", **fields):
-        process.stdin.write(json.dumps({"op": op, **fields}) + "\n")
-        process.stdin.flush()
-        answer = json.loads(process.stdout.readline())
-        assert "error" not in answer, answer
-        return answer
-
-    yield request
-    process.stdin.close()
-    process.wait()
+@pytest.fixture
+def ask(depth_eval):
+    return partial(depth_eval, "time_of_flight")
 
 
 def scene(random, height, width):
@@ -149,7 +133,7 @@ def confidence_frames(random, count):
         yield random.choice([0.0, 0.1, 0.2, 0.3, 5.0, 100.0, 1e4, 5e6]), frames[0], frames[1]
 
 
-def test_confidence_is_depthais(ask, tmp_path: Path):
+def test_confidence_is_depthais(depth_eval, tmp_path: Path):
     dai = pytest.importorskip("depthai")
     random = np.random.default_rng(11)
     pipelines = {}
@@ -180,7 +164,7 @@ def test_confidence_is_depthais(ask, tmp_path: Path):
         np.save(tmp_path / "depth.npy", depth)
         np.save(tmp_path / "amplitude.npy", amplitude)
         names = ("depth", "amplitude", "filtered", "confidence")
-        ask("depth_confidence", threshold=threshold, **{name: str(tmp_path / f"{name}.npy") for name in names})
+        depth_eval("depth_confidence", threshold=threshold, **{name: str(tmp_path / f"{name}.npy") for name in names})
         wanted = theirs(threshold, depth, amplitude)
         for name, pixels in zip(names[2:], wanted):
             np.testing.assert_array_equal(np.load(tmp_path / f"{name}.npy"), pixels, err_msg=f"{name} {threshold}")

@@ -252,7 +252,7 @@ def test_images_of_any_making(matcher, textured):
         (np.zeros((9, 12), np.int16), np.zeros((9, 12), np.int16), TypeError, "left: its numbers are int16"),
         (np.zeros((9, 12), bool), np.zeros((9, 12), bool), TypeError, "left: its numbers are bool"),
         (np.zeros((0, 12), np.uint8), np.zeros((0, 12), np.uint8), oaktwin.Error, "left: .*has no pixel"),
-        (np.zeros((2, 9, 12), np.uint8), np.zeros((2, 9, 12), np.uint8), oaktwin.Error, r"left: has shape \[2, 9, 12\]; give one"),
+        (np.zeros((1, 2, 9, 12), np.uint8), np.zeros((2, 9, 12), np.uint8), oaktwin.Error, r"left: has shape \[1, 2, 9, 12\]; give one"),
         (np.zeros(12, np.uint8), np.zeros(12, np.uint8), oaktwin.Error, r"left: has shape \[12\]"),
         (np.zeros((9, 12, 3), np.uint16), np.zeros((9, 12, 3), np.uint16), TypeError, "left: its colours are uint16"),
         (np.full((9, 12), 1024, np.uint16), np.zeros((9, 12), np.uint16), oaktwin.Error, "left: .*up to 1024; .*>> 6"),

@@ -11,6 +11,7 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     middle: of ten captures drop what is invalid and the top and bottom 5 %, take the median, and hold the mean of those \
     against the true distance. By default 200 devices are measured (25 by stereo-matching, which sees the board as a rendered pair), each with the calibration error of its seed, and their \
     median counts, as the vendor's figures are those of the median device.\n\n\
+    Time of flight is measured indoors; outdoors with --param ambient=outdoor.\n\n\
     Measured errors are CSV with the columns distance_m and depth_error_percent.\n\n\
     Ends with 1 where the error is outside the published accuracy at some distance."
 )]

@@ -1,14 +1,15 @@
 use super::blur::MOST_SIGMA_PX;
 use crate::ParameterError;
+use crate::choice::choice;
 
-/// How many bits a recorded number has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Bits {
-    /// 0 to 255: what an OAK's stereo takes.
-    #[default]
-    Eight,
-    /// 0 to 1023: what an OV9282 has.
-    Ten,
+choice! {
+    /// How many bits a recorded number has.
+    Bits {
+        /// 0 to 255, what an OAK's stereo takes.
+        Eight = "8",
+        /// 0 to 1023, what an OV9282 has.
+        Ten = "10",
+    }
 }
 
 impl Bits {

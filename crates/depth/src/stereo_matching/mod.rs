@@ -58,7 +58,7 @@ mod scan;
 mod select;
 
 pub use inspect::inspect;
-pub use names::NAMES;
+pub use names::{NAMES, platform_of};
 pub use pair::{Luminance, Pair, PairError};
 pub use parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
 pub use rvc4::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};

@@ -1,6 +1,7 @@
 //! Parameters by name, for command lines and presets.
 
 use super::parameters::Parameters;
+use crate::ParameterError;
 use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits, text};
 use crate::preset::Platform;
 
@@ -167,8 +168,55 @@ const TABLE: [Named<Parameters>; 56] = [
     },
 ];
 
-named::by_name!(Parameters, TABLE, |name| named::unknown(
-    "stereo-matching",
-    name,
-    &NAMES
-));
+named::by_name!(Parameters, TABLE, unknown);
+
+fn unknown(name: &str) -> ParameterError {
+    named::unknown("stereo-matching", name, &NAMES)
+}
+
+/// Those that count on one platform only.
+const RVC2_ONLY: [&str; 5] = [
+    "horizontalPenaltyCostP1",
+    "horizontalPenaltyCostP2",
+    "verticalPenaltyCostP1",
+    "verticalPenaltyCostP2",
+    "penaltyShift",
+];
+const RVC4_ONLY: [&str; 23] = [
+    "p1Config.enableAdaptive",
+    "p1Config.defaultValue",
+    "p1Config.edgeValue",
+    "p1Config.smoothValue",
+    "p2Config.enableAdaptive",
+    "p2Config.defaultValue",
+    "p2Config.edgeValue",
+    "p2Config.smoothValue",
+    "edgeThreshold",
+    "smoothThreshold",
+    "occlusionConfidenceWeight",
+    "motionVectorConfidenceWeight",
+    "motionVectorConfidenceThreshold",
+    "flatnessConfidenceWeight",
+    "flatnessConfidenceThreshold",
+    "flatnessOverride",
+    "holeFilling.enable",
+    "holeFilling.highConfidenceThreshold",
+    "holeFilling.fillConfidenceThreshold",
+    "holeFilling.minValidDisparity",
+    "holeFilling.invalidateDisparities",
+    "adaptiveMedianFilter.enable",
+    "adaptiveMedianFilter.confidenceThreshold",
+];
+
+/// The platform that a parameter counts on, by its name; none where it counts on all.
+#[must_use]
+pub fn platform_of(name: &str) -> Option<Platform> {
+    let own = named::find(&TABLE, name, unknown).ok()?.name;
+    if RVC2_ONLY.contains(&own) {
+        Some(Platform::Rvc2)
+    } else if RVC4_ONLY.contains(&own) {
+        Some(Platform::Rvc4)
+    } else {
+        None
+    }
+}

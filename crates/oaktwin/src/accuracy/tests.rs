@@ -29,8 +29,15 @@ fn with_parameters(parameters: &[(&str, &str)]) -> SensorOptions {
     }
 }
 
+fn matching(parameters: &[(&str, &str)]) -> SensorOptions {
+    SensorOptions {
+        engine: Some(EngineKind::StereoMatching),
+        ..with_parameters(parameters)
+    }
+}
+
 /// The twin of a unit against what was measured of it.
-fn r_squared_of(file: &str, parameters: &[(&str, &str)], optics: MeasuredOptics, from_m: f64) -> Option<f64> {
+fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_m: f64) -> Option<f64> {
     let Some(data) = std::env::var_os("OAKTWIN_TEST_DATA") else {
         println!("skipped: OAKTWIN_TEST_DATA is not set");
         return None;
@@ -39,8 +46,9 @@ fn r_squared_of(file: &str, parameters: &[(&str, &str)], optics: MeasuredOptics,
     let curve = measured::read(&path).unwrap();
     assert!(curve.is_absolute);
     let options = Options {
-        engine: with_parameters(parameters),
-        distances_m: Some(vec![1.0]),
+        engine,
+        distances_m: Some(vec![3.0]),
+        captures: 2,
         optics,
         from_m,
         ..Options::default()
@@ -63,9 +71,13 @@ fn the_vendors_measured_curve_at_800p() {
         focal_length_px: Some(794.0),
         width_px: None,
     };
-    let parameters = [("bias", "-0.22"), ("pixelLocking", "0.13")];
-    let r2 = r_squared_of("depth_error_800p_75mm_measured.csv", &parameters, optics, 2.5);
+    let curve = "depth_error_800p_75mm_measured.csv";
+    let noise = with_parameters(&[("bias", "-0.22"), ("pixelLocking", "0.13")]);
+    let r2 = r_squared_of(curve, noise, optics, 2.5);
     assert!(r2.is_none_or(|r2| r2 >= 0.95), "{r2:?}");
+    // Nobody tells the matcher of pixel locking.
+    let r2 = r_squared_of(curve, matching(&[("bias", "-0.22")]), optics, 2.5);
+    assert!(r2.is_none_or(|r2| r2 >= 0.9), "{r2:?}");
 }
 
 #[test]
@@ -74,13 +86,12 @@ fn the_vendors_measured_curve_at_480p() {
         focal_length_px: Some(454.0),
         width_px: Some(640),
     };
-    let r2 = r_squared_of(
-        "depth_error_480p_75mm_measured.csv",
-        &[("bias", "0")],
-        optics,
-        0.0,
-    );
+    let curve = "depth_error_480p_75mm_measured.csv";
+    let r2 = r_squared_of(curve, with_parameters(&[("bias", "0")]), optics, 0.0);
     assert!(r2.is_none_or(|r2| r2 >= 0.85), "{r2:?}");
+    // The board was not fitted to this one.
+    let r2 = r_squared_of(curve, matching(&[("bias", "0")]), optics, 0.0);
+    assert!(r2.is_none_or(|r2| r2 >= 0.5), "{r2:?}");
 }
 
 /// The median of 200 devices, at places in every band and on every phase of the error that repeats with disparity.

@@ -30,6 +30,8 @@
 
 mod counting;
 mod findings;
+#[cfg(test)]
+mod fixture;
 mod least_squares;
 mod method;
 mod plot;

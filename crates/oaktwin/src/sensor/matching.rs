@@ -2,14 +2,14 @@
 
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_matching::{Parameters, StereoMatching};
+use oaktwin_depth::stereo_matching::{Parameters, StereoMatching, platform_of};
 use oaktwin_depth::{Engine, ParameterError, Sensor, stereo_noise};
 
 use super::configure::{self, CALIBRATION_ERROR, Preset};
 use super::{EngineKind, SensorOptions, stereo_matching_parameters};
 use crate::camera::{Intrinsics, StereoGeometry};
 use crate::catalog::{DepthKind, Twin, TwinDepthSensor};
-use crate::diagnostic::{Finding, fold_name};
+use crate::diagnostic::{Finding, Level, fold_name};
 
 /// The sensor of a rectified pair whose images are `width_px` wide and have this focal length and baseline; `place` is what
 /// the findings call it. The images' own calibration error is in them: there is no other.
@@ -36,12 +36,13 @@ pub fn stereo_matching(
     }
     let preset = options.preset.as_deref();
     let preset = preset.map(|name| Preset::of_stereo(platform, name)).transpose()?;
-    let findings = preset
+    let mut findings: Vec<Finding> = preset
         .iter()
         .map(|preset| preset.finding(options, EngineKind::StereoMatching, place))
         .collect();
     let parameters = Parameters::new(platform, stereo, width_px);
     let engine = configured(parameters, preset.as_ref(), options)?;
+    findings.extend(without_effect(&engine, options, place));
     let filters = configure::chain(options, preset.as_ref())?;
     Ok((
         Sensor::new(engine, filters, Stream::new(options.seed, place)),
@@ -112,6 +113,26 @@ fn configured(
     parameters.extended_disparity |= options.extended_disparity;
     configure::set_stereo_matching(&mut parameters, options)?;
     Ok(Engine::StereoMatching(StereoMatching::new(parameters)?))
+}
+
+/// Parameters that are another processor's than the engine's.
+pub(super) fn without_effect(engine: &Engine, options: &SensorOptions, place: &str) -> Option<Finding> {
+    let Engine::StereoMatching(engine) = engine else {
+        return None;
+    };
+    let own = engine.parameters().platform;
+    let is_of_other = |name: &&str| platform_of(name).is_some_and(|platform| platform != own);
+    let given = options.parameters.iter().map(|(name, _)| name.as_str());
+    let names: Vec<&str> = given.filter(is_of_other).collect();
+    (!names.is_empty()).then(|| {
+        Finding::new(
+            "other-platform",
+            Level::Warning,
+            place,
+            format!("on {} {} has no effect", own.name(), names.join(", ")),
+            "leave it out, or set the parameter platform",
+        )
+    })
 }
 
 /// The processor of a twin's device; `None` where it is not known.

@@ -111,6 +111,7 @@ pub fn sensor(
             Engine::TimeOfFlight(TimeOfFlight::new(parameters)?)
         }
     };
+    findings.extend(matching::without_effect(&engine, options, &sensor.spec.prim));
     let filters = configure::chain(options, preset.as_ref())?;
     let name = options.name.as_deref().unwrap_or(&sensor.spec.prim);
     Ok((

@@ -231,3 +231,23 @@ fn devices_differ_by_their_seed_alone() {
     assert_eq!(bias(Some(3)), bias(Some(3)));
     assert_ne!(bias(Some(3)), bias(Some(4)));
 }
+
+#[test]
+fn parameters_of_another_processor_are_told() {
+    let set = |name: &str| SensorOptions {
+        engine: Some(EngineKind::StereoMatching),
+        parameters: vec![(name.to_owned(), "20".to_owned())],
+        ..SensorOptions::default()
+    };
+    let of_rvc4 = set("flatnessConfidenceWeight");
+    assert!(of("OAK4-D", 0, &of_rvc4).unwrap().1.is_empty());
+    let (_, findings) = of("OAK-D Pro PoE", 0, &of_rvc4).unwrap();
+    assert_eq!(findings.len(), 1);
+    assert_eq!(findings[0].code, "other-platform");
+    assert_eq!(
+        findings[0].message,
+        "on RVC2 flatnessConfidenceWeight has no effect"
+    );
+    let (_, findings) = of("OAK4-D", 0, &set("horizontalPenaltyCostP1")).unwrap();
+    assert_eq!(findings[0].code, "other-platform");
+}

@@ -1,6 +1,6 @@
 use super::parameters;
 use crate::preset::{Platform, StereoConfig};
-use crate::stereo_matching::{NAMES, Parameters};
+use crate::stereo_matching::{NAMES, Parameters, platform_of};
 
 #[test]
 fn each_name_changes_what_it_reads() {
@@ -114,4 +114,36 @@ fn the_largest_disparities_are_depthais() {
         most(&[("extendedDisparity", "true"), ("disparityShift", "5")]),
         200
     );
+}
+
+/// What is another platform's changes nothing of what is found.
+#[test]
+fn what_counts_on_one_platform_is_known() {
+    let images = super::step(130, 24, 3.0, 9.5, 40.0, 60.0);
+    let found = |p| {
+        crate::stereo_matching::StereoMatching::new(p)
+            .unwrap()
+            .disparity(&super::pair(&images))
+    };
+    for platform in [Platform::Rvc2, Platform::Rvc4] {
+        let own = Parameters::new(platform, super::STEREO, 1280);
+        let plain = found(own);
+        for name in NAMES
+            .into_iter()
+            .filter(|name| platform_of(name).is_some_and(|other| other != platform))
+        {
+            let mut p = own;
+            let now = p.get(name).unwrap();
+            let other = match now.as_str() {
+                "true" => "false".to_owned(),
+                "false" => "true".to_owned(),
+                number => (number.parse::<u32>().unwrap() + 1).to_string(),
+            };
+            p.set(name, &other).unwrap();
+            assert!(found(p) == plain, "{name}");
+        }
+    }
+    assert_eq!(platform_of("flatness-override"), Some(Platform::Rvc4));
+    assert_eq!(platform_of("penaltyShift"), Some(Platform::Rvc2));
+    assert_eq!((platform_of("paths"), platform_of("bias")), (None, None));
 }

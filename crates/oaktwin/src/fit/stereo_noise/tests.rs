@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use oaktwin_depth::Shot;
@@ -10,12 +9,10 @@ use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 
 use crate::accuracy::MeasuredOptics;
-use crate::camera::StereoGeometry;
-use crate::catalog::{Catalog, Twin};
+use crate::camera::{ImageSize, StereoGeometry};
 use crate::diagnostic::Finding;
-use crate::fit::{Options, Report, TABLE, fit};
+use crate::fit::{Options, Report, TABLE, fixture};
 use crate::image::{Image, npy};
-use crate::sensor::ParameterFile;
 
 /// A matcher of few pixels and a long focal length: the disparities of a real one in images that are quickly made.
 const WIDTH: u32 = 320;
@@ -23,6 +20,7 @@ const HEIGHT: u32 = 120;
 const FOCAL_PX: f64 = 800.0;
 const BASELINE_M: f64 = 0.075;
 const REGION: f64 = 0.3;
+const MODEL: &str = "oak-d-pro-poe";
 
 fn optics() -> MeasuredOptics {
     MeasuredOptics {
@@ -39,11 +37,6 @@ fn options() -> Options {
     }
 }
 
-fn twin() -> Twin {
-    let catalog = Catalog::builtin();
-    catalog.nominal(catalog.device("oak-d-pro-poe").unwrap())
-}
-
 fn truth(bias: f64, locking: f64, jitter: f64, window: u32) -> Parameters {
     let stereo = StereoGeometry {
         focal_length_px: FOCAL_PX,
@@ -58,16 +51,8 @@ fn truth(bias: f64, locking: f64, jitter: f64, window: u32) -> Parameters {
     }
 }
 
-/// The depth of a board through (0, 0, z) that is turned about the vertical.
 fn board(z: f64, turned_deg: f64) -> Image<f32> {
-    let slope = turned_deg.to_radians().tan();
-    let pixels = (0..WIDTH * HEIGHT).map(|i| {
-        let x = (f64::from(i % WIDTH) + 0.5 - f64::from(WIDTH) / 2.0) / FOCAL_PX;
-        #[expect(clippy::cast_possible_truncation, reason = "a depth")]
-        let depth = (z / (1.0 + slope * x)) as f32;
-        depth
-    });
-    Image::new(WIDTH, HEIGHT, pixels.collect()).unwrap()
+    fixture::board(ImageSize::new(WIDTH, HEIGHT), FOCAL_PX, z, turned_deg)
 }
 
 struct Recorded<'a> {
@@ -83,29 +68,8 @@ impl Recorded<'_> {
     fn write(&self, folder: &Path) {
         let engine = StereoNoise::new(self.parameters).unwrap();
         let random = Stream::new(self.seed, "test");
-        let mut table = "file,distance_m\n".to_owned();
-        for (number, &z) in (0u32..).zip(self.distances_m) {
-            let depth = board(z, self.turned_deg);
-            let mut values = Vec::new();
-            for frame in 0..self.frames {
-                let mut shot = Shot::new((&depth).into());
-                shot.frame = frame;
-                shot.item = number;
-                values.extend_from_slice(engine.sense(&shot, &random).0.pixels());
-            }
-            let shape = [
-                usize::try_from(self.frames).unwrap(),
-                HEIGHT as usize,
-                WIDTH as usize,
-            ];
-            fs::write(
-                folder.join(format!("{number}.npy")),
-                npy::encode(&shape, &values).unwrap(),
-            )
-            .unwrap();
-            let _ = writeln!(table, "{number}.npy,{z}");
-        }
-        fs::write(folder.join(TABLE), table).unwrap();
+        let boards = self.distances_m.iter().map(|&z| (board(z, self.turned_deg), z));
+        fixture::record(folder, boards, self.frames, |shot| engine.sense(shot, &random));
     }
 
     fn fitted(&self, options: &Options) -> (Report, Vec<Finding>) {
@@ -116,18 +80,8 @@ impl Recorded<'_> {
 }
 
 fn fitted(paths: &[&Path], options: &Options) -> Result<(Report, Vec<Finding>), String> {
-    let paths: Vec<PathBuf> = paths.iter().map(|path| path.to_path_buf()).collect();
-    let (fit, findings) = fit(&twin(), &paths, options, &|_, _| ControlFlow::Continue(()))
-        .map_err(|error| error.to_string())?;
-    // Whatever is fitted can be drawn and read again.
-    for figure in fit.figures() {
-        assert!(!figure.svg().contains("NaN"));
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("p.toml");
-    fs::write(&file, fit.report().toml()).unwrap();
-    ParameterFile::read(&file).unwrap();
-    Ok((fit.report().clone(), findings))
+    let (report, findings, _) = fixture::fitted(MODEL, paths, options)?;
+    Ok((report, findings))
 }
 
 fn has(report: &Report, name: &str, truth: f64) -> bool {

@@ -2,23 +2,21 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use oaktwin_depth::Shot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
-use crate::catalog::Catalog;
+use crate::camera::ImageSize;
 use crate::diagnostic::Finding;
-use crate::fit::{Options, Report, TABLE, fit};
-use crate::image::{Image, npy};
-use crate::sensor::{EngineKind, ParameterFile, SensorOptions, time_of_flight_parameters};
+use crate::fit::{Options, Report, fixture};
+use crate::sensor::{EngineKind, SensorOptions, time_of_flight_parameters};
 
 /// Few pixels, those in the middle of the device's view.
 const CROP: [(&str, &str); 2] = [("width", "64"), ("principalPoint", "center")];
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;
+const MODEL: &str = "oak-d-tof";
 
 fn options() -> Options {
     Options {
@@ -35,27 +33,13 @@ fn options() -> Options {
 }
 
 fn model() -> Parameters {
-    let catalog = Catalog::builtin();
-    let twin = catalog.nominal(catalog.device("oak-d-tof").unwrap());
+    let twin = fixture::twin(MODEL);
     let camera = twin.depth_sensors.last().unwrap().spec.camera;
     let mut p = time_of_flight_parameters(twin.camera(camera).unwrap().intrinsics);
     for (name, value) in CROP {
         p.set(name, value).unwrap();
     }
     p
-}
-
-/// The depth of a board through (0, 0, z) that is turned about the vertical.
-fn board(p: &Parameters, z: f64, turned_deg: f64) -> Image<f32> {
-    let slope = turned_deg.to_radians().tan();
-    let focal_px = p.focal_length_px * f64::from(WIDTH) / f64::from(p.width_px);
-    let pixels = (0..WIDTH * HEIGHT).map(|i| {
-        let x = (f64::from(i % WIDTH) + 0.5 - f64::from(WIDTH) / 2.0) / focal_px;
-        #[expect(clippy::cast_possible_truncation, reason = "a depth")]
-        let depth = (z / (1.0 + slope * x)) as f32;
-        depth
-    });
-    Image::new(WIDTH, HEIGHT, pixels.collect()).unwrap()
 }
 
 struct Recorded<'a> {
@@ -71,26 +55,11 @@ impl Recorded<'_> {
     fn write(&self, folder: &Path, said: impl Fn(f64) -> f64) {
         let engine = TimeOfFlight::new(self.parameters).unwrap();
         let random = Stream::new(self.seed, "test");
-        let mut table = "file,distance_m\n".to_owned();
-        for (number, &z) in (0u32..).zip(self.distances_m) {
-            let depth = board(&self.parameters, z, self.turned_deg);
-            let mut values = Vec::new();
-            for frame in 0..self.frames {
-                let mut shot = Shot::new((&depth).into());
-                shot.frame = frame;
-                shot.item = number;
-                values.extend_from_slice(engine.sense(&shot, &random).0.pixels());
-            }
-            let shape = [
-                usize::try_from(self.frames).unwrap(),
-                HEIGHT as usize,
-                WIDTH as usize,
-            ];
-            let bytes = npy::encode(&shape, &values).unwrap();
-            fs::write(folder.join(format!("{number}.npy")), bytes).unwrap();
-            let _ = writeln!(table, "{number}.npy,{}", said(z));
-        }
-        fs::write(folder.join(TABLE), table).unwrap();
+        let p = &self.parameters;
+        let focal_px = p.focal_length_px * f64::from(WIDTH) / f64::from(p.width_px);
+        let board = |z| fixture::board(ImageSize::new(WIDTH, HEIGHT), focal_px, z, self.turned_deg);
+        let boards = self.distances_m.iter().map(|&z| (board(z), said(z)));
+        fixture::record(folder, boards, self.frames, |shot| engine.sense(shot, &random));
     }
 
     fn fitted(&self, options: &Options) -> (Report, Vec<Finding>) {
@@ -101,21 +70,10 @@ impl Recorded<'_> {
 }
 
 fn fitted(path: &Path, options: &Options) -> Result<(Report, Vec<Finding>), String> {
-    let catalog = Catalog::builtin();
-    let twin = catalog.nominal(catalog.device("oak-d-tof").unwrap());
-    let paths: Vec<PathBuf> = vec![path.to_path_buf()];
-    let (fit, findings) =
-        fit(&twin, &paths, options, &|_, _| ControlFlow::Continue(())).map_err(|error| error.to_string())?;
-    for figure in fit.figures() {
-        assert!(!figure.svg().contains("NaN"));
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("p.toml");
-    fs::write(&file, fit.report().toml()).unwrap();
-    let read = ParameterFile::read(&file).unwrap();
+    let (report, findings, read) = fixture::fitted(MODEL, &[path], options)?;
     assert_eq!(read.engine, EngineKind::TimeOfFlight);
-    assert_eq!(read.parameters.len(), fit.report().parameters.len());
-    Ok((fit.report().clone(), findings))
+    assert_eq!(read.parameters.len(), report.parameters.len());
+    Ok((report, findings))
 }
 
 fn with(options: Options, parameter: (&str, &str)) -> Options {

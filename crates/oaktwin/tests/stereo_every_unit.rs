@@ -1,0 +1,182 @@
+//! Every model's pair, with each lens, and every calibrated unit of the test data: rendered, rectified, matched, and right.
+
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test")]
+
+use std::path::Path;
+use std::sync::Arc;
+
+use oaktwin::camera::math::{DAffine3, DVec3};
+use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::catalog::{Catalog, Role, Twin};
+use oaktwin::image::Image;
+use oaktwin::pair::{PairCameras, PairOptions};
+use oaktwin::render::{Renderer, look_at};
+use oaktwin::scene::{
+    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
+    TextureSource, TextureUse,
+};
+use oaktwin::sensor::SensorOptions;
+use oaktwin::stereo::{Matcher, PairOf};
+use oaktwin::unit;
+use oaktwin::usd::asset::LensChoice;
+
+const SIZE: ImageSize = ImageSize::new(640, 400);
+
+/// A wall of random squares before a camera at the origin that looks along x.
+fn wall(x: f32) -> Scene {
+    let side = 6.0f32;
+    let corners = [[-side, -side], [side, -side], [side, side], [-side, side]];
+    let mut state = 1u32;
+    let squares = (0..512 * 512).map(|_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let grey = u8::try_from(state >> 24).unwrap();
+        [grey, grey, grey, 255]
+    });
+    Scene {
+        meshes: vec![Mesh {
+            positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            uvs: Some(Attribute::Vertex(
+                corners.map(|corner| corner.map(|c| c / (0.012 * 512.0))).to_vec(),
+            )),
+            materials: vec![MaterialSpan {
+                end: 2,
+                material: Some(0),
+            }],
+            double_sided: true,
+            ..Mesh::default()
+        }],
+        instances: vec![Instance {
+            mesh: 0,
+            path: "/Wall".to_owned(),
+            world_from_mesh: DAffine3::IDENTITY,
+            labels: Vec::new(),
+        }],
+        materials: vec![Material {
+            base_color_texture: Some(TextureUse::new(0)),
+            roughness: 1.0,
+            ..Material::default()
+        }],
+        textures: vec![Texture {
+            source: TextureSource::Pixels(Arc::new(Image::new(512, 512, squares.collect()).unwrap())),
+            color_space: ColorSpace::Srgb,
+        }],
+        lights: vec![Light {
+            path: "/Sky".to_owned(),
+            kind: LightKind::Dome { texture: None },
+            radiance: [1.0; 3],
+            normalize: false,
+            world_from_light: DAffine3::IDENTITY,
+        }],
+        ..Scene::default()
+    }
+}
+
+/// The median of (measured − true disparity) in the image's middle, px, at each of some disparities a quarter of a pixel
+/// apart, of a wall about 2 m away.
+fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
+    let options = PairOptions {
+        size: Some(SIZE),
+        lens,
+        ..PairOptions::default()
+    };
+    let cameras = PairCameras::new(twin, &options).unwrap();
+    let of = PairOf::Twin {
+        twin,
+        lens,
+        is_raw: true,
+        rectify: None,
+        platform: None,
+    };
+    let mut matcher = Matcher::new(&of, SIZE, &SensorOptions::default()).unwrap();
+    let stereo = cameras.rectify().geometry().stereo_geometry();
+    let nearest = stereo.disparity(2.0);
+    let world_from_body: RigidTransform = look_at(DVec3::ZERO, DVec3::X, DVec3::Z).unwrap();
+    let at = |quarter: f64| {
+        let x = 2.0 * nearest / (nearest + quarter / 4.0);
+        #[expect(clippy::cast_possible_truncation, reason = "metres")]
+        let renderer = Renderer::new(wall(x as f32));
+        let pair = cameras.look(&renderer, &world_from_body, 0);
+        let seen = matcher.look(pair.left, pair.right).unwrap();
+        assert!(seen.findings.is_empty(), "{name}: {:?}", seen.findings);
+        let mut off = Vec::new();
+        for y in 180..220 {
+            for x in 290..350 {
+                let (measured, truth) = (
+                    *seen.capture.distance.0.get(x, y).unwrap(),
+                    *pair.z.0.get(x, y).unwrap(),
+                );
+                if measured > 0.0 {
+                    off.push(stereo.disparity(measured.into()) - stereo.disparity(truth.into()));
+                }
+            }
+        }
+        assert!(off.len() > 40 * 60 * 9 / 10, "{name}: {} measured", off.len());
+        off.sort_by(f64::total_cmp);
+        off[off.len() / 2]
+    };
+    [0.0, 1.0, 2.0, 3.0].map(at).to_vec()
+}
+
+/// Interpolation draws each towards a whole pixel; all together are right, to a part of a percent of 2 m.
+fn check(twin: &Twin, lens: LensChoice, name: &str) {
+    let errors = errors(twin, lens, name);
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    println!("{name}: {errors:.2?} px, mean {mean:+.3}");
+    assert!(
+        mean.abs() < 0.1 && errors.iter().all(|error| error.abs() < 0.35),
+        "{name}: {errors:?}"
+    );
+}
+
+#[test]
+fn every_model_and_lens() {
+    let catalog = Catalog::builtin();
+    let mut lenses = 0;
+    for device in catalog.devices() {
+        let twin = catalog.nominal(device);
+        check(&twin, LensChoice::Pinhole, &device.name);
+        let left = twin.camera(Role::Left).unwrap();
+        if left.nominal_fisheye().is_some() {
+            check(&twin, LensChoice::Fisheye, &format!("{}, fisheye", device.name));
+            lenses += 1;
+        }
+    }
+    assert_eq!(lenses, 2);
+}
+
+/// Whatever a real file says: it is a pair that measures right, or it is said why it is none.
+#[test]
+fn every_calibrated_unit() {
+    let Some(data) = std::env::var_os("OAKTWIN_TEST_DATA") else {
+        println!("skipped: OAKTWIN_TEST_DATA is not set");
+        return;
+    };
+    let catalog = Catalog::builtin();
+    let mut files: Vec<_> = std::fs::read_dir(Path::new(&data).join("data/calibration"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+        .collect();
+    files.sort();
+    let mut measured = 0;
+    for file in &files {
+        let name = file.file_stem().unwrap().to_string_lossy();
+        for model in ["OAK-D Pro PoE", "OAK4-D Wide"] {
+            match unit::open(catalog, catalog.device(model).unwrap(), file, true) {
+                Ok((twin, _)) => {
+                    check(&twin, LensChoice::Pinhole, &format!("{name} as {model}"));
+                    measured += 1;
+                }
+                Err(error) => {
+                    println!("{error}");
+                    assert!(
+                        error.to_string().starts_with(&file.display().to_string()),
+                        "{error}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(measured >= 2 * (files.len() - 1), "{measured} of {}", files.len());
+}
