@@ -64,14 +64,14 @@ impl Pattern {
         }
     }
 
-    /// Its place on a lamp, −1 to 1; of the first four turns at its corners.
+    /// Its place on a lamp, −1 to 1. The first four turns have all rows and columns of it, so that what hides a part of
+    /// the lamp hides it from one of them.
     pub(super) fn place(turn: usize) -> [f64; 2] {
+        const FIRST: [usize; 4] = [1, 3, 0, 2];
+        const LATER: [usize; 4] = [0, 2, 3, 1];
+        let row = turn % 4;
         #[expect(clippy::cast_precision_loss, reason = "a few")]
-        [turn, turn / 2].map(|bits| {
-            let step = bits / 4 % 2;
-            let i = if bits % 2 == 0 { step } else { 3 - step };
-            (i as f64 + 0.5) / 2.0 - 1.0
-        })
+        [FIRST[row] ^ LATER[turn / 4 % 4], row].map(|i| (i as f64 + 0.5) / 2.0 - 1.0)
     }
 
     /// Its directions into the hemisphere around `normal`.
