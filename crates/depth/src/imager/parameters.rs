@@ -55,8 +55,9 @@ pub struct Parameters {
     pub read_noise_e: f64,
     /// `noise`: whether there is any.
     pub noise: bool,
-    /// `lensBlur`: the standard deviation of what the lens makes of a point, px. 0.6, an estimate: the vendor's lens (2.35 mm,
-    /// f/2.0, sharp from 19.6 cm on) makes a disk of 2.35 px of a far point, whose standard deviation is a quarter of that.
+    /// `lensBlur`: the standard deviation of what the lens makes of a point, px. 0.5, an estimate: the vendor's lens (2.35 mm,
+    /// f/2.0, sharp from 19.6 cm on, so sharpest at 39 cm) makes a disk of 2 px of a point at 2.5 m, whose standard deviation
+    /// is a quarter of that.
     pub lens_blur_px: f64,
     /// `vignetting`, 0 to 1: the share of cos⁴ falloff. 0, an estimate: what a device's lens and its correction leave is
     /// not published.
@@ -76,7 +77,7 @@ impl Default for Parameters {
             full_well_e: 6300.0,
             read_noise_e: 2.5,
             noise: true,
-            lens_blur_px: 0.6,
+            lens_blur_px: 0.5,
             vignetting: 0.0,
             bits: Bits::default(),
         }

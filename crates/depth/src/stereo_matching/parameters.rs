@@ -144,9 +144,8 @@ pub struct Parameters {
 impl Parameters {
     /// `DepthAI`'s defaults. What it does not have or does not publish:
     /// * `subpixelInterpolation` and `paths`: chosen by fit to the vendor's error curve of an 800P unit (f 794 px, bias
-    ///   −0.22 px, beyond 2.5 m; a rendered board, so the figures depend on its detail too). R² is 0.95 with `LINES` and 3 or 4
-    ///   paths, 0.94 with 5, 0.92 with 8; with 4 paths 0.88 with `PARABOLA_5`, 0.86 with `PARABOLA`. So `LINES`, and 4 paths:
-    ///   there are penalties for horizontal and for vertical paths, and none for those aslant, and 3 would have no way up.
+    ///   −0.22 px, beyond 2.5 m; a rendered board, so the figures depend on its detail too). R² is 0.95 with `LINES` and 4
+    ///   paths, 0.89 with 3 or 5, 0.94 with 8; with 4 paths 0.74 with `PARABOLA_5`, 0.68 with `PARABOLA`.
     /// * `penaltyShift`: 5. Costs are the linear equation's right shifted by 5, at most 31; penalties of 250 and 500 have
     ///   a meaning beside them if they are in the units of the equation itself.
     /// * `kernelSize`: 5×5.

@@ -21,7 +21,7 @@ const GRAIN_PX: f64 = 3.0;
 
 /// Before a pair. What the vendor's board looks like is not published: this is chosen by fit to the error curve of an 800P
 /// unit. No two squares lie alike on the pixels.
-const GRAIN_OF_PAIR_PX: f64 = 5.1;
+const GRAIN_OF_PAIR_PX: f64 = 6.7;
 
 /// How far the board goes on beyond the image, px.
 const BEYOND_PX: f64 = 8.0;

@@ -23,9 +23,9 @@ const AROUND_PX: u32 = 4;
 /// Filters look farther; some carry values along whole rows, halving them at each pixel.
 const AROUND_FILTERS_PX: u32 = 72;
 
-/// Paths of a matcher go over the whole image; farther than this what they bring is of no weight on a board full of
-/// texture, px.
-const PATHS_PX: u32 = 32;
+/// Paths of a matcher go over the whole image; what lies farther than this moves a disparity by less than a tenth of a
+/// pixel, px.
+const PATHS_PX: u32 = 128;
 
 /// Cameras of one model, to be measured one after the other.
 #[derive(Debug)]
@@ -498,8 +498,7 @@ mod tests {
         }
     }
 
-    /// A pair's noise and exposure are those of its own image: the same but for them. Near half a pixel, where some of the
-    /// pixels are drawn to the one side and some to the other, the median says which are more: not there.
+    /// Noise, exposure and the far ends of paths are those of the whole image or of its part: the same but for them.
     #[test]
     fn a_strip_is_enough_to_match() {
         let mut stand = stand("oak4-d", EngineKind::StereoMatching, &[]);
@@ -508,7 +507,7 @@ mod tests {
             captures: 2,
             quality: false,
         };
-        for disparity in [75.0, 46.15, 18.9] {
+        for disparity in [75.0, 46.15, 18.9, 18.35] {
             let distance = stand.disparity_times_depth() / disparity;
             let part = stand.part(distance);
             assert!(part.intrinsics.size.height < stand.intrinsics.size.height / 2);
@@ -522,7 +521,7 @@ mod tests {
                 let measured = stand.measure_unit(&unit.engine, unit, 0, &scenery, &part, effort);
                 stand.disparity_times_depth() / measured.unwrap().vendor.depth_m.unwrap()
             });
-            assert!((part - whole).abs() < 0.05, "{distance} m: {part} {whole} px");
+            assert!((part - whole).abs() < 0.1, "{distance} m: {part} {whole} px");
         }
     }
 }
