@@ -68,6 +68,14 @@ impl Imager {
         Ok(Self { parameters })
     }
 
+    /// For images of which a pixel is `1 / scale` of those that the lens's blur counts in.
+    #[must_use]
+    pub fn scaled(mut self, scale: f64) -> Self {
+        let sigma = self.parameters.lens_blur_px * scale;
+        self.parameters.lens_blur_px = sigma.clamp(0.0, blur::MOST_SIGMA_PX);
+        self
+    }
+
     /// Its parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {

@@ -26,6 +26,9 @@ const BETTER: f64 = 1.5;
 /// What fits by chance differs by so much of what it differs from any other row, and of its own contrast, at least.
 const CHANCE: [f64; 2] = [0.75, 0.5];
 
+/// A mean difference of no more grey levels may be all of noise, in dim light.
+const NOISE: f64 = 4.0;
+
 /// Grey levels that are noise.
 const FLOOR: f64 = 1.0;
 
@@ -190,7 +193,7 @@ impl Look<'_> {
     /// that repeats fits there too, but well.
     fn is_by_chance(&self, points: &[[usize; 2]], least: f64) -> bool {
         let far = self.height.cast_signed() / 2;
-        if far <= 2 * MOST_ROWS.cast_signed() {
+        if far <= 2 * MOST_ROWS.cast_signed() || least <= NOISE {
             return false;
         }
         let elsewhere = self

@@ -51,9 +51,10 @@ impl Bench {
             })?;
         let size = intrinsics.size;
         let region = Region::centred(size.width, size.height, options.region);
+        let scale = own_width_px.map_or(1.0, |own| f64::from(size.width) / f64::from(own));
         let stand = Stand {
             intrinsics,
-            eyes: eyes(&units, options)?,
+            eyes: eyes(&units, scale, options)?,
             units,
             random: Stream::new(options.engine.seed, &depth.spec.prim),
             region,
@@ -177,10 +178,10 @@ impl Bench {
 }
 
 /// What takes the pictures of engines that match them.
-fn eyes(units: &[Unit], options: &Options) -> Result<Option<Eyes>, ParameterError> {
+fn eyes(units: &[Unit], scale: f64, options: &Options) -> Result<Option<Eyes>, ParameterError> {
     match units.first().map(|unit| &unit.engine) {
         Some(Engine::StereoMatching(engine)) => {
-            Eyes::new(engine.parameters().stereo.baseline_m, options.engine.seed).map(Some)
+            Eyes::new(engine.parameters().stereo.baseline_m, scale, options.engine.seed).map(Some)
         }
         _ => Ok(None),
     }

@@ -18,11 +18,11 @@ pub(super) struct Eyes {
 }
 
 impl Eyes {
-    /// With image sensors as by default, their noise of this seed.
-    pub(super) fn new(baseline_m: f64, seed: u64) -> Result<Self, ParameterError> {
+    /// With image sensors as by default, of which a pixel is `scale` px of the images, their noise of this seed.
+    pub(super) fn new(baseline_m: f64, scale: f64, seed: u64) -> Result<Self, ParameterError> {
         Ok(Self {
             baseline_m,
-            imager: Imager::new(Parameters::default())?,
+            imager: Imager::new(Parameters::default())?.scaled(scale),
             random: ["left", "right"].map(|name| Stream::new(seed, name)),
         })
     }

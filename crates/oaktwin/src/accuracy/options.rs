@@ -13,8 +13,8 @@ pub struct Options {
     pub engine: SensorOptions,
     /// True distances, m; by default about twenty from the nearest that can be measured to the end of the bands.
     pub distances_m: Option<Vec<f64>>,
-    /// How many devices, where they differ and none is chosen by its seed; by default [`DEVICES`] or
-    /// [`MATCHING_DEVICES`].
+    /// How many devices, where they differ and none is chosen by its seed; by default
+    /// [`DEVICES`](super::DEVICES) or [`MATCHING_DEVICES`](super::MATCHING_DEVICES).
     pub devices: Option<u32>,
     /// Images of each board.
     pub captures: u32,

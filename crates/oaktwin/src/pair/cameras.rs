@@ -72,7 +72,7 @@ impl PairCameras {
         // What the calibration does not know.
         right.camera.intrinsics = shifted(right.camera.intrinsics, -bias_px(twin, options)?);
         Ok(Self {
-            imager: Imager::new(options.imager)?,
+            imager: Imager::new(options.imager)?.scaled(scale(twin, options)),
             rectify: rectify.map_err(|error| PairError::Rectify {
                 device: twin.device.name.clone(),
                 error,
@@ -219,13 +219,18 @@ fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
             remedy: format!("give -{MOST_BIAS_PX} to {MOST_BIAS_PX} px"),
         });
     }
+    Ok(bias * scale(twin, options))
+}
+
+/// A pixel of the cameras' own resolution, px of the images.
+fn scale(twin: &Twin, options: &PairOptions) -> f64 {
     let own = twin
         .camera(Role::Right)
         .map(|camera| camera.intrinsics.size.width);
-    Ok(match (own, options.size) {
-        (Some(own), Some(size)) => bias * f64::from(size.width) / f64::from(own),
-        _ => bias,
-    })
+    match (own, options.size) {
+        (Some(own), Some(size)) => f64::from(size.width) / f64::from(own),
+        _ => 1.0,
+    }
 }
 
 /// With the image moved to the right, px.

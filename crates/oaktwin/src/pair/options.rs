@@ -6,7 +6,7 @@ use crate::usd::asset::LensChoice;
 /// How a pair is recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairOptions {
-    /// The image sensors. Both are exposed alike.
+    /// The image sensors, their blur in px of the cameras' own resolution. Both are exposed alike.
     pub imager: Parameters,
     /// How the pair is rectified; by default as the device's processor does it.
     pub rectify: Option<RectifyOptions>,
