@@ -75,7 +75,7 @@ fn the_vendors_measured_curve_at_800p() {
     let noise = with_parameters(&[("bias", "-0.22"), ("pixelLocking", "0.13")]);
     let r2 = r_squared_of(curve, noise, optics, 2.5);
     assert!(r2.is_none_or(|r2| r2 >= 0.95), "{r2:?}");
-    // Nobody tells the matcher of pixel locking.
+    // No parameter tells the matcher of pixel locking; its board was chosen by this curve.
     let r2 = r_squared_of(curve, matching(&[("bias", "-0.22")]), optics, 2.5);
     assert!(r2.is_none_or(|r2| r2 >= 0.9), "{r2:?}");
 }
@@ -89,7 +89,7 @@ fn the_vendors_measured_curve_at_480p() {
     let curve = "depth_error_480p_75mm_measured.csv";
     let r2 = r_squared_of(curve, with_parameters(&[("bias", "0")]), optics, 0.0);
     assert!(r2.is_none_or(|r2| r2 >= 0.85), "{r2:?}");
-    // The board was not fitted to this one.
+    // The board was not chosen by this one.
     let r2 = r_squared_of(curve, matching(&[("bias", "0")]), optics, 0.0);
     assert!(r2.is_none_or(|r2| r2 >= 0.35), "{r2:?}");
 }
