@@ -2,19 +2,16 @@
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test")]
 
-use std::path::Path;
-use std::sync::Arc;
+mod plates;
 
-use oaktwin::camera::math::{DAffine3, DVec3};
+use std::path::Path;
+
+use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::catalog::{Catalog, Role, Twin};
-use oaktwin::image::Image;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{Renderer, look_at};
-use oaktwin::scene::{
-    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
-    TextureSource, TextureUse,
-};
+use oaktwin::scene::Scene;
 use oaktwin::sensor::SensorOptions;
 use oaktwin::stereo::{Matcher, PairOf};
 use oaktwin::unit;
@@ -24,52 +21,9 @@ const SIZE: ImageSize = ImageSize::new(640, 400);
 
 /// A wall of random squares before a camera at the origin that looks along x.
 fn wall(x: f32) -> Scene {
-    let side = 6.0f32;
-    let corners = [[-side, -side], [side, -side], [side, side], [-side, side]];
-    let mut state = 1u32;
-    let squares = (0..512 * 512).map(|_| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let grey = u8::try_from(state >> 24).unwrap();
-        [grey, grey, grey, 255]
-    });
-    Scene {
-        meshes: vec![Mesh {
-            positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
-            triangles: vec![[0, 1, 2], [0, 2, 3]],
-            uvs: Some(Attribute::Vertex(
-                corners.map(|corner| corner.map(|c| c / (0.012 * 512.0))).to_vec(),
-            )),
-            materials: vec![MaterialSpan {
-                end: 2,
-                material: Some(0),
-            }],
-            double_sided: true,
-            ..Mesh::default()
-        }],
-        instances: vec![Instance {
-            mesh: 0,
-            path: "/Wall".to_owned(),
-            world_from_mesh: DAffine3::IDENTITY,
-            labels: Vec::new(),
-        }],
-        materials: vec![Material {
-            base_color_texture: Some(TextureUse::new(0)),
-            roughness: 1.0,
-            ..Material::default()
-        }],
-        textures: vec![Texture {
-            source: TextureSource::Pixels(Arc::new(Image::new(512, 512, squares.collect()).unwrap())),
-            color_space: ColorSpace::Srgb,
-        }],
-        lights: vec![Light {
-            path: "/Sky".to_owned(),
-            kind: LightKind::Dome { texture: None },
-            radiance: [1.0; 3],
-            normalize: false,
-            world_from_light: DAffine3::IDENTITY,
-        }],
-        ..Scene::default()
-    }
+    let mut scene = plates::room(512, None);
+    plates::plate(&mut scene, x, [-6.0, 6.0], [-6.0, 6.0], 0.012 * 512.0);
+    scene
 }
 
 /// The median of (measured − true disparity) in the image's middle, px, at each of some disparities a quarter of a pixel

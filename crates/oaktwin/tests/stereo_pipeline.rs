@@ -2,20 +2,18 @@
 
 #![expect(clippy::unwrap_used, reason = "a test")]
 
+mod plates;
+
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use oaktwin::accuracy;
-use oaktwin::camera::math::{DAffine3, DVec3};
+use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::catalog::{Catalog, Role, Twin};
-use oaktwin::image::{Image, ZDepth};
+use oaktwin::image::ZDepth;
 use oaktwin::pair::{Pair, PairCameras, PairOptions};
 use oaktwin::render::{Renderer, look_at};
-use oaktwin::scene::{
-    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
-    TextureSource, TextureUse,
-};
+use oaktwin::scene::Scene;
 use oaktwin::sensor::{EngineKind, SensorOptions};
 use oaktwin::stereo::{Matcher, PairOf};
 use oaktwin::usd::asset::LensChoice;
@@ -29,60 +27,12 @@ fn twin() -> Twin {
 
 /// A rectangle `x` metres ahead, from `y[0]` to the left until `y[1]`; a square of the pattern is `grain` metres.
 fn plate(scene: &mut Scene, x: f32, y: [f32; 2], grain: f32) {
-    let z = [-4.0f32, 4.0];
-    let corners = [[y[0], z[0]], [y[1], z[0]], [y[1], z[1]], [y[0], z[1]]];
-    scene.instances.push(Instance {
-        mesh: u32::try_from(scene.meshes.len()).unwrap(),
-        path: format!("/Plate{}", scene.meshes.len()),
-        world_from_mesh: DAffine3::IDENTITY,
-        labels: Vec::new(),
-    });
-    scene.meshes.push(Mesh {
-        positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        uvs: Some(Attribute::Vertex(
-            corners.map(|corner| corner.map(|c| c / (grain * 64.0))).to_vec(),
-        )),
-        materials: vec![MaterialSpan {
-            end: 2,
-            material: Some(0),
-        }],
-        double_sided: true,
-        ..Mesh::default()
-    });
+    plates::plate(scene, x, y, [-4.0, 4.0], grain * 64.0);
 }
 
 /// Evenly lit; of one colour, or of random squares.
 fn room(is_blank: bool) -> Scene {
-    let mut state = 1u32;
-    let squares = (0..64 * 64).map(|_| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let grey = if is_blank {
-            180
-        } else {
-            u8::try_from(state >> 24).unwrap()
-        };
-        [grey, grey, grey, 255]
-    });
-    Scene {
-        materials: vec![Material {
-            base_color_texture: Some(TextureUse::new(0)),
-            roughness: 1.0,
-            ..Material::default()
-        }],
-        textures: vec![Texture {
-            source: TextureSource::Pixels(Arc::new(Image::new(64, 64, squares.collect()).unwrap())),
-            color_space: ColorSpace::Srgb,
-        }],
-        lights: vec![Light {
-            path: "/Sky".to_owned(),
-            kind: LightKind::Dome { texture: None },
-            radiance: [1.0; 3],
-            normalize: false,
-            world_from_light: DAffine3::IDENTITY,
-        }],
-        ..Scene::default()
-    }
+    plates::room(64, is_blank.then_some(180))
 }
 
 fn look(scene: Scene, options: PairOptions) -> Pair {

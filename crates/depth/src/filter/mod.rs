@@ -24,6 +24,7 @@ pub use chain::Chain;
 pub use confidence::DepthConfidence;
 pub use decimation::{Decimation, DecimationMode};
 pub use median::Median;
+pub(crate) use median::{Network, Networks};
 pub use pixel::Pixel;
 pub use spatial::Spatial;
 pub use speckle::Speckle;

@@ -52,15 +52,7 @@ pub(super) fn row(
     for x in 0..width {
         let candidate = usize::from(found.best[x]);
         let own = plan.disparities[candidate];
-        let Some(partner) = x.checked_sub(own.into()) else {
-            disparity[x] = 0;
-            continue;
-        };
-        let agrees = plan.check.is_none_or(|threshold| {
-            let other = memory.right.get(partner).copied().unwrap_or(NONE);
-            other != NONE && other.abs_diff(own) <= threshold
-        });
-        let is_kept = agrees && confidence[x] >= plan.confidence && x >= plan.invalid_edge;
+        let is_kept = holds(plan, own, x, apart(memory, own, x)) && confidence[x] >= plan.confidence;
         disparity[x] = if is_kept {
             fixed(plan, candidate, memory.fractions[x])
         } else {
@@ -95,21 +87,29 @@ fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
 fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
     let candidate = usize::from(found.best[x]);
     let own = plan.disparities[candidate];
-    let partner = x.checked_sub(own.into());
-    // How far the right image's is from it.
-    let apart = partner
-        .and_then(|partner| memory.right.get(partner))
-        .filter(|&&other| other != NONE)
-        .map(|other| other.abs_diff(own));
-    let agrees = match plan.check {
-        Some(threshold) => apart.is_some_and(|apart| apart <= threshold),
-        None => partner.is_some(),
-    };
-    let is_kept = agrees && x >= plan.invalid_edge;
+    let apart = apart(memory, own, x);
     let is_seen = apart.is_some_and(|apart| apart <= 1);
     fixed(plan, candidate, memory.fractions[x])
-        | if is_kept { 0 } else { LOST }
+        | if holds(plan, own, x, apart) { 0 } else { LOST }
         | if is_seen { 0 } else { OCCLUDED }
+}
+
+/// How far the right image's disparity is from a winner's, px; none where that has none, or is beyond the image.
+#[inline(always)]
+fn apart(memory: &Refined, own: u16, x: usize) -> Option<u16> {
+    let partner = x.checked_sub(own.into())?;
+    let other = *memory.right.get(partner)?;
+    (other != NONE).then(|| other.abs_diff(own))
+}
+
+/// Whether a winner is in both images, off the edge, and passes the left-right check if there is one.
+#[inline(always)]
+fn holds(plan: &Plan, own: u16, x: usize, apart: Option<u16>) -> bool {
+    let agrees = match plan.check {
+        Some(threshold) => apart.is_some_and(|apart| apart <= threshold),
+        None => usize::from(own) <= x,
+    };
+    agrees && x >= plan.invalid_edge
 }
 
 struct Fractions<'a> {

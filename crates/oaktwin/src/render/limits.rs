@@ -10,11 +10,31 @@ pub const MAX_PIXELS: u64 = 1 << 31;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SizeError {
     /// It has no pixel.
-    #[error("an image of {0} has no pixel; give it at least one")]
+    #[error("{}; {}", self.what(), self.remedy())]
     Empty(ImageSize),
     /// It has more than [`MAX_PIXELS`].
-    #[error("an image of {0} has more than 2^31 pixels; choose a smaller resolution")]
+    #[error("{}; {}", self.what(), self.remedy())]
     TooLarge(ImageSize),
+}
+
+impl SizeError {
+    /// What is wrong.
+    #[must_use]
+    pub fn what(&self) -> String {
+        match self {
+            Self::Empty(size) => format!("an image of {size} has no pixel"),
+            Self::TooLarge(size) => format!("an image of {size} has more than 2^31 pixels"),
+        }
+    }
+
+    /// What to do.
+    #[must_use]
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Empty(_) => "give it at least one",
+            Self::TooLarge(_) => "choose a smaller resolution",
+        }
+    }
 }
 
 /// Refuses images without pixels and those with more than [`MAX_PIXELS`].

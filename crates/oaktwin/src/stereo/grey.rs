@@ -58,12 +58,8 @@ fn read(path: &Path) -> Result<Grey, FileError> {
         Grey::Eight(image) => (image.width(), image.height()),
         Grey::Sixteen(image) => (image.width(), image.height()),
     };
-    crate::render::check_size(crate::camera::ImageSize::new(width, height)).map_err(|error| {
-        match error.to_string().split_once("; ") {
-            Some((what, remedy)) => FileError::new(path, what, remedy),
-            None => FileError::new(path, error.to_string(), "give another"),
-        }
-    })?;
+    crate::render::check_size(crate::camera::ImageSize::new(width, height))
+        .map_err(|error| FileError::new(path, error.what(), error.remedy()))?;
     Ok(grey)
 }
 

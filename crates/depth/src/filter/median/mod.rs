@@ -3,7 +3,7 @@ mod network;
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
-use network::{Network, Networks};
+pub(crate) use network::{Network, Networks};
 
 use super::{Pixel, simd};
 use crate::simd::Level;

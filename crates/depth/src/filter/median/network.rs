@@ -5,14 +5,14 @@
 use super::{LANES, Pixel};
 
 /// Pixels of neighbouring columns.
-pub(super) type Lanes<P> = [P; LANES];
+pub(crate) type Lanes<P, const N: usize = LANES> = [P; N];
 
 /// Puts two places in order, in every lane. Lanes are a loop of their own for each pair: of a loop over lanes with many
 /// pairs in it the compiler makes no vectors.
 #[inline(always)]
-fn order<P: Pixel>(places: &mut [Lanes<P>], [low, high]: [usize; 2]) {
+fn order<P: Pixel, const N: usize>(places: &mut [Lanes<P, N>], [low, high]: [usize; 2]) {
     let (a, b) = (places[low], places[high]);
-    for lane in 0..LANES {
+    for lane in 0..N {
         places[low][lane] = a[lane].min(b[lane]);
         places[high][lane] = a[lane].max(b[lane]);
     }
@@ -27,26 +27,26 @@ macro_rules! order {
 
 /// The networks of squares of K columns. A trait's functions, as those handed over as values are not compiled for the
 /// instructions of the function that calls them.
-pub(super) trait Network<const K: usize> {
+pub(crate) trait Network<const K: usize> {
     /// Sorts a column.
-    fn sort<P: Pixel>(column: &mut [Lanes<P>; K]);
+    fn sort<P: Pixel, const N: usize>(column: &mut [Lanes<P, N>; K]);
 
     /// The median of sorted columns.
-    fn median<P: Pixel>(square: [[Lanes<P>; K]; K]) -> Lanes<P>;
+    fn median<P: Pixel, const N: usize>(square: [[Lanes<P, N>; K]; K]) -> Lanes<P, N>;
 }
 
-pub(super) struct Networks;
+pub(crate) struct Networks;
 
 impl Network<3> for Networks {
     #[inline(always)]
-    fn sort<P: Pixel>(column: &mut [Lanes<P>; 3]) {
+    fn sort<P: Pixel, const N: usize>(column: &mut [Lanes<P, N>; 3]) {
         order!(*column; 0 2, 0 1, 1 2);
     }
 
     /// The median of three sorted columns: that of the largest of their first, the middle of their second and the smallest
     /// of their third.
     #[inline(always)]
-    fn median<P: Pixel>(mut square: [[Lanes<P>; 3]; 3]) -> Lanes<P> {
+    fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 3]; 3]) -> Lanes<P, N> {
         let square = square.as_flattened_mut();
         order!(*square;
             0 1, 1 2, 3 5, 3 4, 4 5, 6 7, 6 8, 2 6, 2 4, 4 6);
@@ -56,12 +56,12 @@ impl Network<3> for Networks {
 
 impl Network<5> for Networks {
     #[inline(always)]
-    fn sort<P: Pixel>(column: &mut [Lanes<P>; 5]) {
+    fn sort<P: Pixel, const N: usize>(column: &mut [Lanes<P, N>; 5]) {
         order!(*column; 0 3, 1 4, 0 2, 1 3, 0 1, 2 4, 1 2, 3 4, 2 3);
     }
 
     #[inline(always)]
-    fn median<P: Pixel>(mut square: [[Lanes<P>; 5]; 5]) -> Lanes<P> {
+    fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 5]; 5]) -> Lanes<P, N> {
         let square = square.as_flattened_mut();
         order!(*square;
             0 3, 1 4, 0 2, 1 3, 2 4, 3 4, 2 3, 5 8, 6 9, 6 8, 5 6, 7 9, 6 7, 8 9, 7 8, 10 13, 11 14, 10 12, 11 13,
@@ -74,13 +74,13 @@ impl Network<5> for Networks {
 
 impl Network<7> for Networks {
     #[inline(always)]
-    fn sort<P: Pixel>(column: &mut [Lanes<P>; 7]) {
+    fn sort<P: Pixel, const N: usize>(column: &mut [Lanes<P, N>; 7]) {
         order!(*column; 0 6, 2 3, 4 5, 0 2, 1 4, 3 6, 0 1, 2 5, 3 4, 1 2, 4 6, 2 3, 4 5, 1 2, 3 4, 5 6);
     }
 
     /// By rows first, then places of the whole square.
     #[inline(always)]
-    fn median<P: Pixel>(mut square: [[Lanes<P>; 7]; 7]) -> Lanes<P> {
+    fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 7]; 7]) -> Lanes<P, N> {
         order!(square[0]; 0 6, 2 3, 0 2, 1 4, 3 6, 2 5, 1 2, 4 6, 2 3, 4 5, 3 4, 5 6);
         order!(square[1]; 0 6, 2 3, 4 5, 0 2, 1 4, 3 6, 0 1, 2 5, 3 4, 1 2, 4 6, 2 3, 4 5, 3 4, 5 6);
         order!(square[2]; 0 6, 2 3, 4 5, 0 2, 1 4, 3 6, 0 1, 2 5, 3 4, 1 2, 4 6, 2 3, 4 5, 1 2, 3 4, 5 6);
@@ -110,7 +110,7 @@ mod tests {
         let power = |n: usize| (K + 1).pow(u32::try_from(n).unwrap());
         for first in (0..power(K)).step_by(LANES) {
             let ones = |l: usize, c: usize| (first + l) / power(c) % (K + 1);
-            let square = std::array::from_fn(|row| {
+            let square: [[Lanes<u8>; K]; K] = std::array::from_fn(|row| {
                 std::array::from_fn(|c| std::array::from_fn(|l| u8::from(row >= K - ones(l, c))))
             });
             let wanted =

@@ -1,8 +1,7 @@
 //! The median of what is not sure: [`AdaptiveMedian`](super::AdaptiveMedian).
 
-use rayon::prelude::*;
-
-use super::{BAND, DISPARITY, around, three};
+use super::{DISPARITY, around, each_row, three};
+use crate::filter::{Network, Networks};
 use crate::simd::{self, Kernel, Level};
 
 /// Filters what is less sure than `threshold`; `before` is what `disparity` is.
@@ -14,37 +13,28 @@ pub(super) fn run(
     disparity: &mut [u16],
     confidence: &[u8],
 ) {
-    let bands = disparity
-        .par_chunks_mut(BAND * width)
-        .zip(confidence.par_chunks(BAND * width))
-        .enumerate();
-    bands.for_each(|(band, (disparity, confidence))| {
-        let rows = disparity
-            .chunks_exact_mut(width)
-            .zip(confidence.chunks_exact(width));
-        let mut medians = vec![0; width];
-        for (y, (disparity, confidence)) in (band * BAND..).zip(rows) {
+    let medians = || vec![0; width];
+    each_row(
+        width,
+        disparity,
+        confidence,
+        medians,
+        |medians, y, disparity, confidence| {
             // Often a row has nothing that is not sure.
             if confidence.iter().all(|&sure| sure >= threshold) {
-                continue;
+                return;
             }
             let Some(rows) = three(before, width, y) else {
                 return;
             };
-            simd::run_at(
-                level,
-                Medians {
-                    rows,
-                    out: &mut medians,
-                },
-            );
-            for ((own, &sure), &median) in disparity.iter_mut().zip(confidence).zip(&medians) {
+            simd::run_at(level, Medians { rows, out: medians });
+            for ((own, &sure), &median) in disparity.iter_mut().zip(confidence).zip(&*medians) {
                 if sure < threshold {
                     *own = (*own & !DISPARITY) | median;
                 }
             }
-        }
-    });
+        },
+    );
 }
 
 /// Of a row; 0 stays 0.
@@ -60,40 +50,28 @@ impl Kernel for Medians<'_> {
     fn run(self) {
         around(self.rows, self.out, |near, out| {
             let own = near[4] & DISPARITY;
-            let mut values = near.map(|value| {
+            let values = near.map(|value| {
                 let value = value & DISPARITY;
                 if value == 0 { own } else { value }
             });
-            *out = median(&mut values);
+            *out = median(values);
         });
     }
 }
 
-/// The fifth of nine, by the fewest exchanges that find it.
+/// The fifth of nine.
 #[inline(always)]
-fn median(values: &mut [u16; 9]) -> u16 {
-    let mut sort = |a: usize, b: usize| {
-        let (low, high) = (values[a].min(values[b]), values[a].max(values[b]));
-        (values[a], values[b]) = (low, high);
-    };
-    for column in [0, 3, 6] {
-        sort(column + 1, column + 2);
-        sort(column, column + 1);
-        sort(column + 1, column + 2);
+fn median(values: [u16; 9]) -> u16 {
+    let (columns, _) = values.as_chunks::<3>();
+    let mut square = [[[0; 1]; 3]; 3];
+    for (sorted, column) in square.iter_mut().zip(columns) {
+        *sorted = column.map(|value| [value]);
+        Networks::sort(sorted);
     }
-    // Of the least the largest, of the middle ones the middle, of the largest the least.
-    sort(0, 3);
-    sort(3, 6);
-    sort(4, 7);
-    sort(1, 4);
-    sort(4, 7);
-    sort(5, 8);
-    sort(2, 5);
-    // And the middle of these three.
-    sort(2, 4);
-    sort(4, 6);
-    sort(2, 4);
-    values[4]
+    // The network takes the least of all columns first, then the middle ones.
+    let [a, b, c] = square;
+    let [median] = Networks::median([0, 1, 2].map(|i| [a[i], b[i], c[i]]));
+    median
 }
 
 #[cfg(test)]
@@ -105,7 +83,7 @@ mod tests {
         fn the_median_is_the_fifth(values in any::<[u16; 9]>()) {
             let mut sorted = values;
             sorted.sort_unstable();
-            prop_assert_eq!(super::median(&mut values.clone()), sorted[4]);
+            prop_assert_eq!(super::median(values), sorted[4]);
         }
     }
 }

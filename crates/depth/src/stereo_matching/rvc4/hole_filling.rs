@@ -1,9 +1,7 @@
 //! What is not sure takes the mean of its superpixel: [`HoleFilling`].
 
-use rayon::prelude::*;
-
 use super::superpixels::{Superpixels, Total};
-use super::{BAND, DISPARITY, HoleFilling};
+use super::{DISPARITY, HoleFilling, each_row};
 
 /// Of a superpixel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -61,15 +59,12 @@ pub(super) fn run(
         None
     };
     let means: Vec<Option<u16>> = totals.iter().map(|sums| sums.mean(holes).or(none)).collect();
-    let bands = disparity
-        .par_chunks_mut(BAND * width)
-        .zip(confidence.par_chunks(BAND * width))
-        .enumerate();
-    bands.for_each(|(band, (disparity, confidence))| {
-        let rows = disparity
-            .chunks_exact_mut(width)
-            .zip(confidence.chunks_exact(width));
-        for (y, (disparity, confidence)) in (band * BAND..).zip(rows) {
+    each_row(
+        width,
+        disparity,
+        confidence,
+        || (),
+        |(), y, disparity, confidence| {
             let pixels = disparity
                 .iter_mut()
                 .zip(confidence)
@@ -82,6 +77,6 @@ pub(super) fn run(
                     *own = (*own & !DISPARITY) | mean;
                 }
             }
-        }
-    });
+        },
+    );
 }

@@ -124,6 +124,28 @@ impl Kernel for Keep<'_> {
     }
 }
 
+/// Visits each row of disparities with its confidence, a band of rows at a time on a thread with a state of its own.
+fn each_row<S>(
+    width: usize,
+    disparity: &mut [u16],
+    confidence: &[u8],
+    state: impl Fn() -> S + Sync + Send,
+    visit: impl Fn(&mut S, usize, &mut [u16], &[u8]) + Sync + Send,
+) {
+    let bands = disparity
+        .par_chunks_mut(BAND * width)
+        .zip(confidence.par_chunks(BAND * width))
+        .enumerate();
+    bands.for_each_init(state, |state, (band, (disparity, confidence))| {
+        let rows = disparity
+            .chunks_exact_mut(width)
+            .zip(confidence.chunks_exact(width));
+        for (y, (disparity, confidence)) in (band * BAND..).zip(rows) {
+            visit(state, y, disparity, confidence);
+        }
+    });
+}
+
 /// A row and those above and below it; at a border itself.
 fn three(all: &[u16], width: usize, y: usize) -> Option<[&[u16]; 3]> {
     let last = (all.len() / width).checked_sub(1)?;

@@ -1,0 +1,64 @@
+//! Plates before a camera at the origin that looks along x, evenly lit.
+
+use std::sync::Arc;
+
+use oaktwin::camera::math::DAffine3;
+use oaktwin::image::Image;
+use oaktwin::scene::{
+    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
+    TextureSource, TextureUse,
+};
+
+/// A room without plates, whose pattern has so many squares on a side: of one grey, or of random ones.
+pub(crate) fn room(squares: u32, grey: Option<u8>) -> Scene {
+    let mut state = 1u32;
+    let pixels = (0..squares * squares).map(|_| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let grey = grey.unwrap_or_else(|| u8::try_from(state >> 24).unwrap());
+        [grey, grey, grey, 255]
+    });
+    Scene {
+        materials: vec![Material {
+            base_color_texture: Some(TextureUse::new(0)),
+            roughness: 1.0,
+            ..Material::default()
+        }],
+        textures: vec![Texture {
+            source: TextureSource::Pixels(Arc::new(Image::new(squares, squares, pixels.collect()).unwrap())),
+            color_space: ColorSpace::Srgb,
+        }],
+        lights: vec![Light {
+            path: "/Sky".to_owned(),
+            kind: LightKind::Dome { texture: None },
+            radiance: [1.0; 3],
+            normalize: false,
+            world_from_light: DAffine3::IDENTITY,
+        }],
+        ..Scene::default()
+    }
+}
+
+/// A rectangle `x` metres ahead, from `y[0]` to the left until `y[1]` and from `z[0]` up until `z[1]`; the room's pattern is
+/// `pattern` metres wide on it.
+pub(crate) fn plate(scene: &mut Scene, x: f32, y: [f32; 2], z: [f32; 2], pattern: f32) {
+    let corners = [[y[0], z[0]], [y[1], z[0]], [y[1], z[1]], [y[0], z[1]]];
+    scene.instances.push(Instance {
+        mesh: u32::try_from(scene.meshes.len()).unwrap(),
+        path: format!("/Plate{}", scene.meshes.len()),
+        world_from_mesh: DAffine3::IDENTITY,
+        labels: Vec::new(),
+    });
+    scene.meshes.push(Mesh {
+        positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        uvs: Some(Attribute::Vertex(
+            corners.map(|corner| corner.map(|c| c / pattern)).to_vec(),
+        )),
+        materials: vec![MaterialSpan {
+            end: 2,
+            material: Some(0),
+        }],
+        double_sided: true,
+        ..Mesh::default()
+    });
+}
