@@ -42,13 +42,14 @@ class Parameters:
     alpha: int = 0
     beta: int = 2
     linearEquationParameters_threshold: int = 127
+    blockSize: int = 5
     divisionFactor: int = 1
     platform: str = "RVC2"
     horizontalPenaltyCostP1: int = 250
     horizontalPenaltyCostP2: int = 500
     verticalPenaltyCostP1: int = 250
     verticalPenaltyCostP2: int = 500
-    penaltyShift: int = 5
+    penaltyShift: int = 4
     p1Config_enableAdaptive: bool = True
     p1Config_defaultValue: int = 11
     p1Config_edgeValue: int = 10
@@ -115,17 +116,26 @@ def costs(left, right, bits, full_width, p):
     mask = p.kernelMask or (MASKS[WINDOWS[p.kernelSize]] if full_width > 640 else 2**64 - 1)
     ours, theirs = census(left, bits, mask, p), census(right, bits, mask, p)
     height, width = left.shape
-    largest = min((p.alpha * 255 + p.beta * 8 * len(ours)) >> 5, p.linearEquationParameters_threshold)
+    most = min(p.alpha * 255 + p.beta * 8 * len(ours), 32 * p.linearEquationParameters_threshold)
     disparities = candidates(p)
-    volume = np.full((height, width, len(disparities)), largest // 4, np.int64)
+    volume = np.full((height, width, len(disparities)), 3 * most // 128 * 16, np.int64)
     for k, d in enumerate(disparities):
         if d >= width:
             continue
         there = slice(0, width - d)
         ctc = (ours[:, :, d:] != theirs[:, :, there]).sum(0)
         ad = np.abs((left[:, d:] >> (bits - 8)) - (right[:, there] >> (bits - 8)))
-        volume[:, d:, k] = np.minimum((p.alpha * ad + p.beta * (ctc << 3)) >> 5, p.linearEquationParameters_threshold)
-    return volume
+        volume[:, d:, k] = np.minimum(p.alpha * ad + p.beta * (ctc << 3), 32 * p.linearEquationParameters_threshold)
+    return block_means(volume, p.blockSize)
+
+
+def block_means(volume, side):
+    """An eighth of the mean over each pixel's block, halves up."""
+    height, width, _ = volume.shape
+    reach, area = side // 2, side * side
+    padded = np.pad(volume, ((reach, reach), (reach, reach), (0, 0)), mode="edge")
+    total = sum(padded[y : y + height, x : x + width] for y in range(side) for x in range(side))
+    return (total + 4 * area) // (8 * area)
 
 
 def penalties(grey, before, along, p):

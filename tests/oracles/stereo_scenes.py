@@ -74,3 +74,13 @@ def everywhere(x, y):
 
 def box(left, top, right, bottom):
     return lambda x, y: (x >= left) & (x < right) & (y >= top) & (y < bottom)
+
+
+def surest(found, confidence, where, share):
+    """What is found, less what it is least sure of, so that at most this share of `where` has a value; of equally sure
+    ones all go."""
+    kept = where & (found > 0)
+    levels = np.bincount(confidence[kept], minlength=256)[::-1].cumsum()
+    # The most levels from the top that are not more than that.
+    count = np.searchsorted(levels, share * where.sum(), side="right")
+    return np.where(confidence > 255 - count, found, 0)

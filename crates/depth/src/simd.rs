@@ -56,6 +56,7 @@ impl Level {
         levels
     }
 
+    /// That of processors since Ice Lake and Zen 4, which count bits too.
     #[cfg(target_arch = "x86_64")]
     fn has_avx512() -> bool {
         std::arch::is_x86_feature_detected!("avx2")
@@ -63,6 +64,7 @@ impl Level {
             && std::arch::is_x86_feature_detected!("avx512bw")
             && std::arch::is_x86_feature_detected!("avx512dq")
             && std::arch::is_x86_feature_detected!("avx512vl")
+            && std::arch::is_x86_feature_detected!("avx512bitalg")
     }
 }
 
@@ -104,7 +106,7 @@ fn avx2<K: Kernel>(kernel: K) -> K::Output {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl")]
+#[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl,avx512bitalg")]
 fn avx512<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }

@@ -10,9 +10,10 @@ const BORDER: usize = 8;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Census {
     width: usize,
+    height: usize,
     planes: usize,
     stride: usize,
-    /// A row's planes of 8 bits each, then its grey levels of 8 bits, `stride` apart.
+    /// A row's planes of 8 bits each, then its grey levels of 8 bits, `stride` apart; below the last row a blank one.
     rows: Vec<u8>,
     padded: Vec<i16>,
     sums: Vec<u16>,
@@ -37,6 +38,7 @@ impl Census {
         let padded_width = width + 2 * BORDER;
         self.pad(image);
         self.width = width;
+        self.height = height;
         self.planes = plan.planes();
         self.stride = if is_reversed {
             (width + plan.last() + 1).next_multiple_of(64)
@@ -45,11 +47,11 @@ impl Census {
         };
         let row_length = self.stride * (self.planes + 1);
         self.rows.clear();
-        self.rows.resize(row_length * height, 0);
+        self.rows.resize(row_length * (height + 1), 0);
         self.sums.resize(padded_width, 0);
         self.reference.resize(width, 0);
         let more = image.bits - 8;
-        for (y, out) in self.rows.chunks_exact_mut(row_length).enumerate() {
+        for (y, out) in self.rows.chunks_exact_mut(row_length).enumerate().take(height) {
             let row = |dy: usize| {
                 let y = (y + dy).saturating_sub(above).min(height - 1);
                 self.padded.get(y * padded_width..(y + 1) * padded_width)
@@ -110,14 +112,19 @@ impl Census {
         }
     }
 
-    /// A row's planes, its grey levels last, [`Census::stride`] apart.
-    pub(super) fn row(&self, y: usize) -> &[u8] {
+    /// A row's planes, its grey levels last, [`Census::stride`] apart; or those of a blank row.
+    pub(super) fn row(&self, y: Option<usize>) -> &[u8] {
         let length = self.stride * (self.planes + 1);
+        let y = y.unwrap_or(self.height);
         self.rows.get(y * length..(y + 1) * length).unwrap_or_default()
     }
 
     pub(super) fn width(&self) -> usize {
         self.width
+    }
+
+    pub(super) fn height(&self) -> usize {
+        self.height
     }
 
     pub(super) fn planes(&self) -> usize {
@@ -130,7 +137,7 @@ impl Census {
 
     /// A row's grey levels of 8 bits.
     pub(super) fn levels(&self, y: usize) -> &[u8] {
-        let row = self.row(y);
+        let row = self.row(Some(y));
         row.get(self.planes * self.stride..).unwrap_or_default()
     }
 

@@ -1,74 +1,124 @@
-//! What it costs to match a pixel with each candidate of the other image.
+//! What it costs to match a pixel with each candidate of the other image: a mean over the block around it.
+//!
+//! A scan goes from row to row, and so do its blocks: of each pixel and candidate the sum over the block's rows is kept,
+//! to which the next row is added and from which the last one is taken away; along a row, columns likewise.
 
-use super::census::Census;
+use super::block_sum::{BlockSum, Columns, Mean};
+use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
-use super::plan::{Plan, Zone};
-use crate::simd::{self, Kernel, Level};
+use super::plan::{Plan, Raw, Zone};
+use super::scan::View;
+use crate::simd::{self, Kernel};
 
-/// Memory for a row of the right image in steps of a zone.
+/// The blocks of a scan's rows.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Stepped {
+pub(super) struct Blocks {
+    columns: Columns,
+    entering: Stepped,
+    leaving: Stepped,
+}
+
+/// A row of the right image in steps of a zone.
+#[derive(Clone, Debug, Default)]
+struct Stepped {
     rows: Vec<u8>,
 }
 
-/// The costs of a row, candidates innermost.
-pub(super) fn row(
-    level: Level,
-    plan: &Plan,
-    [left, right]: [&Census; 2],
-    y: usize,
-    stepped: &mut Stepped,
-    out: &mut [u8],
-) {
-    for zone in &plan.zones {
-        let (planes, phase_stride) = if zone.step == 1 {
-            (right.row(y), right.stride())
-        } else {
-            stepped.fill(zone.step, right.row(y), right.stride());
-            (stepped.rows.as_slice(), right.stride().div_ceil(zone.step))
-        };
-        let work = Zoned {
-            plan,
-            zone,
-            left: left.row(y),
-            left_stride: left.stride(),
-            right: planes,
-            right_stride: phase_stride * zone.step,
-            phase_stride,
-            width: left.width(),
-            out,
-        };
-        // Most pairs have one zone; the others have zones of several sizes.
-        match (left.planes(), zone.count) {
-            (1, 96) => simd::run_at(level, Costs::<1, 96>(work)),
-            (2, 96) => simd::run_at(level, Costs::<2, 96>(work)),
-            (3, 96) => simd::run_at(level, Costs::<3, 96>(work)),
-            (6, 96) => simd::run_at(level, Costs::<6, 96>(work)),
-            (8, 96) => simd::run_at(level, Costs::<8, 96>(work)),
-            (1, _) => simd::run_at(level, Costs::<1, 16>(work)),
-            (2, _) => simd::run_at(level, Costs::<2, 16>(work)),
-            (3, _) => simd::run_at(level, Costs::<3, 16>(work)),
-            (6, _) => simd::run_at(level, Costs::<6, 16>(work)),
-            _ => simd::run_at(level, Costs::<8, 16>(work)),
+impl Blocks {
+    /// The costs of a row that the scan comes to, candidates innermost. `is_first` says that nothing came before.
+    pub(super) fn row<P: Lane>(
+        &mut self,
+        view: View<'_>,
+        y: usize,
+        [is_first, is_up]: [bool; 2],
+        out: &mut [P],
+    ) {
+        let View { plan, census, .. } = view;
+        let (forward, last) = (if is_up { -1 } else { 1 }, census[0].height() - 1);
+        // Beyond the borders is what is at them.
+        let row = |by: isize| y.saturating_add_signed(forward * by).min(last);
+        match (plan.raw, plan.planes(), plan.block) {
+            (Raw::Bits { .. }, 1, ..=5) => self.follow::<u8, P>(view, is_first, row, out),
+            (Raw::Bits { .. }, ..) => self.follow::<u16, P>(view, is_first, row, out),
+            (Raw::Equation { .. }, ..) => self.follow::<u32, P>(view, is_first, row, out),
         }
     }
-    beyond(plan, left.width(), out);
-}
 
-/// What would be matched with what is left of the right image.
-fn beyond(plan: &Plan, width: usize, out: &mut [u8]) {
-    let near = out.chunks_exact_mut(plan.candidates).enumerate();
-    let mut inside = 0;
-    for (x, costs) in near.take(width.min(plan.last())) {
-        let next = plan.disparities.iter().take(plan.candidates).skip(inside);
-        inside += next.take_while(|&&d| usize::from(d) <= x).count();
-        costs.get_mut(inside..).unwrap_or_default().fill(plan.beyond);
+    fn follow<S: BlockSum, P: Lane>(
+        &mut self,
+        view: View<'_>,
+        is_first: bool,
+        row: impl Fn(isize) -> usize,
+        out: &mut [P],
+    ) {
+        let reach = (view.plan.block / 2).cast_signed();
+        if is_first {
+            let columns = S::of_columns(&mut self.columns);
+            columns.clear();
+            columns.resize(view.width * view.plan.candidates, S::default());
+            for by in -reach..reach {
+                self.step::<S, P>(view, [Some(row(by)), None], out);
+            }
+        }
+        let leaving = (!is_first).then(|| row(-reach - 1));
+        self.step::<S, P>(view, [Some(row(reach)), leaving], out);
+    }
+
+    /// A row enters the block and one leaves it.
+    fn step<S: BlockSum, P: Lane>(
+        &mut self,
+        view: View<'_>,
+        [entering, leaving]: [Option<usize>; 2],
+        out: &mut [P],
+    ) {
+        let View {
+            level,
+            plan,
+            census: [left, right],
+            width,
+        } = view;
+        for zone in &plan.zones {
+            let stride = right.stride();
+            let phase_stride = stride.div_ceil(zone.step);
+            let rows = [(entering, &mut self.entering), (leaving, &mut self.leaving)];
+            let rows = rows.map(|(y, stepped)| Line {
+                left: left.row(y),
+                right: stepped.of(zone.step, right.row(y), stride),
+            });
+            let work = Zoned::<S, P> {
+                plan,
+                zone,
+                rows,
+                left_stride: left.stride(),
+                right_stride: phase_stride * zone.step,
+                phase_stride,
+                width,
+                columns: S::of_columns(&mut self.columns),
+                out,
+            };
+            // Most pairs have one zone; the others have zones of several sizes.
+            match (left.planes(), zone.count) {
+                (1, 96) => simd::run_at(level, Costs::<S, P, 1, 96>(work)),
+                (2, 96) => simd::run_at(level, Costs::<S, P, 2, 96>(work)),
+                (3, 96) => simd::run_at(level, Costs::<S, P, 3, 96>(work)),
+                (6, 96) => simd::run_at(level, Costs::<S, P, 6, 96>(work)),
+                (8, 96) => simd::run_at(level, Costs::<S, P, 8, 96>(work)),
+                (1, _) => simd::run_at(level, Costs::<S, P, 1, 16>(work)),
+                (2, _) => simd::run_at(level, Costs::<S, P, 2, 16>(work)),
+                (3, _) => simd::run_at(level, Costs::<S, P, 3, 16>(work)),
+                (6, _) => simd::run_at(level, Costs::<S, P, 6, 16>(work)),
+                _ => simd::run_at(level, Costs::<S, P, 8, 16>(work)),
+            }
+        }
     }
 }
 
 impl Stepped {
     /// Every so many pixels of each plane, then those after them, and so on.
-    fn fill(&mut self, step: usize, planes: &[u8], stride: usize) {
+    fn of<'a>(&'a mut self, step: usize, planes: &'a [u8], stride: usize) -> &'a [u8] {
+        if step == 1 {
+            return planes;
+        }
         let phase_stride = stride.div_ceil(step);
         self.rows.clear();
         for plane in planes.chunks_exact(stride) {
@@ -78,26 +128,34 @@ impl Stepped {
                 self.rows.resize(before + phase_stride, 0);
             }
         }
+        &self.rows
     }
 }
 
-struct Zoned<'a> {
+/// A row's planes of both images, the right one's from right to left.
+#[derive(Clone, Copy)]
+struct Line<'a> {
+    left: &'a [u8],
+    right: &'a [u8],
+}
+
+struct Zoned<'a, S, P> {
     plan: &'a Plan,
     zone: &'a Zone,
-    left: &'a [u8],
+    /// The one that enters the block, and the one that leaves it.
+    rows: [Line<'a>; 2],
     left_stride: usize,
-    /// From right to left.
-    right: &'a [u8],
     right_stride: usize,
     phase_stride: usize,
     width: usize,
-    out: &'a mut [u8],
+    columns: &'a mut [S],
+    out: &'a mut [P],
 }
 
 /// `PLANES` of the census transform, `B` candidates at a time.
-struct Costs<'a, const PLANES: usize, const B: usize>(Zoned<'a>);
+struct Costs<'a, S, P, const PLANES: usize, const B: usize>(Zoned<'a, S, P>);
 
-impl<const PLANES: usize, const B: usize> Kernel for Costs<'_, PLANES, B> {
+impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs<'_, S, P, PLANES, B> {
     type Output = ();
 
     #[inline(always)]
@@ -105,59 +163,117 @@ impl<const PLANES: usize, const B: usize> Kernel for Costs<'_, PLANES, B> {
         let Zoned {
             plan,
             zone,
-            left,
+            rows: [entering, leaving],
             left_stride,
-            right,
             right_stride,
             phase_stride,
             width,
+            columns,
             out,
         } = self.0;
-        let is_plain = plan.alpha == 0 && plan.beta == 2;
-        #[expect(clippy::cast_possible_truncation, reason = "at most 127")]
-        let most = plan.threshold as u8;
-        for x in 0..width {
-            let place = width - 1 - x + zone.first;
-            let place = place % zone.step * phase_stride + place / zone.step;
-            for block in 0..zone.count / B {
-                let mut differing = [0u8; B];
-                for plane in 0..PLANES {
-                    let (Some(&own), Some(others)) = (
-                        left.get(plane * left_stride + x),
-                        chunk::<u8, B>(right, plane * right_stride + place + block * B),
+        let reach = plan.block / 2;
+        #[expect(clippy::cast_possible_truncation, reason = "at most 7")]
+        let beyond = S::of(plan.raw.beyond() * plan.block as u32);
+        let mean = Mean::new(plan.area());
+        for block in 0..zone.count / B {
+            let at = |x: usize| x * plan.candidates + zone.start + block * B;
+            let mut sum = [S::default(); B];
+            for x in 0..width + reach {
+                if x < width {
+                    let place = width - 1 - x + zone.first;
+                    // Divisions cost as much as a block.
+                    let place = match zone.step {
+                        1 => place,
+                        step => place % step * phase_stride + place / step,
+                    } + block * B;
+                    let places = [x, left_stride, place, right_stride];
+                    let (Some(enters), Some(leaves), Some(column)) = (
+                        raw::<S, PLANES, B>(plan.raw, entering, places),
+                        raw::<S, PLANES, B>(plan.raw, leaving, places),
+                        chunk_mut::<S, B>(columns, at(x)),
                     ) else {
                         return;
                     };
                     for k in 0..B {
-                        #[expect(clippy::cast_possible_truncation, reason = "at most 8")]
-                        let ones = (own ^ others[k]).count_ones() as u8;
-                        differing[k] += ones;
+                        column[k] = column[k].plus(enters[k]).minus(leaves[k]);
+                    }
+                    // What would be matched with what is left of the right image.
+                    let first = zone.first + block * B * zone.step;
+                    let inside = (x + zone.step).saturating_sub(first) / zone.step;
+                    for own in column.iter_mut().skip(inside) {
+                        *own = beyond;
                     }
                 }
-                let first = x * plan.candidates + zone.start + block * B;
-                let Some(costs) = chunk_mut::<u8, B>(out, first) else {
-                    return;
-                };
-                if is_plain {
+                let newest = x.min(width - 1);
+                // Beyond the borders is what is at them.
+                for _ in 0..if x == 0 { reach + 1 } else { 1 } {
+                    let Some(column) = chunk::<S, B>(columns, at(newest)) else {
+                        return;
+                    };
                     for k in 0..B {
-                        costs[k] = (differing[k] >> 1).min(most);
+                        sum[k] = sum[k].plus(column[k]);
                     }
+                }
+                if x < reach {
                     continue;
                 }
-                let (Some(&own), Some(others)) = (
-                    left.get(PLANES * left_stride + x),
-                    chunk::<u8, B>(right, PLANES * right_stride + place + block * B),
+                let oldest = x.saturating_sub(2 * reach);
+                let (Some(costs), Some(column)) = (
+                    chunk_mut::<P, B>(out, at(x - reach)),
+                    chunk::<S, B>(columns, at(oldest)),
                 ) else {
                     return;
                 };
                 for k in 0..B {
-                    let levels = u32::from(own.abs_diff(others[k]));
-                    let both = plan.alpha * levels + plan.beta * (u32::from(differing[k]) << 3);
-                    #[expect(clippy::cast_possible_truncation, reason = "at most 127")]
-                    let cost = (both >> 5).min(plan.threshold) as u8;
-                    costs[k] = cost;
+                    costs[k] = P::of(sum[k].mean(&mean));
+                }
+                for k in 0..B {
+                    sum[k] = sum[k].minus(column[k]);
                 }
             }
         }
     }
+}
+
+/// What each of the candidates costs at one pixel: the bits that differ, or the whole equation.
+#[inline(always)]
+fn raw<S: BlockSum, const PLANES: usize, const B: usize>(
+    raw: Raw,
+    row: Line<'_>,
+    [x, left_stride, place, right_stride]: [usize; 4],
+) -> Option<[S; B]> {
+    let mut differing = [0u8; B];
+    for plane in 0..PLANES {
+        let own = *row.left.get(plane * left_stride + x)?;
+        let others = chunk::<u8, B>(row.right, plane * right_stride + place)?;
+        for k in 0..B {
+            #[expect(clippy::cast_possible_truncation, reason = "at most 8")]
+            let ones = (own ^ others[k]).count_ones() as u8;
+            differing[k] += ones;
+        }
+    }
+    let mut out = [S::default(); B];
+    match raw {
+        Raw::Equation { alpha, beta, most } if S::IS_EQUATION => {
+            let own = *row.left.get(PLANES * left_stride + x)?;
+            let others = chunk::<u8, B>(row.right, PLANES * right_stride + place)?;
+            for k in 0..B {
+                let levels = u32::from(own.abs_diff(others[k]));
+                let both = alpha * levels + beta * (u32::from(differing[k]) << 3);
+                out[k] = S::of(both.min(most));
+            }
+        }
+        Raw::Bits { most } if !S::IS_EQUATION => {
+            if usize::from(most) < 8 * PLANES {
+                for own in &mut differing {
+                    *own = (*own).min(most);
+                }
+            }
+            for k in 0..B {
+                out[k] = S::of(differing[k].into());
+            }
+        }
+        _ => return None,
+    }
+    Some(out)
 }

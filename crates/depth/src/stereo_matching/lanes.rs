@@ -78,3 +78,54 @@ macro_rules! lane {
 
 lane!(u8, u16);
 lane!(u16, u32);
+
+/// A sum of at most 9 bits: with the 7 of a candidate, its key has 16.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
+pub(super) struct Short(u16);
+
+impl Lane for Short {
+    const MAX: Self = Self(u16::MAX);
+    type Key = u16;
+    const LAST: u16 = u16::MAX;
+
+    #[inline(always)]
+    fn of(value: u16) -> Self {
+        Self(value)
+    }
+
+    #[inline(always)]
+    fn wide(self) -> u16 {
+        self.0
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+
+    #[inline(always)]
+    fn plus_saturating(self, other: Self) -> Self {
+        Self(self.0.saturating_add(other.0))
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+
+    #[inline(always)]
+    fn masked(self, mask: u8) -> Self {
+        Self(self.0.masked(mask))
+    }
+
+    #[inline(always)]
+    fn key(self, candidate: u8) -> u16 {
+        (self.0 << 7) | u16::from(candidate)
+    }
+
+    #[inline(always)]
+    fn open(key: u16) -> (Self, u8) {
+        (Self(key >> 7), (key & 127) as u8)
+    }
+}

@@ -7,9 +7,11 @@
 //! 1. **Census transform** ([`Parameters::kernel_size`]): a bit for each pixel of a window, 1 where it is brighter than
 //!    the window's mean (whole grey levels, rounded down) or, without [mean mode](Parameters::mean_mode), than the middle,
 //!    by more than a threshold. Beyond the image, its border goes on. Of 10-bit images thresholds are four times as large.
-//! 2. **Cost** of each candidate: (α·AD + β·(CTC << 3)) >> 5, at most the threshold; AD the difference of grey levels of
-//!    8 bits, CTC the number of bits that differ. A candidate beyond the right image costs a quarter of the most there
-//!    can be: less than a wrong match.
+//! 2. **Cost** of each candidate: α·AD + β·(CTC << 3), at most 32 times the threshold, averaged over a
+//!    [block](Parameters::block_size_px) of pixels and divided by 8, halves up; AD the difference of grey levels of 8 bits, CTC the
+//!    number of bits that differ. The published equation shifts right by 5: two bits more are kept, or there would be 5 costs
+//!    to tell. Beyond an image's border a block has what is at it. A candidate beyond the right image counts as one of which
+//!    three eighths of the bits differ: more than of a right match, less than of a wrong one.
 //! 3. **Semi-global aggregation** along [`Parameters::paths`] paths with penalties P1 and P2, those of RVC2 shifted right
 //!    by [`Parameters::penalty_shift`]. The sum is divided by [`Parameters::division_factor`].
 //! 4. **Winner takes all**: the least sum, of equal ones the smaller disparity.
@@ -31,8 +33,8 @@
 //! # What is published, and what is not
 //! Published: the steps' order, census windows and masks, the linear equation and its defaults, P1 and P2, the range and
 //! its companding (in steps of 1, 2 and 4 px), that confidence is of a ratio of costs, that subpixel looks at two
-//! neighbours on each side, which thresholds and weights there are, and `DepthAI`'s defaults of all. Ours: the number of paths, what
-//! unit RVC2's penalties are in, which penalties paths aslant have (the vertical ones), rounding, the formulas of 5 and 6,
+//! neighbours on each side, which thresholds and weights there are, and `DepthAI`'s defaults of all. Ours: the block, the number of
+//! paths, what unit RVC2's penalties are in, which penalties paths aslant have (the vertical ones), rounding, the formulas of 5 and 6,
 //! what is beyond the image, which of two passes counts, the scale of RVC4's noise thresholds, what RVC4's measures of confidence
 //! are, its superpixels and its median; and that it fills and filters first and loses then (Qualcomm's interface to the
 //! hardware fills and filters, and knows neither a threshold of confidence nor a left-right check).
@@ -41,6 +43,7 @@
 //! Two threads share an image; more are of use where several images are matched at once. Memory is about a byte for each
 //! pixel and candidate, two where sums need 16 bits; it is kept for the next image.
 
+mod block_sum;
 mod census;
 mod cost;
 mod extended;

@@ -5,7 +5,7 @@ use crate::ParameterError;
 use crate::named::{self, Named, field, flag, one_of, subpixel, subpixel_bits, text};
 use crate::preset::Platform;
 
-const TABLE: [Named<Parameters>; 56] = [
+const TABLE: [Named<Parameters>; 57] = [
     field!("focalLength", stereo.focal_length_px, "give pixels, 800"),
     field!("baseline", stereo.baseline_m, "give metres, 0.075"),
     field!("width", width_px, "give whole pixels, 1280"),
@@ -77,6 +77,7 @@ const TABLE: [Named<Parameters>; 56] = [
         cost_threshold,
         "give a whole number, 1 to 127"
     ),
+    field!("blockSize", block_size_px, "give 1, 3, 5 or 7"),
     field!("divisionFactor", division_factor, "give a whole number, 1 to 255"),
     Named {
         name: "platform",

@@ -4,7 +4,7 @@
 //! behind; then each adds to what the other has left, and finishes those rows. Sums are the same in whatever order.
 
 use super::census::{Census, Source};
-use super::lanes::Lane;
+use super::lanes::{Lane, Short};
 use super::plan::{Plan, Width};
 use super::rvc4;
 use super::scan::{Scan, View};
@@ -14,26 +14,27 @@ use crate::simd::Level;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Workspace {
     census: [Census; 2],
-    narrow: Scans<u8, u8>,
-    mixed: Scans<u8, u16>,
-    wide: Scans<u16, u16>,
+    narrow: Scans<u8, u8, u8>,
+    short: Scans<u8, u8, Short>,
+    mixed: Scans<u8, u16, u16>,
+    wide: Scans<u16, u16, u16>,
     rvc4: rvc4::Memory,
 }
 
 #[derive(Clone, Debug)]
-struct Scans<P: Lane, S: Lane> {
+struct Scans<P: Lane, H: Lane, S: Lane> {
     down: Scan<P, S>,
     up: Scan<P, S>,
-    /// Of each pixel, candidates innermost.
-    sums: Vec<S>,
+    /// Of each pixel, candidates innermost: the sums that one scan leaves to the other.
+    halves: Vec<H>,
 }
 
-impl<P: Lane, S: Lane> Default for Scans<P, S> {
+impl<P: Lane, H: Lane, S: Lane> Default for Scans<P, H, S> {
     fn default() -> Self {
         Self {
             down: Scan::default(),
             up: Scan::default(),
-            sums: Vec::new(),
+            halves: Vec::new(),
         }
     }
 }
@@ -62,6 +63,8 @@ pub(super) fn run(
     match (plan.width, plan.candidates) {
         (Width::Narrow, 64) => memory.narrow.run::<64>(view, out),
         (Width::Narrow, _) => memory.narrow.run::<96>(view, out),
+        (Width::Short, 64) => memory.short.run::<64>(view, out),
+        (Width::Short, _) => memory.short.run::<96>(view, out),
         (Width::Mixed, 64) => memory.mixed.run::<64>(view, out),
         (Width::Mixed, _) => memory.mixed.run::<96>(view, out),
         (Width::Wide, 64) => memory.wide.run::<64>(view, out),
@@ -72,28 +75,28 @@ pub(super) fn run(
     }
 }
 
-impl<P: Lane, S: Lane> Scans<P, S> {
+impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
     fn run<const D: usize>(&mut self, view: View<'_>, (disparity, confidence): (&mut [u16], &mut [u8])) {
-        let Self { down, up, sums } = self;
+        let Self { down, up, halves } = self;
         let width = view.width;
         let (height, length) = (disparity.len() / width, width * D);
-        if sums.len() != height * length {
-            sums.clear();
-            sums.resize(height * length, S::default());
+        if halves.len() != height * length {
+            halves.clear();
+            halves.resize(height * length, H::default());
         }
         let middle = height / 2;
-        let (above, below) = sums.split_at_mut(middle * length);
+        let (above, below) = halves.split_at_mut(middle * length);
         rayon::join(
             || {
                 down.begin(view);
-                for (y, sums) in above.chunks_exact_mut(length).enumerate() {
-                    down.row::<D>(view, y, false, sums, false);
+                for (y, half) in above.chunks_exact_mut(length).enumerate() {
+                    down.begin_row::<H, D>(view, y, false, half);
                 }
             },
             || {
                 up.begin(view);
-                for (y, sums) in below.chunks_exact_mut(length).enumerate().rev() {
-                    up.row::<D>(view, middle + y, true, sums, false);
+                for (y, half) in below.chunks_exact_mut(length).enumerate().rev() {
+                    up.begin_row::<H, D>(view, middle + y, true, half);
                 }
             },
         );
@@ -102,22 +105,20 @@ impl<P: Lane, S: Lane> Scans<P, S> {
         rayon::join(
             || {
                 let rows = below
-                    .chunks_exact_mut(length)
+                    .chunks_exact(length)
                     .zip(disparity_below.chunks_exact_mut(width))
                     .zip(confidence_below.chunks_exact_mut(width));
-                for (y, ((sums, disparity), confidence)) in rows.enumerate() {
-                    down.row::<D>(view, middle + y, false, sums, true);
-                    down.finish::<D>(view, sums, disparity, confidence);
+                for (y, ((half, disparity), confidence)) in rows.enumerate() {
+                    down.finish_row::<H, D>(view, middle + y, false, half, (disparity, confidence));
                 }
             },
             || {
                 let rows = above
-                    .chunks_exact_mut(length)
+                    .chunks_exact(length)
                     .zip(disparity_above.chunks_exact_mut(width))
                     .zip(confidence_above.chunks_exact_mut(width));
-                for (y, ((sums, disparity), confidence)) in rows.enumerate().rev() {
-                    up.row::<D>(view, y, true, sums, true);
-                    up.finish::<D>(view, sums, disparity, confidence);
+                for (y, ((half, disparity), confidence)) in rows.enumerate().rev() {
+                    up.finish_row::<H, D>(view, y, true, half, (disparity, confidence));
                 }
             },
         );

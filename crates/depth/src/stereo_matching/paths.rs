@@ -66,23 +66,29 @@ pub(super) struct Penalties<'a, P> {
     pub(super) pairs: &'a [[P; 2]],
 }
 
+/// Where a row's sums go.
+pub(super) enum Sums<'a, H, S> {
+    /// To the scan that comes later, as far as they are.
+    Half(&'a mut [H]),
+    /// With those that the earlier scan left.
+    Whole(&'a [H], &'a mut [S]),
+}
+
 /// One row of a scan, with the first `PATHS` of: along the row, and [`FROM_ROW`].
-pub(super) struct Row<'a, P, S, const D: usize, const PATHS: usize> {
+pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
     /// Of each pixel, candidates innermost.
-    pub(super) costs: &'a [u8],
+    pub(super) costs: &'a [P],
     /// As `costs`.
-    pub(super) sums: &'a mut [S],
+    pub(super) sums: Sums<'a, H, S>,
     pub(super) slots: &'a mut [Slots<P>; FROM_ROW],
     /// The number of this row in the scan.
     pub(super) number: usize,
     pub(super) penalties: [Penalties<'a, P>; 1 + FROM_ROW],
     /// Whether the scan goes from right to left.
     pub(super) is_mirrored: bool,
-    /// Whether it adds to the sums, or begins them.
-    pub(super) adds: bool,
 }
 
-impl<P: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, S, D, PATHS> {
+impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, H, S, D, PATHS> {
     /// Slots stay where they are and pixels go from one to the next, so that what comes from the pixel before stands where
     /// its own is written.
     #[inline(always)]
@@ -92,11 +98,11 @@ impl<P: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, S, D, PATH
     }
 }
 
-impl<P: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel for Row<'_, P, S, D, PATHS> {
+impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel for Row<'_, P, H, S, D, PATHS> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run(mut self) {
         let width = self.costs.len() / D;
         if width == 0 {
             return;
@@ -117,28 +123,39 @@ impl<P: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel for Row<'_, P,
         let mut least = none;
         for i in 0..width {
             let x = if self.is_mirrored { width - 1 - i } else { i };
-            let (Some(costs), Some(sums)) = (chunk(self.costs, x * D), chunk_mut(self.sums, x * D)) else {
+            let Some(costs) = chunk(self.costs, x * D) else {
                 return;
             };
-            let mut total = [S::default(); D];
+            let mut total = [H::default(); D];
             let pair = |path: usize| {
                 let pairs = self.penalties[path].pairs;
                 pairs.get(i * step[path]).copied().unwrap_or_default()
             };
-            least = relax::<P, S, D, false>(&mut line, 0, least, costs, pair(0), &mut total);
+            least = relax::<P, H, D, true>(&mut line, 0, least, costs, pair(0), &mut total);
             if PATHS > 1 {
-                relax::<P, S, D, true>(straight, at[0] * (D + GUARD), none, costs, pair(1), &mut total);
+                relax::<P, H, D, false>(straight, at[0] * (D + GUARD), none, costs, pair(1), &mut total);
             }
             if PATHS > 2 {
-                relax::<P, S, D, true>(before, at[1] * (D + GUARD), none, costs, pair(2), &mut total);
-                relax::<P, S, D, true>(after, at[2] * (D + GUARD), none, costs, pair(3), &mut total);
+                relax::<P, H, D, false>(before, at[1] * (D + GUARD), none, costs, pair(2), &mut total);
+                relax::<P, H, D, false>(after, at[2] * (D + GUARD), none, costs, pair(3), &mut total);
             }
-            if self.adds {
-                for d in 0..D {
-                    sums[d] = sums[d].plus(total[d]);
+            match &mut self.sums {
+                Sums::Half(sums) => {
+                    let Some(sums) = chunk_mut(sums, x * D) else {
+                        return;
+                    };
+                    *sums = total;
                 }
-            } else {
-                *sums = total;
+                Sums::Whole(half, sums) => {
+                    let (Some(half), Some(sums)) =
+                        (chunk::<H, D>(half, x * D), chunk_mut::<S, D>(sums, x * D))
+                    else {
+                        return;
+                    };
+                    for d in 0..D {
+                        sums[d] = S::of(half[d].wide()).plus(S::of(total[d].wide()));
+                    }
+                }
             }
             for at in &mut at {
                 *at = if *at + 1 == width { 0 } else { *at + 1 };
@@ -157,19 +174,19 @@ pub(super) fn chunk_mut<T, const N: usize>(all: &mut [T], start: usize) -> Optio
     all.get_mut(start..)?.first_chunk_mut()
 }
 
-/// One path's costs at a pixel, from those of the pixel before at `slot`'s guard, where they then stand: less the least of
-/// them, or as they are. `base` is the least of those before. Says what the least is.
+/// One path's costs at a pixel, from those of the pixel before at `slot`'s guard, where they then stand less the least of
+/// them; they are added to `total`. Says what the least is.
 ///
-/// Along the row the next pixel waits for this one: that its least need not be known before it is taken off saves half
-/// of that.
+/// Along the row, which comes first, `total` begins, and they stand as they are; `base` is the least of those before. There
+/// the next pixel waits for this one: that its least need not be known before it is taken off saves half of that.
 #[inline(always)]
-fn relax<P: Lane, S: Lane, const D: usize, const LESS: bool>(
+fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
     slots: &mut [P],
     slot: usize,
     base: P,
-    costs: &[u8; D],
+    costs: &[P; D],
     [p1, p2]: [P; 2],
-    total: &mut [S; D],
+    total: &mut [H; D],
 ) -> P {
     let mut own = [P::default(); D];
     {
@@ -184,7 +201,7 @@ fn relax<P: Lane, S: Lane, const D: usize, const LESS: bool>(
         for d in 0..D {
             let beside = nearer[d].min(farther[d]).plus_saturating(p1);
             let before = same[d].min(beside).min(most).minus(base);
-            own[d] = P::of(costs[d].into()).plus(before);
+            own[d] = costs[d].plus(before);
         }
     }
     let mut least = P::MAX;
@@ -192,11 +209,12 @@ fn relax<P: Lane, S: Lane, const D: usize, const LESS: bool>(
         least = least.min(cost);
     }
     for d in 0..D {
-        total[d] = total[d].plus(S::of(own[d].wide()));
+        let own = H::of(own[d].wide());
+        total[d] = if IS_ALONG { own } else { total[d].plus(own) };
     }
     if let Some(slot) = chunk_mut::<P, D>(slots, slot + 1) {
         for d in 0..D {
-            slot[d] = if LESS { own[d].minus(least) } else { own[d] };
+            slot[d] = if IS_ALONG { own[d] } else { own[d].minus(least) };
         }
     }
     least

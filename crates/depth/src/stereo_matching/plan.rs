@@ -34,12 +34,9 @@ pub(super) struct Plan {
     /// Grey levels of 8 bits.
     pub(super) census_threshold: i32,
     pub(super) census_scale: i32,
-    pub(super) alpha: u32,
-    pub(super) beta: u32,
-    pub(super) threshold: u32,
-    /// The cost of what would be matched beyond the image: what is there counts as a rather good match, better than a
-    /// wrong one, so that it is found, and found to be unseen.
-    pub(super) beyond: u8,
+    pub(super) raw: Raw,
+    /// Rows and columns over which costs are averaged.
+    pub(super) block: usize,
     pub(super) penalties: Penalties,
     /// Of the scan from above, and of the one from below.
     pub(super) paths: [usize; 2],
@@ -56,6 +53,50 @@ pub(super) struct Plan {
     pub(super) rvc4: Option<Steps>,
 }
 
+/// What a pixel's own cost is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Raw {
+    /// The bits that differ, in each 16 of the equation.
+    Bits { most: u8 },
+    /// The equation.
+    Equation { alpha: u32, beta: u32, most: u32 },
+}
+
+impl Raw {
+    fn new(p: &Parameters, bits: usize) -> Self {
+        /// Of the threshold.
+        const STEP: u32 = 32;
+        let (alpha, beta) = (u32::from(p.alpha), u32::from(p.beta));
+        let most = alpha * 255 + beta * 8 * counter(bits);
+        let most = most.min(STEP * u32::from(p.cost_threshold));
+        if alpha == 0 && beta == 2 {
+            #[expect(clippy::cast_possible_truncation, reason = "at most 64")]
+            let most = (most / 16) as u8;
+            Self::Bits { most }
+        } else {
+            Self::Equation { alpha, beta, most }
+        }
+    }
+
+    /// The most that the equation can be.
+    fn most(self) -> u32 {
+        match self {
+            Self::Bits { most } => 16 * u32::from(most),
+            Self::Equation { most, .. } => most,
+        }
+    }
+
+    /// That of what would be matched beyond the image: less than of a wrong match, in which half of the bits differ, so
+    /// that what only the left image sees is matched there, and found to be unseen; more than of most right ones.
+    pub(super) fn beyond(self) -> u32 {
+        let bits = (3 * self.most()) >> 7;
+        match self {
+            Self::Bits { .. } => bits,
+            Self::Equation { .. } => 16 * bits,
+        }
+    }
+}
+
 /// The penalties of paths.
 #[derive(Clone, Debug)]
 pub(super) enum Penalties {
@@ -70,6 +111,8 @@ pub(super) enum Penalties {
 pub(super) enum Width {
     /// Costs and sums into 8 bits.
     Narrow,
+    /// Costs and one scan's sums into 8 bits, all sums into 9.
+    Short,
     /// Costs into 8 bits, sums into 16.
     Mixed,
     /// Into 16 bits.
@@ -102,8 +145,7 @@ impl Plan {
             CensusKernel::Kernel7x9 => [7, 9],
         };
         let pixels = pixels(window, p.mask_at(width));
-        let most = ((u32::from(p.alpha) * 255 + u32::from(p.beta) * 8 * counter(pixels.len())) >> 5)
-            .min(p.cost_threshold.into());
+        let raw = Raw::new(p, pixels.len());
         let penalties = match p.platform {
             Platform::Rvc2 => {
                 let pair = |p1: u32, p2: u32| pair(p1 >> p.penalty_shift, p2 >> p.penalty_shift);
@@ -139,7 +181,8 @@ impl Plan {
             6 => [4, 2],
             _ => [4, 4],
         };
-        let largest = most + penalties.largest();
+        let largest = (raw.most() + 4) / 8 + penalties.largest();
+        let half = largest * counter(paths[0].max(paths[1]));
         let sum = largest * counter(paths[0] + paths[1]);
         let zones = zones(p);
         let rvc4 = Steps::new(p);
@@ -161,14 +204,12 @@ impl Plan {
             mean_mode: p.mean_mode,
             census_threshold: p.census_threshold.cast_signed() + p.noise_threshold_offset,
             census_scale: p.noise_threshold_scale,
-            alpha: p.alpha.into(),
-            beta: p.beta.into(),
-            threshold: p.cost_threshold.into(),
-            #[expect(clippy::cast_possible_truncation, reason = "at most 127")]
-            beyond: (most / 4) as u8,
-            width: match (largest, sum) {
-                (_, ..=255) => Width::Narrow,
-                (..=255, _) => Width::Mixed,
+            raw,
+            block: p.block_size_px as usize,
+            width: match (largest, half, sum) {
+                (_, _, ..=255) => Width::Narrow,
+                (_, ..=255, ..=511) => Width::Short,
+                (..=255, _, _) => Width::Mixed,
                 _ => Width::Wide,
             },
             penalties,
@@ -191,6 +232,11 @@ impl Plan {
         self.zones
             .last()
             .map_or(0, |zone| zone.first + (zone.count - 1) * zone.step)
+    }
+
+    /// Pixels of a block.
+    pub(super) fn area(&self) -> u32 {
+        counter(self.block * self.block)
     }
 
     /// Bytes of a pixel's census transform: those that there is a matcher for.

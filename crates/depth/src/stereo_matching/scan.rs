@@ -1,9 +1,9 @@
 //! A scan over the rows of an image, downward from left to right, or upward from right to left.
 
 use super::census::Census;
-use super::cost::{self, Stepped};
+use super::cost::Blocks;
 use super::lanes::Lane;
-use super::paths::{FROM_ROW, Penalties, Row, Slots};
+use super::paths::{FROM_ROW, Penalties, Row, Slots, Sums};
 use super::plan::{self, Plan};
 use super::refine::{self, NONE, Refined};
 use super::select::{Found, RightKeys, Select};
@@ -25,8 +25,10 @@ pub(super) struct Scan<P: Lane, S: Lane> {
     slots: [Slots<P>; FROM_ROW],
     /// Rows that it has seen.
     number: usize,
-    costs: Vec<u8>,
-    stepped: Stepped,
+    blocks: Blocks,
+    costs: Vec<P>,
+    /// Of all paths.
+    sums: Vec<S>,
     penalties: [Vec<[P; 2]>; 1 + FROM_ROW],
     found: Found,
     right: RightKeys<S::Key>,
@@ -38,8 +40,9 @@ impl<P: Lane, S: Lane> Default for Scan<P, S> {
         Self {
             slots: Default::default(),
             number: 0,
+            blocks: Blocks::default(),
             costs: Vec::new(),
-            stepped: Stepped::default(),
+            sums: Vec::new(),
             penalties: Default::default(),
             found: Found::default(),
             right: RightKeys::default(),
@@ -56,52 +59,77 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         for slots in &mut self.slots {
             slots.reset(view.width, candidates);
         }
-        self.costs.resize(view.width * candidates, 0);
+        self.costs.resize(view.width * candidates, P::default());
+        self.sums.resize(view.width * candidates, S::default());
         self.found.resize(view.width);
     }
 
-    /// The next row's costs along paths, in `sums`, or added to them.
-    pub(super) fn row<const D: usize>(
+    /// The next row's costs along paths, into `half`.
+    pub(super) fn begin_row<H: Lane, const D: usize>(
         &mut self,
         view: View<'_>,
         y: usize,
         is_up: bool,
-        sums: &mut [S],
-        adds: bool,
+        half: &mut [H],
     ) {
-        cost::row(
-            view.level,
-            view.plan,
-            view.census,
-            y,
-            &mut self.stepped,
-            &mut self.costs,
-        );
+        self.make_costs(view, y, is_up);
+        self.follow::<H, D>(view, is_up, Some(half), &[]);
+    }
+
+    /// The next row's costs along paths with those of the other scan, and what they say.
+    pub(super) fn finish_row<H: Lane, const D: usize>(
+        &mut self,
+        view: View<'_>,
+        y: usize,
+        is_up: bool,
+        half: &[H],
+        (disparity, confidence): (&mut [u16], &mut [u8]),
+    ) {
+        self.make_costs(view, y, is_up);
+        self.follow::<H, D>(view, is_up, None, half);
+        self.find::<D>(view, disparity, confidence);
+    }
+
+    fn make_costs(&mut self, view: View<'_>, y: usize, is_up: bool) {
+        let is_first = self.number == 0;
+        self.blocks.row(view, y, [is_first, is_up], &mut self.costs);
         self.set_penalties(view, y, is_up);
+    }
+
+    /// `begun` takes sums as far as they are; without it they go with those that are `left` to this scan's own.
+    fn follow<H: Lane, const D: usize>(
+        &mut self,
+        view: View<'_>,
+        is_up: bool,
+        begun: Option<&mut [H]>,
+        left: &[H],
+    ) {
         match view.plan.paths[usize::from(is_up)] {
-            1 => self.follow::<D, 1>(view.level, is_up, sums, adds),
-            2 => self.follow::<D, 2>(view.level, is_up, sums, adds),
-            _ => self.follow::<D, 4>(view.level, is_up, sums, adds),
+            1 => self.follow_paths::<H, D, 1>(view.level, is_up, begun, left),
+            2 => self.follow_paths::<H, D, 2>(view.level, is_up, begun, left),
+            _ => self.follow_paths::<H, D, 4>(view.level, is_up, begun, left),
         }
         self.number += 1;
     }
 
-    fn follow<const D: usize, const PATHS: usize>(
+    fn follow_paths<H: Lane, const D: usize, const PATHS: usize>(
         &mut self,
         level: Level,
         is_up: bool,
-        sums: &mut [S],
-        adds: bool,
+        begun: Option<&mut [H]>,
+        left: &[H],
     ) {
         let penalties = self.penalties.each_ref().map(|pairs| Penalties { pairs });
-        let row = Row::<P, S, D, PATHS> {
+        let row = Row::<P, H, S, D, PATHS> {
             costs: &self.costs,
-            sums,
+            sums: match begun {
+                Some(begun) => Sums::Half(begun),
+                None => Sums::Whole(left, &mut self.sums),
+            },
             slots: &mut self.slots,
             number: self.number,
             penalties,
             is_mirrored: is_up,
-            adds,
         };
         simd::run_at(level, row);
     }
@@ -145,17 +173,12 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     }
 
     /// What all sums of a row say.
-    pub(super) fn finish<const D: usize>(
-        &mut self,
-        view: View<'_>,
-        sums: &mut [S],
-        disparity: &mut [u16],
-        confidence: &mut [u8],
-    ) {
+    fn find<const D: usize>(&mut self, view: View<'_>, disparity: &mut [u16], confidence: &mut [u8]) {
         let plan = view.plan;
+        let sums = &mut self.sums;
         if plan.division > 1 {
             let by = f32::from(plan.division);
-            simd::run_at(view.level, Divide { sums: &mut *sums, by });
+            simd::run_at(view.level, Divide { sums, by });
         }
         let right = plan.looks_back.then(|| {
             self.right.reset(plan, view.width, S::LAST);
@@ -165,7 +188,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
             view.level,
             Select::<S, D> {
                 plan,
-                sums,
+                sums: &self.sums,
                 found: &mut self.found,
                 right,
             },

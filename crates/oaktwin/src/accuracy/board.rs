@@ -19,9 +19,9 @@ use crate::scene::{
 /// window of a matcher has several.
 const GRAIN_PX: f64 = 3.0;
 
-/// Before a pair. What the vendor's board looks like is not published: this is chosen by fit to the error curve of an 800P
-/// unit. No two squares lie alike on the pixels.
-const GRAIN_OF_PAIR_PX: f64 = 6.7;
+/// Before a pair, the angle that the smallest squares subtend, the same to every lens: 13.4 px at the 794 px of the 800P unit
+/// to whose error curve it is fitted. What the vendor's board looks like is not published.
+const GRAIN_OF_PAIR_RAD: f64 = 13.4 / 794.0;
 
 /// How far the board goes on beyond the image, px.
 const BEYOND_PX: f64 = 8.0;
@@ -31,7 +31,7 @@ const SQUARES: u16 = 256;
 
 /// Squares have so many sizes, each twice the one before, and all have the same contrast: detail is as strong on every
 /// scale, as in pictures of nature (Field 1987).
-const SIZES: u16 = 5;
+const SIZES: u16 = 4;
 
 /// What the camera sees of a board.
 pub(super) struct Sight {
@@ -49,8 +49,9 @@ impl Board {
     pub(super) fn new(intrinsics: Intrinsics, distance_m: f64) -> Self {
         // The right camera sees what lies farther right, by less than this.
         let beyond = 8.0 + 2.0 * f64::from(intrinsics.size.width);
+        let grain = GRAIN_OF_PAIR_RAD * intrinsics.fx;
         Self {
-            renderer: Renderer::new(scene(&intrinsics, distance_m, (GRAIN_OF_PAIR_PX, beyond))),
+            renderer: Renderer::new(scene(&intrinsics, distance_m, (grain, beyond))),
         }
     }
 

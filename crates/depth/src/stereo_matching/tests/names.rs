@@ -19,6 +19,7 @@ fn each_name_changes_what_it_reads() {
             _ if name == "subpixelFractionalBits" => "3".to_owned(),
             _ if name == "baseline" => "0.15".to_owned(),
             _ if name == "linearEquationParameters.threshold" => "64".to_owned(),
+            _ if name == "blockSize" => "3".to_owned(),
             number => (number.parse::<u32>().unwrap() + 1).to_string(),
         };
         p.set(name, &other).unwrap();
@@ -39,6 +40,7 @@ fn wrong_values_change_nothing() {
         ("leftRightCheckThreshold", "129"),
         ("linearEquationParameters.threshold", "128"),
         ("divisionFactor", "0"),
+        ("blockSize", "4"),
         ("p2Config.defaultValue", "9000"),
         ("kernelMask", "0xG"),
         ("platform", "RVC3"),

@@ -1,0 +1,93 @@
+//! Sums of costs over blocks of pixels, in the narrowest numbers that hold them, and their means.
+
+use crate::simd;
+
+/// Sums over the block's rows, candidates innermost, in the width that one matcher needs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns {
+    bytes: Vec<u8>,
+    words: Vec<u16>,
+    equations: Vec<u32>,
+}
+
+/// How the mean of a block comes of its sum: multiplied by the reciprocal of its area, which is exact for what there is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mean {
+    area: u32,
+    /// In units of 2⁻¹¹.
+    of_bytes: u16,
+    /// In units of 2⁻²⁰.
+    of_words: u32,
+}
+
+impl Mean {
+    #[inline(always)]
+    pub(super) fn new(area: u32) -> Self {
+        #[expect(clippy::cast_possible_truncation, reason = "at most 2048")]
+        let of_bytes = (1u32 << 11).div_ceil(area) as u16;
+        Self {
+            area,
+            of_bytes,
+            of_words: (1u32 << 20).div_ceil(area),
+        }
+    }
+}
+
+/// A sum over a block, of bits that differ or of the whole equation.
+pub(super) trait BlockSum: Copy + Default {
+    /// Of the whole equation.
+    const IS_EQUATION: bool = size_of::<Self>() == size_of::<u32>();
+
+    fn of_columns(columns: &mut Columns) -> &mut Vec<Self>;
+    fn of(value: u32) -> Self;
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    /// An eighth of the equation's mean, halves up.
+    fn mean(self, mean: &Mean) -> u16;
+}
+
+macro_rules! sum {
+    ($sum:ty, $columns:ident, $mean:expr) => {
+        impl BlockSum for $sum {
+            fn of_columns(columns: &mut Columns) -> &mut Vec<Self> {
+                &mut columns.$columns
+            }
+
+            #[inline(always)]
+            #[expect(clippy::allow_attributes, reason = "one of the three is no cast")]
+            #[allow(clippy::cast_possible_truncation, reason = "known to fit")]
+            fn of(value: u32) -> Self {
+                value as Self
+            }
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+
+            #[inline(always)]
+            #[expect(clippy::cast_possible_truncation, reason = "at most 508")]
+            fn mean(self, mean: &Mean) -> u16 {
+                let mean_of: fn(Self, &Mean) -> _ = $mean;
+                mean_of(self, mean) as u16
+            }
+        }
+    };
+}
+
+// All in 16 bits: sums of 8 bits over at most 25 pixels.
+sum!(u8, bytes, |sum, mean| {
+    (2 * u16::from(sum) + mean.area as u16 / 2).wrapping_mul(mean.of_bytes) >> 11
+});
+sum!(u16, words, |sum, mean| {
+    ((2 * u32::from(sum) + mean.area / 2) * mean.of_words) >> 20
+});
+sum!(u32, equations, |sum, mean| {
+    let over = (sum + 4 * mean.area) as f32;
+    simd::whole(over / (8 * mean.area) as f32).cast_unsigned()
+});
