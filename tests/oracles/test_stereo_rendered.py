@@ -1,6 +1,7 @@
 """The stereo matcher beside OpenCV's on what a device's two cameras record of rendered scenes.
 
-The views were chosen by a random number generator's seed, not by what they show.
+The views were chosen by a random number generator's seed, not by what they show. Those of the first seed were looked at while
+the matcher's defaults were chosen, those of the second were not.
 """
 
 import json
@@ -17,6 +18,8 @@ from stereo_scenes import surest
 MODEL, BASELINE_M = "OAK-D-Pro-PoE", 0.075
 SEARCH = 96
 CHESS = "data/scenes/OpenChessSet/chess_set.usda"
+# By seed, the view of the chess set.
+SEEDS = {20: ["0.5", "0.4", "0.6", "0", "0.03", "0"], 77: ["-0.45", "0.35", "0.5", "0.05", "0.03", "0.02"]}
 
 
 @pytest.fixture(scope="module")
@@ -26,24 +29,24 @@ def room(program, tmp_path_factory):
     return folder / "demo_room/demo_room.usda"
 
 
-def views():
+def views(seed):
     """Where a camera stands in the demo room and what it looks at: within the walls, at least 1.5 m apart, level or not."""
-    random = np.random.default_rng(20)
+    random = np.random.default_rng(seed)
     while True:
         eye, target = random.uniform([-1.0, -2.0, 0.6], [4.2, 2.1, 1.9], (2, 3))
         if np.linalg.norm(target - eye) > 1.5:
             yield [f"{number:.3f}" for number in (*eye, *target)]
 
 
-def cases():
-    views_of_room = views()
+def cases(seed):
+    views_of_room = views(seed)
     for number in range(4):
         yield f"room {number}, 1280x800", "room", "1280x800", next(views_of_room), []
     for number in range(4, 6):
         yield f"room {number}, 640x400", "room", "640x400", next(views_of_room), []
     dots = ["--projector", "1", "--ambient", "0.05"]
     yield "room 6 by dots, 1280x800", "room", "1280x800", next(views_of_room), dots
-    yield "chess, 1280x800", "chess", "1280x800", ["0.5", "0.4", "0.6", "0", "0.03", "0"], []
+    yield "chess, 1280x800", "chess", "1280x800", SEEDS[seed], []
 
 
 class View:
@@ -107,7 +110,8 @@ OPTIONS = {
 }
 
 
-def test_no_worse_than_opencv(program, room, tmp_path):
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_worse_than_opencv(program, room, tmp_path, seed):
     scenes = {"room": room}
     chess = Path(os.environ.get("OAKTWIN_TEST_DATA", "no-such-folder")) / CHESS
     if chess.is_file():
@@ -119,7 +123,7 @@ def test_no_worse_than_opencv(program, room, tmp_path):
     def show(who, row):
         print(f"  {who:7}" + "".join(f"{label} {value:7.2%}  " for label, value in zip(NAMES, row)))
 
-    for number, (name, scene, *rest) in enumerate(cases()):
+    for number, (name, scene, *rest) in enumerate(cases(seed)):
         if scene not in scenes:
             continue
         view = View(program, tmp_path / str(number), scenes[scene], *rest)
