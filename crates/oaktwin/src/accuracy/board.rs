@@ -33,6 +33,9 @@ const SQUARES: u16 = 256;
 /// scale, as in pictures of nature (Field 1987).
 const SIZES: u16 = 4;
 
+/// Grey levels between the darkest and the brightest square of one size: so many that little of their sum is clipped.
+const CONTRAST: f32 = 114.0;
+
 /// What the camera sees of a board.
 pub(super) struct Sight {
     pub(super) depth: ZDepth,
@@ -142,7 +145,6 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
 /// Squares of random grey, of several sizes upon each other.
 fn pattern() -> Image<[u8; 4]> {
     let squares = (0..SQUARES).flat_map(|y| (0..SQUARES).map(move |x| (x, y)));
-    let contrast = 255.0 / f32::from(SIZES).sqrt();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
     let grey = squares.map(|(x, y)| {
         let of_size = |size: u16| {
@@ -150,7 +152,7 @@ fn pattern() -> Image<[u8; 4]> {
             let [x, y] = [(x, 7), (y, 13)].map(|(at, by)| ((at + by * size) % SQUARES) >> size);
             white_noise(x.into(), y.into(), 77 + u32::from(size)) - 0.5
         };
-        (127.5 + contrast * (0..SIZES).map(of_size).sum::<f32>()) as u8
+        (127.5 + CONTRAST * (0..SIZES).map(of_size).sum::<f32>()) as u8
     });
     let mut image = Image::filled(u32::from(SQUARES), u32::from(SQUARES), [255; 4]);
     for (pixel, grey) in image.pixels_mut().iter_mut().zip(grey) {

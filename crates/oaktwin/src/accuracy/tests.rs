@@ -91,7 +91,7 @@ fn the_vendors_measured_curve_at_480p() {
     assert!(r2.is_none_or(|r2| r2 >= 0.85), "{r2:?}");
     // The board was not chosen by this one.
     let r2 = r_squared_of(curve, matching(&[("bias", "0")]), optics, 0.0);
-    assert!(r2.is_none_or(|r2| r2 >= 0.35), "{r2:?}");
+    assert!(r2.is_none_or(|r2| r2 >= 0.3), "{r2:?}");
 }
 
 /// The median of 200 devices, at places in every band and on every phase of the error that repeats with disparity.
