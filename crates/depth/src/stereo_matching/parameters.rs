@@ -147,9 +147,9 @@ pub struct Parameters {
 impl Parameters {
     /// `DepthAI`'s defaults. What it does not have or does not publish:
     /// * `subpixelInterpolation`: chosen by fit to the vendor's error curve of an 800P unit (f 794 px, bias −0.22 px, beyond 2.5 m,
-    ///   two captures). R² is 0.89 with `LINES`, 0.83 with `PARABOLA_5`, 0.76 with `PARABOLA`; the board's detail was chosen by the
+    ///   two captures). R² is 0.94 with `LINES`, 0.87 with `PARABOLA_5`, 0.79 with `PARABOLA`; the board's detail was chosen by the
     ///   same curve, with `LINES`.
-    /// * `paths`: 4. By that curve any number would do (0.85 with 3, 0.91 with 5, 0.94 with 8); with 8 surfaces aslant come out
+    /// * `paths`: 4. By that curve any number would do (0.92 with 3, 0.94 with 5, 0.95 with 8); with 8 surfaces aslant come out
     ///   in steps, and it takes longer.
     /// * `blockSize` and `penaltyShift`: 5 and 4. Of rendered pairs with noise no more is wrong then than `OpenCV` has wrong; with a
     ///   block of 1 half as much again.
