@@ -19,6 +19,14 @@ pub(super) struct View<'a> {
     pub(super) width: usize,
 }
 
+/// A row's sums of one scan.
+enum Half<'a, H> {
+    /// This one's, for the other.
+    Left(&'a mut [H]),
+    /// The other's.
+    Found(&'a [H]),
+}
+
 /// Where a scan is, and its memory.
 #[derive(Clone, Debug)]
 pub(super) struct Scan<P: Lane, S: Lane> {
@@ -73,7 +81,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         half: &mut [H],
     ) {
         self.make_costs(view, y, is_up);
-        self.follow::<H, D>(view, is_up, Some(half), &[]);
+        self.follow::<H, D>(view, is_up, Half::Left(half));
     }
 
     /// The next row's costs along paths with those of the other scan, and what they say.
@@ -86,7 +94,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         (disparity, confidence): (&mut [u16], &mut [u8]),
     ) {
         self.make_costs(view, y, is_up);
-        self.follow::<H, D>(view, is_up, None, half);
+        self.follow::<H, D>(view, is_up, Half::Found(half));
         self.find::<D>(view, disparity, confidence);
     }
 
@@ -96,18 +104,11 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         self.set_penalties(view, y, is_up);
     }
 
-    /// `begun` takes sums as far as they are; without it they go with those that are `left` to this scan's own.
-    fn follow<H: Lane, const D: usize>(
-        &mut self,
-        view: View<'_>,
-        is_up: bool,
-        begun: Option<&mut [H]>,
-        left: &[H],
-    ) {
+    fn follow<H: Lane, const D: usize>(&mut self, view: View<'_>, is_up: bool, half: Half<'_, H>) {
         match view.plan.paths[usize::from(is_up)] {
-            1 => self.follow_paths::<H, D, 1>(view.level, is_up, begun, left),
-            2 => self.follow_paths::<H, D, 2>(view.level, is_up, begun, left),
-            _ => self.follow_paths::<H, D, 4>(view.level, is_up, begun, left),
+            1 => self.follow_paths::<H, D, 1>(view.level, is_up, half),
+            2 => self.follow_paths::<H, D, 2>(view.level, is_up, half),
+            _ => self.follow_paths::<H, D, 4>(view.level, is_up, half),
         }
         self.number += 1;
     }
@@ -116,15 +117,14 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         &mut self,
         level: Level,
         is_up: bool,
-        begun: Option<&mut [H]>,
-        left: &[H],
+        half: Half<'_, H>,
     ) {
         let penalties = self.penalties.each_ref().map(|pairs| Penalties { pairs });
         let row = Row::<P, H, S, D, PATHS> {
             costs: &self.costs,
-            sums: match begun {
-                Some(begun) => Sums::Half(begun),
-                None => Sums::Whole(left, &mut self.sums),
+            sums: match half {
+                Half::Left(half) => Sums::Half(half),
+                Half::Found(half) => Sums::Whole(half, &mut self.sums),
             },
             slots: &mut self.slots,
             number: self.number,
