@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oaktwin::dataset::figure::{self, Figure};
+use oaktwin::figure::{self, Figure};
 use oaktwin::files;
 use oaktwin::image::png;
 

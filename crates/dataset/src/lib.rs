@@ -22,7 +22,6 @@ mod basic_writer;
 mod boxes;
 mod camera_params;
 mod cloud;
-pub mod figure;
 mod file;
 mod json;
 mod listing;

@@ -18,7 +18,6 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
-pub mod measure;
 mod named;
 pub mod preset;
 pub mod random;

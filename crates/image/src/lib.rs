@@ -6,6 +6,7 @@
 pub mod annotation;
 mod bytes;
 pub mod colormap;
+pub mod contact_sheet;
 mod depth;
 pub mod draw;
 mod error;
@@ -13,6 +14,7 @@ pub mod exr;
 mod half;
 mod limits;
 pub mod millimetres;
+pub mod noise;
 pub mod npy;
 pub mod pfm;
 mod plane;

@@ -12,10 +12,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use oaktwin::catalog::Catalog;
-use oaktwin::demo_room;
 use oaktwin::image::png;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{OpenOptions, Renderer, SceneFile};
+use oaktwin_demo as demo_room;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);

@@ -1,4 +1,4 @@
-//! Digital twins of Luxonis OAK depth cameras: one door to all of oaktwin's crates.
+//! Digital twins of Luxonis OAK depth cameras: the facade of oaktwin's crates.
 //!
 //! A [`Twin`](catalog::Twin) is a device with every camera resolved: optics, lens, place. It comes from the
 //! [`Catalog`](catalog::Catalog), nominal, or from a calibration, as one unit's ([`unit::open`]), and becomes a USD
@@ -24,27 +24,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod accuracy;
-pub mod contact_sheet;
-mod csv;
-pub mod demo_room;
-pub mod files;
-pub mod fit;
-pub mod pair;
-pub mod recording;
-pub mod render;
-pub mod report;
-pub mod sense;
-pub mod sensor;
-pub mod stereo;
-pub mod unit;
-
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
 pub use oaktwin_dataset as dataset;
 pub use oaktwin_depth as depth;
 pub use oaktwin_diagnostic as diagnostic;
+pub use oaktwin_evaluate::{accuracy, figure, fit, measure};
+pub use oaktwin_files as files;
 pub use oaktwin_image as image;
+pub use oaktwin_pipeline::{pair, recording, render, report, sense, sensor, stereo, unit};
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

@@ -4,14 +4,14 @@ use std::error::Error;
 
 use oaktwin::camera::ImageSize;
 use oaktwin::catalog::Twin;
-use oaktwin::contact_sheet::{Picture, panels};
-use oaktwin::demo_room;
 use oaktwin::depth::stereo_matching;
+use oaktwin::image::contact_sheet::{Picture, panels};
 use oaktwin::image::{Image, ZDepth, png};
 use oaktwin::pair::{Pair, PairCameras, PairOptions};
 use oaktwin::render::Renderer;
 use oaktwin::sensor::single_view::Wanted;
 use oaktwin::sensor::{self, EngineKind, SensorOptions, Shot};
+use oaktwin_demo as demo_room;
 
 use super::room::{self, RANGE_M};
 use crate::context::{Context, Result};

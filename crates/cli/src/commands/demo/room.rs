@@ -3,16 +3,17 @@
 use std::path::Path;
 
 use oaktwin::catalog::{Device, Twin, TwinDepthSensor};
-use oaktwin::contact_sheet::{Column, contact_sheet};
 use oaktwin::dataset::{BasicWriter, Extras, Options, Shot};
+use oaktwin::files;
 use oaktwin::image::annotation::{Annotator, Frame};
+use oaktwin::image::contact_sheet::{Column, contact_sheet};
 use oaktwin::image::{Image, ZDepth, png};
 use oaktwin::render::{
     AnnotateOptions, Backend, OakOptions, OpenOptions, PlacedCamera, Renderer, SceneFile, oak_cameras,
 };
 use oaktwin::sensor::single_view::Wanted;
 use oaktwin::sensor::{self, SensorOptions};
-use oaktwin::{demo_room, files};
+use oaktwin_demo as demo_room;
 
 use crate::context::Result;
 use crate::destination;

@@ -1,0 +1,197 @@
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::measure::{Region, r_squared};
+use oaktwin_depth::random::Stream;
+use rayon::prelude::*;
+
+use super::eyes::Eyes;
+use super::measured::Curve;
+use super::stand::{Effort, Stand, Unit};
+use super::units::{depth_sensor, units};
+use super::vendor::differences;
+use super::{
+    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, Watch,
+    distances,
+};
+use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_diagnostic::Finding;
+use oaktwin_pipeline::sensor::{Engine, EngineKind, ParameterError};
+
+/// A twin's depth sensor, ready to be measured.
+#[derive(Debug)]
+pub struct Bench {
+    pub(super) report: Report,
+    stand: Stand,
+    pub(super) is_absolute: bool,
+    from_m: f64,
+}
+
+impl Bench {
+    /// Sets a twin up. The findings are what the sensor does otherwise.
+    ///
+    /// # Errors
+    /// An option that cannot be.
+    pub fn new(twin: &Twin, options: &Options) -> Result<(Self, Vec<Finding>), AccuracyError> {
+        options.check()?;
+        let mut twin = twin.clone();
+        let depth = depth_sensor(&twin, options.sensor.as_deref())?.clone();
+        let own_width_px = twin
+            .camera(depth.spec.camera)
+            .map(|camera| camera.intrinsics.size.width);
+        let depth = options.optics.apply(&mut twin, &depth)?;
+        let (devices, units, findings) = units(&twin, &depth, options)?;
+        let intrinsics = twin
+            .camera(depth.spec.camera)
+            .map(|camera| camera.intrinsics)
+            .ok_or_else(|| AccuracyError::Sensor {
+                model: twin.device.name.clone(),
+                name: depth.spec.prim.clone(),
+                hint: "it belongs to no camera".to_owned(),
+            })?;
+        let size = intrinsics.size;
+        let region = Region::centred(size.width, size.height, options.region);
+        let scale = own_width_px.map_or(1.0, |own| f64::from(size.width) / f64::from(own));
+        let stand = Stand {
+            intrinsics,
+            eyes: eyes(&units, scale, options)?,
+            units,
+            random: Stream::new(options.engine.seed, &depth.spec.prim),
+            region,
+        };
+        let published = Bands::of(&twin.device, depth.spec.kind);
+        let distances = match &options.distances_m {
+            Some(distances) => distances.clone(),
+            None => default_distances(&stand, &depth, published.as_ref()),
+        };
+        let kind = options
+            .engine
+            .engine
+            .unwrap_or_else(|| EngineKind::default_for(depth.spec.kind));
+        let report = Report {
+            model: twin.device.name.clone(),
+            sensor: depth.spec.prim.clone(),
+            engine: kind.as_str(),
+            carries_depth: stand.carries_depth(),
+            devices,
+            focal_length_px: intrinsics.fx,
+            image_width_px: size.width,
+            image_height_px: size.height,
+            disparity_times_depth_px_m: stand.disparity_times_depth(),
+            region_width_px: stand.region.columns.end - stand.region.columns.start,
+            region_height_px: stand.region.rows.end - stand.region.rows.start,
+            captures: options.captures,
+            not_the_vendors_method: differences(&stand, options, depth.spec.kind, own_width_px),
+            published,
+            distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
+            measured: None,
+            is_good: false,
+        };
+        let bench = Self {
+            report,
+            stand,
+            is_absolute: true,
+            from_m: options.from_m,
+        };
+        Ok((bench, findings))
+    }
+
+    /// Measures, and lays somebody's measurements (from a file of this name) over the curve.
+    ///
+    /// # Errors
+    /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
+    pub fn measure(
+        mut self,
+        measured: Option<(&Path, &Curve)>,
+        watch: Watch<'_>,
+    ) -> Result<Measurement, AccuracyError> {
+        self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
+        let own: Vec<f64> = self.report.distances.iter().map(|row| row.distance_m).collect();
+        let theirs = measured
+            .map(|(_, curve)| curve.points.as_slice())
+            .unwrap_or_default();
+        let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
+        let (before, all) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let captures = self.report.captures;
+        let effort = |quality: bool| Effort { captures, quality };
+        self.report.distances = self.rows(&own, effort(true), &|done, _| watch(done, all))?;
+        let theirs = self.rows(&theirs, effort(false), &|done, _| watch(before + done, all))?;
+        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
+        let verdicts = || self.report.distances.iter().map(|row| row.verdict);
+        self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
+            && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
+        Ok(Measurement { bench: self })
+    }
+
+    pub(super) fn rows(
+        &self,
+        distances: &[f64],
+        effort: Effort,
+        watch: Watch<'_>,
+    ) -> Result<Vec<Row>, AccuracyError> {
+        let done = AtomicU64::new(0);
+        distances
+            .par_iter()
+            .map(|&distance_m| {
+                let of = distances.len() as u64;
+                let wants_more = || watch(done.load(Ordering::Relaxed), of).is_continue();
+                let units = self.stand.measure(distance_m, effort, &wants_more)?;
+                if watch(done.fetch_add(1, Ordering::Relaxed) + 1, of).is_break() {
+                    return Err(AccuracyError::Interrupted);
+                }
+                let row = Row::new(distance_m, &units, self.report.published.as_ref());
+                Ok(row.with_single_view(self.stand.jitter_times_depth(), self.report.carries_depth))
+            })
+            .collect()
+    }
+
+    fn comparison(&self, path: &Path, curve: &Curve, rows: &[Row]) -> Comparison {
+        let points: Vec<ComparedPoint> = curve
+            .points
+            .iter()
+            .zip(rows)
+            .map(|(point, row)| ComparedPoint {
+                distance_m: point.distance_m,
+                measured_error_percent: point.error_percent,
+                twin_error_percent: row
+                    .reading
+                    .error_percent
+                    .map(|error| if curve.is_absolute { error.abs() } else { error }),
+            })
+            .collect();
+        let far = || points.iter().filter(|point| point.distance_m >= self.from_m);
+        let pairs: Vec<[f64; 2]> = far()
+            .filter_map(|point| Some([point.measured_error_percent, point.twin_error_percent?]))
+            .collect();
+        let squares = pairs.iter().map(|[a, b]| (a - b).powi(2)).sum::<f64>();
+        Comparison {
+            file: path.display().to_string(),
+            is_absolute: curve.is_absolute,
+            from_m: self.from_m,
+            r_squared: r_squared(&pairs),
+            rms_difference_percent: (!pairs.is_empty()).then(|| (squares / pairs.len() as f64).sqrt()),
+            compared_points: pairs.len(),
+            points_not_measured_by_the_twin: far().count() - pairs.len(),
+            points,
+        }
+    }
+}
+
+/// What takes the pictures of engines that match them.
+fn eyes(units: &[Unit], scale: f64, options: &Options) -> Result<Option<Eyes>, ParameterError> {
+    match units.first().map(|unit| &unit.engine) {
+        Some(Engine::StereoMatching(engine)) => {
+            Eyes::new(engine.parameters().stereo.baseline_m, scale, options.engine.seed).map(Some)
+        }
+        _ => Ok(None),
+    }
+}
+
+fn default_distances(stand: &Stand, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {
+    let begin = published.and_then(|bands| bands.bands.iter().map(|band| band.from_m).reduce(f64::min));
+    let near = stand.nearest_m().max(begin.unwrap_or(0.0));
+    let far = published
+        .and_then(Bands::end_m)
+        .unwrap_or(depth.spec.max_distance_m);
+    distances::between(near, far)
+}

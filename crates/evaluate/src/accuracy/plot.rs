@@ -1,0 +1,215 @@
+//! Error over distance as a figure.
+
+use super::{Bands, Devices, Report, Row};
+use crate::figure::{Axis, Figure, Layer, Shape};
+use oaktwin_catalog::Source;
+
+const CURVE: [u8; 3] = [27, 94, 170];
+const OTHER: [u8; 3] = [176, 96, 20];
+const MEASURED: [u8; 3] = [190, 40, 70];
+const BANDS: [[u8; 3]; 2] = [[70, 150, 90], [130, 130, 140]];
+
+/// Of many devices, and of somebody's errors without their sign, what is drawn has no sign either.
+pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figure {
+    let many = matches!(report.devices, Devices::Population { .. });
+    let is_absolute = is_absolute && (many || report.measured.is_some());
+    let value = |error: Option<f64>| match error {
+        Some(error) if is_absolute => error.abs(),
+        Some(error) => error,
+        None => f64::NAN,
+    };
+    let own: Vec<[f64; 2]> = curve
+        .iter()
+        .map(|row| [row.distance_m, value(row.reading.error_percent)])
+        .collect();
+    let other: Vec<[f64; 2]> = curve
+        .iter()
+        .filter_map(|row| Some([row.distance_m, value(row.other_reading.as_ref()?.error_percent)]))
+        .collect();
+    let spread: Vec<[f64; 3]> = curve
+        .iter()
+        .filter_map(|row| {
+            let [low, high] = row.reading.error_quartiles_percent?;
+            Some([row.distance_m, low, high])
+        })
+        .collect();
+    let measured: Vec<[f64; 2]> = (report.measured.iter().flat_map(|measured| &measured.points))
+        .map(|point| [point.distance_m, point.measured_error_percent])
+        .collect();
+    let far = (own.iter().chain(&measured))
+        .map(|point| point[0])
+        .fold(0.0, f64::max);
+    let range = vertical(
+        report.published.as_ref(),
+        far,
+        is_absolute,
+        [&own, &other, &measured],
+        &spread,
+    );
+
+    let mut layers = bands(report.published.as_ref(), range[0] < 0.0);
+    let mut add = |label: String, color: [u8; 3], shape: Shape| {
+        layers.push(Layer { label, color, shape });
+    };
+    if !spread.is_empty() {
+        add("the middle half of them".to_owned(), CURVE, Shape::Area(spread));
+    }
+    if range[0] < 0.0 {
+        add(
+            String::new(),
+            [60; 3],
+            Shape::Line(vec![[0.0, 0.0], [2.0 * far, 0.0]]),
+        );
+    }
+    let names = names(report);
+    add(names[0].clone(), CURVE, Shape::Line(own));
+    if !other.is_empty() {
+        add(names[1].clone(), OTHER, Shape::Line(other));
+    }
+    if let Some(comparison) = &report.measured {
+        let r2 = comparison
+            .r_squared
+            .map_or_else(|| "not defined".to_owned(), |r2| format!("{r2:.3}"));
+        let from = if comparison.from_m > 0.0 {
+            format!(" from {} m", comparison.from_m)
+        } else {
+            String::new()
+        };
+        add(
+            format!("measured (R2 = {r2}{from})"),
+            MEASURED,
+            Shape::Dots(measured),
+        );
+    }
+    Figure {
+        title: format!("{}: depth error over distance", report.model),
+        subtitle: subtitle(report),
+        x: Axis {
+            label: "true distance [m]".to_owned(),
+            range: [0.0, (far * 1.02).max(0.1)],
+        },
+        y: Axis {
+            label: if is_absolute {
+                "absolute error of the region's median [%]".to_owned()
+            } else {
+                "error of the region's median [%], + is too far".to_owned()
+            },
+            range,
+        },
+        layers,
+    }
+}
+
+fn names(report: &Report) -> [String; 2] {
+    if report.engine == "single-view" {
+        let carried = "depth carried: exact by construction".to_owned();
+        let recomputed = "depth recomputed from its disparity".to_owned();
+        return if report.is_carried() {
+            [carried, recomputed]
+        } else {
+            [recomputed, carried]
+        };
+    }
+    let name = match report.devices {
+        Devices::Population { count } => format!("median of {count} devices"),
+        Devices::One { device_seed } => format!("the device of seed {device_seed}"),
+        Devices::AsGiven => "the twin".to_owned(),
+    };
+    [name, String::new()]
+}
+
+fn subtitle(report: &Report) -> String {
+    let method = if report.not_the_vendors_method.is_empty() {
+        "the vendor's method".to_owned()
+    } else {
+        format!(
+            "not the vendor's method: {}",
+            report.not_the_vendors_method.join(", ")
+        )
+    };
+    format!(
+        "{}, {} px at {}x{}, region {}x{} px, {} captures, {method}",
+        report.engine,
+        (report.focal_length_px * 10.0).round() / 10.0,
+        report.image_width_px,
+        report.image_height_px,
+        report.region_width_px,
+        report.region_height_px,
+        report.captures
+    )
+}
+
+/// One layer for each condition, from the widest band to the strictest.
+fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
+    let Some(published) = published else {
+        return Vec::new();
+    };
+    let mut conditions: Vec<Option<&str>> = Vec::new();
+    for band in &published.bands {
+        if !conditions.contains(&band.condition.as_deref()) {
+            conditions.push(band.condition.as_deref());
+        }
+    }
+    let source = match published.source {
+        Source::VendorPage => "the vendor's accuracy",
+        Source::Estimate => "the sheet's estimate (nothing is published)",
+        _ => "the catalog's accuracy",
+    };
+    let mut layers = Vec::new();
+    for (condition, color) in conditions.into_iter().zip(BANDS.into_iter().cycle()) {
+        let of = published
+            .bands
+            .iter()
+            .filter(|band| band.condition.as_deref() == condition);
+        let steps = of
+            .map(|band| {
+                let low = if is_signed { -band.error_percent } else { 0.0 };
+                [band.from_m, band.to_m, low, band.error_percent]
+            })
+            .collect();
+        let label = condition.map_or_else(|| source.to_owned(), |condition| format!("{source}, {condition}"));
+        layers.insert(
+            0,
+            Layer {
+                label,
+                color,
+                shape: Shape::Steps(steps),
+            },
+        );
+    }
+    layers
+}
+
+/// All that is drawn, but no more than a few times what is published.
+fn vertical(
+    published: Option<&Bands>,
+    far_m: f64,
+    is_absolute: bool,
+    lines: [&Vec<[f64; 2]>; 3],
+    spread: &[[f64; 3]],
+) -> [f64; 2] {
+    let bands = published.map(|bands| bands.bands.as_slice()).unwrap_or_default();
+    let widest = (bands.iter().filter(|band| band.from_m < far_m))
+        .map(|band| band.error_percent)
+        .fold(0.0, f64::max);
+    let values = lines.into_iter().flatten().map(|point| point[1]);
+    let values = values
+        .chain(spread.iter().map(|point| point[2]))
+        .filter(|value| value.is_finite());
+    let (low, high) = values.fold((0.0f64, 0.0f64), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    let most = if widest > 0.0 {
+        40.0 * widest
+    } else {
+        f64::INFINITY
+    };
+    let high = high.max(widest).min(most).max(1e-3) * 1.08;
+    // Carried depth is off by the last digit: that is no error below 0.
+    let low = if is_absolute || low > -1e-3 {
+        0.0
+    } else {
+        low.min(-widest).max(-most) * 1.08
+    };
+    [low, high]
+}

@@ -1,0 +1,166 @@
+//! Errors, the curve through them, and what it leaves.
+
+use super::method::Fitted;
+use super::report::{FittedPoint, Report, number};
+use crate::figure::{Axis, Figure, Layer, Shape};
+
+const CURVE: [u8; 3] = [27, 94, 170];
+const MEASURED: [u8; 3] = [190, 40, 70];
+const LEFT_OUT: [u8; 3] = [160, 164, 170];
+const INK: [u8; 3] = [60; 3];
+
+pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure> {
+    let (unit, to_one) = report.shown_unit();
+    let distances = || report.points.iter().map(|point| point.distance_m);
+    let (near, far) = distances().fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
+    let x = Axis {
+        label: "true distance [m]".to_owned(),
+        range: [0.0, (far * 1.02).max(0.1)],
+    };
+    let pick = |is_used: bool, of: &dyn Fn(&FittedPoint) -> Option<f64>| -> Vec<[f64; 2]> {
+        let points = report.points.iter().filter(|point| point.is_used == is_used);
+        points
+            .filter_map(|point| Some([point.distance_m, of(point)?]))
+            .collect()
+    };
+    let mut layers = vec![line(far, 0.0)];
+    let mut heights = Vec::new();
+    if let Some(found) = found {
+        let (curve, band) = curve(found, report, near, far);
+        if band.iter().any(|point| point[2] - point[1] > 0.0) {
+            layers.push(layer("95 % of the curve", CURVE, Shape::Area(band)));
+        }
+        heights.extend(curve.iter().map(|point| point[1]));
+        layers.push(layer(&name(found, report), CURVE, Shape::Line(curve)));
+    }
+    let measured = pick(true, &|point| Some(to_one * point.error));
+    let left_out = pick(false, &|point| Some(to_one * point.error));
+    let range = vertical(measured.iter().map(|point| point[1]).chain(heights));
+    if !left_out.is_empty() {
+        layers.push(layer("left out", LEFT_OUT, Shape::Dots(left_out)));
+    }
+    layers.push(layer("measured", MEASURED, Shape::Dots(measured)));
+    let what = if report.is_absolute {
+        "absolute error"
+    } else {
+        "error"
+    };
+    let (of, far_is) = if report.unit == "px" {
+        ("disparity", ", below 0 is too far")
+    } else {
+        ("depth", ", above 0 is too far")
+    };
+    let side = if report.is_absolute { "" } else { far_is };
+    let mut figures = vec![Figure {
+        title: format!("{}: {what} of {of} over distance", report.model),
+        subtitle: subtitle(report, found),
+        x: x.clone(),
+        y: Axis {
+            label: format!("{what} of {of} [{unit}]{side}"),
+            range,
+        },
+        layers,
+    }];
+    // In thousandths: longer numbers have no room beside the axis.
+    let left = pick(true, &|point| Some(1e3 * to_one * (point.error - point.fitted?)));
+    if !left.is_empty() {
+        let spread: Vec<[f64; 3]> = report
+            .points
+            .iter()
+            .filter(|point| point.is_used)
+            .filter_map(|point| {
+                let two = 2e3 * to_one * point.sigma?;
+                Some([point.distance_m, -two, two])
+            })
+            .collect();
+        let ends = spread.iter().flat_map(|point| [point[1], point[2]]);
+        let range = vertical(left.iter().map(|point| point[1]).chain(ends));
+        let mut layers = vec![line(far, 0.0)];
+        if !spread.is_empty() {
+            layers.push(layer(
+                "two standard errors of a point",
+                MEASURED,
+                Shape::Area(spread),
+            ));
+        }
+        layers.push(layer("measured less the curve", MEASURED, Shape::Dots(left)));
+        figures.push(Figure {
+            title: "What the curve leaves".to_owned(),
+            subtitle: String::new(),
+            x,
+            y: Axis {
+                label: format!("deviation [{unit} / 1000]"),
+                range,
+            },
+            layers,
+        });
+    }
+    figures
+}
+
+fn layer(label: &str, color: [u8; 3], shape: Shape) -> Layer {
+    Layer {
+        label: label.to_owned(),
+        color,
+        shape,
+    }
+}
+
+fn line(far: f64, at: f64) -> Layer {
+    layer("", INK, Shape::Line(vec![[0.0, at], [2.0 * far, at]]))
+}
+
+fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
+    let (_, to_one) = report.shown_unit();
+    let counting = found.counting();
+    let at = |z: f64, off: f64| {
+        let value = to_one * counting.of_error(found.error(z) + off, z);
+        if report.is_absolute { value.abs() } else { value }
+    };
+    let places = found.places(near, far);
+    let curve = places.iter().map(|&z| [z, at(z, 0.0)]).collect();
+    let band = places
+        .iter()
+        .filter_map(|&z| {
+            let half = found.half_width(z)?;
+            let ends = [at(z, half), at(z, -half)];
+            Some([z, ends[0].min(ends[1]), ends[0].max(ends[1])])
+        })
+        .collect();
+    (curve, band)
+}
+
+fn name(found: &dyn Fitted, report: &Report) -> String {
+    let r2 = report.curve.and_then(|curve| curve.r_squared);
+    let r2 = r2.map_or(String::new(), |r2| format!(", R2 = {r2:.3}"));
+    format!("{}{r2}", found.name(report))
+}
+
+fn subtitle(report: &Report, found: Option<&dyn Fitted>) -> String {
+    let noise = found.map_or(String::new(), |found| found.noise(report));
+    format!(
+        "{}, focal length {} px at {} px, {} points{noise}",
+        report.engine,
+        number(report.focal_length_px),
+        report.width_px,
+        report.curve.map_or(report.points.len(), |curve| curve.points)
+    )
+}
+
+/// All, with some room; 0 among it.
+fn vertical(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let (low, high) = values
+        .filter(|value| value.is_finite())
+        .fold((0.0f64, 0.0f64), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
+    let room = 0.08 * (high - low).max(1e-3);
+    [
+        if low < 0.0 { low - room } else { 0.0 },
+        if high > 0.0 || low == 0.0 {
+            high + room
+        } else {
+            0.0
+        },
+    ]
+}

@@ -1,0 +1,246 @@
+//! From what was seen to errors at known distances.
+
+use std::collections::BTreeMap;
+
+use super::FitError;
+use super::counting::Counting;
+use super::method::Method;
+use super::recording::Stand;
+use super::report::Target;
+use super::target::{Seen, Sum};
+use crate::accuracy::measured::Curve;
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_files::FileError;
+
+/// A target that is turned farther is no measurement of a distance.
+const MOST_TILT_DEG: f64 = 5.0;
+
+/// A turn that is less than this, or than so many standard errors, is none.
+const LEAST_TILT_DEG: f64 = 0.3;
+const LEAST_ERRORS: f64 = 4.0;
+
+/// A measured error at a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Point {
+    /// True depth, m.
+    pub(super) depth_m: f64,
+    /// How much too far, as a share of the depth.
+    pub(super) error: f64,
+    /// The standard error, where it is known.
+    pub(super) sigma: Option<f64>,
+}
+
+/// An error of one target.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OfTarget {
+    /// Which.
+    pub(super) target: Option<usize>,
+    pub(super) point: Point,
+}
+
+/// The errors of a measured curve.
+pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
+    let points = curve.points.iter().map(|point| OfTarget {
+        target: None,
+        point: Point {
+            depth_m: point.distance_m,
+            error: point.error_percent / 100.0,
+            sigma: None,
+        },
+    });
+    points.collect()
+}
+
+/// Refuses images of several sizes.
+pub(super) fn of_one_size(seen: &[Seen], stands: &[Stand]) -> Result<(), FitError> {
+    let mut both = seen.iter().zip(stands);
+    let Some((first, _)) = both.next() else {
+        return Ok(());
+    };
+    match both.find(|(one, _)| one.size != first.size) {
+        Some((other, stand)) => {
+            let path = stand
+                .files
+                .first()
+                .map(|files| files.sensed.clone())
+                .unwrap_or_default();
+            let message = format!("is {}, and {} is {}", other.size, first.name, first.size);
+            Err(FileError::new(&path, message, "give images of one camera in one mode").into())
+        }
+        None => Ok(()),
+    }
+}
+
+/// How targets are turned: of each how much inverse depth grows to the right and down, as a share of it, to a unit at
+/// depth 1.
+pub(super) struct Tilts {
+    /// Of each target by itself, with the standard error, and the plane's scatter; in their order.
+    own: BTreeMap<String, Own>,
+    /// What is put into the truth.
+    common: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Copy)]
+struct Own {
+    slope: [f64; 2],
+    error: [f64; 2],
+    rms: f64,
+}
+
+impl Tilts {
+    pub(super) fn common_deg(&self) -> Option<f64> {
+        self.common.map(degrees)
+    }
+}
+
+fn degrees([right, down]: [f64; 2]) -> f64 {
+    right.hypot(down).atan().to_degrees()
+}
+
+/// Of targets without images of the truth. What repeats bends the plane through one target, which spans less than a
+/// period: all together tell.
+pub(super) fn tilts(
+    seen: &[Seen],
+    method: &dyn Method,
+    findings: &mut Vec<Finding>,
+) -> Result<Tilts, FitError> {
+    let mut own = BTreeMap::new();
+    for one in seen.iter().filter(|one| !one.places.is_empty()) {
+        let Some(([middle, right, down], rms)) = one.plane() else {
+            continue;
+        };
+        let variance = match method.variance_of_mean(one, one.values()) {
+            Some(variance) => variance.max(1e-8),
+            // As if neighbours were alike over a window of 7.
+            None => rms * rms * 49.0 / one.values() as f64 + 1e-8,
+        };
+        let sign = method.counting().per_inverse_depth();
+        let of = Own {
+            slope: [sign * right / middle, sign * down / middle],
+            error: one.extent().map(|squares| (variance / squares).sqrt() / middle),
+            rms,
+        };
+        own.insert(one.name.clone(), of);
+    }
+    let mean = |axis: usize| {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for one in own.values() {
+            let w = one.error[axis].powi(-2);
+            sum += w * one.slope[axis];
+            weight += w;
+        }
+        (sum / weight, weight.powf(-0.5))
+    };
+    let ([right, down], [right_error, down_error]) = {
+        let (right, down) = (mean(0), mean(1));
+        ([right.0, down.0], [right.1, down.1])
+    };
+    let common = [right, down];
+    let angle = degrees(common);
+    let is_sure = right.abs() > LEAST_ERRORS * right_error || down.abs() > LEAST_ERRORS * down_error;
+    let is_turned = own.values().next().is_some() && angle > LEAST_TILT_DEG && is_sure;
+    if is_turned && angle > MOST_TILT_DEG {
+        let (name, _) = own
+            .iter()
+            .max_by(|a, b| degrees(a.1.slope).total_cmp(&degrees(b.1.slope)))
+            .map_or((String::new(), 0.0), |(name, own)| {
+                (name.clone(), degrees(own.slope))
+            });
+        return Err(FitError::Option(format!(
+            "{name}: the target is turned by {angle:.1}°, more than the {MOST_TILT_DEG}° that can be corrected; \
+             record it perpendicular to the camera, or give a smaller --region"
+        )));
+    }
+    if is_turned {
+        findings.push(Finding::new(
+            "turned",
+            Level::Note,
+            "target",
+            format!("is turned by {angle:.2}°: that is put into the truth"),
+            "",
+        ));
+    }
+    Ok(Tilts {
+        own,
+        common: is_turned.then_some(common),
+    })
+}
+
+/// What there is to say about a target.
+pub(super) fn target(one: &Seen, tilts: &Tilts, method: &dyn Method) -> Target {
+    let own = tilts.own.get(&one.name);
+    let variance = method.variance(one);
+    let step = method.step();
+    let fixed = own
+        .zip(variance)
+        .filter(|_| one.square == 1)
+        .map(|(own, variance)| {
+            let by_time = variance.max(step * step / 12.0) / one.frames as f64;
+            (own.rms.powi(2) - by_time).max(0.0).sqrt()
+        });
+    Target {
+        name: one.name.clone(),
+        distance_m: one.distance_m,
+        frames: one.frames,
+        fill_rate: one.fill_rate,
+        mismatch_rate: one.mismatch_rate,
+        tilt_deg: own.map(|own| degrees(own.slope)),
+        temporal_noise: variance.map(f64::sqrt),
+        fixed_pattern: fixed,
+    }
+}
+
+/// The errors of targets whose truth is known.
+pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
+    let counting = method.counting();
+    let mut points = Vec::new();
+    for (target, one) in seen.iter().enumerate() {
+        let sums = match one.distance_m {
+            _ if !one.by_truth.is_empty() => one.by_truth.clone(),
+            Some(distance_m) => by_truth(one, counting, distance_m, tilts.common),
+            None => continue,
+        };
+        for sum in sums.into_iter().filter(|sum| sum.values > 0) {
+            // As it was given, where it is one.
+            let depth_m = match one
+                .distance_m
+                .filter(|_| one.by_truth.is_empty() && tilts.common.is_none())
+            {
+                Some(distance_m) => distance_m,
+                None => counting.depth_m(sum.mean_truth()),
+            };
+            let [truth, measured] =
+                [sum.mean_truth(), sum.mean_measured()].map(|value| counting.depth_m(value));
+            let variance = method
+                .variance_of_mean(one, sum.values)
+                .map(|noise| noise + method.variance_of_rounding(one));
+            points.push(OfTarget {
+                target: Some(target),
+                point: Point {
+                    depth_m,
+                    error: measured / truth - 1.0,
+                    sigma: variance.map(f64::sqrt),
+                },
+            });
+        }
+    }
+    points
+}
+
+/// The places of a target put together by their truth, of which `distance_m` is that in the middle.
+#[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
+fn by_truth(one: &Seen, counting: Counting, distance_m: f64, tilt: Option<[f64; 2]>) -> Vec<Sum> {
+    let middle = counting.of_depth(distance_m);
+    let mut sums: BTreeMap<i64, Sum> = BTreeMap::new();
+    for place in &one.places {
+        let [right, down] = tilt.unwrap_or_default();
+        let turned = distance_m / (1.0 + right * place.at[0] + down * place.at[1]);
+        let truth = counting.of_depth(turned);
+        let bin = ((truth - middle) / counting.turned_bin()).round() as i64;
+        let sum = sums.entry(bin).or_default();
+        sum.truth += truth * place.sum.values as f64;
+        sum.measured += place.sum.measured;
+        sum.values += place.sum.values;
+    }
+    sums.into_values().collect()
+}

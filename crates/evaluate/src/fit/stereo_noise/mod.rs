@@ -1,0 +1,304 @@
+//! `stereo_noise`: errors of disparity.
+
+mod errors;
+mod findings;
+mod noise;
+#[cfg(test)]
+mod tests;
+mod window;
+
+use oaktwin_depth::stereo_noise::{DepthRounding, Parameters};
+
+use super::counting::{Counting, left_of_rounding};
+use super::least_squares::Solution;
+use super::method::{Fitted, Method};
+use super::points::Point;
+use super::report::{Parameter, Report, number};
+use super::target::Seen;
+use super::work::Work;
+use errors::{Errors, Systematic};
+use noise::Noise;
+use oaktwin_diagnostic::{Finding, Level};
+use window::matcher_window;
+
+/// Places along the curve to each pixel of disparity, and the most.
+const A_PIXEL: f64 = 40.0;
+const MOST: f64 = 8000.0;
+
+/// Jitter, in units of what is rounded to, above which rounding is as good as random.
+const FEWEST_ALIKE: f64 = 3.54;
+
+/// A matcher whose errors are sought.
+pub(super) struct Stereo {
+    p: Parameters,
+    px_m: f64,
+    noise: Option<Noise>,
+}
+
+impl Stereo {
+    /// Of what is known of it.
+    pub(super) fn new(p: Parameters) -> Self {
+        Self {
+            p,
+            px_m: p.stereo.disparity(1.0),
+            noise: None,
+        }
+    }
+
+    fn errors<'a>(&self, points: &'a [Point], is_absolute: bool) -> Errors<'a> {
+        Errors {
+            points,
+            px_m: self.px_m,
+            is_absolute,
+        }
+    }
+}
+
+impl Method for Stereo {
+    fn counting(&self) -> Counting {
+        Counting::Disparity { px_m: self.px_m }
+    }
+
+    fn step(&self) -> f64 {
+        self.p.subpixel.step_px()
+    }
+
+    fn focal_length_px(&self) -> (f64, u32) {
+        (self.p.stereo.focal_length_px, self.p.width_px)
+    }
+
+    fn is_truncated(&self) -> bool {
+        self.p.depth_rounding == DepthRounding::Truncate
+    }
+
+    fn noise_names(&self) -> &'static [&'static str] {
+        &["jitter", "window"]
+    }
+
+    fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>) {
+        let p = &self.p;
+        self.noise = noise::noise(seen, self.step());
+        let Some(noise) = self.noise else {
+            let why = "no pixel was seen in two frames of one target";
+            for name in self.noise_names() {
+                work.not_found(name, why, "give several frames of each distance");
+            }
+            return;
+        };
+        let is_hidden = noise.sigma_px < noise::FEWEST_STEPS * p.subpixel.step_px();
+        work.report.parameters.push(Parameter {
+            name: "jitter",
+            value: noise.sigma_px,
+            interval_95: Some(noise.sigma_interval_px),
+            unit: "px",
+            what: "a pixel's standard deviation over time",
+            is_fitted: true,
+        });
+        if is_hidden {
+            work.findings.push(Finding::new(
+                "jitter-below-steps",
+                Level::Warning,
+                "jitter",
+                format!(
+                    "is less than {:.3} px: too little for steps of {} px to show how much",
+                    noise::FEWEST_STEPS * p.subpixel.step_px(),
+                    p.subpixel.step_px()
+                ),
+                "record with more subpixel bits",
+            ));
+            work.not_found(
+                "window",
+                "jitter is hidden by the steps of disparity",
+                "record with more subpixel bits",
+            );
+            return;
+        }
+        let width = seen.first().map_or(p.width_px, |one| one.size.width);
+        let side = |image_px: usize| matcher_window(image_px, f64::from(width) / f64::from(p.width_px));
+        work.report.parameters.push(Parameter {
+            name: "window",
+            value: side(noise.window),
+            interval_95: noise.window_interval.map(|ends| ends.map(side)),
+            unit: "px",
+            what: "the side of the square over which it is correlated",
+            is_fitted: true,
+        });
+    }
+
+    fn variance(&self, one: &Seen) -> Option<f64> {
+        one.variance()
+    }
+
+    fn variance_of_mean(&self, _one: &Seen, values: u64) -> Option<f64> {
+        self.noise.map(|noise| noise.of_mean(values))
+    }
+
+    fn variance_of_rounding(&self, one: &Seen) -> f64 {
+        self.noise
+            .map_or(0.0, |noise| rounding(noise.sigma_px, self.step(), one.unit))
+    }
+
+    fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>> {
+        let errors = self.errors(used, work.report.is_absolute);
+        let is_free = work.options.fits_focal_length;
+        let wanted = if is_free { 3 } else { 2 };
+        let is_known = used.iter().all(|point| point.sigma.is_some());
+        let found = errors.fit(is_free);
+        if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref(), wanted, is_known) {
+            work.not_found("bias", &why, remedy);
+            work.not_found("pixelLocking", &why, remedy);
+            if is_free {
+                work.not_found("focalLength", &why, remedy);
+            }
+            return None;
+        }
+        let found = found?;
+        let parameters = parameters_of(&found, &mut work.report);
+        work.put_first(parameters);
+        work.findings
+            .extend(findings::implausible(&errors, &found, is_free));
+        Some(Box::new(Curve {
+            px_m: self.px_m,
+            is_absolute: work.report.is_absolute,
+            found,
+        }))
+    }
+
+    fn given(&self, work: &mut Work<'_>) {
+        let p = &self.p;
+        let optics = &work.options.optics;
+        if optics.focal_length_px.is_some() && work.report.parameter("focalLength").is_none() {
+            work.report.parameters.push(Parameter {
+                name: "focalLength",
+                value: p.stereo.focal_length_px,
+                interval_95: None,
+                unit: "px",
+                what: "by which distances became disparities",
+                is_fitted: false,
+            });
+        }
+        if optics.width_px.is_some() {
+            work.report.parameters.push(Parameter {
+                name: "width",
+                value: f64::from(p.width_px),
+                interval_95: None,
+                unit: "px",
+                what: "of the matcher's images",
+                is_fitted: false,
+            });
+        }
+    }
+}
+
+fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
+    let solution = &found.solution;
+    let interval = |at: usize, scale: f64| solution.interval(at, scale, found.is_known);
+    // An amplitude is not below 0.
+    let locking = interval(1, 1.0).map(|ends| ends.map(|end| end.max(0.0)));
+    let nominal = report.focal_length_px;
+    let mut parameters = vec![
+        Parameter {
+            name: "bias",
+            value: solution.parameters[0],
+            interval_95: interval(0, 1.0),
+            unit: "px",
+            what: "the error of the calibration; below 0 it reports too far",
+            is_fitted: true,
+        },
+        Parameter {
+            name: "pixelLocking",
+            value: solution.parameters[1].max(0.0),
+            interval_95: locking,
+            unit: "px",
+            what: "the amplitude of the error that repeats with every pixel",
+            is_fitted: true,
+        },
+    ];
+    if let Some(share) = solution.parameters.get(2) {
+        report.focal_length_px = nominal * share;
+        parameters.push(Parameter {
+            name: "focalLength",
+            value: nominal * share,
+            interval_95: interval(2, nominal),
+            unit: "px",
+            what: "by which distances became disparities",
+            is_fitted: true,
+        });
+    }
+    parameters
+}
+
+/// The curve that was found.
+#[derive(Debug)]
+struct Curve {
+    px_m: f64,
+    is_absolute: bool,
+    found: Systematic,
+}
+
+impl Curve {
+    fn errors(&self) -> Errors<'static> {
+        Errors {
+            points: &[],
+            px_m: self.px_m,
+            is_absolute: self.is_absolute,
+        }
+    }
+}
+
+impl Fitted for Curve {
+    fn counting(&self) -> Counting {
+        Counting::Disparity { px_m: self.px_m }
+    }
+
+    fn error(&self, depth_m: f64) -> f64 {
+        self.errors().error(&self.found.solution.parameters, depth_m)
+    }
+
+    fn half_width(&self, depth_m: f64) -> Option<f64> {
+        self.errors().half_width(&self.found, depth_m)
+    }
+
+    /// In steps of disparity, in which the error repeats.
+    fn places(&self, near_m: f64, far_m: f64) -> Vec<f64> {
+        let [most, least] = [near_m, far_m].map(|z| self.px_m / z);
+        let count = (A_PIXEL * (most - least)).clamp(2.0, MOST).round();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
+        let steps = 0..=count as u32;
+        steps
+            .map(|i| self.px_m / (most + (least - most) * f64::from(i) / count))
+            .collect()
+    }
+
+    fn name(&self, report: &Report) -> String {
+        let value = |name: &str| report.parameter(name).map_or(0.0, |parameter| parameter.value);
+        format!(
+            "bias {} px, pixel locking {} px",
+            number(value("bias")),
+            number(value("pixelLocking"))
+        )
+    }
+
+    fn noise(&self, report: &Report) -> String {
+        report.parameter("jitter").map_or(String::new(), |jitter| {
+            let window = report
+                .parameter("window")
+                .map_or(String::new(), |window| format!(" over {0}x{0} px", window.value));
+            format!(", jitter {} px{window}", number(jitter.value))
+        })
+    }
+
+    fn solution(&self) -> (&Solution, bool) {
+        (&self.found.solution, self.found.is_known)
+    }
+}
+
+/// What is left of rounding in a mean, px²: noise evens steps out, millimetres as far as they fall on several steps.
+fn rounding(sigma_px: f64, step_px: f64, unit_px: f64) -> f64 {
+    let steps = left_of_rounding(sigma_px, step_px);
+    if unit_px <= 0.0 {
+        return steps;
+    }
+    let alike = (step_px / (FEWEST_ALIKE * sigma_px)).min(1.0) * unit_px * unit_px / 12.0;
+    steps + left_of_rounding(sigma_px, unit_px).max(alike)
+}

@@ -1,0 +1,433 @@
+//! What was seen of a target, frame by frame.
+
+use std::collections::BTreeMap;
+
+use crate::measure::{Autocovariance, Region, median};
+
+use super::FitError;
+use super::counting::Counting;
+use super::recording::{Files, Stand};
+use oaktwin_camera::ImageSize;
+use oaktwin_files::FileError;
+use oaktwin_image::Image;
+use oaktwin_pipeline::input::source::Source;
+
+/// Covariances are taken up to so many pixels apart.
+const MOST_LAGS: usize = 48;
+
+/// What is farther from the region's median than so many times the usual is a mismatch.
+const MISMATCH: f64 = 6.0;
+
+/// Places of a region that are kept apart; larger regions are averaged over squares.
+const MOST_PLACES: f64 = 4096.0;
+
+/// How to look.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    /// In what.
+    pub(super) counting: Counting,
+    /// The least step that tells anything: what is within is no mismatch.
+    pub(super) step: f64,
+    /// Focal length over width.
+    pub(super) focal_of_width: f64,
+    /// The side of the region as a share of the image's.
+    pub(super) region: f64,
+    /// Metres to a unit of whole numbers.
+    pub(super) unit_m: f64,
+    /// Whether whole units are those below, not the nearest.
+    pub(super) is_truncated: bool,
+}
+
+/// Sums of values at one place or of one truth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Sum {
+    pub(super) truth: f64,
+    pub(super) measured: f64,
+    pub(super) values: u64,
+}
+
+impl Sum {
+    pub(super) fn mean_truth(&self) -> f64 {
+        self.truth / self.values as f64
+    }
+
+    pub(super) fn mean_measured(&self) -> f64 {
+        self.measured / self.values as f64
+    }
+}
+
+/// A part of the region, and where it is seen at depth 1, from the region's middle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) at: [f64; 2],
+    pub(super) sum: Sum,
+}
+
+/// What was seen of one target.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) name: String,
+    pub(super) distance_m: Option<f64>,
+    pub(super) size: ImageSize,
+    pub(super) frames: usize,
+    /// Of the region's pixels.
+    pub(super) fill_rate: f64,
+    /// Of its valid pixels, mismatches.
+    pub(super) mismatch_rate: f64,
+    /// Without images of the truth, the mean over time at each place.
+    pub(super) places: Vec<Place>,
+    /// With them, the sums by truth.
+    pub(super) by_truth: Vec<Sum>,
+    /// Of each pair of frames one after the other, half of their difference's.
+    pub(super) pairs: Vec<Autocovariance>,
+    /// Of each pair of frames two apart, half of their difference's, of a pixel with itself.
+    pub(super) apart: Autocovariance,
+    /// The side of the squares that are averaged, px.
+    pub(super) square: u32,
+    /// The mean depth, m.
+    pub(super) depth_m: f64,
+    /// A whole unit of depth at the middle; 0 where depth is not in whole units.
+    pub(super) unit: f64,
+}
+
+impl Seen {
+    /// Half of the variance of a pixel's differences, steps and all.
+    pub(super) fn variance(&self) -> Option<f64> {
+        self.noise()?.at(0)
+    }
+
+    /// Of all pairs together.
+    pub(super) fn noise(&self) -> Option<Autocovariance> {
+        let mut pairs = self.pairs.iter();
+        let mut all = pairs.next()?.clone();
+        pairs.for_each(|pair| all.merge(pair));
+        Some(all)
+    }
+
+    /// What whole steps and whole units add to the variance of a pixel.
+    pub(super) fn rounding(&self, step: f64) -> f64 {
+        (step * step + self.unit * self.unit) / 12.0
+    }
+
+    /// A plane through the values: at the middle, and to the right and down, to a unit at depth 1; and the root mean
+    /// square of what deviates from it.
+    pub(super) fn plane(&self) -> Option<([f64; 3], f64)> {
+        let places = || self.places.iter().filter(|place| place.sum.values > 0);
+        let (mut weight, mut mean) = (0.0, [0.0; 3]);
+        for place in places() {
+            let w = place.sum.values as f64;
+            weight += w;
+            for (sum, value) in mean
+                .iter_mut()
+                .zip([place.at[0], place.at[1], place.sum.mean_measured()])
+            {
+                *sum += w * value;
+            }
+        }
+        let mean = mean.map(|sum| sum / weight);
+        let (mut xx, mut xy, mut yy, mut xd, mut yd, mut dd) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        for place in places() {
+            let w = place.sum.values as f64;
+            let (x, y) = (place.at[0] - mean[0], place.at[1] - mean[1]);
+            let d = place.sum.mean_measured() - mean[2];
+            xx += w * x * x;
+            xy += w * x * y;
+            yy += w * y * y;
+            xd += w * x * d;
+            yd += w * y * d;
+            dd += w * d * d;
+        }
+        let determinant = xx * yy - xy * xy;
+        if determinant.is_nan() || determinant <= 1e-12 * (xx + yy).powi(2) {
+            return None;
+        }
+        let right = (yy * xd - xy * yd) / determinant;
+        let down = (xx * yd - xy * xd) / determinant;
+        let rest = (dd - right * xd - down * yd).max(0.0) / weight;
+        let middle = mean[2] - right * mean[0] - down * mean[1];
+        Some(([middle, right, down], rest.sqrt()))
+    }
+
+    /// The mean squares of the places' offsets to the right and down.
+    pub(super) fn extent(&self) -> [f64; 2] {
+        let weight = self
+            .places
+            .iter()
+            .map(|place| place.sum.values as f64)
+            .sum::<f64>();
+        [0, 1].map(|axis| {
+            let squares = self
+                .places
+                .iter()
+                .map(|place| place.sum.values as f64 * place.at[axis].powi(2));
+            squares.sum::<f64>() / weight
+        })
+    }
+
+    /// How many values count, in all frames.
+    pub(super) fn values(&self) -> u64 {
+        let places = self.places.iter().map(|place| place.sum.values);
+        places.chain(self.by_truth.iter().map(|sum| sum.values)).sum()
+    }
+}
+
+/// Looks at all images of a target.
+pub(super) fn look(stand: &Stand, look: &Look) -> Result<Seen, FitError> {
+    let mut eye: Option<Eye> = None;
+    for files in &stand.files {
+        let mut sensed = Source::open(&files.sensed, look.unit_m)?;
+        let mut truth = files
+            .truth
+            .as_ref()
+            .map(|path| Source::open(path, look.unit_m))
+            .transpose()?;
+        while let Some(image) = sensed.next_image()? {
+            let size = ImageSize::new(image.width(), image.height());
+            let eye = eye.get_or_insert_with(|| Eye::new(*look, size, stand));
+            if size != eye.size {
+                return Err(differs(files, size, eye.size, &stand.files[0]).into());
+            }
+            let truth = match &mut truth {
+                Some(source) => match source.next_image()? {
+                    Some(truth) if ImageSize::new(truth.width(), truth.height()) == size => Some(truth),
+                    _ => return Err(no_truth(files).into()),
+                },
+                None => None,
+            };
+            eye.add(&image, truth.as_ref());
+        }
+    }
+    let eye = eye.ok_or_else(|| FitError::Option(format!("{}: holds no image; leave it out", stand.name)))?;
+    Ok(eye.seen(stand))
+}
+
+fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> FileError {
+    FileError::new(
+        &files.sensed,
+        format!("is {size}, and {} is {first}", before.sensed.display()),
+        "give images of one camera in one mode",
+    )
+}
+
+fn no_truth(files: &Files) -> FileError {
+    let truth = files.truth.as_deref().unwrap_or(&files.sensed);
+    FileError::new(
+        truth,
+        format!("has no image of the size of that in {}", files.sensed.display()),
+        "give the truth of each image, in its size",
+    )
+}
+
+struct Eye {
+    look: Look,
+    size: ImageSize,
+    region: Region,
+    lags: usize,
+    frames: usize,
+    valid: u64,
+    mismatches: u64,
+    unit_m: f64,
+    square: u32,
+    places: Vec<Place>,
+    by_truth: BTreeMap<i64, Sum>,
+    /// The frame before, and that before it.
+    before: [Option<(Vec<f32>, Vec<f32>)>; 2],
+    apart: Autocovariance,
+    pairs: Vec<Autocovariance>,
+}
+
+impl Eye {
+    fn new(look: Look, size: ImageSize, stand: &Stand) -> Self {
+        let region = Region::centred(size.width, size.height, look.region);
+        let [columns, rows] = [region.columns.len(), region.rows.len()];
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "below an image's side"
+        )]
+        let square = ((region.pixels() as f64 / MOST_PLACES).sqrt().ceil() as u32).max(1);
+        let has_truth = stand.files.iter().any(|files| files.truth.is_some());
+        let focal_px = look.focal_of_width * f64::from(size.width);
+        let side = |pixels: usize| pixels.div_ceil(square as usize);
+        let place = |i: usize| {
+            let off = |at: usize, pixels: usize| {
+                let first = at * square as usize;
+                let last = (first + square as usize).min(pixels);
+                ((first + last) as f64 / 2.0 - pixels as f64 / 2.0) / focal_px
+            };
+            let (x, y) = (i % side(columns).max(1), i / side(columns).max(1));
+            Place {
+                at: [off(x, columns), off(y, rows)],
+                sum: Sum::default(),
+            }
+        };
+        let count = if has_truth { 0 } else { side(columns) * side(rows) };
+        Self {
+            look,
+            size,
+            lags: (columns.min(rows) / 2 + 1).min(MOST_LAGS),
+            region,
+            frames: 0,
+            valid: 0,
+            mismatches: 0,
+            unit_m: look.unit_m,
+            square,
+            places: (0..count).map(place).collect(),
+            by_truth: BTreeMap::new(),
+            before: [None, None],
+            apart: Autocovariance::new(1),
+            pairs: Vec::new(),
+        }
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "values are single precision here, bins below 2⁶³"
+    )]
+    fn add(&mut self, image: &Image<f32>, truth: Option<&Image<f32>>) {
+        self.frames += 1;
+        let below = if self.look.is_truncated {
+            self.unit_m / 2.0
+        } else {
+            0.0
+        };
+        let counting = self.look.counting;
+        let depths = |image: &Image<f32>| -> Vec<f32> {
+            self.region.rows_of(image.into()).flatten().copied().collect()
+        };
+        let seen = depths(image);
+        for &z in &seen {
+            let units = f64::from(z) / self.look.unit_m;
+            // Single precision has about seven digits.
+            if z.is_finite() && z > 0.0 && (units - units.round()).abs() > 2e-3 + units * 3e-7 {
+                self.unit_m = 0.0;
+            }
+        }
+        let value = |z: f32, below: f64| {
+            if z.is_finite() && z > 0.0 {
+                counting.of_depth(f64::from(z) + below)
+            } else {
+                f64::NAN
+            }
+        };
+        let truths: Vec<f64> = match truth {
+            Some(truth) => depths(truth).iter().map(|&z| value(z, 0.0)).collect(),
+            None => vec![0.0; seen.len()],
+        };
+        let mut offs: Vec<f32> = seen
+            .iter()
+            .zip(&truths)
+            .map(|(&z, &truth)| (value(z, below) - truth) as f32)
+            .collect();
+        self.valid += offs.iter().filter(|off| off.is_finite()).count() as u64;
+        self.mismatches += drop_mismatches(&mut offs, self.look.step);
+        let shift: Vec<f32> = truths.iter().map(|&truth| truth as f32).collect();
+        let differences = |(before, old_shift): &(Vec<f32>, Vec<f32>)| -> Vec<f32> {
+            let half = std::f32::consts::FRAC_1_SQRT_2;
+            let pairs = offs.iter().zip(before).zip(shift.iter().zip(old_shift));
+            pairs
+                .map(|((&new, &old), (&a, &b))| {
+                    // What moved has another error of those that repeat.
+                    let is_same = f64::from((a - b).abs()) <= counting.still();
+                    if is_same { (new - old) * half } else { f32::NAN }
+                })
+                .collect()
+        };
+        let width = self.region.columns.len();
+        if let [Some(last), _] = &self.before {
+            let mut pair = Autocovariance::new(self.lags);
+            pair.add(&differences(last), width);
+            if pair.values() > 0 {
+                self.pairs.push(pair);
+            }
+        }
+        if let [_, Some(older)] = &self.before {
+            self.apart.add(&differences(older), width);
+        }
+        let columns = self.region.columns.len().max(1);
+        let square = self.square as usize;
+        for (i, (&off, &truth)) in offs.iter().zip(&truths).enumerate() {
+            if !off.is_finite() {
+                continue;
+            }
+            let sum = if self.places.is_empty() {
+                self.by_truth.entry((truth / counting.bin()) as i64).or_default()
+            } else {
+                let at = (i / columns / square) * columns.div_ceil(square) + i % columns / square;
+                match self.places.get_mut(at) {
+                    Some(place) => &mut place.sum,
+                    None => continue,
+                }
+            };
+            sum.truth += truth;
+            sum.measured += truth + f64::from(off);
+            sum.values += 1;
+        }
+        let [last, older] = &mut self.before;
+        *older = last.replace((offs, shift));
+    }
+
+    fn seen(self, stand: &Stand) -> Seen {
+        let pixels = (self.region.pixels() * self.frames).max(1);
+        let sums = || {
+            self.places
+                .iter()
+                .map(|place| place.sum)
+                .chain(self.by_truth.values().copied())
+        };
+        let values = sums().map(|sum| sum.values).sum::<u64>();
+        let mean = sums().map(|sum| sum.measured).sum::<f64>() / values as f64;
+        let depth_m = self.look.counting.depth_m(mean);
+        Seen {
+            name: stand.name.clone(),
+            distance_m: stand.distance_m,
+            size: self.size,
+            frames: self.frames,
+            fill_rate: self.valid as f64 / pixels as f64,
+            mismatch_rate: self.mismatches as f64 / (self.valid as f64).max(1.0),
+            by_truth: self.by_truth.into_values().collect(),
+            places: self.places,
+            pairs: self.pairs,
+            apart: self.apart,
+            square: self.square,
+            depth_m,
+            unit: self.look.counting.of_unit(self.unit_m, depth_m),
+        }
+    }
+}
+
+/// Makes mismatches NaN: what is farther from the middle than several times the median deviation. How many.
+fn drop_mismatches(offs: &mut [f32], step: f64) -> u64 {
+    let finite: Vec<f64> = offs
+        .iter()
+        .map(|&off| f64::from(off))
+        .filter(|off| off.is_finite())
+        .collect();
+    let Some(middle) = median(&finite) else { return 0 };
+    let deviations: Vec<f64> = finite.iter().map(|off| (off - middle).abs()).collect();
+    let usual = 1.4826 * median(&deviations).unwrap_or_default();
+    let limit = MISMATCH * usual.max(step);
+    let mut dropped = 0;
+    for off in offs {
+        if (f64::from(*off) - middle).abs() > limit {
+            *off = f32::NAN;
+            dropped += 1;
+        }
+    }
+    dropped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mismatches_are_dropped() {
+        let mut offs: Vec<f32> = (0..100u8).map(|i| f32::from(i % 5) * 0.01).collect();
+        offs[7] = 3.0;
+        offs[8] = f32::NAN;
+        assert_eq!(drop_mismatches(&mut offs, 0.03), 1);
+        assert!(offs[7].is_nan() && offs[9].is_finite());
+        assert_eq!(drop_mismatches(&mut [], 0.03), 0);
+    }
+}

@@ -1,0 +1,310 @@
+//! `time_of_flight`: errors of depth.
+
+mod errors;
+mod findings;
+mod light;
+mod rays;
+#[cfg(test)]
+mod tests;
+
+use crate::measure::median;
+use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
+
+use super::counting::{Counting, left_of_rounding};
+use super::method::{Fitted, Method};
+use super::points::{OfTarget, Point};
+use super::report::Parameter;
+use super::target::Seen;
+use super::work::Work;
+use super::{FitError, Options};
+use errors::{Found, Shape};
+use light::Noise;
+use oaktwin_diagnostic::{Finding, Level};
+
+/// What is nearer to the median than so many millimetres' steps is no wrong period.
+const STEP_M: f64 = 0.001;
+
+/// Noise that is less than so many units is hidden by them.
+const FEWEST_UNITS: f64 = 0.5;
+
+/// Noise that is more of a period is not small any more.
+const MOST_OF_PERIOD: f64 = 0.03;
+
+/// Less of the region's pixels than this are chosen by their noise.
+const LEAST_FILL: f64 = 0.8;
+
+/// What is off by whole periods within this share of one has the wrong ones.
+const NEAR_PERIOD: f64 = 0.1;
+
+/// A camera whose errors are sought.
+pub(super) struct Tof {
+    p: Parameters,
+    rays: Vec<f64>,
+    range_m: f64,
+    /// How much of a frame's noise is the next one's too.
+    shared: f64,
+}
+
+impl Tof {
+    /// Of what is known of it.
+    pub(super) fn new(engine: &TimeOfFlight, options: &Options) -> Result<Self, FitError> {
+        let p = *engine.parameters();
+        let refused = |text: &str| Err(FitError::Option(text.to_owned()));
+        if options.fits_focal_length {
+            return refused(
+                "fit: a time-of-flight camera's distances do not depend on its focal length; leave --fit focal out",
+            );
+        }
+        if !p.enable_optical_correction {
+            return refused(
+                "enableOpticalCorrection: without it distances are along the rays; record depth along the axis",
+            );
+        }
+        if !(p.signal_e > 0.0 && p.albedo > 0.0 && p.contrast > 0.0) {
+            return refused(
+                "signal: without light there is nothing to fit; give signal, albedo and contrast above 0",
+            );
+        }
+        Ok(Self {
+            rays: rays::rays(&p, options.region),
+            range_m: engine.range_m(),
+            shared: p.shared_noise(),
+            p,
+        })
+    }
+
+    fn wiggling(&self) -> (&'static str, &'static str) {
+        if self.p.enable_wiggle_correction {
+            (
+                "wigglingResidual",
+                "what the correction leaves of the error that repeats four times a period",
+            )
+        } else {
+            (
+                "wiggling",
+                "the amplitude of the error that repeats four times a period",
+            )
+        }
+    }
+
+    /// A pixel's over time without whole units, m².
+    fn noise_m2(&self, one: &Seen) -> Option<f64> {
+        Some((one.variance()? - one.rounding(0.0)).max(0.0) / (1.0 - self.shared))
+    }
+
+    /// How much of a frame's noise is the next one's too, as far as frames tell: half where measurements are shared, as
+    /// frames two apart then differ by twice as much; else nothing.
+    fn shared_by(&self, seen: &[Seen]) -> Option<f64> {
+        let ratios: Vec<f64> = seen
+            .iter()
+            .filter_map(|one| {
+                let rounding = one.rounding(0.0);
+                let [next, apart] = [one.variance()? - rounding, one.apart.at(0)? - rounding];
+                (apart > rounding).then_some(next / apart)
+            })
+            .collect();
+        let ratio = median(&ratios)?;
+        Some(if ratio < 0.75 { 0.5 } else { 0.0 })
+    }
+
+    /// By how much the squares of so many differences, one after the other, vary more in their mean than independent
+    /// ones: each shares a frame with the next, and its noise with the one after that.
+    fn overlap(&self, pairs: usize) -> f64 {
+        let shared = self.shared;
+        let own = 2.0 - 2.0 * shared;
+        let correlations = [(2.0 * shared - 1.0) / own, -shared / own];
+        let with = |(apart, correlation): (f64, f64)| {
+            let share = (1.0 - apart / pairs.max(1) as f64).max(0.0);
+            2.0 * share * correlation * correlation
+        };
+        1.0 + [1.0, 2.0].into_iter().zip(correlations).map(with).sum::<f64>()
+    }
+
+    /// What can be compared with the engine's.
+    fn noise_of(&self, one: &Seen) -> Option<Noise> {
+        let variance_m2 = self.noise_m2(one)?;
+        let sigma_m = variance_m2.sqrt();
+        let is_seen = sigma_m >= FEWEST_UNITS * one.unit && sigma_m > 0.0;
+        let is_small = sigma_m <= MOST_OF_PERIOD * self.p.period_m();
+        if !is_seen || !is_small || one.fill_rate < LEAST_FILL {
+            return None;
+        }
+        let values = one.noise()?.values() as f64;
+        let raw = one.variance()?;
+        Some(Noise {
+            depth_m: one.depth_m,
+            variance_m2,
+            error: (2.0 * self.overlap(one.pairs.len()) / values).sqrt() * raw / (raw - one.rounding(0.0)),
+        })
+    }
+}
+
+impl Method for Tof {
+    fn counting(&self) -> Counting {
+        Counting::Depth
+    }
+
+    fn step(&self) -> f64 {
+        STEP_M
+    }
+
+    fn focal_length_px(&self) -> (f64, u32) {
+        (self.p.focal_length_px, self.p.width_px)
+    }
+
+    fn noise_names(&self) -> &'static [&'static str] {
+        &["signal", "ambient"]
+    }
+
+    fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>) {
+        if let Some(shared) = self.shared_by(seen)
+            && shared != self.shared
+        {
+            self.shared = shared;
+            work.findings.push(findings::other_sharing(shared));
+        }
+        let noise: Vec<Noise> = seen.iter().filter_map(|one| self.noise_of(one)).collect();
+        let Some(light) = light::fit(&self.p, &self.rays, &noise) else {
+            let (why, remedy) = if seen.iter().all(|one| one.variance().is_none()) {
+                (
+                    "no pixel was seen in two frames of one target",
+                    "give several frames of each distance",
+                )
+            } else {
+                (
+                    "no target's noise is more than its whole millimetres, and small beside a period",
+                    "record farther or nearer targets",
+                )
+            };
+            for name in self.noise_names() {
+                work.not_found(name, why, remedy);
+            }
+            return;
+        };
+        work.report.parameters.push(Parameter {
+            name: "signal",
+            value: light.signal_e,
+            interval_95: light.signal_interval_e,
+            unit: "electrons",
+            what: "the light of a white surface at 1 m, with the model's contrast, albedo and read noise",
+            is_fitted: true,
+        });
+        match light.ambient {
+            Some((ambient_e, interval_95)) => work.report.parameters.push(Parameter {
+                name: "ambient",
+                value: ambient_e,
+                interval_95,
+                unit: "electrons",
+                what: "other light on a white surface",
+                is_fitted: true,
+            }),
+            None => {
+                let why = format!(
+                    "these distances do not tell it from the signal, which is that with {} electrons of it",
+                    self.p.ambient_e
+                );
+                work.not_found(
+                    "ambient",
+                    &why,
+                    "record near and far targets, or give --param ambient",
+                );
+            }
+        }
+        work.findings.extend(findings::of_light(&light));
+    }
+
+    fn variance(&self, one: &Seen) -> Option<f64> {
+        Some(self.noise_m2(one)? + one.rounding(0.0))
+    }
+
+    fn variance_of_mean(&self, one: &Seen, values: u64) -> Option<f64> {
+        // A frame's with itself, and with the one before and after.
+        let by_time = self.noise_m2(one)? * (1.0 + 2.0 * self.shared) / (values as f64).max(1.0);
+        // What pixels differ by always is there too.
+        let places = one.places.iter().filter(|place| place.sum.values > 0).count() as f64;
+        let by_place = one.plane().map_or(0.0, |(_, rms)| rms * rms / places);
+        Some(by_time.max(by_place * one.values() as f64 / (values as f64).max(1.0)))
+    }
+
+    fn variance_of_rounding(&self, one: &Seen) -> f64 {
+        let sigma = self.noise_m2(one).unwrap_or_default().sqrt();
+        left_of_rounding(sigma, one.unit)
+    }
+
+    fn is_used(&self, point: &OfTarget, work: &mut Work<'_>) -> bool {
+        let depth_m = point.point.depth_m;
+        let error_m = point.point.error * depth_m;
+        let name = |work: &Work<'_>| {
+            let target = point.target.and_then(|number| work.report.targets.get(number));
+            target.map_or_else(|| format!("{depth_m} m"), |target| target.name.clone())
+        };
+        if depth_m > self.range_m {
+            work.findings.push(Finding::new(
+                "beyond-range",
+                Level::Warning,
+                name(work),
+                format!(
+                    "{depth_m:.3} m is farther than the {:.3} m that can be told: left out",
+                    self.range_m
+                ),
+                "give the recording's --param phaseUnwrappingLevel, or nearer targets",
+            ));
+            return false;
+        }
+        let periods = error_m / self.p.period_m();
+        let is_wrong = periods.abs() > 0.5 && (periods - periods.round()).abs() < NEAR_PERIOD;
+        if is_wrong {
+            work.findings.push(Finding::new(
+                "wrong-period",
+                Level::Warning,
+                name(work),
+                format!(
+                    "{error_m:+.3} m off is {:+.0} periods of {:.3} m: left out",
+                    periods.round(),
+                    self.p.period_m()
+                ),
+                "check the distance; a brighter target is unwrapped better",
+            ));
+        }
+        !is_wrong
+    }
+
+    fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>> {
+        let shape = Shape {
+            p: self.p,
+            rays: self.rays.clone(),
+            is_absolute: work.report.is_absolute,
+        };
+        let found = shape.fit(used);
+        let (wiggling, what) = self.wiggling();
+        if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref()) {
+            work.not_found("bias", &why, remedy);
+            work.not_found(wiggling, &why, remedy);
+            return None;
+        }
+        let found: Found = found?;
+        let interval = |at| found.solution.interval(at, 1.0, found.is_known);
+        // An amplitude is not below 0.
+        let not_below = |ends: [f64; 2]| ends.map(|end| end.max(0.0));
+        work.put_first(vec![
+            Parameter {
+                name: "bias",
+                value: found.solution.parameters[0],
+                interval_95: interval(0),
+                unit: "m",
+                what: "the constant error; above 0 it reports too far",
+                is_fitted: true,
+            },
+            Parameter {
+                name: wiggling,
+                value: found.solution.parameters[1].max(0.0),
+                interval_95: interval(1).map(not_below),
+                unit: "of the amplitude",
+                what,
+                is_fitted: true,
+            },
+        ]);
+        work.findings.extend(findings::implausible(&found, wiggling));
+        Some(Box::new(found))
+    }
+}

@@ -1,0 +1,315 @@
+//! Depth files, read image by image: so much memory as an image takes, whatever the size of the batch.
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::{Path, PathBuf};
+
+use crate::render::check_size;
+use oaktwin_camera::ImageSize;
+use oaktwin_files::FileError;
+use oaktwin_image::npy::{self, Layout, Number, Values};
+use oaktwin_image::{CodecError, Image, exr, pfm, png};
+
+/// The largest file of a format that is read whole.
+const MOST_BYTES: u64 = 4 << 30;
+
+/// A depth file that holds one image or many.
+pub struct Source {
+    path: PathBuf,
+    /// Number of images of a batch; `None` for a single image.
+    pub batch: Option<usize>,
+    /// Size of each image.
+    pub size: ImageSize,
+    data: Data,
+}
+
+impl std::fmt::Debug for Source {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Source")
+            .field("path", &self.path)
+            .field("batch", &self.batch)
+            .field("size", &self.size)
+            .finish_non_exhaustive()
+    }
+}
+
+enum Data {
+    /// Decoded.
+    Images(std::vec::IntoIter<Image<f32>>),
+    /// Numbers still to be read, so many images of them.
+    Numbers {
+        reader: Box<dyn Read + Send>,
+        layout: Layout,
+        left: usize,
+        scale: f64,
+    },
+}
+
+impl Source {
+    /// Opens a file. Integer pixels are multiplied by `scale` metres.
+    ///
+    /// # Errors
+    /// The file cannot be read or is not a depth image.
+    pub fn open(path: &Path, scale: f64) -> Result<Self, FileError> {
+        let unreadable = |error: std::io::Error| {
+            if error.kind() == std::io::ErrorKind::NotFound {
+                FileError::new(path, "there is no such file", "check the path")
+            } else {
+                FileError::new(path, format!("cannot be read ({error})"), "check the path")
+            }
+        };
+        let file = File::open(path).map_err(unreadable)?;
+        let metadata = file.metadata().map_err(unreadable)?;
+        let length = metadata.is_file().then_some(metadata.len());
+        Self::read(
+            path,
+            Box::new(BufReader::with_capacity(1 << 16, file)),
+            length,
+            scale,
+        )
+    }
+
+    /// Reads from a stream; `length` is its size in bytes, where known.
+    ///
+    /// # Errors
+    /// The stream cannot be read or is not a depth image.
+    pub fn read(
+        path: &Path,
+        mut reader: Box<dyn Read + Send>,
+        length: Option<u64>,
+        scale: f64,
+    ) -> Result<Self, FileError> {
+        let mut beginning = Vec::new();
+        take(path, &mut reader, 12, &mut beginning)?;
+        if beginning.starts_with(b"\x93NUMPY") {
+            return Self::numpy(path, reader, beginning, length, scale);
+        }
+        let mut bytes = beginning;
+        take(path, &mut reader, MOST_BYTES, &mut bytes)?;
+        if bytes.len() as u64 > MOST_BYTES {
+            let message = format!("is larger than {} GiB", MOST_BYTES >> 30);
+            return Err(FileError::new(
+                path,
+                message,
+                "give a NumPy array, which is read in parts",
+            ));
+        }
+        let codec = |error: CodecError| FileError::codec(path, &error);
+        let image = if bytes.starts_with(b"\x89PNG") {
+            let image = png::decode::<u16>(&bytes).map_err(|error| {
+                let remedy = "a depth image is grey of 16 bits, without alpha: save it so";
+                FileError::new(
+                    path,
+                    format!("{}: {}: {}", error.format, error.place, error.problem),
+                    remedy,
+                )
+            })?;
+            image.map(|&unit| metres(unit, scale))
+        } else if bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) {
+            exr::decode(&bytes).map_err(codec)?
+        } else if bytes.starts_with(b"Pf") || bytes.starts_with(b"PF") {
+            pfm::decode(&bytes).map_err(codec)?
+        } else {
+            let message = if bytes.is_empty() {
+                "is empty"
+            } else {
+                "is no depth image that is known"
+            };
+            return Err(FileError::new(path, message, "give an NPY, PNG, EXR or PFM file"));
+        };
+        let size = ImageSize::new(image.width(), image.height());
+        check(path, size)?;
+        Ok(Self {
+            path: path.to_owned(),
+            batch: None,
+            size,
+            data: Data::Images(vec![image].into_iter()),
+        })
+    }
+
+    fn numpy(
+        path: &Path,
+        mut reader: Box<dyn Read + Send>,
+        mut beginning: Vec<u8>,
+        length: Option<u64>,
+        scale: f64,
+    ) -> Result<Self, FileError> {
+        let codec = |error: CodecError| FileError::codec(path, &error);
+        let header = header_bytes(&beginning).min(Layout::MOST_BYTES_BEFORE);
+        let missing = header.saturating_sub(beginning.len()) as u64;
+        take(path, &mut reader, missing, &mut beginning)?;
+        let layout = Layout::parse(&beginning).map_err(codec)?;
+        let wrong = |message: String, remedy| FileError::new(path, format!("NPY: shape: {message}"), remedy);
+        let (batch, height, width) = match layout.shape[..] {
+            [height, width] | [height, width, 1] => (None, height, width),
+            [count, height, width] | [count, height, width, 1] => (Some(count), height, width),
+            _ => {
+                let message = format!("{:?} is neither an image nor a batch of images", layout.shape);
+                return Err(wrong(
+                    message,
+                    "give (H, W), (H, W, 1), (N, H, W) or (N, H, W, 1)",
+                ));
+            }
+        };
+        if batch == Some(0) {
+            return Err(wrong(
+                format!("{:?} is a batch of no images", layout.shape),
+                "give at least one",
+            ));
+        }
+        let axis = |length: usize| {
+            u32::try_from(length)
+                .map_err(|_| wrong(format!("{length} pixels on a side"), "cut it into tiles"))
+        };
+        let size = ImageSize::new(axis(width)?, axis(height)?);
+        check(path, size)?;
+        if matches!(layout.number.values(&[]), Values::U8(_)) {
+            return Err(FileError::new(
+                path,
+                "NPY: descr: whole numbers of 8 bits are no depth",
+                "give float metres, or uint16 (--depth-scale metres a unit)",
+            ));
+        }
+        let given = length.map(|length| length.saturating_sub(layout.data_offset as u64));
+        match (given, layout.data_bytes()) {
+            (Some(given), expected) if expected.map(|n| n as u64) != Some(given) => {
+                return Err(codec(layout.wrong_length(given)));
+            }
+            (None, None) => return Err(codec(layout.wrong_length(0))),
+            _ => {}
+        }
+        let count = batch.unwrap_or(1);
+        let data = if layout.is_fortran {
+            Data::Images(fortran(path, &mut reader, beginning, &layout, size, scale)?.into_iter())
+        } else {
+            Data::Numbers {
+                reader,
+                layout,
+                left: count,
+                scale,
+            }
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            batch,
+            size,
+            data,
+        })
+    }
+
+    /// The next image, metres; `None` after the last.
+    ///
+    /// # Errors
+    /// The stream ends early or cannot be decoded.
+    pub fn next_image(&mut self) -> Result<Option<Image<f32>>, FileError> {
+        match &mut self.data {
+            Data::Images(images) => Ok(images.next()),
+            Data::Numbers { left: 0, .. } => Ok(None),
+            Data::Numbers {
+                reader,
+                layout,
+                left,
+                scale,
+            } => {
+                let pixels = self.size.width as usize * self.size.height as usize;
+                let wanted = pixels * layout.number.bytes();
+                let mut bytes = Vec::new();
+                take(&self.path, reader, wanted as u64, &mut bytes)?;
+                if bytes.len() != wanted {
+                    let read = self.batch.unwrap_or(1) - *left;
+                    let message = format!("NPY: data: ends in image {read}");
+                    let remedy = "the file is cut off or damaged: copy it again";
+                    return Err(FileError::new(&self.path, message, remedy));
+                }
+                *left -= 1;
+                image(layout.number, &bytes, self.size, *scale)
+                    .map(Some)
+                    .ok_or_else(|| FileError::new(&self.path, "is no image", "save it again"))
+            }
+        }
+    }
+}
+
+/// How long a header says that it and what precedes it are.
+fn header_bytes(beginning: &[u8]) -> usize {
+    match *beginning {
+        [_, _, _, _, _, _, 1, _, a, b, ..] => 10 + usize::from(u16::from_le_bytes([a, b])),
+        [_, _, _, _, _, _, _, _, a, b, c, d, ..] => {
+            usize::try_from(u32::from_le_bytes([a, b, c, d])).map_or(usize::MAX, |n| n.saturating_add(12))
+        }
+        _ => beginning.len(),
+    }
+}
+
+/// All images of an array whose first axis is the fastest.
+fn fortran(
+    path: &Path,
+    reader: &mut dyn Read,
+    mut bytes: Vec<u8>,
+    layout: &Layout,
+    size: ImageSize,
+    scale: f64,
+) -> Result<Vec<Image<f32>>, FileError> {
+    let missing =
+        layout.data_bytes().unwrap_or_default() + layout.data_offset - bytes.len().min(layout.data_offset);
+    take(path, reader, missing as u64, &mut bytes)?;
+    let array = npy::decode(&bytes).map_err(|error| FileError::codec(path, &error))?;
+    let pixels = size.width as usize * size.height as usize;
+    let images = match array.values {
+        Values::F32(values) => split(&values, pixels, |&z| z),
+        Values::F64(values) => split(&values, pixels, |&z| single(z)),
+        Values::U16(values) => split(&values, pixels, |&unit| metres(unit, scale)),
+        Values::U8(_) => Vec::new(),
+    };
+    let images = images
+        .into_iter()
+        .map(|pixels| Image::new(size.width, size.height, pixels));
+    let images: Option<Vec<_>> = images.collect();
+    images.ok_or_else(|| FileError::new(path, "is no image", "save it again"))
+}
+
+fn split<T>(values: &[T], pixels: usize, of: impl Fn(&T) -> f32) -> Vec<Vec<f32>> {
+    values
+        .chunks_exact(pixels)
+        .map(|chunk| chunk.iter().map(&of).collect())
+        .collect()
+}
+
+fn image(number: Number, bytes: &[u8], size: ImageSize, scale: f64) -> Option<Image<f32>> {
+    let pixels = match number.values(bytes) {
+        Values::F32(values) => values,
+        Values::F64(values) => values.into_iter().map(single).collect(),
+        Values::U16(values) => values.into_iter().map(|unit| metres(unit, scale)).collect(),
+        Values::U8(_) => return None,
+    };
+    Image::new(size.width, size.height, pixels)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
+fn metres(unit: u16, scale: f64) -> f32 {
+    (f64::from(unit) * scale) as f32
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
+fn single(z: f64) -> f32 {
+    z as f32
+}
+
+fn check(path: &Path, size: ImageSize) -> Result<(), FileError> {
+    check_size(size).map_err(|error| {
+        let text = error.to_string();
+        let (message, remedy) = text.split_once("; ").unwrap_or((&text, "give another"));
+        FileError::new(path, message, remedy)
+    })
+}
+
+/// Appends up to so many bytes; memory grows with what comes, not with what was promised.
+fn take(path: &Path, reader: &mut dyn Read, most: u64, bytes: &mut Vec<u8>) -> Result<(), FileError> {
+    reader.take(most).read_to_end(bytes).map(|_| ()).map_err(|error| {
+        let message = match error.kind() {
+            std::io::ErrorKind::IsADirectory => "is a directory".to_owned(),
+            _ => format!("cannot be read ({error})"),
+        };
+        FileError::new(path, message, "check the path")
+    })
+}

@@ -1,0 +1,19 @@
+//! From scenes and depth images to captures on disk.
+//!
+//! * [`render`] opens a scene, places cameras in it and writes what they see;
+//! * [`sense`] runs a depth sensor on existing depth images;
+//! * [`stereo`] matches existing pairs of images, and [`pair`] renders such pairs;
+//! * [`sensor`] configures the depth sensor of a twin;
+//! * [`unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
+//! * [`input`] reads depth images from files and folders;
+//! * [`recording`] opens recordings for ROS 2, Foxglove and Rerun.
+
+pub mod input;
+pub mod pair;
+pub mod recording;
+pub mod render;
+pub mod report;
+pub mod sense;
+pub mod sensor;
+pub mod stereo;
+pub mod unit;

@@ -1,0 +1,297 @@
+use oaktwin_render::{Beam, BeamPattern};
+
+use super::{Pair, PairError, PairOptions};
+use crate::render::{Backend, Clip, Renderer, View, check_size};
+use crate::sensor::platform;
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
+use oaktwin_catalog::{self as catalog, Origin, Role, Twin, TwinCamera};
+use oaktwin_depth::ParameterError;
+use oaktwin_depth::dots::{Dots, Projector};
+use oaktwin_depth::imager::{Imager, Recorded};
+use oaktwin_depth::preset::Platform;
+use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
+use oaktwin_diagnostic::Finding;
+use oaktwin_image::{Image, ImageView};
+use oaktwin_usd::asset::LensChoice;
+
+/// Far more than a calibration is wrong, px.
+const MOST_BIAS_PX: f64 = 10.0;
+
+/// The stereo pair of a twin, ready to look.
+#[derive(Clone, Debug)]
+pub struct PairCameras {
+    left: Eye,
+    right: Eye,
+    imager: Imager,
+    rectify: StereoRectify,
+    projector: Option<Lamp>,
+    ambient: f32,
+}
+
+/// One of the two.
+#[derive(Clone, Debug)]
+struct Eye {
+    camera: Camera,
+    body_from_camera: RigidTransform,
+    clip: Clip,
+    random: Stream,
+}
+
+/// A projector that is on.
+#[derive(Clone, Debug)]
+struct Lamp {
+    body_from_projector: RigidTransform,
+    dots: Dots,
+    power: f32,
+}
+
+impl BeamPattern for Lamp {
+    fn luminance(&self, at: [f32; 2]) -> f32 {
+        self.dots.luminance(at) * self.power
+    }
+
+    fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool {
+        self.dots.is_dark_around(at, radius)
+    }
+}
+
+impl PairCameras {
+    /// Of a twin.
+    ///
+    /// # Errors
+    /// An option out of its range, a device without a pair or without the projector that is asked for, images that are
+    /// too large, or cameras that cannot be rectified.
+    pub fn new(twin: &Twin, options: &PairOptions) -> Result<Self, PairError> {
+        let left = eye(twin, Role::Left, "left", options)?;
+        let mut right = eye(twin, Role::Right, "right", options)?;
+        let rectify = options.rectify.unwrap_or_else(|| as_the_device(twin));
+        let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
+        let rectify = StereoRectify::new(&left.camera, &right.camera, &right_from_left, &rectify);
+        // What the calibration does not know.
+        right.camera.intrinsics = shifted(right.camera.intrinsics, -bias_px(twin, options)?);
+        Ok(Self {
+            imager: Imager::new(options.imager)?.scaled(scale(twin, options)),
+            rectify: rectify.map_err(|error| PairError::Rectify {
+                device: twin.device.name.clone(),
+                error,
+            })?,
+            projector: lamp(twin, options)?,
+            ambient: within("ambient", options.ambient, 1e6)?,
+            left,
+            right,
+        })
+    }
+
+    /// The cameras' intrinsics and lenses, left and right, as they are.
+    #[must_use]
+    pub fn cameras(&self) -> [&Camera; 2] {
+        [&self.left.camera, &self.right.camera]
+    }
+
+    /// How their images are rectified.
+    #[must_use]
+    pub fn rectify(&self) -> &StereoRectify {
+        &self.rectify
+    }
+
+    /// Where the rectified left camera stands in the body, metres.
+    #[must_use]
+    pub fn body_from_rectified_left(&self) -> RigidTransform {
+        let left_from_rectified = self.rectify.geometry().rectified_from_left.transpose();
+        self.left.body_from_camera * RigidTransform::new(left_from_rectified, DVec3::ZERO)
+    }
+
+    /// What they see from where the body stands, metres. The frame's number makes the noise.
+    #[must_use]
+    pub fn look(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
+        let (left, mut findings) = self.light(&self.left, renderer, world_from_body);
+        let (right, more) = self.light(&self.right, renderer, world_from_body);
+        for finding in more {
+            if !findings.contains(&finding) {
+                findings.push(finding);
+            }
+        }
+        let [left_intrinsics, right_intrinsics] = [&self.left, &self.right].map(|eye| &eye.camera.intrinsics);
+        let exposure = self.imager.expose(&[
+            (ImageView::from(&left), left_intrinsics),
+            (ImageView::from(&right), right_intrinsics),
+        ]);
+        let record = |eye: &Eye, light: &Image<f32>| {
+            let random = eye.random.plane(Stage::Exposure, frame, 0);
+            (self.imager).record(light.into(), &eye.camera.intrinsics, exposure, &random)
+        };
+        let (left, right) = (record(&self.left, &left), record(&self.right, &right));
+        let geometry = *self.rectify.geometry();
+        let truth = View {
+            camera: Camera::new(geometry.left, LensModel::Pinhole),
+            world_from_camera: *world_from_body * self.body_from_rectified_left(),
+            clip: self.left.clip,
+        };
+        Pair {
+            rectified_left: rectified(self.rectify.left(), &left),
+            rectified_right: rectified(self.rectify.right(), &right),
+            left,
+            right,
+            z: renderer.depth(&truth, Backend::Auto),
+            exposure,
+            geometry,
+            findings,
+        }
+    }
+}
+
+impl PairCameras {
+    fn light(
+        &self,
+        eye: &Eye,
+        renderer: &Renderer,
+        world_from_body: &RigidTransform,
+    ) -> (Image<f32>, Vec<Finding>) {
+        let view = View {
+            camera: eye.camera,
+            world_from_camera: *world_from_body * eye.body_from_camera,
+            clip: eye.clip,
+        };
+        let beam = self.projector.as_ref().map(|lamp| Beam {
+            world_from_beam: *world_from_body * lamp.body_from_projector,
+            pattern: lamp as &dyn BeamPattern,
+        });
+        let (mut seen, findings) = renderer.luminance(&view, Backend::Auto, beam.as_ref());
+        match &seen.beam {
+            Some(beam) => {
+                for (light, dots) in seen.scene.pixels_mut().iter_mut().zip(beam.pixels()) {
+                    *light = *light * self.ambient + dots;
+                }
+            }
+            None => {
+                for light in seen.scene.pixels_mut() {
+                    *light *= self.ambient;
+                }
+            }
+        }
+        (seen.scene, findings)
+    }
+}
+
+/// Of an image of the camera's size; one of another stays as it is.
+fn rectified(rectify: &Rectify, raw: &Recorded) -> Recorded {
+    let found = match raw {
+        Recorded::Eight(image) => rectify.rectify(image.into()).map(Recorded::Eight),
+        Recorded::Ten(image) => rectify.rectify(image.into()).map(Recorded::Ten),
+    };
+    found.unwrap_or_else(|| raw.clone())
+}
+
+fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Result<Eye, PairError> {
+    let device = || twin.device.name.clone();
+    let Some(camera) = twin.camera(role) else {
+        return Err(PairError::NoCamera {
+            device: device(),
+            role: name,
+        });
+    };
+    let mut optics = optics(twin, camera, options.lens);
+    if let Some(size) = options.size {
+        check_size(size).map_err(|error| PairError::Size {
+            device: device(),
+            error,
+        })?;
+        optics.intrinsics = optics.intrinsics.resized(size, true);
+    }
+    let (near_m, far_m) = camera.spec.clipping_range_m;
+    Ok(Eye {
+        camera: optics,
+        body_from_camera: camera.body_from_camera,
+        clip: Clip { near_m, far_m },
+        random: Stream::new(options.seed, &camera.spec.prim),
+    })
+}
+
+/// The calibration's error in pixels of the images.
+fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
+    let bias = options.bias_px;
+    if bias.is_nan() || bias.abs() > MOST_BIAS_PX {
+        return Err(ParameterError {
+            name: "bias".to_owned(),
+            what: format!("{bias} is out of range"),
+            remedy: format!("give -{MOST_BIAS_PX} to {MOST_BIAS_PX} px"),
+        });
+    }
+    Ok(bias * scale(twin, options))
+}
+
+/// A pixel of the cameras' own resolution, px of the images.
+fn scale(twin: &Twin, options: &PairOptions) -> f64 {
+    let own = twin
+        .camera(Role::Right)
+        .map(|camera| camera.intrinsics.size.width);
+    match (own, options.size) {
+        (Some(own), Some(size)) => f64::from(size.width) / f64::from(own),
+        _ => 1.0,
+    }
+}
+
+/// The intrinsics of the same camera with its image moved to the right by `by_px` pixels.
+#[must_use]
+pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
+    let centre = intrinsics.principal_point::<OpenCv>();
+    let moved = PixelPoint::<OpenCv>::new(centre.x + by_px, centre.y);
+    Intrinsics::new(intrinsics.size, intrinsics.fx, intrinsics.fy, moved)
+}
+
+fn optics(twin: &Twin, camera: &TwinCamera, lens: LensChoice) -> Camera {
+    (camera.nominal_fisheye())
+        .filter(|_| lens == LensChoice::Fisheye && twin.origin == Origin::Nominal)
+        .unwrap_or(Camera::new(camera.intrinsics, camera.lens))
+}
+
+/// As the device's processor does it; one that is not known, as `DepthAI` on a host.
+fn as_the_device(twin: &Twin) -> RectifyOptions {
+    RectifyOptions::of(platform(twin).unwrap_or(Platform::Rvc4))
+}
+
+fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {
+    let power = within("projector", options.projector, 1.0)?;
+    if power <= 0.0 {
+        return Ok(None);
+    }
+    let (Some(spec), Some(place)) = (&twin.device.projector, twin.device.body.projector_mm) else {
+        return Err(PairError::NoProjector {
+            device: twin.device.name.clone(),
+        });
+    };
+    Ok(Some(Lamp {
+        body_from_projector: RigidTransform::new(
+            Axes::Ros.rotation_from(Axes::OpenCv),
+            DVec3::from(place) * 1e-3,
+        ),
+        dots: dots(spec),
+        power,
+    }))
+}
+
+/// The dots of a projector of the catalog.
+pub(super) fn dots(projector: &catalog::Projector) -> Dots {
+    Dots::new(&Projector {
+        model: projector.model.clone(),
+        dots: projector.dots,
+        field_rad: [projector.hfoi_deg, projector.vfoi_deg].map(f64::to_radians),
+        dot_width_rad: projector.dot_width_mrad * 1e-3,
+        brightness: projector.brightness,
+    })
+}
+
+/// An option from 0 to `most`.
+#[expect(clippy::cast_possible_truncation, reason = "light is float32")]
+fn within(name: &str, value: f64, most: f64) -> Result<f32, ParameterError> {
+    if (0.0..=most).contains(&value) {
+        return Ok(value as f32);
+    }
+    Err(ParameterError {
+        name: name.to_owned(),
+        what: format!("{value} is out of range"),
+        remedy: format!("give 0 to {most}"),
+    })
+}

@@ -1,0 +1,127 @@
+//! What a depth sensor reports of a rendered frame.
+
+use crate::pair::Pair;
+use crate::sense::positions;
+use crate::sensor::{Capture, Engine, Sensor, Shot, single_view};
+use oaktwin_camera::Camera;
+use oaktwin_depth::stereo_matching;
+use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::{Image, ZDepth};
+
+/// What a depth sensor looks at, whatever of it is asked for: so the same is measured in every case.
+const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
+
+/// What is to be rendered so that these annotations of a camera can be written: without those that a depth sensor makes,
+/// with what one looks at where the frame `is_sensed`.
+#[must_use]
+pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annotator> {
+    let mut needed = annotators.to_vec();
+    needed.retain(|one| !one.is_of_depth_sensor());
+    if is_sensed {
+        needed.extend(INPUTS);
+    }
+    needed.sort_unstable();
+    needed.dedup();
+    needed
+}
+
+/// What a sensor looks at in a frame of this number.
+pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64, pair: Option<&'a Pair>) -> Option<Shot<'a>> {
+    let depth = frame.distance_to_image_plane.as_ref()?;
+    let mut shot = Shot::new((&depth.0).into());
+    shot.frame = number;
+    if let Some(pair) = pair {
+        // Both were recorded alike.
+        let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+        shot = shot.with_pair(pair.ok()?);
+    }
+    match &frame.rgb {
+        // Both are of one camera, and so of one size.
+        Some(rgb) => shot.with_rgb(rgb.into()).ok(),
+        None => Some(shot),
+    }
+}
+
+/// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
+/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. What cannot be made
+/// of them is left out.
+pub fn sense_frame(
+    sensor: &mut Sensor,
+    camera: &Camera,
+    number: u64,
+    pair: Option<&Pair>,
+    asked: &[Annotator],
+    frame: &mut Frame,
+) {
+    let wants = |annotator| asked.contains(&annotator);
+    let (wants_positions, wants_colors) = (
+        wants(Annotator::DepthSensorPointCloudPosition),
+        wants(Annotator::DepthSensorPointCloudColor),
+    );
+    let is_single_view = matches!(sensor.engine(), Engine::SingleView(_));
+    let seen = frame
+        .distance_to_image_plane
+        .as_ref()
+        .filter(|_| wants_positions && is_single_view)
+        .map(|z| positions(camera, &z.0));
+    let captured = shot(frame, number, pair).and_then(|shot| {
+        let shot = match &seen {
+            Some(seen) => shot.with_positions(seen.into()).ok()?,
+            None => shot,
+        };
+        let wanted = single_view::Wanted {
+            positions: wants_positions,
+            colors: wants_colors,
+            imager: wants(Annotator::DepthSensorImager),
+            view: wants(Annotator::DepthSensorOutputVisualization),
+        };
+        Some(sensor.capture(&shot, wanted))
+    });
+    let Some(Capture {
+        distance,
+        single_view,
+        ..
+    }) = captured
+    else {
+        return;
+    };
+    if let Some(output) = single_view {
+        frame.depth_sensor_point_cloud_position = output.positions;
+        frame.depth_sensor_point_cloud_color = output.colors;
+        frame.depth_sensor_imager = output.imager;
+        frame.depth_sensor_output_visualization = output.view;
+    } else {
+        // Nothing has moved: a pixel's point is where its ray reaches what it measured.
+        frame.depth_sensor_point_cloud_position = wants_positions.then(|| positions(camera, &distance.0));
+        frame.depth_sensor_point_cloud_color = frame
+            .rgb
+            .as_ref()
+            .filter(|_| wants_colors)
+            .and_then(|rgb| measured(rgb, &distance));
+    }
+    frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(distance);
+}
+
+/// Colours where there is a depth.
+fn measured(rgb: &Image<[u8; 4]>, distance: &ZDepth) -> Option<Image<[u8; 4]>> {
+    let both = rgb.pixels().iter().zip(distance.0.pixels());
+    let colors = both.map(|(&color, &z)| if z > 0.0 { color } else { [0; 4] });
+    Image::new(rgb.width(), rgb.height(), colors.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_rendered_for_a_sensor() {
+        use Annotator as A;
+        let asked = [A::CameraParams, A::DepthSensorDistance];
+        assert_eq!(scene_annotators(&asked, false), [A::CameraParams]);
+        assert_eq!(
+            scene_annotators(&asked, true),
+            [A::Rgb, A::DistanceToImagePlane, A::CameraParams]
+        );
+        assert_eq!(scene_annotators(&[A::Normals], false), [A::Normals]);
+    }
+}

@@ -1,0 +1,171 @@
+//! The depth sensors of cameras that are rendered: whose parameters they have, and what they report of a frame.
+
+mod capture;
+mod stage;
+
+use std::collections::BTreeMap;
+
+pub(super) use capture::shot;
+pub use capture::{scene_annotators, sense_frame};
+
+use super::camera::{DepthSensorSource, PlacedCamera};
+use crate::sensor::{self, EngineKind, ParameterError, Sensor, SensorOptions};
+use oaktwin_catalog::Twin;
+use oaktwin_diagnostic::Finding;
+use oaktwin_usd::asset::IsaacVersion;
+
+/// How the depth sensors of cameras are to be.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthSensorOptions<'a> {
+    /// The device, where the cameras are of an OAK of ours.
+    pub twin: Option<&'a Twin>,
+    /// The engine is [`EngineKind::SingleView`] unless it says another, for this is what Isaac Sim's annotators of these
+    /// names report; the image is the camera's own, the name its prim's unless it says another, and the Isaac Sim that of
+    /// `isaac`.
+    pub sensor: &'a SensorOptions,
+    /// The Isaac Sim whose defaults hold for what a stage does not say; by default the one that the stage is written for.
+    pub isaac: Option<IsaacVersion>,
+}
+
+/// A depth sensor that cannot be: `CAMERA: PARAMETER: what is wrong; what to do`.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {error}")]
+pub struct DepthSensorError {
+    /// The prim that says the parameter, or the camera.
+    pub place: String,
+    /// What is wrong.
+    pub error: ParameterError,
+}
+
+/// The depth sensor of each camera that is one's, and what to know about them.
+///
+/// # Errors
+/// A parameter that does not exist, has the wrong type or is out of its range.
+pub fn depth_sensors(
+    cameras: &[PlacedCamera],
+    options: &DepthSensorOptions<'_>,
+) -> Result<(Vec<Option<Sensor>>, Vec<Finding>), DepthSensorError> {
+    let mut findings = Vec::new();
+    let mut sensors = Vec::new();
+    let names = names(cameras);
+    for (camera, name) in cameras.iter().zip(names) {
+        let sensor = match &camera.depth_sensor {
+            None => None,
+            Some(DepthSensorSource::Twin(prim)) => of_twin(camera, prim, options)?,
+            Some(DepthSensorSource::Stage { sensor, .. }) => {
+                Some(stage::sensor(sensor, &name, options.sensor, options.isaac)?)
+            }
+        };
+        sensors.push(sensor.map(|(sensor, more)| {
+            findings.extend(more);
+            sensor
+        }));
+    }
+    Ok((sensors, findings))
+}
+
+fn of_twin(
+    camera: &PlacedCamera,
+    prim: &str,
+    options: &DepthSensorOptions<'_>,
+) -> Result<Option<(Sensor, Vec<Finding>)>, DepthSensorError> {
+    let Some(twin) = options.twin else {
+        return Ok(None);
+    };
+    let Some(spec) = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == prim) else {
+        return Ok(None);
+    };
+    let own = SensorOptions {
+        engine: Some(options.sensor.engine.unwrap_or(EngineKind::SingleView)),
+        image: Some(camera.camera.intrinsics),
+        isaac: options.isaac.unwrap_or_default(),
+        ..options.sensor.clone()
+    };
+    let sensor = sensor::sensor(twin, spec, &own).map_err(|error| DepthSensorError {
+        place: camera.path.clone(),
+        error,
+    })?;
+    Ok(Some(sensor))
+}
+
+/// What the noise of each camera's sensor is keyed by: the name of the camera's prim, or the path that it was chosen by
+/// where several sensors' cameras have that name, so that their noise differs.
+fn names(cameras: &[PlacedCamera]) -> Vec<String> {
+    let name = |camera: &PlacedCamera| match &camera.depth_sensor {
+        Some(DepthSensorSource::Stage { camera, .. }) => camera.clone(),
+        Some(DepthSensorSource::Twin(prim)) => prim.clone(),
+        None => String::new(),
+    };
+    let mut uses: BTreeMap<String, usize> = BTreeMap::new();
+    for camera in cameras {
+        *uses.entry(name(camera)).or_default() += 1;
+    }
+    cameras
+        .iter()
+        .map(|camera| {
+            let name = name(camera);
+            if uses.get(&name).is_some_and(|uses| *uses > 1) {
+                camera.path.clone()
+            } else {
+                name
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::{OakOptions, oak_cameras};
+    use crate::sensor::Engine;
+    use oaktwin_camera::RigidTransform;
+    use oaktwin_catalog::Catalog;
+
+    #[test]
+    fn the_sensor_of_a_twin_is_isaacs_unless_asked_otherwise() {
+        let catalog = Catalog::builtin();
+        let twin = catalog.nominal(catalog.device("OAK-D ToF").unwrap());
+        let names = ["left".to_owned(), "depth".to_owned()];
+        let options = OakOptions {
+            cameras: &names,
+            ..OakOptions::default()
+        };
+        let (cameras, _) = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap();
+        let sensor = SensorOptions::default();
+        let options = DepthSensorOptions {
+            twin: Some(&twin),
+            sensor: &sensor,
+            isaac: None,
+        };
+        let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
+        assert!(sensors[0].is_none());
+        for sensor in &sensors[1..] {
+            assert!(matches!(sensor.as_ref().unwrap().engine(), Engine::SingleView(_)));
+        }
+        let stereo = SensorOptions {
+            engine: Some(EngineKind::StereoNoise),
+            ..sensor.clone()
+        };
+        let options = DepthSensorOptions {
+            sensor: &stereo,
+            ..options
+        };
+        assert!(depth_sensors(&cameras[..2], &options).is_ok());
+        let error = depth_sensors(&cameras, &options).unwrap_err();
+        assert_eq!(error.place, "OAK-D ToF/Camera_pseudo_depth_tof");
+    }
+
+    #[test]
+    fn two_oaks_have_noise_of_their_own() {
+        let catalog = Catalog::builtin();
+        let twin = catalog.nominal(catalog.device("OAK4-D").unwrap());
+        let (mut cameras, _) = oak_cameras(&twin, &RigidTransform::IDENTITY, &OakOptions::default()).unwrap();
+        assert_eq!(names(&cameras), ["Camera_pseudo_depth"]);
+        cameras.push(cameras[0].clone());
+        cameras[1].path = "Other/Camera_pseudo_depth".to_owned();
+        assert_eq!(
+            names(&cameras),
+            ["OAK4-D/Camera_pseudo_depth", "Other/Camera_pseudo_depth"]
+        );
+    }
+}

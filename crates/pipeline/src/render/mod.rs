@@ -1,0 +1,78 @@
+//! From a scene file to ground truth.
+//!
+//! A [`SceneFile`] is opened; its own cameras ([`scene_cameras`]), or those of an OAK that is put into it
+//! ([`oak_cameras`]), are [`PlacedCamera`]s; a [`Renderer`] answers what each sees, and [`write_frames`] writes that.
+//!
+//! ```
+//! use oaktwin_camera::math::DVec3;
+//! use oaktwin_catalog::Catalog;
+//! use oaktwin_pipeline::render::{Backend, OakOptions, Renderer, look_at, oak_cameras};
+//! use oaktwin_scene::{Instance, Mesh, Scene};
+//!
+//! // A wall 3 m ahead; from a file it would be `SceneFile::open(path, &OpenOptions::default())?.scene`.
+//! let wall = Mesh {
+//!     positions: vec![[3.0, -9.0, -9.0], [3.0, 9.0, -9.0], [3.0, 0.0, 18.0]],
+//!     triangles: vec![[0, 1, 2]],
+//!     ..Mesh::default()
+//! };
+//! let mut scene = Scene { meshes: vec![wall], ..Scene::default() };
+//! scene.instances.push(Instance {
+//!     mesh: 0,
+//!     path: "/Wall".to_owned(),
+//!     world_from_mesh: Default::default(),
+//!     labels: Vec::new(),
+//! });
+//!
+//! let catalog = Catalog::builtin();
+//! let twin = catalog.nominal(catalog.device("OAK4-D")?);
+//! let world_from_body = look_at(DVec3::ZERO, DVec3::X, DVec3::Z)?;
+//! let (cameras, _) = oak_cameras(&twin, &world_from_body, &OakOptions::default())?;
+//!
+//! let view = cameras[0].view(&cameras[0].world_from_mount);
+//! let depth = Renderer::new(scene).depth(&view, Backend::Auto);
+//! assert_eq!(depth.0.get(640, 400), Some(&3.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod annotators;
+mod around;
+mod camera;
+mod depth_sensor;
+mod frames;
+mod limits;
+mod names;
+mod oak;
+mod output_folder;
+mod pair;
+mod pose;
+mod recorder;
+mod scene_camera;
+mod scene_file;
+mod sweep;
+pub mod trajectory;
+
+pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
+pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
+pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
+pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, write_frames};
+pub use limits::{
+    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
+};
+pub use names::folder_names;
+pub use oak::{OakOptions, check_lens, oak_cameras};
+pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
+pub use output_folder::OutputFolder;
+pub use pair::put_pair;
+pub use pose::{PoseError, look_at, pose};
+pub use recorder::{FrameRecorder, record_annotators};
+pub use scene_camera::{SceneCameraOptions, scene_cameras};
+pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
+pub use sweep::{Axis, MOST_VALUES, Sweep, SweepError, SweptSensors};
+
+/// Renders with this many threads from now on. Without effect once something was rendered.
+pub fn use_threads(threads: usize) {
+    // An error says that the threads are there already.
+    let _ = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global();
+}

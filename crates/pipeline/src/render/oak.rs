@@ -1,0 +1,352 @@
+//! The cameras of an OAK of ours, put into any scene.
+
+use oaktwin_render::Clip;
+
+use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
+use super::folder_names;
+use super::limits::check_size;
+use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
+use oaktwin_catalog::{DepthKind, Origin, Twin, TwinCamera};
+use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};
+use oaktwin_usd::asset::{AssetError, LensChoice, render_product_name};
+
+/// The name that means every depth sensor.
+const DEPTH: &str = "depth";
+
+/// What to render of an OAK.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OakOptions<'a> {
+    /// The cameras by role (`rgb`, `left`, `right`, `tof`), prim or depth sensor (`depth`, or `depth_stereo` and
+    /// `depth_tof`). None is every depth sensor's camera, as in a stage.
+    pub cameras: &'a [String],
+    /// The lens of the left and right cameras of the wide models.
+    pub lens: LensChoice,
+    /// The image's size, by `DepthAI`'s rule; by default the sensor's own.
+    pub size: Option<ImageSize>,
+}
+
+/// A camera of the device, or the virtual one of a depth sensor.
+struct Candidate<'a> {
+    prim: &'a str,
+    names: Vec<String>,
+    is_depth: bool,
+    camera: &'a TwinCamera,
+    clipping_range_m: (f64, f64),
+    focus_distance: f64,
+}
+
+/// The cameras of a twin whose body stands at `world_from_body` (x forward, y left, z up; metres), and what to know
+/// about them.
+///
+/// A depth sensor's camera is the pinhole of the camera that it stands for, at its place, as in an asset: an OAK's
+/// depth is rectified.
+///
+/// # Errors
+/// A name that is no camera's, or an image that cannot be.
+pub fn oak_cameras(
+    twin: &Twin,
+    world_from_body: &RigidTransform,
+    options: &OakOptions<'_>,
+) -> Result<(Vec<PlacedCamera>, Vec<Finding>), CameraError> {
+    let candidates = candidates(twin);
+    let mut chosen: Vec<&Candidate<'_>> = Vec::new();
+    if options.cameras.is_empty() {
+        chosen.extend(candidates.iter().filter(|candidate| candidate.is_depth));
+    }
+    for name in options.cameras {
+        let wanted = fold_name(name);
+        let before = chosen.len();
+        let mut known = false;
+        for candidate in &candidates {
+            if candidate.names.iter().any(|name| fold_name(name) == wanted) {
+                known = true;
+                if !chosen.iter().any(|one| one.prim == candidate.prim) {
+                    chosen.push(candidate);
+                }
+            }
+        }
+        if !known && before == chosen.len() {
+            return Err(unknown(twin, name, &candidates));
+        }
+    }
+    let mut findings = Vec::new();
+    let mut cameras = Vec::new();
+    for candidate in &chosen {
+        cameras.push(place(twin, candidate, world_from_body, options)?);
+    }
+    if options.lens == LensChoice::Fisheye {
+        findings.extend(lens_findings(twin, &cameras));
+    }
+    let prims = chosen.iter().map(|candidate| candidate.prim);
+    for (camera, folder) in cameras.iter_mut().zip(folder_names(prims)) {
+        camera.folder = folder;
+    }
+    Ok((cameras, findings))
+}
+
+/// Refuses a fisheye for a model that has none.
+///
+/// # Errors
+/// It has none.
+pub fn check_lens(twin: &Twin, lens: LensChoice) -> Result<(), AssetError> {
+    let is_wide = twin
+        .cameras
+        .iter()
+        .any(|camera| camera.spec.fisheye_hfov_deg.is_some());
+    if lens == LensChoice::Fisheye && !is_wide {
+        return Err(AssetError::NoFisheyeLens {
+            model: twin.device.name.clone(),
+        });
+    }
+    Ok(())
+}
+
+fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
+    let own = twin.cameras.iter().map(|camera| Candidate {
+        prim: &camera.spec.prim,
+        names: vec![camera.spec.role.to_string(), camera.spec.prim.clone()],
+        is_depth: false,
+        camera,
+        clipping_range_m: camera.spec.clipping_range_m,
+        focus_distance: camera.spec.focus_distance,
+    });
+    let depth = twin.depth_sensors.iter().filter_map(|sensor| {
+        let kind = match sensor.spec.kind {
+            DepthKind::Stereo => "depth_stereo",
+            DepthKind::Tof => "depth_tof",
+        };
+        let prim = &sensor.spec.prim;
+        Some(Candidate {
+            prim,
+            names: vec![
+                DEPTH.to_owned(),
+                kind.to_owned(),
+                prim.clone(),
+                render_product_name(prim),
+            ],
+            is_depth: true,
+            camera: twin.camera(sensor.spec.camera)?,
+            clipping_range_m: sensor.spec.clipping_range_m,
+            focus_distance: sensor.spec.focus_distance,
+        })
+    });
+    own.chain(depth).collect()
+}
+
+fn unknown(twin: &Twin, name: &str, candidates: &[Candidate<'_>]) -> CameraError {
+    let names = || candidates.iter().flat_map(|c| c.names.iter().map(String::as_str));
+    let mut known: Vec<String> = Vec::new();
+    for candidate in candidates {
+        let name = if candidate.is_depth {
+            DEPTH
+        } else {
+            candidate.camera.spec.role.as_str()
+        };
+        if !known.iter().any(|one| one == name) {
+            known.push(name.to_owned());
+        }
+    }
+    let mut near: Vec<String> = nearest(name, names()).into_iter().map(str::to_owned).collect();
+    near.dedup();
+    CameraError::Unknown {
+        place: twin.device.name.clone(),
+        name: name.to_owned(),
+        nearest: near,
+        known,
+    }
+}
+
+fn place(
+    twin: &Twin,
+    candidate: &Candidate<'_>,
+    world_from_body: &RigidTransform,
+    options: &OakOptions<'_>,
+) -> Result<PlacedCamera, CameraError> {
+    let own = optics(twin, candidate, options.lens);
+    let path = format!("{}/{}", twin.device.name, candidate.prim);
+    let size = options.size.unwrap_or(own.intrinsics.size);
+    check_size(size).map_err(|error| CameraError::Size {
+        camera: path.clone(),
+        error,
+    })?;
+    let intrinsics = if size == own.intrinsics.size {
+        own.intrinsics
+    } else {
+        own.intrinsics.resized(size, true)
+    };
+    // The focal length in millimetres is the lens's own, so pixels grow as the image shrinks.
+    let focal_length_um = candidate.camera.pixel_size_um * own.intrinsics.mean_focal_length();
+    let pixel_size_um = focal_length_um / intrinsics.mean_focal_length();
+    let (near_m, far_m) = candidate.clipping_range_m;
+    Ok(PlacedCamera {
+        path,
+        folder: String::new(),
+        camera: Camera::new(intrinsics, own.lens),
+        clip: Clip { near_m, far_m },
+        mount_from_camera: candidate.camera.body_from_camera,
+        world_from_mount: *world_from_body,
+        attributes: CameraAttributes {
+            optics: UsdOptics::from_intrinsics(&intrinsics, pixel_size_um, Default::default()),
+            focus_distance: candidate.focus_distance,
+            f_stop: candidate.camera.spec.f_stop,
+        },
+        depth_sensor: candidate
+            .is_depth
+            .then(|| DepthSensorSource::Twin(candidate.prim.to_owned())),
+    })
+}
+
+/// At the sensor's own size.
+fn optics(twin: &Twin, candidate: &Candidate<'_>, lens: LensChoice) -> Camera {
+    let camera = candidate.camera;
+    if candidate.is_depth {
+        return Camera::new(camera.intrinsics, LensModel::Pinhole);
+    }
+    // A calibration's own lens wins.
+    let fisheye = camera
+        .nominal_fisheye()
+        .filter(|_| lens == LensChoice::Fisheye && twin.origin == Origin::Nominal);
+    fisheye.unwrap_or(Camera::new(camera.intrinsics, camera.lens))
+}
+
+fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {
+    if twin.origin != Origin::Nominal {
+        return Some(Finding::new(
+            "lens-from-calibration",
+            Level::Note,
+            &twin.device.name,
+            "the calibration has lens models of its own, which are used instead of the nominal fisheye",
+            "",
+        ));
+    }
+    let bent = cameras
+        .iter()
+        .any(|camera| matches!(camera.camera.lens, LensModel::OpenCvFisheye(_)));
+    (!bent).then(|| {
+        Finding::new(
+            "no-fisheye-camera",
+            Level::Note,
+            &twin.device.name,
+            "none of the cameras that are rendered has the fisheye: depth is that of a pinhole",
+            "choose the left or the right camera",
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin_camera::math::DVec3;
+    use oaktwin_camera::{OpenCv, PixelPoint, Usd};
+    use oaktwin_catalog::Catalog;
+
+    fn twin(model: &str) -> Twin {
+        let catalog = Catalog::builtin();
+        catalog.nominal(catalog.device(model).unwrap())
+    }
+
+    fn chosen(twin: &Twin, names: &[&str], options: OakOptions<'_>) -> Vec<PlacedCamera> {
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        let options = OakOptions {
+            cameras: &names,
+            ..options
+        };
+        oak_cameras(twin, &RigidTransform::IDENTITY, &options).unwrap().0
+    }
+
+    #[test]
+    fn every_depth_sensor_by_default() {
+        let folders = |model| -> Vec<String> {
+            let cameras = chosen(&twin(model), &[], OakOptions::default());
+            cameras.into_iter().map(|camera| camera.folder).collect()
+        };
+        assert_eq!(folders("OAK4-D"), ["Camera_pseudo_depth"]);
+        assert_eq!(
+            folders("OAK-D ToF"),
+            ["Camera_pseudo_depth_stereo", "Camera_pseudo_depth_tof"]
+        );
+    }
+
+    #[test]
+    fn cameras_by_role_prim_and_sensor() {
+        let twin = twin("OAK-D ToF");
+        let paths = |names: &[&str]| -> Vec<String> {
+            let cameras = chosen(&twin, names, OakOptions::default());
+            cameras.into_iter().map(|camera| camera.path).collect()
+        };
+        assert_eq!(paths(&["left", "LEFT"]).len(), 1);
+        assert_eq!(paths(&["depth"]).len(), 2);
+        assert_eq!(paths(&["depth-tof"]), ["OAK-D ToF/Camera_pseudo_depth_tof"]);
+        assert_eq!(paths(&["tof"]), ["OAK-D ToF/Camera_tof_33d"]);
+        let names = ["lefft".to_owned()];
+        let options = OakOptions {
+            cameras: &names,
+            ..OakOptions::default()
+        };
+        let error = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap_err();
+        assert!(error.to_string().contains("did you mean left"), "{error}");
+    }
+
+    #[test]
+    fn a_camera_stands_where_the_body_carries_it() {
+        let twin = twin("OAK-D Pro PoE");
+        let left = &chosen(&twin, &["left"], OakOptions::default())[0];
+        let body = crate::render::look_at(DVec3::new(0.0, 0.0, 1.0), DVec3::new(0.0, 5.0, 1.0), DVec3::Z);
+        let view = left.view(&body.unwrap());
+        // Looking along y, left is −x.
+        assert!((view.world_from_camera.translation - DVec3::new(-0.0375, 0.0, 1.0)).length() < 1e-12);
+        assert!((view.world_from_camera.rotation * DVec3::Z - DVec3::Y).length() < 1e-12);
+        assert!((view.world_from_camera.rotation * DVec3::NEG_Y - DVec3::Z).length() < 1e-12);
+    }
+
+    #[test]
+    fn resolutions_by_the_rule_of_calibrations() {
+        let twin = twin("OAK-D Pro PoE");
+        let size = ImageSize::new(640, 480);
+        let left = &chosen(
+            &twin,
+            &["left"],
+            OakOptions {
+                size: Some(size),
+                ..OakOptions::default()
+            },
+        )[0];
+        let full = twin.cameras[1].intrinsics;
+        let c = left.camera.intrinsics.principal_point::<OpenCv>();
+        assert!((left.camera.intrinsics.fx - full.fx / 2.0).abs() < 1e-9);
+        assert_eq!(c, PixelPoint::new(319.75, 239.75));
+        // The attributes say the same camera.
+        let said = left.attributes.optics.openusd_intrinsics(size);
+        assert!((said.fx - left.camera.intrinsics.fx).abs() < 1e-9);
+        assert!((said.principal_point::<Usd>().x - 320.25).abs() < 1e-9);
+        let full_mm = UsdOptics::from_intrinsics(&full, twin.cameras[1].pixel_size_um, Default::default());
+        assert!((left.attributes.optics.focal_length_mm - full_mm.focal_length_mm).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_fisheye_is_the_stereo_cameras_own() {
+        let twin = twin("OAK-D Pro W PoE");
+        let options = OakOptions {
+            lens: LensChoice::Fisheye,
+            ..OakOptions::default()
+        };
+        let cameras = chosen(&twin, &["left", "rgb", "depth"], options);
+        assert!(matches!(cameras[0].camera.lens, LensModel::OpenCvFisheye(_)));
+        assert_eq!(cameras[1].camera.lens, LensModel::Pinhole);
+        assert_eq!(cameras[2].camera.lens, LensModel::Pinhole);
+        let (_, findings) = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap();
+        assert_eq!(findings[0].code, "no-fisheye-camera");
+        assert!(check_lens(&self::twin("OAK4-D"), LensChoice::Fisheye).is_err());
+    }
+
+    #[test]
+    fn sizes_are_checked() {
+        let twin = twin("OAK4-D");
+        let options = OakOptions {
+            size: Some(ImageSize::new(0, 5)),
+            ..OakOptions::default()
+        };
+        let error = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap_err();
+        assert!(error.to_string().contains("no pixel"), "{error}");
+    }
+}

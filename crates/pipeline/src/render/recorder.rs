@@ -1,0 +1,247 @@
+//! Frames of a recording.
+
+use std::path::{Path, PathBuf};
+
+use super::camera::PlacedCamera;
+use super::trajectory::TimedPose;
+use crate::recording::{
+    Body, CameraId, DepthView, Format, Moment, RecordedCamera, RecordingError, RecordingFile,
+    RecordingFileError, Time,
+};
+use oaktwin_camera::RigidTransform;
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_scene::Up;
+
+/// Frames a second where a path does not say its times.
+const FRAME_RATE: f64 = 30.0;
+
+/// What the body of an OAK is called.
+const BODY: &str = "oak";
+
+/// What is to be rendered so that these annotators can be recorded: a cloud is of a depth image.
+#[must_use]
+pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
+    let mut needed = annotators.to_vec();
+    if needed.contains(&Annotator::Pointcloud) {
+        needed.push(Annotator::DistanceToImagePlane);
+    }
+    needed.sort_unstable();
+    needed.dedup();
+    needed
+}
+
+/// Writes frames into a recording: `rgb`, `distance_to_image_plane` as `depth`, `depth_sensor_distance` as `measured` with
+/// its cloud, and a cloud of the depth where `pointcloud` is asked for.
+#[derive(Debug)]
+pub struct FrameRecorder {
+    file: RecordingFile,
+    cameras: Vec<CameraId>,
+    times: Vec<Time>,
+    depth_points: bool,
+}
+
+impl FrameRecorder {
+    /// Begins a recording of what these cameras see along a path, or from where they stand if it is empty, and what to
+    /// know about it: what of `annotators` has no place in it, a warning unless files beside it have that.
+    ///
+    /// Times are the path's where all its poses have one, else 30 frames a second from 0 on.
+    ///
+    /// # Errors
+    /// The file cannot be written, or a time is none that a recording can say.
+    pub fn create(
+        path: &Path,
+        up: Up,
+        cameras: &[PlacedCamera],
+        poses: &[TimedPose],
+        annotators: &[Annotator],
+        is_alone: bool,
+    ) -> Result<(Self, Vec<Finding>), RecordingFileError> {
+        let format = Format::of(path)?;
+        let in_file = |error| RecordingFileError::Recording {
+            path: PathBuf::from(path),
+            error,
+        };
+        let (times, mut findings) = times(poses).map_err(in_file)?;
+        findings.extend(without_place(annotators, is_alone));
+        let lost = cameras.iter().filter_map(|camera| {
+            let loss = format.lens_loss(&camera.camera.lens)?;
+            Some(Finding::new(
+                "lens-not-recorded",
+                Level::Warning,
+                &camera.path,
+                loss,
+                "",
+            ))
+        });
+        findings.extend(lost);
+        let mut file = RecordingFile::create(path, up)?;
+        let cameras = cameras
+            .iter()
+            .map(|camera| file.add_camera(&recorded(camera)))
+            .collect::<Result<_, _>>()?;
+        let recorder = Self {
+            file,
+            cameras,
+            times,
+            depth_points: annotators.contains(&Annotator::Pointcloud),
+        };
+        Ok((recorder, findings))
+    }
+
+    /// Records a camera's frame.
+    pub(super) fn record(
+        &mut self,
+        camera: usize,
+        number: usize,
+        world_from_mount: &RigidTransform,
+        frame: &Frame,
+    ) -> Result<(), RecordingFileError> {
+        let (Some(&camera), Some(&time)) = (self.cameras.get(camera), self.times.get(number)) else {
+            return Ok(());
+        };
+        let moment = Moment {
+            rgb: frame.rgb.as_ref().map(Into::into),
+            depth: frame
+                .distance_to_image_plane
+                .as_ref()
+                .map(|z| DepthView::Metres((&z.0).into())),
+            measured: frame
+                .depth_sensor_distance
+                .as_ref()
+                .map(|z| DepthView::Metres((&z.0).into())),
+            depth_points: self.depth_points,
+            measured_points: true,
+            ..Moment::new(time, *world_from_mount)
+        };
+        self.file.record(camera, &moment)
+    }
+
+    pub(super) fn finish(self) -> Result<(PathBuf, u64), RecordingFileError> {
+        self.file.finish()
+    }
+}
+
+fn recorded(placed: &PlacedCamera) -> RecordedCamera {
+    // A camera of the scene's own is moved itself.
+    let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
+    RecordedCamera {
+        name: placed.folder.clone(),
+        camera: placed.camera,
+        body: is_carried.then(|| Body {
+            name: BODY.to_owned(),
+            body_from_camera: placed.mount_from_camera,
+        }),
+    }
+}
+
+/// When each frame is.
+fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingError> {
+    let said: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
+    let mut findings = Vec::new();
+    let mut told = |code, message: &str, remedy: &str| {
+        findings.push(Finding::new(code, Level::Warning, "trajectory", message, remedy));
+    };
+    let times = match said {
+        Some(seconds) if !seconds.is_empty() => seconds
+            .into_iter()
+            .map(Time::from_seconds)
+            .collect::<Result<Vec<Time>, _>>()?,
+        _ => {
+            if poses.iter().any(|pose| pose.time_s.is_some()) {
+                let message = "some of its poses have no time: the recording has 30 frames a second";
+                told("times-missing", message, "give all of them one");
+            }
+            (0..poses.len().max(1) as u64)
+                .map(|frame| Time::of_frame(frame, FRAME_RATE))
+                .collect::<Result<_, _>>()?
+        }
+    };
+    if !times.is_sorted_by(|a, b| a < b) {
+        let message = "its times do not increase: transforms at one time are ambiguous";
+        told("times-not-increasing", message, "sort its poses by time");
+    }
+    Ok((times, findings))
+}
+
+fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
+    let has_place = |one: &&Annotator| {
+        matches!(
+            one,
+            Annotator::Rgb
+                | Annotator::DistanceToImagePlane
+                | Annotator::DepthSensorDistance
+                | Annotator::Pointcloud
+                | Annotator::CameraParams
+        )
+    };
+    let left_out: Vec<&str> = annotators
+        .iter()
+        .filter(|one| !has_place(one))
+        .map(|one| one.name())
+        .collect();
+    if left_out.is_empty() {
+        return None;
+    }
+    let (level, remedy) = if is_alone {
+        (Level::Warning, "write them into a folder with -o")
+    } else {
+        (Level::Note, "")
+    };
+    let message = format!("has no place for {}: left out", left_out.join(", "));
+    Some(Finding::new("not-recorded", level, "recording", message, remedy))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(times: &[Option<f64>]) -> Vec<TimedPose> {
+        let pose = |time_s: &Option<f64>| TimedPose {
+            time_s: *time_s,
+            world_from_mount: RigidTransform::IDENTITY,
+        };
+        times.iter().map(pose).collect()
+    }
+
+    #[test]
+    fn when_frames_are() {
+        let of = |said: &[Option<f64>]| {
+            let (times, findings) = times(&path(said)).unwrap();
+            let nanoseconds: Vec<u64> = times.into_iter().map(Time::nanoseconds).collect();
+            let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+            (nanoseconds, codes)
+        };
+        assert_eq!(of(&[]), (vec![0], vec![]));
+        assert_eq!(of(&[None, None]), (vec![0, 33_333_333], vec![]));
+        assert_eq!(
+            of(&[Some(1.0), Some(1.5)]),
+            (vec![1_000_000_000, 1_500_000_000], vec![])
+        );
+        assert_eq!(
+            of(&[Some(1.0), None]),
+            (vec![0, 33_333_333], vec!["times-missing"])
+        );
+        assert_eq!(
+            of(&[Some(1.0), Some(1.0)]),
+            (vec![1_000_000_000; 2], vec!["times-not-increasing"])
+        );
+        assert!(times(&path(&[Some(-1.0)])).is_err());
+    }
+
+    #[test]
+    fn what_has_no_place_is_told() {
+        use Annotator as A;
+        assert!(without_place(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
+        let found = without_place(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
+        assert_eq!(found.level, Level::Warning);
+        assert_eq!(
+            found.message,
+            "has no place for normals, distance_to_camera: left out"
+        );
+        assert_eq!(
+            record_annotators(&[A::Pointcloud]),
+            [A::DistanceToImagePlane, A::Pointcloud]
+        );
+    }
+}

@@ -1,0 +1,281 @@
+//! One frame, sensed many times: what a sensor's parameters do, on one picture.
+
+mod sheet;
+mod thumbnail;
+
+use std::collections::BTreeSet;
+
+use super::camera::PlacedCamera;
+use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, shot};
+use crate::pair::Pair;
+use crate::sensor::{Engine, EngineKind, ParameterError, Sensor, SensorOptions, single_view};
+use oaktwin_diagnostic::fold_name;
+use oaktwin_image::Image;
+use oaktwin_image::annotation::Frame;
+use thumbnail::Thumbnail;
+
+/// The most values of one parameter: more pictures than that could not be told apart.
+pub const MOST_VALUES: usize = 12;
+
+/// A parameter and the values that it takes: `maxDistance=2,4,8`. Beside an engine's parameters there are `engine`,
+/// `preset` and `seed`, of [`SensorOptions`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axis {
+    /// Its name.
+    pub name: String,
+    /// As the parameter takes them.
+    pub values: Vec<String>,
+}
+
+/// One parameter's values, or those of two against each other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sweep {
+    columns: Axis,
+    rows: Option<Axis>,
+}
+
+/// What is no sweep.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SweepError {
+    /// It is not written as one.
+    #[error("`{0}` is no sweep; write NAME=VALUE,VALUE,…, as maxDistance=2,4,8")]
+    Syntax(String),
+    /// There are too many values.
+    #[error("{name} has {count} values; give it at most {MOST_VALUES}")]
+    TooManyValues {
+        /// The parameter.
+        name: String,
+        /// So many.
+        count: usize,
+    },
+    /// There are more than two, or none.
+    #[error("{0} parameters do not fit on a sheet; sweep one or two")]
+    NotOneOrTwo(usize),
+    /// One parameter is there twice.
+    #[error("{0} is swept twice; give all its values at once")]
+    Twice(String),
+}
+
+impl std::str::FromStr for Axis {
+    type Err = SweepError;
+
+    fn from_str(text: &str) -> Result<Self, SweepError> {
+        let wrong = || SweepError::Syntax(text.to_owned());
+        let (name, values) = text.split_once('=').ok_or_else(wrong)?;
+        let values: Vec<String> = values.split(',').map(|value| value.trim().to_owned()).collect();
+        let name = name.trim().to_owned();
+        if name.is_empty() || values.iter().any(String::is_empty) {
+            return Err(wrong());
+        }
+        if values.len() > MOST_VALUES {
+            let count = values.len();
+            return Err(SweepError::TooManyValues { name, count });
+        }
+        Ok(Self { name, values })
+    }
+}
+
+impl Sweep {
+    /// Of one parameter, whose values are the columns of the sheet, or of two, the second's values being its rows.
+    ///
+    /// # Errors
+    /// None or more than two; the same one twice.
+    pub fn new(axes: Vec<Axis>) -> Result<Self, SweepError> {
+        let count = axes.len();
+        let names: BTreeSet<String> = axes.iter().map(|axis| fold_name(&axis.name)).collect();
+        if let (true, Some(axis)) = (names.len() < count, axes.last()) {
+            return Err(SweepError::Twice(axis.name.clone()));
+        }
+        let mut axes = axes.into_iter();
+        match (axes.next(), axes.next(), axes.next()) {
+            (Some(columns), rows, None) => Ok(Self { columns, rows }),
+            _ => Err(SweepError::NotOneOrTwo(count)),
+        }
+    }
+
+    /// Of axes as people write them.
+    ///
+    /// # Errors
+    /// As [`Sweep::new`]; a text that is no axis.
+    pub fn parse<'a>(axes: impl IntoIterator<Item = &'a str>) -> Result<Self, SweepError> {
+        let axes: Result<Vec<Axis>, SweepError> = axes.into_iter().map(str::parse).collect();
+        Self::new(axes?)
+    }
+
+    /// The options of each picture, row by row.
+    ///
+    /// # Errors
+    /// A value that is none of the parameter's.
+    pub fn options(&self, base: &SensorOptions) -> Result<Vec<SensorOptions>, ParameterError> {
+        let mut all = Vec::new();
+        let rows = self.rows.as_ref().map_or(1, |rows| rows.values.len());
+        for row in 0..rows {
+            for column in &self.columns.values {
+                let mut options = base.clone();
+                set(&mut options, &self.columns.name, column)?;
+                if let Some((axis, value)) = self
+                    .rows
+                    .as_ref()
+                    .and_then(|axis| Some((axis, axis.values.get(row)?)))
+                {
+                    set(&mut options, &axis.name, value)?;
+                }
+                all.push(options);
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// Sets what an axis names.
+fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), ParameterError> {
+    let wrong = |remedy: &str| ParameterError {
+        name: name.to_owned(),
+        what: format!("`{value}` is none of its values"),
+        remedy: remedy.to_owned(),
+    };
+    match fold_name(name).as_str() {
+        "engine" => {
+            let kind = EngineKind::ALL
+                .into_iter()
+                .find(|kind| fold_name(kind.as_str()) == fold_name(value));
+            let all = EngineKind::ALL.map(EngineKind::as_str).join(", ");
+            options.engine = Some(kind.ok_or_else(|| wrong(&format!("give one of {all}")))?);
+        }
+        "preset" => options.preset = Some(value.to_owned()),
+        "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
+        _ => options.parameters.push((name.to_owned(), value.to_owned())),
+    }
+    Ok(())
+}
+
+/// The sensors of a sweep: for each camera, and each picture of its sheet. They remember their own frames.
+#[derive(Clone, Debug)]
+pub struct SweptSensors {
+    sweep: Sweep,
+    /// By picture, then by camera.
+    sensors: Vec<Vec<Option<Sensor>>>,
+}
+
+impl SweptSensors {
+    /// Those of these cameras.
+    ///
+    /// # Errors
+    /// As [`depth_sensors`]: a parameter that does not exist, or a value that it cannot have.
+    pub fn new(
+        sweep: Sweep,
+        cameras: &[PlacedCamera],
+        options: &DepthSensorOptions<'_>,
+    ) -> Result<Self, DepthSensorError> {
+        let mut sensors = Vec::new();
+        let swept = sweep.options(options.sensor).map_err(|error| DepthSensorError {
+            place: "sweep".to_owned(),
+            error,
+        })?;
+        for own in swept {
+            let options = DepthSensorOptions {
+                sensor: &own,
+                ..*options
+            };
+            sensors.push(depth_sensors(cameras, &options)?.0);
+        }
+        Ok(Self { sweep, sensors })
+    }
+
+    /// Whether one of this camera's matches a pair.
+    pub(super) fn matches(&self, camera: usize) -> bool {
+        let mut own = self
+            .sensors
+            .iter()
+            .filter_map(|sensors| sensors.get(camera)?.as_ref());
+        own.any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)))
+    }
+
+    /// Whether this camera is a depth sensor's.
+    pub(super) fn has(&self, camera: usize) -> bool {
+        let first = self.sensors.first().and_then(|sensors| sensors.get(camera));
+        first.is_some_and(Option::is_some)
+    }
+
+    /// The sheet of one camera's frame; `None` where the camera is no depth sensor's.
+    pub(super) fn sheet(
+        &mut self,
+        camera: usize,
+        frame: &Frame,
+        number: u64,
+        pair: Option<&Pair>,
+    ) -> Option<Image<[u8; 3]>> {
+        let shot = shot(frame, number, pair)?;
+        let factor = sheet::factor(&self.sweep, shot.depth().width());
+        let mut cells = Vec::new();
+        for sensors in &mut self.sensors {
+            let sensor = sensors.get_mut(camera)?.as_mut()?;
+            let captured = sensor.capture(&shot, single_view::Wanted::default());
+            cells.push(Thumbnail::new(&captured.distance, factor));
+        }
+        Some(sheet::sheet(&self.sweep, frame, factor, &cells))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sweep(texts: &[&str]) -> Result<Sweep, SweepError> {
+        Sweep::parse(texts.iter().copied())
+    }
+
+    #[test]
+    fn what_people_write() {
+        let two = sweep(&["maxDistance = 2, 4", "confidenceThreshold=0.5"]).unwrap();
+        let options = two.options(&SensorOptions::default()).unwrap();
+        let set: Vec<Vec<(&str, &str)>> = options
+            .iter()
+            .map(|one| {
+                let parameters = one.parameters.iter();
+                parameters
+                    .map(|(name, value)| (name.as_str(), value.as_str()))
+                    .collect()
+            })
+            .collect();
+        assert_eq!(
+            set,
+            [
+                [("maxDistance", "2"), ("confidenceThreshold", "0.5")],
+                [("maxDistance", "4"), ("confidenceThreshold", "0.5")],
+            ]
+        );
+        let engines = sweep(&["engine=single-view,stereo_noise", "seed=7"]).unwrap();
+        let options = engines.options(&SensorOptions::default()).unwrap();
+        assert_eq!(options[1].engine, Some(EngineKind::StereoNoise));
+        assert_eq!((options[0].seed, options[0].parameters.len()), (7, 0));
+        for wrong in ["engine=stereo", "seed=-1"] {
+            assert!(
+                sweep(&[wrong])
+                    .unwrap()
+                    .options(&SensorOptions::default())
+                    .is_err()
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_sweep() {
+        for (texts, part) in [
+            (
+                &["maxDistance"][..],
+                "`maxDistance` is no sweep; write NAME=VALUE",
+            ),
+            (&["=1"], "no sweep"),
+            (&["a=1,,2"], "no sweep"),
+            (&["a="], "no sweep"),
+            (&["a=1,2,3,4,5,6,7,8,9,10,11,12,13"], "a has 13 values"),
+            (&["a=1", "a=2"], "a is swept twice"),
+            (&["a=1", "b=1", "c=1"], "3 parameters"),
+            (&[], "0 parameters"),
+        ] {
+            let error = sweep(texts).unwrap_err().to_string();
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Everything known about one device, as one value for people and machines: what `oaktwin show` prints.
+
+mod camera;
+mod depth;
+
+use serde::Serialize;
+
+use oaktwin_camera::math::DVec3;
+use oaktwin_catalog::{
+    Accuracy, Body, Catalog, Evidence, Imu, Note, Origin, Role, Sensor, Source, Sources, Twin,
+};
+use oaktwin_diagnostic::Finding;
+use oaktwin_usd::asset::LensChoice;
+
+pub use camera::{CameraReport, OffsetsReport, PixelReport, UsdReport};
+pub use depth::{AtDistance, AttributeReport, DepthReport};
+
+/// Everything known about one device.
+#[derive(Clone, Debug, Serialize)]
+pub struct DeviceReport {
+    /// The catalog's id, which is the stem of the asset's file.
+    pub id: String,
+    /// What people call it.
+    pub name: String,
+    /// The prim below `/Root` in the asset.
+    pub prim: String,
+    /// Who makes it.
+    pub manufacturer: String,
+    /// `RVC2` or `RVC4`.
+    pub generation: String,
+    /// Its processor.
+    pub platform: String,
+    /// Lens and focus in a word or two.
+    pub variant: String,
+    /// What the camera numbers come from: `nominal`, or the calibration's product name and file.
+    pub origin: String,
+    /// Distance from the left to the right optical centre, mm: the catalog's.
+    pub nominal_baseline_mm: f64,
+    /// The same of this twin, mm.
+    pub baseline_mm: f64,
+    /// The body.
+    pub body: Body,
+    /// The inertial unit.
+    pub imu: Imu,
+    /// The sensors in it.
+    pub sensors: Vec<Sensor>,
+    /// The cameras.
+    pub cameras: Vec<CameraReport>,
+    /// The depth sensors.
+    pub depth_sensors: Vec<DepthReport>,
+    /// Published accuracy, a table for each source.
+    pub accuracy: Vec<Accuracy>,
+    /// What other sources say about a value.
+    pub evidence: Vec<Evidence>,
+    /// What a reader of the numbers must know, conflicts among them.
+    pub notes: Vec<Note>,
+    /// What was odd in a calibration.
+    pub findings: Vec<Finding>,
+    /// Where the device's own values come from.
+    pub source: Source,
+    /// The keys that come from elsewhere.
+    pub sources: Sources,
+}
+
+impl DeviceReport {
+    /// The report of a twin with the lens that an asset of it would have; `findings` are those of its calibration.
+    #[must_use]
+    pub fn new(catalog: &Catalog, twin: &Twin, lens: LensChoice, findings: Vec<Finding>) -> Self {
+        let device = &twin.device;
+        let mut sensors: Vec<Sensor> = Vec::new();
+        for camera in &device.cameras {
+            if let Some(sensor) = catalog.sensor(&camera.sensor)
+                && !sensors.contains(sensor)
+            {
+                sensors.push(sensor.clone());
+            }
+        }
+        Self {
+            id: device.id.clone(),
+            name: device.name.clone(),
+            prim: device.prim.clone(),
+            manufacturer: device.manufacturer.clone(),
+            generation: device.generation.clone(),
+            platform: device.platform.clone(),
+            variant: device.variant.clone(),
+            origin: match &twin.origin {
+                Origin::Nominal => "nominal".to_owned(),
+                Origin::Calibration {
+                    product_name,
+                    file_name,
+                } => format!("{file_name} ({product_name})"),
+            },
+            nominal_baseline_mm: device.stereo_baseline_mm,
+            baseline_mm: baseline_m(twin) * 1e3,
+            body: device.body.clone(),
+            imu: imu(twin),
+            cameras: twin
+                .cameras
+                .iter()
+                .map(|camera| CameraReport::new(twin, camera, lens))
+                .collect(),
+            depth_sensors: twin
+                .depth_sensors
+                .iter()
+                .map(|sensor| DepthReport::new(twin, sensor))
+                .collect(),
+            accuracy: device.accuracy.clone(),
+            evidence: device.evidence.clone(),
+            notes: device.notes.clone(),
+            findings,
+            source: device.source,
+            sources: device.sources.clone(),
+            sensors,
+        }
+    }
+}
+
+/// The inertial unit where this twin has it: a calibration's place is no longer the catalog's.
+fn imu(twin: &Twin) -> Imu {
+    let mut imu = twin.device.imu.clone();
+    let position_mm = twin.body_from_imu.translation * 1e3;
+    if position_mm.distance(DVec3::from(imu.position_mm)) > 1e-6 {
+        imu.position_mm = position_mm.to_array();
+        imu.rotation = twin.body_from_imu.rotation.transpose().to_cols_array_2d();
+        for key in ["position_mm", "rotation"] {
+            imu.sources.insert(key.to_owned(), Source::CalibrationExport);
+        }
+    }
+    imu
+}
+
+/// Distance from the left to the right optical centre, m; 0 for a device that lacks one.
+fn baseline_m(twin: &Twin) -> f64 {
+    let centre = |role| {
+        twin.camera(role)
+            .map(|camera| camera.body_from_camera.translation)
+    };
+    match (centre(Role::Left), centre(Role::Right)) {
+        (Some(left), Some(right)) => left.distance(right),
+        _ => 0.0,
+    }
+}

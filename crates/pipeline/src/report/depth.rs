@@ -1,0 +1,145 @@
+use serde::Serialize;
+
+use oaktwin_camera::StereoGeometry;
+use oaktwin_catalog::{DepthKind, Role, Source, Sources, Twin, TwinDepthSensor};
+
+/// One depth sensor: its attributes, and what follows from them.
+#[derive(Clone, Debug, Serialize)]
+pub struct DepthReport {
+    /// The prim of its virtual camera.
+    pub prim: String,
+    /// How the device measures.
+    pub kind: DepthKind,
+    /// The camera whose optics and place it has.
+    pub camera: Role,
+    /// The attributes of its render product: names without `omni:rtx:post:depthSensor:`.
+    pub attributes: Vec<AttributeReport>,
+    /// The nearest depth of the standard disparity range, `f b / maxDisparityPixel`, m.
+    pub min_z_m: f64,
+    /// The same with extended disparity, m, where the device has it: twice the largest disparity, 190 of 191 levels.
+    pub extended_min_z_m: Option<f64>,
+    /// The farthest depth that a whole pixel of disparity resolves, by the vendor's formula
+    /// `b/2 · tan(90° − HFOV / W)`, m.
+    pub max_z_m: f64,
+    /// The range in which the vendor recommends it, m.
+    pub ideal_range_m: (f64, f64),
+    /// Disparity and depth steps at some distances.
+    pub at: Vec<AtDistance>,
+    /// Where the catalog's values come from.
+    pub source: Source,
+    /// The keys that come from elsewhere.
+    pub sources: Sources,
+}
+
+/// One attribute.
+#[derive(Clone, Debug, Serialize)]
+pub struct AttributeReport {
+    /// Its name in the parameter sheet.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// What it is.
+    pub meaning: &'static str,
+}
+
+/// Disparity and depth steps at one distance.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct AtDistance {
+    /// The distance, m.
+    pub z_m: f64,
+    /// `f b / z`, px.
+    pub disparity_px: f64,
+    /// How much farther the next smaller whole-pixel disparity lies, m; absent beyond one pixel.
+    pub step_px_m: Option<f64>,
+    /// The same for 1/32 px, the finest subpixel setting, m.
+    pub step_subpixel_m: Option<f64>,
+}
+
+/// Where people want to know the depth step.
+const DISTANCES_M: [f64; 4] = [1.0, 4.0, 8.0, 12.0];
+
+impl DepthReport {
+    pub(super) fn new(twin: &Twin, sensor: &TwinDepthSensor) -> Self {
+        let spec = &sensor.spec;
+        let geometry = StereoGeometry {
+            focal_length_px: sensor.focal_length_px,
+            baseline_m: spec.baseline_mm * 1e-3,
+        };
+        let hfov = twin
+            .camera(spec.camera)
+            .map_or(0.0, |camera| camera.intrinsics.hfov());
+        Self {
+            prim: spec.prim.clone(),
+            kind: spec.kind,
+            camera: spec.camera,
+            attributes: attributes(sensor),
+            min_z_m: geometry.depth(spec.max_disparity_px),
+            extended_min_z_m: spec
+                .extended_max_disparity_px
+                .map(|_| geometry.depth(2.0 * spec.max_disparity_px)),
+            max_z_m: geometry.baseline_m / 2.0 / (hfov / spec.sensor_size_px).tan(),
+            ideal_range_m: spec.ideal_range_m,
+            at: DISTANCES_M
+                .iter()
+                .map(|&z_m| AtDistance {
+                    z_m,
+                    disparity_px: geometry.disparity(z_m),
+                    step_px_m: finite(geometry.depth_step(z_m, 1.0)),
+                    step_subpixel_m: finite(geometry.depth_step(z_m, 1.0 / 32.0)),
+                })
+                .collect(),
+            source: spec.source,
+            sources: spec.sources.clone(),
+        }
+    }
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+fn attributes(sensor: &TwinDepthSensor) -> Vec<AttributeReport> {
+    let spec = &sensor.spec;
+    let of = |name, value, meaning| AttributeReport { name, value, meaning };
+    vec![
+        of("baselineMM", spec.baseline_mm, "distance between the imagers, mm"),
+        of(
+            "focalLengthPixel",
+            sensor.focal_length_px,
+            "focal length, px of sensorSizePixel",
+        ),
+        of("sensorSizePixel", spec.sensor_size_px, "width of the sensor, px"),
+        of(
+            "maxDisparityPixel",
+            spec.max_disparity_px,
+            "largest disparity, px",
+        ),
+        of("minDistance", spec.min_distance_m, "nearest depth kept, m"),
+        of("maxDistance", spec.max_distance_m, "farthest depth kept, m"),
+        of(
+            "noiseMean",
+            spec.noise_mean_px,
+            "quantization step of disparity, px",
+        ),
+        of(
+            "noiseSigma",
+            spec.noise_sigma_px,
+            "standard deviation of disparity, px",
+        ),
+        of(
+            "noiseDownscaleFactorPixel",
+            spec.noise_downscale_factor_px,
+            "grain of the noise, px",
+        ),
+        of(
+            "confidenceThreshold",
+            spec.confidence_threshold,
+            "share of smooth surface kept, 0 to 1",
+        ),
+        of(
+            "outlierRemovalRange",
+            f64::from(spec.outlier_removal_range_px),
+            "outlier window, px (outlierRemovalEnabled)",
+        ),
+    ]
+}

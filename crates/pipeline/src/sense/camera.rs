@@ -1,0 +1,207 @@
+//! The camera that depth images were taken with.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::options::ImageCamera;
+use super::{FieldOfView, SenseError};
+use oaktwin_camera::{
+    Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
+};
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_files::{self as files, FileError};
+
+/// The largest `camera_params` file.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The camera of depth images of this size: as they say, else the sensor's `own` with its field of view.
+///
+/// # Errors
+/// No field of view.
+pub fn image_camera(
+    size: ImageSize,
+    asked: FieldOfView,
+    own: Intrinsics,
+) -> Result<(Camera, Vec<Finding>), SenseError> {
+    let mut findings = Vec::new();
+    let images = of_images(size, asked, None, own, &mut findings)?;
+    Ok((images.camera, findings))
+}
+
+/// The camera of images of this size: as options or `camera_params` say, else the sensor's own with its field of view.
+pub(super) fn of_images(
+    size: ImageSize,
+    asked: FieldOfView,
+    params: Option<&Path>,
+    own: Intrinsics,
+    findings: &mut Vec<Finding>,
+) -> Result<ImageCamera, SenseError> {
+    let pinhole = |intrinsics| Camera::new(intrinsics, LensModel::Pinhole);
+    let centre = PixelPoint::<Usd>::new(f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
+    let said = |camera: Camera| ImageCamera {
+        is_models: camera.lens == LensModel::Pinhole && is_same(&camera.intrinsics, &own),
+        camera,
+    };
+    match (asked, params) {
+        (FieldOfView::Camera(camera), _) => {
+            let own = camera.intrinsics.size;
+            if own != size {
+                return Err(SenseError::option(format!(
+                    "camera: its images are {own}, and these {size}; give the camera at their size"
+                )));
+            }
+            if camera.lens != LensModel::Pinhole {
+                findings.push(bent(
+                    "camera",
+                    "rectify them, and give the camera without the lens",
+                ));
+            }
+            Ok(said(camera))
+        }
+        (FieldOfView::FocalLength(fx), _) => {
+            if !(fx.is_finite() && fx > 0.0) {
+                return Err(SenseError::option(format!(
+                    "--fx {fx} is no focal length; give a number of pixels above 0"
+                )));
+            }
+            Ok(said(pinhole(Intrinsics::new(size, fx, fx, centre))))
+        }
+        (FieldOfView::Degrees(hfov), _) => {
+            if !(hfov > 0.0 && hfov < 180.0) {
+                return Err(SenseError::option(format!(
+                    "--hfov {hfov} is no field of view; give degrees between 0 and 180"
+                )));
+            }
+            Ok(said(pinhole(Intrinsics::from_hfov(size, hfov.to_radians()))))
+        }
+        (FieldOfView::Known, Some(params)) => {
+            let camera = read_params(params, size)?;
+            if camera.lens != LensModel::Pinhole {
+                let place = params.display().to_string();
+                findings.push(bent(&place, "give --resample to rectify them"));
+            }
+            Ok(said(camera))
+        }
+        (FieldOfView::Known, None) if size == own.size => Ok(ImageCamera {
+            camera: pinhole(own),
+            is_models: true,
+        }),
+        (FieldOfView::Known, None) => {
+            let scale = f64::from(size.width) / f64::from(own.size.width);
+            let c = own.principal_point::<Usd>();
+            // By the width, as a focal length is; what is cut off or added in height is on both sides alike.
+            let cy = f64::from(size.height) / 2.0 + (c.y - f64::from(own.size.height) / 2.0) * scale;
+            let centre = PixelPoint::<Usd>::new(c.x * scale, cy);
+            findings.push(Finding::new(
+                "own-size",
+                Level::Note,
+                size.to_string(),
+                format!(
+                    "the model's images are {}: these are taken to have its horizontal field of view, {:.2}°",
+                    own.size,
+                    own.hfov().to_degrees()
+                ),
+                "say --fx or --hfov where they have another, --resample for images of the model's size",
+            ));
+            Ok(ImageCamera {
+                camera: pinhole(Intrinsics::new(size, own.fx * scale, own.fy * scale, centre)),
+                is_models: false,
+            })
+        }
+    }
+}
+
+/// That images are not as a depth sensor's.
+fn bent(place: &str, remedy: &str) -> Finding {
+    Finding::new(
+        "image-lens",
+        Level::Warning,
+        place,
+        "the images have a lens that bends rays, and a depth sensor's are rectified: they are used as they are",
+        remedy,
+    )
+}
+
+fn is_same(a: &Intrinsics, b: &Intrinsics) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-5 * b.abs();
+    let (ca, cb) = (a.principal_point::<Usd>(), b.principal_point::<Usd>());
+    a.size == b.size && near(a.fx, b.fx) && near(a.fy, b.fy) && near(ca.x, cb.x) && near(ca.y, cb.y)
+}
+
+/// Replicator's `camera_params`.
+pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileError> {
+    let wrong = |message: String| FileError::new(path, message, "render the camera again, or give --fx");
+    let bytes = files::read(path, MOST_BYTES, "camera_params")?;
+    let params: Value = serde_json::from_slice(&bytes).map_err(|error| wrong(error.to_string()))?;
+    let numbers = |key: &str| -> Vec<f64> {
+        let list = params[key].as_array().map(Vec::as_slice).unwrap_or_default();
+        list.iter().filter_map(Value::as_f64).collect()
+    };
+    let number = |key: &str| params[key].as_f64();
+    let resolution = numbers("renderProductResolution");
+    if resolution != [f64::from(size.width), f64::from(size.height)] {
+        return Err(wrong(format!(
+            "renderProductResolution: {resolution:?}, and the depth image is {size}"
+        )));
+    }
+    let (width, height) = (f64::from(size.width), f64::from(size.height));
+    let projection = numbers("cameraProjection");
+    if projection.len() != 16 {
+        return Err(wrong("cameraProjection: not 16 numbers".to_owned()));
+    }
+    let at = |i: usize| projection.get(i).copied().unwrap_or(f64::NAN);
+    let pinhole = Intrinsics::new(
+        size,
+        at(0) * width / 2.0,
+        at(5) * height / 2.0,
+        PixelPoint::<Usd>::new((1.0 - at(8)) * width / 2.0, (1.0 + at(9)) * height / 2.0),
+    );
+    let model = params["cameraModel"].as_str().unwrap_or("pinhole");
+    let camera = match model {
+        "pinholeOpenCV" | "fisheyeOpenCV" => {
+            let (Some(fx), Some(fy)) = (number("cameraOpenCVFx"), number("cameraOpenCVFy")) else {
+                return Err(wrong("cameraOpenCVFx, cameraOpenCVFy: not there".to_owned()));
+            };
+            let [cx, cy] = numbers("cameraFisheyeOpticalCentre")[..] else {
+                return Err(wrong("cameraFisheyeOpticalCentre: not two numbers".to_owned()));
+            };
+            let intrinsics = Intrinsics::new(size, fx, fy, PixelPoint::<OpenCv>::new(cx, cy));
+            let k = |i: usize| numbers("cameraFisheyePolynomial").get(i).copied().unwrap_or(0.0);
+            let lens = if model == "fisheyeOpenCV" {
+                LensModel::OpenCvFisheye(OpenCvFisheye {
+                    k: [k(0), k(1), k(2), k(3)],
+                })
+            } else {
+                let (p, s) = (numbers("cameraFisheyeLensP"), numbers("cameraFisheyeLensS"));
+                let of = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
+                let mut coefficients = [0.0; 14];
+                coefficients[..8].copy_from_slice(&[
+                    k(0),
+                    k(1),
+                    of(&p, 0),
+                    of(&p, 1),
+                    k(2),
+                    k(3),
+                    k(4),
+                    k(5),
+                ]);
+                for (i, place) in coefficients[8..12].iter_mut().enumerate() {
+                    *place = of(&s, i);
+                }
+                LensModel::OpenCvPinhole(OpenCvPinhole { coefficients })
+            };
+            Camera::new(intrinsics, lens)
+        }
+        "pinhole" => Camera::new(pinhole, LensModel::Pinhole),
+        other => {
+            return Err(wrong(format!("cameraModel: {other} is not read")));
+        }
+    };
+    let k = camera.intrinsics;
+    if [k.fx, k.fy].iter().all(|f| f.is_finite() && *f > 0.0) {
+        Ok(camera)
+    } else {
+        Err(wrong(format!("the focal length {} is not above 0", k.fx)))
+    }
+}

@@ -1,0 +1,119 @@
+//! The pictures that belong to depth images: one file each, or an array of many.
+
+use std::path::{Path, PathBuf};
+
+use oaktwin_camera::ImageSize;
+use oaktwin_files::{self as files, FileError};
+use oaktwin_image::npy::{self, Values};
+use oaktwin_image::{Image, texture};
+
+/// The largest picture file.
+const MOST_BYTES: u64 = 4 << 30;
+
+/// The pictures of one depth file, in the order of its images.
+pub(super) struct Pictures {
+    files: Vec<PathBuf>,
+    /// Of an array.
+    decoded: Vec<Image<[u8; 4]>>,
+    next: usize,
+}
+
+impl Pictures {
+    /// Of the files that belong to a depth file of so many images.
+    ///
+    /// # Errors
+    /// An array that cannot be read or is of no pictures; another number of pictures than of images.
+    pub(super) fn open(files: &[PathBuf], depth: &Path, images: usize) -> Result<Option<Self>, FileError> {
+        let decoded = match files {
+            [] => return Ok(None),
+            [one] if is_numpy(one) => array(one)?,
+            _ => Vec::new(),
+        };
+        let count = if decoded.is_empty() {
+            files.len()
+        } else {
+            decoded.len()
+        };
+        if count != images {
+            let message = format!(
+                "{count} pictures for the {images} depth images of {}",
+                depth.display()
+            );
+            let remedy = "give one picture an image, or an array of as many";
+            return Err(FileError::new(&files[0], message, remedy));
+        }
+        Ok(Some(Self {
+            files: files.to_vec(),
+            decoded,
+            next: 0,
+        }))
+    }
+
+    /// The next picture, of the depth's size.
+    ///
+    /// # Errors
+    /// It cannot be read, or has another size.
+    pub(super) fn next(&mut self, depth: &Path, size: ImageSize) -> Result<Image<[u8; 4]>, FileError> {
+        let at = self.next;
+        self.next += 1;
+        let path = self.files.get(at).unwrap_or(&self.files[0]).clone();
+        let picture = match self.decoded.get_mut(at) {
+            Some(picture) => std::mem::replace(picture, Image::filled(0, 0, [0; 4])),
+            None => {
+                let bytes = files::read(&path, MOST_BYTES, "a picture")?;
+                let extension = path.extension().map(|extension| extension.to_string_lossy());
+                texture::decode_srgb(&bytes, extension.as_deref())
+                    .map_err(|error| FileError::codec(&path, &error))?
+            }
+        };
+        if (picture.width(), picture.height()) != (size.width, size.height) {
+            let message = format!(
+                "is {}x{}, and the depth {} is {size}",
+                picture.width(),
+                picture.height(),
+                depth.display()
+            );
+            return Err(FileError::new(&path, message, "give both in one size"));
+        }
+        Ok(picture)
+    }
+}
+
+fn is_numpy(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("npy"))
+}
+
+/// The pictures of an array, `(H, W, C)` or `(N, H, W, C)` of `uint8`, three or four channels.
+fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
+    let bytes = files::read(path, MOST_BYTES, "an array of pictures")?;
+    let array = npy::decode(&bytes).map_err(|error| FileError::codec(path, &error))?;
+    let wrong = |message: String| {
+        FileError::new(
+            path,
+            message,
+            "give uint8 of (H, W, 3), (H, W, 4), (N, H, W, 3) or (N, H, W, 4)",
+        )
+    };
+    let [.., height, width, channels @ (3 | 4)] = array.shape[..] else {
+        return Err(wrong(format!("NPY: shape: {:?} is no pictures", array.shape)));
+    };
+    let Values::U8(values) = array.values else {
+        return Err(wrong("NPY: descr: pictures are of uint8".to_owned()));
+    };
+    let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
+    let pixels = height * width;
+    if pixels == 0 {
+        return Err(wrong(format!("NPY: shape: {:?} is no pictures", array.shape)));
+    }
+    let pictures = values.chunks_exact(pixels * channels).map(|picture| {
+        let colors = picture.chunks_exact(channels).map(|pixel| match *pixel {
+            [r, g, b] => [r, g, b, 255],
+            [r, g, b, a] => [r, g, b, a],
+            _ => [0; 4],
+        });
+        size.and_then(|(width, height)| Image::new(width, height, colors.collect()))
+    });
+    let pictures: Option<Vec<_>> = pictures.collect();
+    pictures.ok_or_else(|| wrong(format!("NPY: shape: {:?} is too large", array.shape)))
+}

@@ -1,0 +1,278 @@
+//! Which files belong together, and what their results are called.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::{Input, InputKind, SenseError, SenseOptions};
+use crate::input::name::Name;
+use crate::input::replicator;
+use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_files::FileError;
+
+/// What a program's standard input is called in messages.
+pub const STANDARD_INPUT: &str = "standard input";
+
+/// One depth file and what belongs to it.
+#[derive(Clone, Debug)]
+pub(super) struct DepthFile {
+    pub(super) path: PathBuf,
+    pub(super) is_standard_input: bool,
+    pub(super) kind: InputKind,
+    pub(super) frame: u64,
+    pub(super) rgb: Vec<PathBuf>,
+    pub(super) params: Option<PathBuf>,
+    pub(super) results: Results,
+}
+
+/// Where the results of a file go.
+#[derive(Clone, Debug)]
+pub(super) struct Results {
+    folder: PathBuf,
+    by_annotator: bool,
+    prefix: String,
+    suffix: String,
+}
+
+impl Results {
+    /// The file of a result: of an annotator, in its own folder where that is the layout, and a name that begins with it.
+    pub(super) fn path(&self, annotator: &str, name: &str, item: Option<usize>, extension: &str) -> PathBuf {
+        let item = item.map(|item| format!("_{item:04}")).unwrap_or_default();
+        let file = format!("{}{name}{}{item}.{extension}", self.prefix, self.suffix);
+        if self.by_annotator {
+            self.folder.join(annotator).join(file)
+        } else {
+            self.folder.join(file)
+        }
+    }
+}
+
+/// Files of one camera in the order of their frames: a sensor sees one after the other.
+#[derive(Debug)]
+pub(super) struct Sequence<'a> {
+    pub(super) sensor: &'a TwinDepthSensor,
+    /// Whether the files say that they are this sensor's.
+    is_of_model: bool,
+    /// What keys the noise, where it is not the sensor's prim.
+    pub(super) name: Option<String>,
+    pub(super) files: Vec<DepthFile>,
+}
+
+/// The depth sensor of a kind; by default that of time of flight where there is one.
+///
+/// # Errors
+/// The device has none such.
+pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSensor, SenseError> {
+    let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
+    let model = &twin.device.name;
+    let chosen = match kind {
+        Some(kind) => of(kind).ok_or_else(|| {
+            let has: Vec<&str> = twin
+                .depth_sensors
+                .iter()
+                .map(|sensor| sensor.spec.kind.as_str())
+                .collect();
+            SenseError::option(format!(
+                "--sensor {kind}: {model} has no such depth sensor; it has {}",
+                has.join(", ")
+            ))
+        })?,
+        None => of(DepthKind::Tof)
+            .or_else(|| twin.depth_sensors.first())
+            .ok_or_else(|| {
+                SenseError::option(format!("{model} has no depth sensor; choose another model"))
+            })?,
+    };
+    Ok(chosen)
+}
+
+/// Puts inputs in order.
+pub(super) fn sequences<'a>(
+    twin: &'a Twin,
+    inputs: &[Input],
+    options: &SenseOptions,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<Sequence<'a>>, SenseError> {
+    let chosen = depth_sensor(twin, options.kind)?;
+    let mut sequences = Vec::new();
+    let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
+    for input in inputs {
+        match input {
+            Input::Folder { path, output } => {
+                folder(twin, chosen, path, output, options, &mut sequences, findings)?;
+            }
+            Input::File { path, output, rgb } => {
+                let name = Name::of(path);
+                let file = DepthFile {
+                    path: path.clone(),
+                    is_standard_input: false,
+                    kind: kind(path, name.kind, options)?,
+                    frame: name.number.unwrap_or(0),
+                    rgb: rgb.clone(),
+                    params: None,
+                    results: Results {
+                        folder: output.clone(),
+                        by_annotator: false,
+                        prefix: name.prefix(),
+                        suffix: name.suffix(),
+                    },
+                };
+                let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+                let extension = path
+                    .extension()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
+                // Without a number there is no next one.
+                let base = if name.number.is_some() {
+                    name.base
+                } else {
+                    path.display().to_string()
+                };
+                named.entry((folder, base, extension)).or_default().push(file);
+            }
+            Input::StandardInput { output, rgb } => sequences.push(Sequence {
+                sensor: chosen,
+                is_of_model: false,
+                name: None,
+                files: vec![DepthFile {
+                    path: STANDARD_INPUT.into(),
+                    is_standard_input: true,
+                    kind: kind(Path::new(STANDARD_INPUT), None, options)?,
+                    frame: 0,
+                    rgb: rgb.clone(),
+                    params: None,
+                    results: Results {
+                        folder: output.clone(),
+                        by_annotator: false,
+                        prefix: String::new(),
+                        suffix: String::new(),
+                    },
+                }],
+            }),
+        }
+    }
+    for (_, mut files) in named {
+        files.sort_by(|a, b| (a.frame, &a.path).cmp(&(b.frame, &b.path)));
+        sequences.push(Sequence {
+            sensor: chosen,
+            is_of_model: false,
+            name: None,
+            files,
+        });
+    }
+    one_result_each(&sequences)?;
+    let is_used = sequences
+        .iter()
+        .any(|one| one.sensor == chosen && !one.is_of_model);
+    if is_used && options.kind.is_none() && twin.depth_sensors.len() > 1 {
+        findings.push(Finding::new(
+            "chosen-sensor",
+            Level::Note,
+            &twin.device.name,
+            format!(
+                "of its depth sensors, {} ({}) is taken",
+                chosen.spec.prim, chosen.spec.kind
+            ),
+            "choose with --sensor",
+        ));
+    }
+    Ok(sequences)
+}
+
+/// The cameras of a folder: those that are a depth sensor's of the model where there are such, else all.
+fn folder<'a>(
+    twin: &'a Twin,
+    chosen: &'a TwinDepthSensor,
+    path: &Path,
+    output: &Path,
+    options: &SenseOptions,
+    sequences: &mut Vec<Sequence<'a>>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), SenseError> {
+    let cameras = replicator::cameras(path)?;
+    let of_model = |name: &Path| {
+        let is_wanted = |sensor: &&TwinDepthSensor| options.kind.is_none_or(|kind| sensor.spec.kind == kind);
+        twin.depth_sensors
+            .iter()
+            .filter(is_wanted)
+            .find(|sensor| name == Path::new(&sensor.spec.prim))
+    };
+    let any_of_model = cameras.iter().any(|camera| of_model(&camera.name).is_some());
+    for camera in cameras {
+        let own = of_model(&camera.name);
+        if any_of_model && own.is_none() {
+            findings.push(Finding::new(
+                "camera-left-out",
+                Level::Note,
+                path.join(&camera.name).display().to_string(),
+                format!("is no depth sensor of {}: left out", twin.device.name),
+                "name its files to have it sensed",
+            ));
+            continue;
+        }
+        let is_named = own.is_none() && camera.name != Path::new("");
+        let files = camera.frames.into_iter().map(|frame| {
+            let name = Name::of(&frame.depth);
+            DepthFile {
+                kind: frame.kind,
+                is_standard_input: false,
+                frame: name.number.unwrap_or(0),
+                rgb: frame.rgb.into_iter().collect(),
+                params: frame.params,
+                results: Results {
+                    folder: output.join(&camera.name),
+                    by_annotator: camera.by_annotator,
+                    prefix: String::new(),
+                    suffix: name.suffix(),
+                },
+                path: frame.depth,
+            }
+        });
+        sequences.push(Sequence {
+            sensor: own.unwrap_or(chosen),
+            is_of_model: own.is_some(),
+            name: is_named.then(|| camera.name.to_string_lossy().into_owned()),
+            files: files.collect(),
+        });
+    }
+    Ok(())
+}
+
+/// What a file's numbers are: its name says it, or the options must.
+fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result<InputKind, SenseError> {
+    match (options.input_kind, named) {
+        (Some(kind), _) => Ok(kind),
+        (None, Some(kind)) => Ok(kind),
+        (None, None) => Err(FileError::new(
+            path,
+            "does not say whether it is depth along the axis or distance from the camera",
+            "say --input-kind z, or --input-kind range",
+        )
+        .into()),
+    }
+}
+
+/// No two files may have results of one name.
+fn one_result_each(sequences: &[Sequence<'_>]) -> Result<(), SenseError> {
+    let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    for file in sequences.iter().flat_map(|sequence| &sequence.files) {
+        let result = file
+            .results
+            .path("depth_sensor_distance", "depth_sensor_distance", None, "npy");
+        if let Some(other) = taken.insert(result.clone(), &file.path) {
+            let message = format!(
+                "has the result {}, and so has {}",
+                result.display(),
+                other.display()
+            );
+            return Err(FileError::new(
+                &file.path,
+                message,
+                "give them one after the other, each its own -o",
+            )
+            .into());
+        }
+    }
+    Ok(())
+}

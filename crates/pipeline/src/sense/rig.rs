@@ -1,0 +1,98 @@
+//! Into another camera of the device.
+
+use super::product::reported;
+use super::{AlignTo, SenseError};
+use crate::render::check_size;
+use crate::sensor::{Engine, Sensor};
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform};
+use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_depth::align::Align;
+use oaktwin_depth::single_view::Direction;
+use oaktwin_usd::asset::LensChoice;
+
+/// From the images that a sensor reports of those of a camera to the camera that is asked for.
+///
+/// # Errors
+/// The device has no such camera, or its image cannot be.
+pub fn align_to(
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    look: &Sensor,
+    images: &Camera,
+    to: &AlignTo,
+    lens: LensChoice,
+) -> Result<Align, SenseError> {
+    let size = images.intrinsics.size;
+    let (width, height) = look.filters().size(size.width, size.height);
+    let smaller = reported(images, ImageSize::new(width, height));
+    aligner(twin, sensor, smaller, shift_m(look.engine(), images), to, lens)
+}
+
+/// From the image that a sensor reports to the camera that is asked for: as that camera sees, its lens included.
+pub(super) fn aligner(
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    reported: Camera,
+    shift_m: f64,
+    to: &AlignTo,
+    lens: LensChoice,
+) -> Result<Align, SenseError> {
+    let target = twin.camera(to.camera).ok_or_else(|| {
+        let has: Vec<&str> = twin
+            .cameras
+            .iter()
+            .map(|camera| camera.spec.role.as_str())
+            .collect();
+        SenseError::option(format!(
+            "--align {}: {} has no such camera; it has {}",
+            to.camera,
+            twin.device.name,
+            has.join(", ")
+        ))
+    })?;
+    let source = twin.camera(sensor.spec.camera).ok_or_else(|| {
+        SenseError::option(format!(
+            "--align: the place of {} is not known; leave it out",
+            sensor.spec.prim
+        ))
+    })?;
+    let mut own = optics(target, lens);
+    if let Some(size) = to.size {
+        check_size(size).map_err(|error| SenseError::option(format!("--align-size: {error}")))?;
+        own.intrinsics = own.intrinsics.resized(size, true);
+    }
+    let source_from_reported = RigidTransform::new(DMat3::IDENTITY, DVec3::new(-shift_m, 0.0, 0.0));
+    let target_from_reported =
+        target.body_from_camera.inverse() * source.body_from_camera * source_from_reported;
+    Ok(Align::new(reported, own, target_from_reported, to.fill))
+}
+
+fn optics(camera: &TwinCamera, lens: LensChoice) -> Camera {
+    match camera.nominal_fisheye() {
+        // A calibration's own lens wins.
+        Some(optics) if lens == LensChoice::Fisheye && camera.lens == LensModel::Pinhole => {
+            Camera::new(optics.intrinsics, optics.lens)
+        }
+        _ => Camera::new(camera.intrinsics, camera.lens),
+    }
+}
+
+/// How far left of the camera, metres, the reported image is seen from. Isaac Sim's sensor moves what the camera renders
+/// to where its left imager sees it; the errors of a stereo pair are those of the left image itself, and so
+/// are those of time of flight.
+pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
+    match engine {
+        Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => 0.0,
+        Engine::SingleView(engine) => {
+            let moved = engine
+                .parameters()
+                .disparity_times_depth(image.intrinsics.size.width);
+            let sign = match engine.assumptions().direction {
+                Direction::Right => 1.0,
+                Direction::Left => -1.0,
+            };
+            sign * moved / image.intrinsics.fx
+        }
+    }
+}

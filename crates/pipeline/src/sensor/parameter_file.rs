@@ -1,0 +1,246 @@
+//! Parameters of an engine in a file of their own, as a fit writes them.
+//!
+//! ```toml
+//! engine = "stereo-noise"
+//!
+//! [parameters]
+//! bias = -0.22
+//! pixelLocking = 0.13
+//! ```
+//!
+//! A table `[fit]` says where they come from; it is for people.
+
+use std::path::Path;
+
+use oaktwin_depth::preset::Platform;
+use oaktwin_depth::single_view::Assumptions;
+use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise, time_of_flight};
+use toml::Value;
+
+use super::{EngineKind, SensorOptions, calibration_error_px, configure};
+use oaktwin_camera::StereoGeometry;
+use oaktwin_diagnostic::nearest;
+use oaktwin_files::{self as files, FileError};
+
+/// Far more than a file of parameters ever has.
+const MOST_BYTES: u64 = 1 << 20;
+
+const TABLES: [&str; 3] = ["engine", "parameters", "fit"];
+
+/// An engine and values for some of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterFile {
+    /// Whose parameters they are.
+    pub engine: EngineKind,
+    /// By their names, in the file's order.
+    pub parameters: Vec<(String, String)>,
+}
+
+impl ParameterFile {
+    /// Reads a file and checks each name and value.
+    ///
+    /// # Errors
+    /// It cannot be read, is no TOML, or names what the engine does not have.
+    pub fn read(path: &Path) -> Result<Self, FileError> {
+        let bytes = files::read(path, MOST_BYTES, "a file of parameters")?;
+        let text = std::str::from_utf8(&bytes)
+            .map_err(|_| FileError::new(path, "is no text", "give a TOML file in UTF-8"))?;
+        Self::parse(text).map_err(|(what, remedy)| FileError::new(path, what, remedy))
+    }
+
+    fn parse(text: &str) -> Result<Self, (String, String)> {
+        let document: toml::Table = text.parse().map_err(|error: toml::de::Error| {
+            let line = error.span().map_or(1, |span| {
+                text[..span.start.min(text.len())].matches('\n').count() + 1
+            });
+            let what = error.message().lines().collect::<Vec<_>>().join(" ");
+            (
+                format!("line {line}: {what}"),
+                "write engine = \"stereo-noise\" and a table [parameters]".to_owned(),
+            )
+        })?;
+        for name in document.keys() {
+            if !TABLES.contains(&name.as_str()) {
+                let near = nearest(name, TABLES);
+                let hint = if near.is_empty() {
+                    "parameters of the engine belong below [parameters]".to_owned()
+                } else {
+                    format!("did you mean {}?", near.join(" or "))
+                };
+                return Err((format!("{name}: is not known here"), hint));
+            }
+        }
+        let engine = match document.get("engine").and_then(Value::as_str) {
+            Some(name) => {
+                EngineKind::parse(name).map_err(|error| (format!("engine: {}", error.what), error.remedy))?
+            }
+            None => {
+                return Err((
+                    "engine: is not said".to_owned(),
+                    "write engine = \"stereo-noise\", say, in the first line".to_owned(),
+                ));
+            }
+        };
+        let Some(table) = document.get("parameters").and_then(Value::as_table) else {
+            return Err((
+                "parameters: there is no such table".to_owned(),
+                "write [parameters], and below it NAME = VALUE".to_owned(),
+            ));
+        };
+        let mut parameters = Vec::new();
+        for (name, value) in table {
+            let text = match value {
+                Value::String(text) => text.clone(),
+                Value::Integer(number) => number.to_string(),
+                Value::Float(number) => number.to_string(),
+                Value::Boolean(flag) => flag.to_string(),
+                _ => {
+                    return Err((
+                        format!("parameters.{name}: is neither a number, nor true or false, nor text"),
+                        "give one value".to_owned(),
+                    ));
+                }
+            };
+            parameters.push((name.clone(), text));
+        }
+        let file = Self { engine, parameters };
+        file.check()
+            .map_err(|error| (format!("parameters.{}: {}", error.name, error.what), error.remedy))?;
+        Ok(file)
+    }
+
+    /// Gives the values to a sensor: those that its options already name count more, and so does its seed of a device
+    /// for what the file leaves open.
+    ///
+    /// # Errors
+    /// The options ask for another engine.
+    pub fn apply(&self, options: &mut SensorOptions) -> Result<(), ParameterError> {
+        match options.engine {
+            Some(engine) if engine != self.engine => Err(ParameterError {
+                name: "engine".to_owned(),
+                what: format!(
+                    "the file of parameters is for {}, and {} is asked for",
+                    self.engine.as_str(),
+                    engine.as_str()
+                ),
+                remedy: "leave one of the two out".to_owned(),
+            }),
+            _ => {
+                options.engine = Some(self.engine);
+                let named = std::mem::replace(&mut options.parameters, self.parameters.clone());
+                options.parameters.extend(named);
+                Ok(())
+            }
+        }
+    }
+
+    /// Sets each on its own, on a device of no importance: a value that is wrong by itself is found here, with its file.
+    fn check(&self) -> Result<(), ParameterError> {
+        let stereo = StereoGeometry {
+            focal_length_px: 800.0,
+            baseline_m: 0.075,
+        };
+        let options = SensorOptions {
+            parameters: self.parameters.clone(),
+            ..SensorOptions::default()
+        };
+        match self.engine {
+            EngineKind::StereoNoise => {
+                let mut parameters = stereo_noise::Parameters::new(stereo, 1280);
+                configure::set_stereo_noise(&mut parameters, &options)
+            }
+            EngineKind::StereoMatching => {
+                let mut parameters = stereo_matching::Parameters::new(Platform::Rvc2, stereo, 1280);
+                configure::set_stereo_matching(&mut parameters, &options)?;
+                calibration_error_px(&options).map(|_| ())
+            }
+            EngineKind::SingleView => {
+                let mut parameters = single_view::Parameters::ISAAC_5_1;
+                configure::set_single_view(&mut parameters, &mut Assumptions::default(), &options)
+            }
+            EngineKind::TimeOfFlight => {
+                let mut parameters = time_of_flight::Parameters::new(457.0, 640);
+                configure::set_time_of_flight(&mut parameters, &options)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_and_named_values_count_more() {
+        let file = ParameterFile::parse(
+            "engine = 'stereo-noise'\n[parameters]\nbias = -0.22\nwindow = 9\ndepth-rounding = 'truncate'\n\
+             subpixel = true\n[fit]\nmodel = 'x'\n",
+        )
+        .unwrap();
+        let mut options = SensorOptions {
+            parameters: vec![("bias".to_owned(), "0.1".to_owned())],
+            ..SensorOptions::default()
+        };
+        file.apply(&mut options).unwrap();
+        assert_eq!(options.engine, Some(EngineKind::StereoNoise));
+        let last = options
+            .parameters
+            .iter()
+            .rfind(|(name, _)| name == "bias")
+            .unwrap();
+        assert_eq!(last.1, "0.1");
+        assert_eq!(options.parameters.len(), 5);
+        options.engine = Some(EngineKind::SingleView);
+        assert!(
+            file.apply(&mut options)
+                .unwrap_err()
+                .what
+                .contains("stereo-noise")
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_told() {
+        for (text, expected) in [
+            ("", "engine: is not said"),
+            (
+                "engine = 'stereo-nose'\n[parameters]\n",
+                "did you mean stereo-noise",
+            ),
+            ("engine = 'stereo-noise'\n", "no such table"),
+            (
+                "engine = 'stereo-noise'\nbias = 1\n[parameters]\n",
+                "bias: is not known here",
+            ),
+            (
+                "engine = 'stereo-noise'\n[parameter]\n",
+                "did you mean parameters?",
+            ),
+            (
+                "engine = 'stereo-noise'\n[parameters]\njiter = 1\n",
+                "parameters.jiter: stereo-noise has no such parameter; did you mean jitter?",
+            ),
+            (
+                "engine = 'stereo-noise'\n[parameters]\njitter = -1.0\n",
+                "parameters.jitter: -1 is out of range",
+            ),
+            (
+                "engine = 'stereo-noise'\n[parameters]\njitter = nan\n",
+                "parameters.jitter",
+            ),
+            (
+                "engine = 'stereo-noise'\n[parameters]\njitter = [1]\n",
+                "parameters.jitter: is neither",
+            ),
+            ("engine = 'stereo-noise'\n\n[parameters\n", "line 3"),
+            (
+                "engine = 'single-view'\n[parameters]\njitter = 1\n",
+                "it is a parameter of stereo-noise",
+            ),
+        ] {
+            let (what, remedy) = ParameterFile::parse(text).unwrap_err();
+            let told = format!("{what}; {remedy}");
+            assert!(told.contains(expected), "{text:?}: {told}");
+        }
+    }
+}

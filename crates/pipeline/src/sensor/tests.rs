@@ -1,0 +1,253 @@
+use super::*;
+use oaktwin_camera::ImageSize;
+use oaktwin_catalog::Catalog;
+use oaktwin_depth::filter::Filter;
+use oaktwin_depth::{stereo_noise, time_of_flight as tof};
+
+fn twin(model: &str) -> Twin {
+    let catalog = Catalog::builtin();
+    catalog.nominal(catalog.device(model).unwrap())
+}
+
+fn of(model: &str, index: usize, options: &SensorOptions) -> Result<(Sensor, Vec<Finding>), String> {
+    let twin = twin(model);
+    sensor(&twin, &twin.depth_sensors[index], options).map_err(|error| error.to_string())
+}
+
+fn stereo(sensor: &Sensor) -> stereo_noise::Parameters {
+    match sensor.engine() {
+        Engine::StereoNoise(engine) => *engine.parameters(),
+        other => panic!("{}", EngineKind::of(other).as_str()),
+    }
+}
+
+fn time_of_flight(sensor: &Sensor) -> tof::Parameters {
+    match sensor.engine() {
+        Engine::TimeOfFlight(engine) => *engine.parameters(),
+        other => panic!("{}", EngineKind::of(other).as_str()),
+    }
+}
+
+fn isaac(sensor: &Sensor) -> single_view::Parameters {
+    match sensor.engine() {
+        Engine::SingleView(engine) => *engine.parameters(),
+        other => panic!("{}", EngineKind::of(other).as_str()),
+    }
+}
+
+#[test]
+fn defaults_are_the_devices() {
+    let options = SensorOptions::default();
+    let (pro, findings) = of("OAK-D Pro PoE", 0, &options).unwrap();
+    assert!(findings.is_empty() && pro.filters().is_empty());
+    let p = stereo(&pro);
+    assert_eq!(p.width_px, 1280);
+    assert!((p.stereo.focal_length_px - 804.6).abs() < 0.1 && (p.stereo.baseline_m - 0.075).abs() < 1e-12);
+    assert_eq!(p.bias_px, 0.0);
+    let (tof, _) = of("OAK-D ToF", 1, &options).unwrap();
+    let p = time_of_flight(&tof);
+    assert_eq!((p.width_px, p.principal_point_px), (640, Some([320.0, 240.0])));
+    assert!((p.focal_length_px - 457.0).abs() < 0.1, "{}", p.focal_length_px);
+    let parity = SensorOptions {
+        engine: Some(EngineKind::SingleView),
+        ..options.clone()
+    };
+    let (tof, _) = of("OAK-D ToF", 1, &parity).unwrap();
+    assert_eq!(isaac(&tof).baseline_mm, 0.5);
+    let (near, _) = of("OAK-D ToF", 0, &options).unwrap();
+    assert!((stereo(&near).stereo.baseline_m - 0.02).abs() < 1e-12);
+    let wrong = |engine, index| {
+        let options = SensorOptions {
+            engine: Some(engine),
+            ..options.clone()
+        };
+        of("OAK-D ToF", index, &options).unwrap_err()
+    };
+    assert_eq!(
+        wrong(EngineKind::StereoNoise, 1),
+        "engine: Camera_pseudo_depth_tof is no stereo sensor; use time-of-flight, single-view, or the stereo sensor"
+    );
+    assert_eq!(
+        wrong(EngineKind::TimeOfFlight, 0),
+        "engine: Camera_pseudo_depth_stereo is no time-of-flight sensor; use stereo-noise, single-view, or the \
+         time-of-flight sensor"
+    );
+}
+
+#[test]
+fn the_images_own_focal_length_is_said() {
+    let image = |width: u32, fx: f64| SensorOptions {
+        image: Some(Intrinsics::new(
+            ImageSize::new(width, width * 5 / 8),
+            fx,
+            fx,
+            oaktwin_camera::PixelPoint::<oaktwin_camera::Usd>::new(f64::from(width) / 2.0, 1.0),
+        )),
+        ..SensorOptions::default()
+    };
+    let own = twin("OAK-D Pro PoE").cameras[1].intrinsics.fx;
+    let (same, findings) = of("OAK-D Pro PoE", 0, &image(640, own / 2.0)).unwrap();
+    assert!(findings.is_empty());
+    assert_eq!(stereo(&same).stereo.focal_length_px, own);
+    let (other, findings) = of("OAK-D Pro PoE", 0, &image(640, 300.0)).unwrap();
+    assert_eq!(findings[0].code, "own-focal-length");
+    assert_eq!(stereo(&other).stereo.focal_length_px, 600.0);
+    let single = SensorOptions {
+        engine: Some(EngineKind::SingleView),
+        ..image(640, 300.0)
+    };
+    assert_eq!(
+        isaac(&of("OAK-D Pro PoE", 0, &single).unwrap().0).focal_length_px,
+        600.0
+    );
+    for wrong in [0.0, f64::NAN, -3.0] {
+        for engine in [EngineKind::SingleView, EngineKind::StereoNoise] {
+            let options = SensorOptions {
+                engine: Some(engine),
+                ..image(640, wrong)
+            };
+            assert!(
+                of("OAK-D Pro PoE", 0, &options)
+                    .unwrap_err()
+                    .contains("ocalLength")
+            );
+        }
+    }
+}
+
+#[test]
+fn presets_are_the_platforms() {
+    let preset = |name: &str| SensorOptions {
+        preset: Some(name.to_owned()),
+        ..SensorOptions::default()
+    };
+    let (pro, findings) = of("OAK-D Pro PoE", 0, &preset("robotics")).unwrap();
+    assert_eq!(stereo(&pro).subpixel.bits(), 3);
+    let names = |sensor: &Sensor| {
+        sensor
+            .filters()
+            .filters()
+            .iter()
+            .map(Filter::name)
+            .collect::<Vec<_>>()
+    };
+    assert!(names(&pro).contains(&"median"));
+    assert!(
+        findings[0]
+            .message
+            .starts_with("preset ROBOTICS: 3 subpixel bits"),
+        "{findings:?}"
+    );
+    let (oak4, _) = of("OAK4-D", 0, &preset("default")).unwrap();
+    assert!(stereo(&oak4).extended_disparity);
+    assert!(
+        of("OAK4-D", 0, &preset("high_density"))
+            .unwrap_err()
+            .contains("RVC2")
+    );
+    assert!(
+        of("OAK-D Pro PoE", 0, &preset("robotcs"))
+            .unwrap_err()
+            .contains("ROBOTICS")
+    );
+    let (tof, _) = of("OAK-D ToF", 1, &preset("tof_mid_range")).unwrap();
+    assert_eq!(names(&tof), ["temporal", "speckle", "spatial"]);
+    let p = time_of_flight(&tof);
+    assert_eq!(
+        (p.phase_unwrap_error_threshold, p.confidence_threshold),
+        (75, 0.2)
+    );
+    assert!(of("OAK-D ToF", 1, &preset("robotics")).is_err());
+    let own = SensorOptions {
+        filters: vec!["median:size=5".to_owned(), "speckle".to_owned()],
+        ..preset("robotics")
+    };
+    assert_eq!(
+        names(&of("OAK-D Pro PoE", 0, &own).unwrap().0),
+        ["median", "speckle"]
+    );
+    let extended = SensorOptions {
+        engine: Some(EngineKind::SingleView),
+        ..preset("face")
+    };
+    assert_eq!(
+        isaac(&of("OAK-D Pro PoE", 0, &extended).unwrap().0).max_disparity_px,
+        191.0
+    );
+}
+
+#[test]
+fn parameters_by_name_belong_to_their_engine() {
+    let with = |engine, name: &str, value: &str| {
+        let options = SensorOptions {
+            engine: Some(engine),
+            parameters: vec![(name.to_owned(), value.to_owned())],
+            ..SensorOptions::default()
+        };
+        of("OAK-D Pro PoE", 0, &options).map(|(sensor, _)| sensor)
+    };
+    let (single, noise) = (EngineKind::SingleView, EngineKind::StereoNoise);
+    assert_eq!(
+        isaac(&with(single, "noise-mean", "0.5").unwrap()).noise_mean_px,
+        0.5
+    );
+    assert_eq!(stereo(&with(noise, "JITTER", "0.1").unwrap()).jitter_px, 0.1);
+    with(single, "depth", "recomputed").unwrap();
+    assert_eq!(
+        with(noise, "noiseMean", "0.5").unwrap_err(),
+        "noiseMean: stereo-noise has no noiseMean: it is a parameter of single-view; leave it out, or choose the engine single-view"
+    );
+    assert!(
+        with(single, "jitter", "0.5")
+            .unwrap_err()
+            .contains("of stereo-noise")
+    );
+    assert!(
+        with(single, "noiseMeen", "0.5")
+            .unwrap_err()
+            .contains("did you mean noiseMean")
+    );
+    for (engine, name, value) in [
+        (single, "baselineMM", "0"),
+        (single, "confidenceThreshold", "1.5"),
+        (noise, "baseline", "0"),
+        (noise, "focalLength", "nan"),
+        (noise, "jitter", "much"),
+    ] {
+        assert!(with(engine, name, value).is_err(), "{name}={value}");
+    }
+}
+
+#[test]
+fn devices_differ_by_their_seed_alone() {
+    let bias = |device_seed| {
+        let options = SensorOptions {
+            device_seed,
+            ..SensorOptions::default()
+        };
+        stereo(&of("OAK4-D", 0, &options).unwrap().0).bias_px
+    };
+    assert_eq!(bias(None), 0.0);
+    assert_eq!(bias(Some(3)), bias(Some(3)));
+    assert_ne!(bias(Some(3)), bias(Some(4)));
+}
+
+#[test]
+fn parameters_of_another_processor_are_told() {
+    let set = |name: &str| SensorOptions {
+        engine: Some(EngineKind::StereoMatching),
+        parameters: vec![(name.to_owned(), "20".to_owned())],
+        ..SensorOptions::default()
+    };
+    let of_rvc4 = set("flatnessConfidenceWeight");
+    assert!(of("OAK4-D", 0, &of_rvc4).unwrap().1.is_empty());
+    let (_, findings) = of("OAK-D Pro PoE", 0, &of_rvc4).unwrap();
+    assert_eq!(findings.len(), 1);
+    assert_eq!(findings[0].code, "other-platform");
+    assert_eq!(
+        findings[0].message,
+        "on RVC2 flatnessConfidenceWeight has no effect"
+    );
+    let (_, findings) = of("OAK4-D", 0, &set("horizontalPenaltyCostP1")).unwrap();
+    assert_eq!(findings[0].code, "other-platform");
+}

@@ -1,0 +1,291 @@
+//! Two images to depth.
+
+use rayon::prelude::*;
+
+use super::StereoError;
+use crate::pair::{PairCameras, PairOptions};
+use crate::sense::FieldOfView;
+use crate::sensor::{
+    Capture, Engine, ParameterError, Sensor, SensorOptions, Shot, platform, single_view,
+    stereo_matching as sensor,
+};
+use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
+use oaktwin_catalog::Twin;
+use oaktwin_depth::imager::Recorded;
+use oaktwin_depth::preset::Platform;
+use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
+use oaktwin_depth::stereo_matching::{self, Pair};
+use oaktwin_diagnostic::Finding;
+use oaktwin_image::Image;
+use oaktwin_usd::asset::LensChoice;
+
+/// What took a pair.
+#[derive(Clone, Copy, Debug)]
+pub enum PairOf<'a> {
+    /// The cameras of a twin, one unit's or a nominal one.
+    Twin {
+        /// The device.
+        twin: &'a Twin,
+        /// The lens of the wide models' nominal cameras.
+        lens: LensChoice,
+        /// Whether the images are as the cameras take them, and not rectified.
+        is_raw: bool,
+        /// How they are rectified; by default as the device's processor does it.
+        rectify: Option<RectifyOptions>,
+        /// The processor whose defaults and presets hold; by default the device's.
+        platform: Option<Platform>,
+    },
+    /// Anything; the images are rectified.
+    Rectified {
+        /// Their field of view.
+        field_of_view: FieldOfView,
+        /// Between the two cameras, m.
+        baseline_m: f64,
+        /// The processor whose defaults and presets hold.
+        platform: Platform,
+    },
+}
+
+/// A stereo pair's processor, ready to look. It remembers earlier frames where its filters do.
+#[derive(Debug)]
+pub struct Matcher {
+    size: ImageSize,
+    rectify: Option<StereoRectify>,
+    intrinsics: Intrinsics,
+    body_from_camera: RigidTransform,
+    baseline_m: f64,
+    sensor: Sensor,
+    findings: Vec<Finding>,
+}
+
+/// What is seen in a pair.
+#[derive(Debug)]
+pub struct Seen {
+    /// Depth, disparity and confidence.
+    pub capture: Capture,
+    /// What was matched: left and right.
+    pub rectified: [Recorded; 2],
+    /// What is wrong with the pair.
+    pub findings: Vec<Finding>,
+}
+
+impl Matcher {
+    /// For images of this size.
+    ///
+    /// # Errors
+    /// Cameras that are no pair; an option that cannot be.
+    pub fn new(of: &PairOf<'_>, size: ImageSize, options: &SensorOptions) -> Result<Self, StereoError> {
+        let (rectify, intrinsics, body_from_camera, stereo, platform, place) = match *of {
+            PairOf::Twin {
+                twin,
+                lens,
+                is_raw,
+                rectify,
+                platform: chosen,
+            } => {
+                let pair = PairOptions {
+                    rectify,
+                    lens,
+                    size: Some(size),
+                    ..PairOptions::default()
+                };
+                let cameras = PairCameras::new(twin, &pair)?;
+                let rectify = cameras.rectify().clone();
+                let geometry = *rectify.geometry();
+                (
+                    is_raw.then_some(rectify),
+                    geometry.left,
+                    cameras.body_from_rectified_left(),
+                    geometry.stereo_geometry(),
+                    chosen.or_else(|| platform(twin)),
+                    twin.device.name.as_str(),
+                )
+            }
+            PairOf::Rectified {
+                field_of_view,
+                baseline_m,
+                platform,
+            } => {
+                let intrinsics = ideal(size, field_of_view)?;
+                let stereo = StereoGeometry {
+                    focal_length_px: intrinsics.fx,
+                    baseline_m,
+                };
+                let place = RigidTransform::IDENTITY;
+                (None, intrinsics, place, stereo, Some(platform), "stereo pair")
+            }
+        };
+        let platform = platform.unwrap_or(Platform::Rvc2);
+        let (sensor, findings) = sensor(platform, stereo, size.width, place, options)?;
+        Ok(Self {
+            size,
+            rectify,
+            intrinsics,
+            body_from_camera,
+            baseline_m: stereo.baseline_m,
+            sensor,
+            findings,
+        })
+    }
+
+    /// What about it is to be known.
+    #[must_use]
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// The size of its images.
+    #[must_use]
+    pub fn size(&self) -> ImageSize {
+        self.size
+    }
+
+    /// The rectified left camera.
+    #[must_use]
+    pub fn camera(&self) -> Camera {
+        Camera::new(self.intrinsics, LensModel::Pinhole)
+    }
+
+    /// Where the rectified left camera stands in the device's body, metres; the identity of a pair that is no device's.
+    #[must_use]
+    pub fn body_from_camera(&self) -> RigidTransform {
+        self.body_from_camera
+    }
+
+    /// m
+    #[must_use]
+    pub fn baseline_m(&self) -> f64 {
+        self.baseline_m
+    }
+
+    /// How images are rectified; `None` where they are.
+    #[must_use]
+    pub fn method(&self) -> Option<Method> {
+        self.rectify.as_ref().map(StereoRectify::method)
+    }
+
+    /// The engine and its filters.
+    #[must_use]
+    pub fn sensor(&self) -> &Sensor {
+        &self.sensor
+    }
+
+    /// Forgets all earlier frames.
+    pub fn reset(&mut self) {
+        self.sensor.reset();
+    }
+
+    /// Matches a pair of its size.
+    ///
+    /// # Errors
+    /// Images of another size, or of two kinds.
+    pub fn look(&mut self, left: Recorded, right: Recorded) -> Result<Seen, StereoError> {
+        let rectified = self.rectified(left, right)?;
+        see(&mut self.sensor, rectified)
+    }
+
+    /// Matches pairs of one moment, left and right, those of many rigs: each as a matcher would that has seen none before,
+    /// and this one does not remember them. Threads match a pair each while there are enough, and share those that are
+    /// left; there are never more at work than threads. Findings say the pair's number, from `first` on.
+    ///
+    /// # Errors
+    /// As for [`Matcher::look`], of the first pair that has one.
+    pub fn look_all(&self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
+        let mut fresh = self.sensor.clone();
+        fresh.reset();
+        let threads = rayon::current_num_threads().max(1);
+        let mut all = Vec::with_capacity(pairs.len());
+        let mut pairs = pairs.into_iter();
+        loop {
+            let some: Vec<[Recorded; 2]> = pairs.by_ref().take(threads).collect();
+            if some.is_empty() {
+                return Ok(all);
+            }
+            let look = |[left, right]: [Recorded; 2]| {
+                let rectified = self.rectified(left, right)?;
+                see(&mut fresh.clone(), rectified)
+            };
+            let some: Vec<Result<Seen, StereoError>> = some.into_par_iter().map(look).collect();
+            for seen in some {
+                let (mut seen, number) = (seen?, first + all.len());
+                for finding in &mut seen.findings {
+                    finding.place = format!("pair {number}: {}", finding.place);
+                }
+                all.push(seen);
+            }
+        }
+    }
+
+    fn rectified(&self, left: Recorded, right: Recorded) -> Result<[Recorded; 2], StereoError> {
+        // First, so that what is wrong is told of the images as they came.
+        Pair::new(&left, &right)?;
+        let rectified = match (&self.rectify, &left, &right) {
+            (None, ..) => None,
+            (Some(rectify), Recorded::Eight(left), Recorded::Eight(right)) => rectify
+                .rectify(left.into(), right.into())
+                .map(|pair| pair.map(Recorded::Eight)),
+            (Some(rectify), Recorded::Ten(left), Recorded::Ten(right)) => rectify
+                .rectify(left.into(), right.into())
+                .map(|pair| pair.map(Recorded::Ten)),
+            _ => None,
+        };
+        let size = ImageSize::new(left.width(), left.height());
+        if size != self.size {
+            return Err(stereo_matching::PairError {
+                what: format!("its images are {size}, those before {}", self.size),
+                remedy: "give images of one size",
+            }
+            .into());
+        }
+        Ok(rectified.unwrap_or([left, right]))
+    }
+}
+
+fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoError> {
+    let [left, right] = &rectified;
+    let pair = Pair::new(left, right)?;
+    let findings = match sensor.engine() {
+        Engine::StereoMatching(engine) => stereo_matching::inspect(&pair, engine.parameters()),
+        _ => Vec::new(),
+    };
+    // The measured depth has the size of the pair.
+    let none = Image::filled(1, 1, 0.0);
+    let shot = Shot::new((&none).into()).with_pair(pair);
+    let capture = sensor.capture(&shot, single_view::Wanted::default());
+    Ok(Seen {
+        capture,
+        rectified,
+        findings,
+    })
+}
+
+fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, ParameterError> {
+    let wrong = |name: &str, value: f64, remedy: &str| ParameterError {
+        name: name.to_owned(),
+        what: format!("{value} is no camera's"),
+        remedy: remedy.to_owned(),
+    };
+    match field_of_view {
+        FieldOfView::FocalLength(fx) if fx.is_finite() && fx > 0.0 => {
+            let mut own = Intrinsics::from_hfov(size, 1.0);
+            (own.fx, own.fy) = (fx, fx);
+            Ok(own)
+        }
+        FieldOfView::FocalLength(fx) => Err(wrong("fx", fx, "give pixels above 0")),
+        FieldOfView::Degrees(hfov) if hfov > 0.0 && hfov < 180.0 => {
+            Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
+        }
+        FieldOfView::Degrees(hfov) => Err(wrong("hfov", hfov, "give degrees between 0 and 180")),
+        FieldOfView::Camera(camera) if camera.intrinsics.size == size => Ok(camera.intrinsics),
+        FieldOfView::Camera(camera) => Err(ParameterError {
+            name: "camera".to_owned(),
+            what: format!("its images are {}, and these {size}", camera.intrinsics.size),
+            remedy: "give the camera at their size".to_owned(),
+        }),
+        FieldOfView::Known => Err(ParameterError {
+            name: "fx".to_owned(),
+            what: "nothing says the images' field of view".to_owned(),
+            remedy: "give the focal length or the field of view".to_owned(),
+        }),
+    }
+}
