@@ -1,5 +1,5 @@
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message};
 
 use crate::raw::{Node, Value};
 
@@ -51,8 +51,8 @@ impl Reader {
         &mut self,
         code: &'static str,
         place: impl Into<String>,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
+        message: impl Into<Message>,
+        remedy: impl Into<Message>,
     ) {
         self.errors
             .push(Finding::new(code, Level::Error, place, message, remedy));
@@ -62,14 +62,14 @@ impl Reader {
         &mut self,
         code: &'static str,
         place: impl Into<String>,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
+        message: impl Into<Message>,
+        remedy: impl Into<Message>,
     ) {
         self.findings
             .push(Finding::new(code, Level::Warning, place, message, remedy));
     }
 
-    pub(crate) fn note(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<String>) {
+    pub(crate) fn note(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<Message>) {
         self.findings
             .push(Finding::new(code, Level::Note, place, message, ""));
     }

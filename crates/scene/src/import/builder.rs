@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message};
 
 use super::error::Fault;
 use super::{Imported, ImportedCamera};
@@ -44,7 +44,7 @@ impl Builder {
         }
     }
 
-    pub(super) fn warn(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<String>) {
+    pub(super) fn warn(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<Message>) {
         self.findings
             .push(Finding::new(code, Level::Warning, place, message, ""));
     }

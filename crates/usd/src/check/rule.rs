@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message};
 use serde::Serialize;
 
 use super::{attributes, catalog, depth, lens, offsets, optics, product, schema, stage, units};
@@ -67,17 +67,17 @@ pub const RULES: &[Rule] = &[
 
 impl Rule {
     /// A finding at the rule's own level.
-    pub(super) fn at(&self, place: &str, message: impl Into<String>) -> Finding {
+    pub(super) fn at(&self, place: &str, message: impl Into<Message>) -> Finding {
         Finding::new(self.code, self.level, place, message, self.remedy)
     }
 
     /// A finding that is only worth knowing.
-    pub(super) fn note(&self, place: &str, message: impl Into<String>) -> Finding {
+    pub(super) fn note(&self, place: &str, message: impl Into<Message>) -> Finding {
         Finding::new(self.code, Level::Note, place, message, "")
     }
 
     /// A finding at the rule's own level, or a note where the file has what its source ships.
-    pub(super) fn at_or_note(&self, as_shipped: bool, place: &str, message: impl Into<String>) -> Finding {
+    pub(super) fn at_or_note(&self, as_shipped: bool, place: &str, message: impl Into<Message>) -> Finding {
         if as_shipped {
             self.note(place, message)
         } else {
@@ -89,8 +89,8 @@ impl Rule {
     pub(super) fn with_remedy(
         &self,
         place: &str,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
+        message: impl Into<Message>,
+        remedy: impl Into<Message>,
     ) -> Finding {
         Finding::new(self.code, self.level, place, message, remedy)
     }

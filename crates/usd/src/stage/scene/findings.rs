@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message};
 
 /// More of one kind are only counted.
 const MOST_OF_A_KIND: usize = 20;
@@ -18,7 +18,7 @@ impl Findings {
         &mut self,
         code: &'static str,
         place: &str,
-        message: impl Into<String>,
+        message: impl Into<Message>,
         remedy: &str,
     ) {
         self.push(Finding::new(code, Level::Warning, place, message, remedy));

@@ -1,0 +1,274 @@
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Deref;
+
+use serde::{Serialize, Serializer};
+
+/// A reference to an option of the program or an argument of the Python package, perhaps with a value to set it to.
+///
+/// Its name is the one that the command line uses, without hyphens in front: `depth-scale`. How it is spelled in a text
+/// is up to whoever renders the [`Message`]: `--depth-scale 0.001`, `depth_scale=0.001`.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Opt {
+    name: &'static str,
+    value: Option<String>,
+}
+
+/// A reference to the option `name`.
+#[must_use]
+pub const fn opt(name: &'static str) -> Opt {
+    Opt { name, value: None }
+}
+
+impl Opt {
+    /// The same option set to `value`.
+    #[must_use]
+    pub fn with(self, value: impl fmt::Display) -> Self {
+        Self {
+            value: Some(value.to_string()),
+            ..self
+        }
+    }
+
+    /// The name, such as `depth-scale`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The value to set it to.
+    #[must_use]
+    pub fn value(&self) -> Option<&str> {
+        self.value.as_deref()
+    }
+}
+
+/// The spelling that suits no front end in particular: `'depth-scale'`, `'depth-scale=0.001'`.
+impl fmt::Display for Opt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.value {
+            None => write!(f, "'{}'", self.name),
+            Some(value) => write!(f, "'{}={value}'", self.name),
+        }
+    }
+}
+
+/// A text with references to options in it.
+///
+/// The text is complete with each option in its neutral spelling (see [`Opt`]), so a message can be used like a `str`.
+/// The positions of the options are kept beside it: [`Message::render`] replaces these and nothing else, whatever a path
+/// or a name in the text may look like. [`message!`](crate::message) builds one from its parts.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Message {
+    text: String,
+    /// The options with their positions in `text`, in order.
+    options: Vec<(usize, usize, Opt)>,
+}
+
+impl Message {
+    /// Appends a text, an option or another message.
+    pub fn push(&mut self, part: impl Into<Self>) {
+        let part = part.into();
+        let offset = self.text.len();
+        self.text.push_str(&part.text);
+        let moved = part.options.into_iter();
+        self.options
+            .extend(moved.map(|(start, end, option)| (start + offset, end + offset, option)));
+    }
+
+    /// The text with each option spelled by `style`.
+    #[must_use]
+    pub fn render(&self, style: impl Fn(&Opt) -> String) -> String {
+        let mut rendered = String::with_capacity(self.text.len());
+        let mut from = 0;
+        for (start, end, option) in &self.options {
+            rendered.push_str(&self.text[from..*start]);
+            rendered.push_str(&style(option));
+            from = *end;
+        }
+        rendered.push_str(&self.text[from..]);
+        rendered
+    }
+
+    /// The text with each option in its neutral spelling.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// The options that the text refers to, in order.
+    pub fn options(&self) -> impl Iterator<Item = &Opt> {
+        self.options.iter().map(|(.., option)| option)
+    }
+}
+
+/// An error or a finding whose text may refer to options: what a front end renders instead of its `Display`.
+pub trait ToMessage {
+    /// The whole text, on one line.
+    fn to_message(&self) -> Message;
+}
+
+impl ToMessage for Message {
+    fn to_message(&self) -> Message {
+        self.clone()
+    }
+}
+
+/// Concatenates texts, [options](Opt) and messages into a [`Message`].
+///
+/// ```
+/// use oaktwin_diagnostic::{message, opt};
+///
+/// let error = message![opt("fx"), format!(": must be a finite number > 0 (got {})", -3)];
+/// assert_eq!(error.to_string(), "'fx': must be a finite number > 0 (got -3)");
+/// let on_a_command_line = error.render(|option| format!("--{}", option.name()));
+/// assert_eq!(on_a_command_line, "--fx: must be a finite number > 0 (got -3)");
+/// ```
+#[macro_export]
+macro_rules! message {
+    ($($part:expr),+ $(,)?) => {{
+        let mut message = $crate::Message::default();
+        $(message.push($part);)+
+        message
+    }};
+}
+
+impl From<String> for Message {
+    fn from(text: String) -> Self {
+        Self {
+            text,
+            options: Vec::new(),
+        }
+    }
+}
+
+impl From<&str> for Message {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl From<&String> for Message {
+    fn from(text: &String) -> Self {
+        text.clone().into()
+    }
+}
+
+impl From<Cow<'_, str>> for Message {
+    fn from(text: Cow<'_, str>) -> Self {
+        text.into_owned().into()
+    }
+}
+
+impl From<&Self> for Message {
+    fn from(message: &Self) -> Self {
+        message.clone()
+    }
+}
+
+impl From<Opt> for Message {
+    fn from(option: Opt) -> Self {
+        let text = option.to_string();
+        let options = vec![(0, text.len(), option)];
+        Self { text, options }
+    }
+}
+
+impl Deref for Message {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.text
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.text)
+    }
+}
+
+impl PartialEq<str> for Message {
+    fn eq(&self, other: &str) -> bool {
+        self.text == other
+    }
+}
+
+impl PartialEq<&str> for Message {
+    fn eq(&self, other: &&str) -> bool {
+        self.text == *other
+    }
+}
+
+/// As a string, with each option in its neutral spelling. A front end serializes what it has rendered.
+impl Serialize for Message {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flag(option: &Opt) -> String {
+        match option.value() {
+            None => format!("--{}", option.name()),
+            Some(value) => format!("--{} {value}", option.name()),
+        }
+    }
+
+    fn argument(option: &Opt) -> String {
+        let name = option.name().replace('-', "_");
+        format!("{name}={}", option.value().unwrap_or("…"))
+    }
+
+    #[test]
+    fn each_front_end_spells_the_options_its_own_way() {
+        let remedy = message![
+            "set ",
+            opt("input-kind").with("z"),
+            " or ",
+            opt("depth-scale"),
+            String::from(", not both"),
+        ];
+        assert_eq!(
+            remedy.to_string(),
+            "set 'input-kind=z' or 'depth-scale', not both"
+        );
+        assert_eq!(
+            remedy.render(flag),
+            "set --input-kind z or --depth-scale, not both"
+        );
+        assert_eq!(
+            remedy.render(argument),
+            "set input_kind=z or depth_scale=…, not both"
+        );
+        assert!(remedy.options().map(Opt::name).eq(["input-kind", "depth-scale"]));
+    }
+
+    #[test]
+    fn a_path_that_looks_like_an_option_is_not_changed() {
+        let path = "run--time/'time'/--time";
+        let error = message![path, ": not found; set ", opt("time")];
+        assert_eq!(error.render(flag), format!("{path}: not found; set --time"));
+        assert_eq!(error.render(argument), format!("{path}: not found; set time=…"));
+    }
+
+    #[test]
+    fn nesting_keeps_the_positions() {
+        let inner = message!["use ", opt("fx")];
+        let mut outer = message!["ä: ", &inner];
+        outer.push("; ");
+        outer.push(inner);
+        assert_eq!(outer, "ä: use 'fx'; use 'fx'");
+        assert_eq!(outer.render(flag), "ä: use --fx; use --fx");
+    }
+
+    #[test]
+    fn a_plain_text_renders_as_itself() {
+        let message = Message::from("--fx is a file here");
+        assert_eq!(message.render(flag), "--fx is a file here");
+        assert!(Message::default().is_empty() && message.options().next().is_none());
+    }
+}
