@@ -25,6 +25,7 @@ mod error;
 mod folder;
 mod model;
 mod nominal;
+mod optics;
 mod schema;
 mod source;
 mod twin;
@@ -36,6 +37,7 @@ pub use model::{
     Accuracy, AccuracyBand, AccuracyHeadline, Body, Camera, DepthKind, DepthSensor, Device, Evidence, Imu,
     LegacyDistortion, Note, Projector, Role, Sensor,
 };
+pub use optics::LensChoice;
 pub use schema::{device_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};

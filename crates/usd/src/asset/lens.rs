@@ -1,8 +1,8 @@
 use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv};
-use oaktwin_catalog::{Origin, Twin, TwinCamera};
+use oaktwin_catalog::{LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::{AssetError, AssetOptions, LensChoice, ROOT, float};
+use super::{AssetError, AssetOptions, ROOT, float};
 use crate::text::{Prim, Value};
 
 /// The lens-distortion schema of a camera prim.
@@ -26,27 +26,26 @@ const PINHOLE_NAMES: [&str; 12] = [
 ];
 const FISHEYE_NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
 
-/// The schema that a camera carries, if any: always when calibrated, for it alone carries the principal point that
-/// Isaac Sim's renderer honours.
+/// The schema of a camera, if it has one. A calibrated camera always has one, since only the schema carries the
+/// principal point that Isaac Sim's renderer honours.
 pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
-    let with = |kind| {
-        Some(LensSchema {
-            intrinsics: camera.intrinsics,
-            kind,
-        })
-    };
-    match (&camera.lens, &twin.origin) {
+    let optics = twin.optics(camera, options.lens);
+    let kind = match (optics.lens, &twin.origin) {
         (LensModel::OpenCvPinhole(lens), _) => {
             let mut coefficients = [0.0; 12];
             coefficients.copy_from_slice(&lens.coefficients[..12]);
-            with(Kind::Pinhole(coefficients))
+            Kind::Pinhole(coefficients)
         }
-        (LensModel::OpenCvFisheye(lens), _) => with(Kind::Fisheye(lens.k)),
-        (LensModel::Pinhole, Origin::Calibration { .. }) => with(Kind::Pinhole([0.0; 12])),
-        (LensModel::Pinhole, Origin::Nominal) => nominal_fisheye(camera, options),
-        // No calibration or catalog has this lens.
-        (LensModel::FTheta(_), _) => None,
-    }
+        // All coefficients are written, because the schema's fallback value of k1 is not 0.
+        (LensModel::OpenCvFisheye(lens), _) => Kind::Fisheye(lens.k),
+        (LensModel::Pinhole, Origin::Calibration { .. }) => Kind::Pinhole([0.0; 12]),
+        // No calibration or catalog has the f-theta lens.
+        (LensModel::Pinhole, Origin::Nominal) | (LensModel::FTheta(_), _) => return None,
+    };
+    Some(LensSchema {
+        intrinsics: optics.intrinsics,
+        kind,
+    })
 }
 
 /// The schema of a depth sensor's virtual camera. An OAK's depth image is rectified, so the camera has no
@@ -55,17 +54,6 @@ pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSc
     matches!(twin.origin, Origin::Calibration { .. }).then_some(LensSchema {
         intrinsics: camera.intrinsics,
         kind: Kind::Pinhole([0.0; 12]),
-    })
-}
-
-/// The wide models' fisheye. Its coefficients have to be said: the schema's own fallback of k1 is not 0.
-fn nominal_fisheye(camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
-    let fisheye = camera
-        .nominal_fisheye()
-        .filter(|_| options.lens == LensChoice::Fisheye)?;
-    Some(LensSchema {
-        intrinsics: fisheye.intrinsics,
-        kind: Kind::Fisheye([0.0; 4]),
     })
 }
 

@@ -49,7 +49,8 @@ use oaktwin_diagnostic::Finding;
 pub use error::AssetError;
 pub use files::{AssetFile, files};
 pub use names::{PrimNames, render_product_name};
-pub use options::{AssetOptions, Format, IsaacVersion, LensChoice, Target};
+pub use oaktwin_catalog::LensChoice;
+pub use options::{AssetOptions, Format, IsaacVersion, Target};
 pub use overrides::{OverrideBase, overrides};
 
 use crate::body;

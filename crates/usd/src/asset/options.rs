@@ -1,5 +1,5 @@
 use oaktwin_camera::ApertureOffsets;
-use oaktwin_catalog::Twin;
+use oaktwin_catalog::{LensChoice, Twin};
 
 use super::AssetError;
 
@@ -57,16 +57,6 @@ pub enum Target {
     Isaac,
     /// ovrtx: the depth sensor's schema is on the camera. Experimental: NVIDIA publishes no list of its attributes.
     Ovrtx,
-}
-
-/// The lens of the stereo cameras.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LensChoice {
-    /// The sheet's pinhole.
-    #[default]
-    Pinhole,
-    /// The wide models' equidistant fisheye, which spans their whole field of view.
-    Fisheye,
 }
 
 /// How an asset is stored.
