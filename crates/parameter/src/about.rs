@@ -124,7 +124,6 @@ impl About {
 
     /// The same with a range.
     #[must_use]
-    #[expect(clippy::needless_pass_by_value, reason = "written as a literal")]
     pub const fn range(self, range: RangeInclusive<f64>) -> Self {
         let (min, max) = (*range.start(), *range.end());
         Self { min, max, ..self }

@@ -67,6 +67,7 @@ pub trait Table: Clone + 'static {
     }
 
     /// The parameters in their order.
+    #[must_use]
     fn rows() -> impl Iterator<Item = &'static Row<Self>> {
         Self::ROWS.iter().copied().flatten()
     }

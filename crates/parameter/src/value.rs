@@ -96,7 +96,7 @@ impl<C: Choice> View<C> for Numbered {
     }
 
     fn get(field: &C) -> String {
-        field.text().to_owned()
+        Choice::text(*field).to_owned()
     }
 }
 
