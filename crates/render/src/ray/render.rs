@@ -3,6 +3,7 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::Scene;
+use oaktwin_simd::run_lanes_at;
 use rayon::prelude::*;
 
 use super::single::power_of_two_near;
@@ -103,22 +104,24 @@ impl FrameOfView<'_> {
         let width = self.view.camera.intrinsics.size.width;
         for column in 0..width.div_ceil(SIDE) {
             let (rays, directions) = self.rays.tile(column, band.row);
-            self.caster.instructions.run(Trace {
+            let trace = Trace {
                 scene: &self.scene,
                 origin: &self.origin,
                 rays: &rays,
                 clip: self.view.clip,
                 state: &mut desk.state,
                 stack: &mut desk.stack,
-            });
-            self.caster.instructions.run(Solve {
+            };
+            run_lanes_at(self.caster.level, trace);
+            let solve = Solve {
                 scene: &self.scene,
                 origin: self.origin.point,
                 world_from_camera: self.view.world_from_camera.rotation,
                 seen: &desk.state.seen,
                 directions: &directions,
                 distances: &mut desk.distances,
-            });
+            };
+            run_lanes_at(self.caster.level, solve);
             self.finish(&rays, &directions, column, &mut band, desk);
         }
     }

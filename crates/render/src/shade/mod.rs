@@ -27,6 +27,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_scene::Scene;
+use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 pub use self::beam::{Beam, BeamPattern};
@@ -41,7 +42,7 @@ use self::reflect::{Facet, Facets, Radiance};
 use self::rig::{Rig, WHITE, luminance};
 use self::textures::Textures;
 use crate::annotate::{Surface, SurfaceFinder};
-use crate::ray::{Instructions, RayCaster, Stack};
+use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
@@ -58,7 +59,7 @@ struct Studio<'a> {
     scene: &'a Scene,
     view: &'a View,
     rig: &'a Rig,
-    instructions: Instructions,
+    level: Level,
     paints: Vec<Paint<'a>>,
     occlusion: Occlusion<'a>,
     coarse: Coarse,
@@ -184,7 +185,7 @@ impl Shader {
             scene,
             view,
             rig: &self.rig,
-            instructions: Instructions::detect(),
+            level: Level::detect(),
             paints: paints(scene, &self.textures),
             occlusion,
             coarse,
@@ -310,11 +311,12 @@ impl Studio<'_> {
     }
 
     fn sent(&self, facets: &Facets) -> [[f32; 8]; 3] {
-        self.instructions.run(Radiance {
+        let kernel = Radiance {
             facets,
             emitters: self.occlusion.emitters,
             rig: self.rig,
-        })
+        };
+        run_lanes_at(self.level, kernel)
     }
 
     /// The colour, on film, of what one ray sees; see [`seen`](Self::seen).
