@@ -10,15 +10,21 @@ use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE,
 use crate::report::Report;
 use crate::workspace;
 
+/// The variable that names the folder of the public test data.
+const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
+
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Everything: the tests marked as slow too (`#[ignore]` in Rust, `slow` in Python), --peers, and `PyTorch`
+    /// Formatter, clippy and the Rust tests only: under 3 minutes from a warm target
+    #[arg(long, conflicts_with_all = ["all", "peers"])]
+    fast: bool,
+    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers and `PyTorch`
     #[arg(long)]
     all: bool,
-    /// The Python package beside its large peers too: Ray, Rerun, Open3D
+    /// Also test the Python package beside its large peers: Ray, Rerun, Open3D
     #[arg(long)]
     peers: bool,
-    /// Leave the Python oracles out
+    /// Skip the Python oracles
     #[arg(long)]
     skip_python: bool,
 }
@@ -33,7 +39,7 @@ struct Programs {
     rerun: Option<PathBuf>,
 }
 
-/// What became of a Python environment.
+/// The state of a Python environment.
 enum Readiness {
     Ready(PathBuf),
     Failed(String),
@@ -43,11 +49,13 @@ enum Readiness {
 /// Runs the steps; the last line it prints is `N passed, N failed, N skipped`.
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
-    // Mostly waiting for downloads: done beside the Rust steps.
+    let skip_python = args.skip_python || args.fast;
+    // Mostly waiting for downloads, so it runs beside the Rust steps.
     let wanted = wanted(args);
-    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
+    let environments = (!skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     rust_steps(&mut report, args);
     match environments {
+        None if args.fast => report.skip("docs, Python oracles", "--fast"),
         None => report.skip("Python oracles", "--skip-python"),
         Some(environments) => match environments.join() {
             Ok(environments) => python_steps(&mut report, args, environments),
@@ -71,18 +79,43 @@ fn rust_steps(report: &mut Report, args: &Args) {
     );
     let clippy = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
     report.command("clippy", workspace::cargo().args(clippy), no_tests);
-    let doc = ["doc", "--workspace", "--no-deps"];
-    report.command(
-        "docs",
-        workspace::cargo().args(doc).env("RUSTDOCFLAGS", "-D warnings"),
-        no_tests,
-    );
+    if !args.fast {
+        let doc = ["doc", "--workspace", "--no-deps"];
+        report.command(
+            "docs",
+            workspace::cargo().args(doc).env("RUSTDOCFLAGS", "-D warnings"),
+            no_tests,
+        );
+    }
+    report.command("Rust tests", &mut rust_tests(args), counts::of_cargo_test);
+    if args.all {
+        let mut slow = workspace::cargo();
+        slow.args([
+            "test",
+            "--workspace",
+            "--no-fail-fast",
+            "--tests",
+            "--",
+            "--ignored",
+            "slow_",
+        ]);
+        report.command("slow Rust tests", &mut slow, counts::of_filtered_cargo_test);
+    }
+}
+
+/// Returns the command for all Rust tests but the slow ones. Tests that need the public test data run, and have to find
+/// it, if [`TEST_DATA`] is set; otherwise they count as skipped.
+fn rust_tests(args: &Args) -> Command {
     let mut test = workspace::cargo();
     test.args(["test", "--workspace", "--no-fail-fast"]);
-    if args.all {
-        test.args(["--", "--include-ignored"]);
+    if args.fast {
+        // Each documentation test is a program of its own to compile.
+        test.arg("--tests");
     }
-    report.command("Rust tests", &mut test, counts::of_cargo_test);
+    if std::env::var_os(TEST_DATA).is_some() {
+        test.args(["--", "--include-ignored", "--skip", "slow_"]);
+    }
+    test
 }
 
 /// The environments that are to be tested in; those with the package first to last.
@@ -158,7 +191,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             report.command(&name, &mut script, counts::of_pytest);
         } else {
             let mut tests = pytest(&python, environment.tests, programs, args);
-            report.command(&name, &mut tests, counts::of_pytest);
+            report.command(&name, &mut tests, pytest_counts());
         }
         let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
         if has_pdoc
@@ -193,6 +226,16 @@ fn install(
         report.count_failure();
     }
     installed.is_some()
+}
+
+/// Returns how the lines of pytest are counted: a test skipped for want of the public test data, although it is there,
+/// counts as failed.
+fn pytest_counts() -> fn(&str) -> Option<Counts> {
+    if std::env::var_os(TEST_DATA).is_some() {
+        |line| counts::of_pytest(line).or_else(|| counts::of_data_skipped_by_pytest(line, TEST_DATA))
+    } else {
+        counts::of_pytest
+    }
 }
 
 fn build_programs(all: bool) -> Result<Programs, String> {
