@@ -7,7 +7,7 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::rig::luminance;
-use super::{Sight, Studio};
+use super::{ShadingContext, ShadingInput};
 use crate::annotate::Surface;
 use crate::ray::{Ray, RayCaster, Stack};
 
@@ -73,26 +73,26 @@ impl Place {
     }
 }
 
-impl Studio<'_> {
+impl ShadingContext<'_> {
     /// The luminance that a beam adds to each pixel: of diffuse reflection alone. A pixel is what its centre sees, with
     /// the pattern's mean over it.
-    pub(super) fn beam(&self, sight: &Sight<'_>, beam: &Beam<'_>) -> Image<f32> {
-        let hits = &sight.seen.hits;
+    pub(super) fn beam(&self, input: &ShadingInput<'_>, beam: &Beam<'_>) -> Image<f32> {
+        let hits = &input.seen.hits;
         let (width, height) = (hits.width(), hits.height());
         let mut out = Image::filled(width, height, 0.0);
         let row_length = (width as usize).max(1);
         let seen_rows =
-            (sight.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
+            (input.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
         let rows = out.pixels_mut().par_chunks_mut(row_length);
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || self.desk(),
-            |desk, ((row, (depths, hits)), y)| {
+            || self.workspace(),
+            |workspace, ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
-                    let Some(ray) = sight.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
+                    let Some(ray) = input.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
                     };
-                    let next = sight.rays.next(x, y, ray);
-                    let found = desk.finder.find(*hit, ray, *z);
+                    let next = input.rays.next(x, y, ray);
+                    let found = workspace.finder.find(*hit, ray, *z);
                     let lit = found
                         .as_ref()
                         .and_then(|surface| Some((surface, self.lit(surface, ray, next, beam)?)));
@@ -103,11 +103,16 @@ impl Studio<'_> {
                     if beam
                         .pattern
                         .is_dark_around(middle.to_array(), lit.place.radius(middle))
-                        || is_shadowed(sight, surface, beam.world_from_beam.translation, &mut desk.stack)
+                        || is_shadowed(
+                            input,
+                            surface,
+                            beam.world_from_beam.translation,
+                            &mut workspace.stack,
+                        )
                     {
                         continue;
                     }
-                    let finish = self.coat(surface, *hit, desk).at(surface, || next);
+                    let finish = self.layer(surface, *hit, workspace).at(surface, || next);
                     let albedo = luminance(finish.color) * (1.0 - finish.metallic);
                     *pixel = mean(&lit.place, beam.pattern) * lit.strength * albedo;
                 }
@@ -171,7 +176,7 @@ fn mean(place: &Place, pattern: &dyn BeamPattern) -> f32 {
     sum / (samples * samples)
 }
 
-fn is_shadowed(sight: &Sight<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mut Stack) -> bool {
+fn is_shadowed(input: &ShadingInput<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mut Stack) -> bool {
     // As far off the surface as the point may be wrong by.
     let origin = surface.point + surface.flat_normal * (2e-5 + surface.range * 1e-4);
     let direction = beam - origin;
@@ -181,6 +186,6 @@ fn is_shadowed(sight: &Sight<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mu
         near: 0.0,
         far: (1.0 - NEAR_M / direction.length()).max(0.0),
     };
-    let caster: &RayCaster = sight.caster;
-    caster.is_occluded(sight.scene, ray, stack)
+    let caster: &RayCaster = input.caster;
+    caster.is_occluded(input.scene, ray, stack)
 }

@@ -8,7 +8,7 @@ use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
 use super::lamp::Lamp;
-use super::occlusion::{Glimpses, Light, Occlusion, Place, Shares};
+use super::occlusion::{LampSamples, Light, Occlusion, Place, Shares};
 use super::pattern::{PERIOD, Pattern};
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::Stack;
@@ -34,8 +34,8 @@ const NOTHING: Sample = Sample {
     light: Light::FULL,
 };
 
-/// So much kinship must places have with a pixel's to tell its light.
-const LEAST_KINSHIP: f32 = 0.02;
+/// So much similarity must places have with a pixel's to tell its light.
+const MIN_SIMILARITY: f32 = 0.02;
 
 /// A quarter of a view's pixels.
 #[derive(Debug)]
@@ -69,7 +69,7 @@ impl Sample {
     /// How much another one says about this: 0 to 1, by how parallel they are and how far the other is off this one's
     /// plane.
     #[inline]
-    fn kinship(&self, other: &Self) -> f32 {
+    fn similarity(&self, other: &Self) -> f32 {
         let parallel = (self.normal.dot(other.normal) - 0.75) * 4.0;
         let off = self.normal.dot(other.point - self.point).abs() * self.per_tolerance;
         parallel.max(0.0) * (1.0 - off).max(0.0)
@@ -93,35 +93,34 @@ impl Coarse {
         };
         let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
-        let mut glimpses = Image::filled(width.div_ceil(2), height.div_ceil(2), Glimpses::default());
-        // A row of glimpses for two of samples.
-        let glimpse_rows = glimpses.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
+        let mut lamp_samples = Image::filled(width.div_ceil(2), height.div_ceil(2), LampSamples::default());
+        // A row of lamp_samples for two of samples.
+        let lamp_sample_rows = lamp_samples.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
         let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
-        rows.zip(glimpse_rows).zip(0..height.div_ceil(2)).for_each_init(
-            state,
-            |(finder, stack), ((samples, glimpses), half_y)| {
+        rows.zip(lamp_sample_rows)
+            .zip(0..height.div_ceil(2))
+            .for_each_init(state, |(finder, stack), ((samples, lamp_samples), half_y)| {
                 for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
                     for (sample, x) in row.iter_mut().zip(0..) {
                         let Some(place) = place_of(finder, x, y) else {
                             continue;
                         };
                         *sample = Sample::new(&place);
-                        let turn = Pattern::turn(x, y);
+                        let cell = Pattern::cell(x, y);
                         if x % 2 == 0
                             && y % 2 == 0
-                            && let Some(glimpses) = glimpses.get_mut(x as usize / 2)
+                            && let Some(lamp_samples) = lamp_samples.get_mut(x as usize / 2)
                         {
-                            (sample.light, *glimpses) = occlusion.look_at_lamps(&place, turn, stack);
+                            (sample.light, *lamp_samples) = occlusion.sample_lamps(&place, cell, stack);
                         }
                         (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
-                            occlusion.look_around(&place, turn, stack)
+                            occlusion.sample_surroundings(&place, cell, stack)
                         } else {
                             (f32::NAN, f32::NAN)
                         };
                     }
                 }
-            },
-        );
+            });
         let first = samples.clone();
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
         rows.zip(0..height)
@@ -130,25 +129,25 @@ impl Coarse {
                     if sample.per_tolerance == 0.0 {
                         continue;
                     }
-                    let turn = Pattern::turn(x, y);
+                    let cell = Pattern::cell(x, y);
                     let (ambient, sky) = (sample.light.ambient, sample.light.sky);
                     // Where all even places around see a lamp, or none does, no shadow begins.
                     if x % 2 != 0 || y % 2 != 0 {
-                        let around = Around::new(&first, &glimpses, sample, x, y);
+                        let around = Neighbours::new(&first, &lamp_samples, sample, x, y);
                         let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
                             around.all_see(index).unwrap_or_else(|| {
                                 place_of(finder, x, y)
                                     .is_some_and(|place| occlusion.sees(&place, lamp, spot, stack))
                             })
                         };
-                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, turn, sees);
+                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, cell, sees);
                     }
                     (sample.light.ambient, sample.light.sky) = (ambient, sky);
                     // Every other place asks its four neighbours.
                     if ambient.is_nan() {
                         let found = mean_around(&first, sample, x, y).or_else(|| {
                             let place = place_of(finder, x, y)?;
-                            Some(occlusion.look_around(&place, turn, stack))
+                            Some(occlusion.sample_surroundings(&place, cell, stack))
                         });
                         (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
                     }
@@ -197,14 +196,14 @@ impl Coarse {
                 if let (Some(sample), Some(light)) =
                     (self.samples.get(column, row), self.light.get(column, row))
                 {
-                    let weight = at.kinship(sample);
+                    let weight = at.similarity(sample);
                     sum += *light * weight;
                     weights += weight;
                 }
             }
         }
         let [some, all, ambient, sky] = sum.to_array();
-        (weights > LEAST_KINSHIP).then(|| Shares {
+        (weights > MIN_SIMILARITY).then(|| Shares {
             direct: if all > 0.0 { some / all } else { 1.0 },
             ambient: ambient / weights,
             sky: sky / weights,
@@ -213,28 +212,28 @@ impl Coarse {
 }
 
 /// What the even places around a place see of the lamps; nothing where one of them may be of another surface.
-struct Around([Option<Glimpses>; 4]);
+struct Neighbours([Option<LampSamples>; 4]);
 
-impl Around {
-    fn new(samples: &Image<Sample>, glimpses: &Image<Glimpses>, at: &Sample, x: u32, y: u32) -> Self {
+impl Neighbours {
+    fn new(samples: &Image<Sample>, lamp_samples: &Image<LampSamples>, at: &Sample, x: u32, y: u32) -> Self {
         let (columns, rows) = ([x / 2, x.div_ceil(2)], [y / 2, y.div_ceil(2)]);
         Self([0, 1, 2, 3].map(|i| {
             let (column, row) = (columns[i % 2], rows[i / 2]);
             let other = samples.get(2 * column, 2 * row)?;
-            let is_kin = at.kinship(other) >= 0.25;
-            glimpses.get(column, row).copied().filter(|_| is_kin)
+            let is_similar = at.similarity(other) >= 0.25;
+            lamp_samples.get(column, row).copied().filter(|_| is_similar)
         }))
     }
 
     /// Whether all of them see a lamp, or none does.
     fn all_see(&self, lamp: u32) -> Option<bool> {
         let mut all = None;
-        for glimpses in &self.0 {
-            let found = glimpses
+        for lamp_samples in &self.0 {
+            let found = lamp_samples
                 .as_ref()?
                 .iter()
                 .flatten()
-                .find(|glimpse| glimpse.lamp == lamp)?;
+                .find(|lamp_sample| lamp_sample.lamp == lamp)?;
             if all.is_some_and(|all| all != found.is_seen) {
                 return None;
             }
@@ -255,7 +254,7 @@ fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(
     let (mut ambient, mut sky, mut weights) = (0.0, 0.0, 0.0);
     for (x, y) in neighbours {
         if let Some(other) = x.zip(y).and_then(|(x, y)| samples.get(x, y)) {
-            let weight = at.kinship(other);
+            let weight = at.similarity(other);
             ambient += other.light.ambient * weight;
             sky += other.light.sky * weight;
             weights += weight;
@@ -283,7 +282,7 @@ fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> L
                 let other = (x.checked_add_signed(dx).zip(y.checked_add_signed(dy)))
                     .and_then(|(x, y)| samples.get(x, y));
                 if let Some(other) = other {
-                    let weight = if i == 0 { 1.0 } else { sample.kinship(other) };
+                    let weight = if i == 0 { 1.0 } else { sample.similarity(other) };
                     sum = sum.plus(other.light, weight);
                     weights += weight;
                 }

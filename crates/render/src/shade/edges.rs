@@ -6,15 +6,15 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::film::Film;
-use super::{Desk, Studio};
+use super::{ShadingContext, Workspace};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
 /// The least difference from a neighbour, of 255, that is worth smoothing.
-const LEAST_CONTRAST: u8 = 10;
+const MIN_CONTRAST: u8 = 10;
 
 /// The least bend of 1/z over three pixels that is an edge, as a share of 1/z.
-const LEAST_BEND: f32 = 1e-3;
+const MIN_BEND: f32 = 1e-3;
 
 /// What the corners of a view's pixels see.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]
 /// Where one thing ends and another begins a pixel becomes half of what its centre sees and half of what its four corners
 /// do; `put` writes that into the image. Coverage stays the centre's, as in all other annotations.
 pub(super) fn smooth<T: Send>(
-    studio: &Studio<'_>,
+    context: &ShadingContext<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
@@ -61,12 +61,12 @@ pub(super) fn smooth<T: Send>(
     let row_length = (width as usize).max(1);
     let rows = image.pixels_mut().par_chunks_mut(row_length);
     rows.zip(outlines).zip(0..height).for_each_init(
-        || studio.desk(),
-        |desk, ((row, outlines), y)| {
+        || context.workspace(),
+        |workspace, ((row, outlines), y)| {
             // The corners on the right of one pixel are those on the left of the next.
             let mut last: Option<(u32, [Vec3; 2])> = None;
             for &x in outlines {
-                let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], desk);
+                let mut at = |x, dy| corner(context, corners, seen, colors, [x, y + dy], workspace);
                 let left = match last {
                     Some((column, colors)) if column == x => colors,
                     _ => [at(x, 0), at(x, 1)],
@@ -85,12 +85,12 @@ pub(super) fn smooth<T: Send>(
 
 /// The colour of what a corner sees: that of a pixel around it that sees the same triangle, or its own.
 fn corner<'a>(
-    studio: &'a Studio<'_>,
+    context: &'a ShadingContext<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
     [x, y]: [u32; 2],
-    desk: &mut Desk<'a>,
+    workspace: &mut Workspace<'a>,
 ) -> Vec3 {
     let hit = corners.seen.hits.get(x, y).copied().unwrap_or(Hit::MISS);
     let around = [
@@ -111,7 +111,7 @@ fn corner<'a>(
     };
     let next = || corners.rays.next(x, y, ray);
     let z = corners.seen.z.0.get(x, y).copied().unwrap_or(f32::INFINITY);
-    studio.color([x, y], hit, ray, next, z, desk)
+    context.color([x, y], hit, ray, next, z, workspace)
 }
 
 /// A row of what is seen.
@@ -176,7 +176,7 @@ fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> 
                 let other = row.and_then(|row| row.tone(other, film));
                 mine.tone(x, film)
                     .zip(other)
-                    .is_some_and(|(a, b)| contrast(a, b) >= LEAST_CONTRAST)
+                    .is_some_and(|(a, b)| contrast(a, b) >= MIN_CONTRAST)
             };
             let (left, right) = (x.wrapping_sub(1), x + 1);
             (pixel.is_edge_between(row.pixel(left), row.pixel(right))
@@ -195,7 +195,7 @@ impl Pixel {
         let is_other = |other: Self| other.instance != self.instance;
         let bends = before
             .zip(after)
-            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > LEAST_BEND);
+            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > MIN_BEND);
         bends || before.is_some_and(is_other) || after.is_some_and(is_other)
     }
 }

@@ -36,10 +36,10 @@ pub(crate) use self::edges::{Corners, corners_of};
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
-use self::paint::{Coat, Paint, paints};
+use self::paint::{Layer, Paint, paints};
 use self::pattern::Pattern;
 use self::reflect::{Facet, Facets, Radiance};
-use self::rig::{Rig, WHITE, luminance};
+use self::rig::{LightRig, WHITE, luminance};
 use self::textures::Textures;
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::{RayCaster, Stack};
@@ -50,15 +50,15 @@ use crate::{Hit, View, Visibility};
 #[derive(Debug)]
 pub(crate) struct Shader {
     textures: Textures,
-    rig: Rig,
+    rig: LightRig,
     pattern: Pattern,
 }
 
 /// All that a pixel is shaded with.
-struct Studio<'a> {
+struct ShadingContext<'a> {
     scene: &'a Scene,
     view: &'a View,
-    rig: &'a Rig,
+    rig: &'a LightRig,
     level: Level,
     paints: Vec<Paint<'a>>,
     occlusion: Occlusion<'a>,
@@ -68,7 +68,7 @@ struct Studio<'a> {
 
 /// What colour is worked out of: a scene, its triangles' tree, a view and what that sees.
 #[derive(Clone, Copy)]
-pub(crate) struct Sight<'a> {
+pub(crate) struct ShadingInput<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) caster: &'a RayCaster,
     pub(crate) view: &'a View,
@@ -77,7 +77,7 @@ pub(crate) struct Sight<'a> {
 }
 
 /// Of the scene's light, and of a beam's.
-pub(crate) struct Greys {
+pub(crate) struct LuminanceParts {
     pub(crate) scene: Image<f32>,
     pub(crate) beam: Option<Image<f32>>,
 }
@@ -87,7 +87,7 @@ impl Shader {
         let pattern = Pattern::new();
         Self {
             textures: Textures::new(scene),
-            rig: Rig::new(scene, caster, &pattern),
+            rig: LightRig::new(scene, caster, &pattern),
             pattern,
         }
     }
@@ -97,18 +97,18 @@ impl Shader {
     /// of the scene.
     pub(crate) fn shade(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
     ) -> (Image<[u8; 4]>, Vec<Finding>) {
-        self.with_studio(sight, Film::Tones, |studio| {
-            let colors = studio.centres(sight.rays, sight.seen);
-            let mut rgb = film::developed(studio.film, &colors, sight.seen);
+        self.with_context(input, Film::Tones, |context| {
+            let colors = context.centres(input.rays, input.seen);
+            let mut rgb = film::developed(context.film, &colors, input.seen);
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
+                let outlines = edges::outlines_of(context.film, input.seen, &colors);
                 edges::smooth(
-                    studio,
+                    context,
                     corners,
-                    sight.seen,
+                    input.seen,
                     &colors,
                     &outlines,
                     &mut rgb,
@@ -126,20 +126,20 @@ impl Shader {
     /// a beam adds to it. The findings are those of [`Shader::shade`].
     pub(crate) fn luminance(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
         beam: Option<&Beam<'_>>,
-    ) -> (Greys, Vec<Finding>) {
-        self.with_studio(sight, Film::Linear, |studio| {
-            let colors = studio.centres(sight.rays, sight.seen);
+    ) -> (LuminanceParts, Vec<Finding>) {
+        self.with_context(input, Film::Linear, |context| {
+            let colors = context.centres(input.rays, input.seen);
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
+                let outlines = edges::outlines_of(context.film, input.seen, &colors);
                 edges::smooth(
-                    studio,
+                    context,
                     corners,
-                    sight.seen,
+                    input.seen,
                     &colors,
                     &outlines,
                     &mut grey,
@@ -148,26 +148,26 @@ impl Shader {
                     },
                 );
             }
-            Greys {
+            LuminanceParts {
                 scene: grey,
-                beam: beam.map(|beam| studio.beam(&sight, beam)),
+                beam: beam.map(|beam| context.beam(&input, beam)),
             }
         })
     }
 
-    fn with_studio<T>(
+    fn with_context<T>(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         film: Film,
-        work: impl FnOnce(&Studio<'_>) -> T,
+        work: impl FnOnce(&ShadingContext<'_>) -> T,
     ) -> (T, Vec<Finding>) {
-        let Sight {
+        let ShadingInput {
             scene,
             caster,
             view,
             rays,
             seen,
-        } = sight;
+        } = input;
         let findings = self.decode(scene, &seen.hits);
         let emitters: Vec<Emitter> = (self.rig.lamps.iter())
             .map(|lamp| lamp.seen_from(view.world_from_camera.translation))
@@ -181,7 +181,7 @@ impl Shader {
             eye: view.world_from_camera.translation,
         };
         let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
-        let studio = Studio {
+        let context = ShadingContext {
             scene,
             view,
             rig: &self.rig,
@@ -191,7 +191,7 @@ impl Shader {
             coarse,
             film,
         };
-        (work(&studio), findings)
+        (work(&context), findings)
     }
 
     /// Decodes the textures of what is seen; says which it could not.
@@ -233,26 +233,26 @@ impl Shader {
 }
 
 /// What a thread shades with, used again and again.
-struct Desk<'a> {
+struct Workspace<'a> {
     finder: SurfaceFinder<'a>,
     stack: Stack,
     /// What the triangle that was seen last is painted with.
-    coat: Option<(Hit, Coat<'a>)>,
+    layer: Option<(Hit, Layer<'a>)>,
 }
 
 /// What a pixel sees.
-enum Seen {
+enum Visible {
     /// The sky, exposed.
     Sky(Vec3),
     Facet(Facet),
 }
 
-impl Studio<'_> {
-    fn desk(&self) -> Desk<'_> {
-        Desk {
+impl ShadingContext<'_> {
+    fn workspace(&self) -> Workspace<'_> {
+        Workspace {
             finder: SurfaceFinder::new(self.scene, self.view),
             stack: Stack::new(),
-            coat: None,
+            layer: None,
         }
     }
 
@@ -265,21 +265,21 @@ impl Studio<'_> {
         let seen_rows =
             (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (self.desk(), Facets::default()),
-            |(desk, facets), ((row, (depths, hits)), y)| {
+            || (self.workspace(), Facets::default()),
+            |(workspace, facets), ((row, (depths, hits)), y)| {
                 let (mut places, mut count) = ([0; 8], 0);
                 for ((z, hit), x) in depths.iter().zip(hits).zip(0..) {
                     let Some(ray) = rays.centre(x, y) else {
                         continue;
                     };
                     let next = || rays.next(x, y, ray);
-                    match self.seen([x, y], *hit, ray, next, *z, desk) {
-                        Seen::Sky(color) => {
+                    match self.seen([x, y], *hit, ray, next, *z, workspace) {
+                        Visible::Sky(color) => {
                             if let Some(pixel) = row.get_mut(x as usize) {
                                 *pixel = self.film.exposed(color).to_array();
                             }
                         }
-                        Seen::Facet(facet) => {
+                        Visible::Facet(facet) => {
                             facets.set(count, &facet);
                             places[count] = x as usize;
                             count += 1;
@@ -327,11 +327,11 @@ impl Studio<'_> {
         ray: DVec3,
         next: impl Fn() -> [Option<DVec3>; 2],
         z: f32,
-        desk: &mut Desk<'a>,
+        workspace: &mut Workspace<'a>,
     ) -> Vec3 {
-        let color = match self.seen(at, hit, ray, next, z, desk) {
-            Seen::Sky(color) => color,
-            Seen::Facet(facet) => {
+        let color = match self.seen(at, hit, ray, next, z, workspace) {
+            Visible::Sky(color) => color,
+            Visible::Facet(facet) => {
                 let mut facets = Facets::default();
                 facets.set(0, &facet);
                 Vec3::from(self.sent(&facets).map(|channel| channel[0]))
@@ -349,26 +349,26 @@ impl Studio<'_> {
         ray: DVec3,
         next: impl Fn() -> [Option<DVec3>; 2],
         z: f32,
-        desk: &mut Desk<'a>,
-    ) -> Seen {
+        workspace: &mut Workspace<'a>,
+    ) -> Visible {
         let surface = if hit.is_miss() {
             None
         } else {
-            desk.finder.find(hit, ray, z)
+            workspace.finder.find(hit, ray, z)
         };
         let Some(surface) = surface else {
             let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return Seen::Sky(self.rig.background(direction));
+            return Visible::Sky(self.rig.background(direction));
         };
         let place = place(&surface, self.view);
         let light = self
             .coarse
             .light(x, y, &place)
-            .unwrap_or_else(|| self.occlusion.look_alone(&place, &mut desk.stack).shares());
-        Seen::Facet(Facet {
+            .unwrap_or_else(|| self.occlusion.sample_alone(&place, &mut workspace.stack).shares());
+        Visible::Facet(Facet {
             point: place.from_eye,
             normal: surface.normal.as_vec3(),
-            finish: self.coat(&surface, hit, desk).at(&surface, next),
+            finish: self.layer(&surface, hit, workspace).at(&surface, next),
             direct: light.direct,
             ambient: light.ambient,
             sky: light.sky,
@@ -377,15 +377,20 @@ impl Studio<'_> {
 
     /// What a triangle is painted with.
     #[inline]
-    fn coat<'a, 'd>(&'a self, surface: &Surface<'_>, hit: Hit, desk: &'d mut Desk<'a>) -> &'d Coat<'a> {
-        if desk.coat.as_ref().is_some_and(|(last, _)| *last != hit) {
-            desk.coat = None;
+    fn layer<'a, 'd>(
+        &'a self,
+        surface: &Surface<'_>,
+        hit: Hit,
+        workspace: &'d mut Workspace<'a>,
+    ) -> &'d Layer<'a> {
+        if workspace.layer.as_ref().is_some_and(|(last, _)| *last != hit) {
+            workspace.layer = None;
         }
-        let (_, coat) = desk.coat.get_or_insert_with(|| {
+        let (_, layer) = workspace.layer.get_or_insert_with(|| {
             let material = surface.mesh.material(hit.triangle);
             let paint = material.and_then(|index| self.paints.get(index as usize));
-            (hit, paint.unwrap_or(&Paint::BARE).coat(surface, hit.triangle))
+            (hit, paint.unwrap_or(&Paint::BARE).layer(surface, hit.triangle))
         });
-        coat
+        layer
     }
 }

@@ -5,12 +5,12 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
 use super::lamp::{Emitter, Lamp};
-use super::pattern::{LOOKS, Pattern, Turn};
-use super::rig::{Rig, luminance};
+use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
+use super::rig::{LightRig, luminance};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// How many lamps, those that light a place most, are looked for; the rest is taken to be hidden as they are.
-const MOST_SHADOWS: usize = 4;
+const MAX_SHADOWS: usize = 4;
 
 /// Of lamps' light, as luminance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -128,7 +128,7 @@ impl Place {
 pub(super) struct Occlusion<'a> {
     pub(super) scene: &'a Scene,
     pub(super) caster: &'a RayCaster,
-    pub(super) rig: &'a Rig,
+    pub(super) rig: &'a LightRig,
     pub(super) emitters: &'a [Emitter],
     pub(super) pattern: &'a Pattern,
     /// In the world, metres.
@@ -137,13 +137,13 @@ pub(super) struct Occlusion<'a> {
 
 /// A lamp of the scene, by its number there, and whether a place sees what it looks at of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Glimpse {
+pub(super) struct LampSample {
     pub(super) lamp: u32,
     pub(super) is_seen: bool,
 }
 
 /// Of the lamps that light a place most.
-pub(super) type Glimpses = [Option<Glimpse>; MOST_SHADOWS];
+pub(super) type LampSamples = [Option<LampSample>; MAX_SHADOWS];
 
 impl Occlusion<'_> {
     /// What the lamps send to a place that is `from_eye` away from the eye. `sees` says whether it sees its place on a lamp,
@@ -152,13 +152,13 @@ impl Occlusion<'_> {
         &self,
         from_eye: Vec3,
         normal: Vec3,
-        turn: Turn,
+        cell: PatternCell,
         mut sees: impl FnMut(u32, &Lamp, [f64; 2]) -> bool,
-    ) -> (Light, Glimpses) {
+    ) -> (Light, LampSamples) {
         let mut light = Light::default();
-        let mut glimpses = Glimpses::default();
+        let mut lamp_samples = LampSamples::default();
         let strongest = self.strongest(from_eye, normal);
-        for (glimpse, (index, strength)) in glimpses.iter_mut().zip(strongest.into_iter().flatten()) {
+        for (lamp_sample, (index, strength)) in lamp_samples.iter_mut().zip(strongest.into_iter().flatten()) {
             let Some(lamp) = self.rig.lamps.get(index as usize) else {
                 continue;
             };
@@ -166,10 +166,10 @@ impl Occlusion<'_> {
             let spot = if is_small {
                 [0.0; 2]
             } else {
-                Pattern::place(turn.of_place)
+                Pattern::place(cell.of_place)
             };
             let is_seen = sees(index, lamp, spot);
-            *glimpse = Some(Glimpse { lamp: index, is_seen });
+            *lamp_sample = Some(LampSample { lamp: index, is_seen });
             let arrived = Arrived {
                 some: if is_seen { strength } else { 0.0 },
                 all: strength,
@@ -180,28 +180,33 @@ impl Occlusion<'_> {
                 light.large = light.large.plus(arrived, 1.0);
             }
         }
-        (light, glimpses)
+        (light, lamp_samples)
     }
 
     /// [`lamplight`](Self::lamplight), by looking.
-    pub(super) fn look_at_lamps(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (Light, Glimpses) {
-        self.lamplight(place.from_eye, place.normal.as_vec3(), turn, |_, lamp, spot| {
+    pub(super) fn sample_lamps(
+        &self,
+        place: &Place,
+        cell: PatternCell,
+        stack: &mut Stack,
+    ) -> (Light, LampSamples) {
+        self.lamplight(place.from_eye, place.normal.as_vec3(), cell, |_, lamp, spot| {
             self.sees(place, lamp, spot, stack)
         })
     }
 
     /// What a few of the neighbours find at one and the same place.
-    pub(super) fn look_alone(&self, place: &Place, stack: &mut Stack) -> Light {
+    pub(super) fn sample_alone(&self, place: &Place, stack: &mut Stack) -> Light {
         // One of each quarter of a lamp, and each about as far from straight up.
         [0usize, 6, 9, 15]
             .into_iter()
-            .map(|turn| {
-                let turn = Turn {
-                    of_place: turn,
-                    of_tile: turn,
+            .map(|cell| {
+                let cell = PatternCell {
+                    of_place: cell,
+                    of_tile: cell,
                 };
-                let (light, _) = self.look_at_lamps(place, turn, stack);
-                let (ambient, sky) = self.look_around(place, turn, stack);
+                let (light, _) = self.sample_lamps(place, cell, stack);
+                let (ambient, sky) = self.sample_surroundings(place, cell, stack);
                 Light {
                     ambient,
                     sky,
@@ -212,12 +217,17 @@ impl Occlusion<'_> {
     }
 
     /// How open the surroundings and the sky are.
-    pub(super) fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
+    pub(super) fn sample_surroundings(
+        &self,
+        place: &Place,
+        cell: PatternCell,
+        stack: &mut Stack,
+    ) -> (f32, f32) {
         // Without a sky all tiles do the same, and none stands out.
-        let of_tile = if self.rig.has_sky { turn.of_tile } else { 7 };
-        let turn = Turn { of_tile, ..turn };
+        let of_tile = if self.rig.has_sky { cell.of_tile } else { 7 };
+        let cell = PatternCell { of_tile, ..cell };
         let (mut ambient, mut sky) = (0.0, 0.0);
-        for direction in self.pattern.looks(turn, place.normal) {
+        for direction in self.pattern.directions(cell, place.normal) {
             if direction.dot(place.flat_normal) <= 0.0 {
                 continue;
             }
@@ -245,7 +255,7 @@ impl Occlusion<'_> {
             }
         }
         #[expect(clippy::cast_precision_loss, reason = "a few")]
-        let share = 1.0 / LOOKS as f32;
+        let share = 1.0 / DIRECTIONS_PER_PLACE as f32;
         (ambient * share, sky * share)
     }
 
@@ -264,8 +274,8 @@ impl Occlusion<'_> {
     }
 
     /// The lamps that light a place most, and how much, as luminance.
-    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MOST_SHADOWS] {
-        let mut strongest = [None; MOST_SHADOWS];
+    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MAX_SHADOWS] {
+        let mut strongest = [None; MAX_SHADOWS];
         for (index, emitter) in (0u32..).zip(self.emitters) {
             let mut strength = 0.0;
             emitter.each(from_eye, |towards, irradiance| {

@@ -17,7 +17,7 @@ pub(super) struct Paint<'a> {
     base_color: Option<Vec3>,
     texture: Option<(TextureUse, &'a Pyramid)>,
     /// It has a texture, which is not there.
-    is_torn: bool,
+    is_texture_missing: bool,
     emissive: Vec3,
     metallic: f32,
     roughness: f32,
@@ -37,7 +37,7 @@ impl<'a> Paint<'a> {
     pub(super) const BARE: Self = Self {
         base_color: None,
         texture: None,
-        is_torn: false,
+        is_texture_missing: false,
         emissive: Vec3::ZERO,
         metallic: 0.0,
         roughness: 0.6,
@@ -57,7 +57,7 @@ impl<'a> Paint<'a> {
         Self {
             base_color: material.base_color.map(sane),
             texture,
-            is_torn: material.base_color_texture.is_some() && texture.is_none(),
+            is_texture_missing: material.base_color_texture.is_some() && texture.is_none(),
             emissive: sane(material.emissive),
             metallic: number(material.metallic),
             roughness: number(material.roughness),
@@ -65,8 +65,8 @@ impl<'a> Paint<'a> {
     }
 
     /// On a triangle that is seen.
-    pub(super) fn coat(&self, surface: &Surface<'_>, triangle: u32) -> Coat<'a> {
-        Coat {
+    pub(super) fn layer(&self, surface: &Surface<'_>, triangle: u32) -> Layer<'a> {
+        Layer {
             fill: self.fill(surface, triangle),
             emissive: self.emissive,
             metallic: self.metallic,
@@ -103,7 +103,7 @@ impl<'a> Paint<'a> {
                 )),
             };
         }
-        if self.is_torn {
+        if self.is_texture_missing {
             return Fill::Plain(factor * GREY);
         }
         let colors = mesh.colors.as_ref();
@@ -116,7 +116,7 @@ impl<'a> Paint<'a> {
 
 /// What a triangle is painted with.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Coat<'a> {
+pub(super) struct Layer<'a> {
     fill: Fill<'a>,
     emissive: Vec3,
     metallic: f32,
@@ -196,7 +196,7 @@ impl Corners {
     }
 }
 
-impl Coat<'_> {
+impl Layer<'_> {
     /// At a place of the triangle, `next` being the rays, in the camera's frame, of the pixels to the right and below.
     #[inline]
     pub(super) fn at(&self, surface: &Surface<'_>, next: impl Fn() -> [Option<DVec3>; 2]) -> Finish {

@@ -16,7 +16,7 @@ pub(crate) struct Pyramid {
 }
 
 /// The most places along a pixel's longer axis at which a texture is read.
-const MOST_PROBES: f32 = 4.0;
+const MAX_PROBES: f32 = 4.0;
 
 /// Numbers that are no colours: 0 to 1 in equal steps.
 static RAW: [f32; 256] = {
@@ -68,11 +68,11 @@ impl Pyramid {
         if !(at.is_finite() && long.is_finite()) {
             return [0.0; 3];
         }
-        let short = short.max(long / MOST_PROBES).max(1.0);
+        let short = short.max(long / MAX_PROBES).max(1.0);
         let lod = log2(short);
         // Halves of a probe are not missed.
         let mut probes = 1.0;
-        while probes < MOST_PROBES && probes + 0.5 < long / short {
+        while probes < MAX_PROBES && probes + 0.5 < long / short {
             probes += 1.0;
         }
         if probes <= 1.0 {

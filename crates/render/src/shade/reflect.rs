@@ -6,7 +6,7 @@ use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 use super::harmonics::Harmonics;
 use super::lamp::Emitter;
 use super::paint::Finish;
-use super::rig::Rig;
+use super::rig::LightRig;
 use crate::ray::Vector;
 
 /// What dielectrics reflect of light that comes from straight above.
@@ -76,7 +76,7 @@ impl Facets {
 pub(super) struct Radiance<'a> {
     pub(super) facets: &'a Facets,
     pub(super) emitters: &'a [Emitter],
-    pub(super) rig: &'a Rig,
+    pub(super) rig: &'a LightRig,
 }
 
 impl LaneKernel for Radiance<'_> {

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
 use super::lamp::{Lamp, Shape};
-use super::pattern::{LOOKS, Pattern, Turn};
+use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// Light that comes back from what is lit, as a share of the light that falls on the scene's things: every surface
@@ -20,7 +20,7 @@ const BOUNCE: f32 = 0.22;
 pub(super) const WHITE: f32 = 0.8;
 
 /// At how many places the light is measured.
-const MOST_WITNESSES: usize = 1024;
+const MAX_PROBES: usize = 1024;
 
 /// The lights of a scene and what follows from them alone, never from a view: so both pictures of a stereo pair and all
 /// pictures of a trajectory are exposed alike.
@@ -37,7 +37,7 @@ const MOST_WITNESSES: usize = 1024;
 /// A scene without a light that shines has a pale sky, brighter above, that only what is near hides, and a key light
 /// from above at one side of the world.
 #[derive(Debug)]
-pub(super) struct Rig {
+pub(super) struct LightRig {
     /// All but domes.
     pub(super) lamps: Vec<Lamp>,
     /// Light from infinitely far away: whatever is above a surface hides it.
@@ -63,7 +63,7 @@ struct Backdrop {
     domes: Vec<DomeImage>,
 }
 
-impl Rig {
+impl LightRig {
     pub(super) fn new(scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> Self {
         let up = scene.up.direction().as_vec3();
         let mut rig = Self {
@@ -126,9 +126,9 @@ impl Rig {
         self.lamps.extend(lamp(light, radiance, scene.meters_per_unit.0));
     }
 
-    /// What a surface of the scene receives, see [`Rig`].
+    /// What a surface of the scene receives, see [`LightRig`].
     fn typical_irradiance(&self, scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> f32 {
-        let mut found: Vec<f32> = witnesses(scene)
+        let mut found: Vec<f32> = exposure_probes(scene)
             .into_par_iter()
             .map_init(Stack::new, |stack, sides| {
                 sides
@@ -148,30 +148,30 @@ impl Rig {
         scene: &Scene,
         caster: &RayCaster,
         pattern: &Pattern,
-        witness: &Witness,
+        probe: &ExposureProbe,
         stack: &mut Stack,
     ) -> f32 {
         let mut sum = 0.0;
         for lamp in &self.lamps {
-            let irradiance = luminance(lamp.irradiance_at(witness.point));
-            let (direction, ends) = lamp.shape.towards(witness.point, [0.0; 2]);
+            let irradiance = luminance(lamp.irradiance_at(probe.point));
+            let (direction, ends) = lamp.shape.towards(probe.point, [0.0; 2]);
             let ray = Ray {
-                origin: witness.point,
+                origin: probe.point,
                 direction,
                 near: 0.0,
                 far: if ends { 0.999 } else { f64::INFINITY },
             };
-            let faces = direction.dot(witness.normal) > 0.0;
+            let faces = direction.dot(probe.normal) > 0.0;
             if irradiance > 0.0 && faces && !caster.is_occluded(scene, ray, stack) {
                 sum += irradiance;
             }
         }
         if self.has_sky {
-            let turn = |of_place| Turn { of_place, of_tile: 0 };
-            let looks = [0, 5, 10, 15].map(|place| pattern.looks(turn(place), witness.normal));
-            let open = looks.iter().flatten().filter(|direction| {
+            let cell = |of_place| PatternCell { of_place, of_tile: 0 };
+            let directions = [0, 5, 10, 15].map(|place| pattern.directions(cell(place), probe.normal));
+            let open = directions.iter().flatten().filter(|direction| {
                 let ray = Ray {
-                    origin: witness.point,
+                    origin: probe.point,
                     direction: **direction,
                     near: 0.0,
                     far: f64::INFINITY,
@@ -179,8 +179,8 @@ impl Rig {
                 !caster.is_occluded(scene, ray, stack)
             });
             #[expect(clippy::cast_precision_loss, reason = "a few")]
-            let share = open.count() as f32 / (4 * LOOKS) as f32;
-            let radiance = luminance(self.sky.mean_by_cosine(witness.normal.as_vec3()));
+            let share = open.count() as f32 / (4 * DIRECTIONS_PER_PLACE) as f32;
+            let radiance = luminance(self.sky.mean_by_cosine(probe.normal.as_vec3()));
             sum += share * radiance * std::f32::consts::PI;
         }
         sum
@@ -254,15 +254,15 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
 }
 
 /// A place where the light is measured.
-struct Witness {
+struct ExposureProbe {
     point: DVec3,
     normal: DVec3,
 }
 
 /// The middles of some triangles, a little off them, on both sides.
-fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
-    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
-    let each = (MOST_WITNESSES / scene.instances.len().max(1)).clamp(1, 8);
+fn exposure_probes(scene: &Scene) -> Vec<[ExposureProbe; 2]> {
+    let step = scene.instances.len().div_ceil(MAX_PROBES).max(1);
+    let each = (MAX_PROBES / scene.instances.len().max(1)).clamp(1, 8);
     let mut found = Vec::new();
     for instance in scene.instances.iter().step_by(step) {
         let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
@@ -278,7 +278,7 @@ fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
             let across = (b - a).cross(c - a);
             if let Some(normal) = across.try_normalize() {
                 let off = 1e-3 * across.length().sqrt();
-                found.push([normal, -normal].map(|normal| Witness {
+                found.push([normal, -normal].map(|normal| ExposureProbe {
                     point: (a + b + c) / 3.0 + normal * off,
                     normal,
                 }));
@@ -302,7 +302,7 @@ fn diagonal(mesh: &Mesh) -> Option<DVec3> {
 /// How far away things darken their surroundings: half a metre, or half the size of the scene's larger things where that
 /// is less.
 fn reach(scene: &Scene) -> f64 {
-    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
+    let step = scene.instances.len().div_ceil(MAX_PROBES).max(1);
     let mut sizes: Vec<f64> = (scene.instances.iter().step_by(step))
         .filter_map(|instance| {
             let diagonal = diagonal(scene.meshes.get(instance.mesh as usize)?)?;

@@ -12,7 +12,7 @@ use oaktwin_scene::{ColorSpace, Scene, TextureSource};
 use super::pyramid::Pyramid;
 
 /// No image file is larger.
-const MOST_BYTES: u64 = 1 << 30;
+const MAX_BYTES: u64 = 1 << 30;
 
 /// Why a texture is not there: where, what, and what to do.
 #[derive(Clone, Debug)]
@@ -110,7 +110,7 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
 
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(MOST_BYTES).read_to_end(&mut bytes)?;
+    File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 

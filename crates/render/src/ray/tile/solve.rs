@@ -4,7 +4,7 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_simd::{F64Lanes, LaneKernel, Lanes};
 
 use super::rays::{PACKETS, PerRay};
-use super::state::Seen;
+use super::state::TileHits;
 use crate::ray::Prepared;
 use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
@@ -15,7 +15,7 @@ pub(crate) struct Solve<'a> {
     /// Where the rays start, in the world.
     pub(crate) origin: DVec3,
     pub(crate) world_from_camera: DMat3,
-    pub(crate) seen: &'a Seen,
+    pub(crate) seen: &'a TileHits,
     /// In the camera's frame.
     pub(crate) directions: &'a PerRay<DVec3>,
     /// Gets the distance of each ray that sees something, in lengths of its direction.

@@ -8,7 +8,7 @@ use crate::ray::vector::Vector;
 
 /// What the rays of a tile see.
 #[derive(Clone, Debug)]
-pub(crate) struct Seen {
+pub(crate) struct TileHits {
     /// 1/z in the tile's frame, scaled; where nothing is seen, of the far end.
     pub(crate) inverse_z: PerRay<f32>,
     /// `u32::MAX` where nothing is seen.
@@ -28,7 +28,7 @@ pub(super) struct Leaf<'a> {
 
 /// What is known of a tile's rays so far.
 pub(crate) struct State {
-    pub(crate) seen: Seen,
+    pub(crate) seen: TileHits,
     /// The greatest 1/z that is not before the near end.
     nearest: PerRay<f32>,
     /// The least 1/z in each packet, and of all.
@@ -40,7 +40,7 @@ pub(crate) struct State {
 
 impl State {
     pub(crate) const NONE: Self = Self {
-        seen: Seen {
+        seen: TileHits {
             inverse_z: [[0.0; 8]; PACKETS],
             instance: [[u32::MAX; 8]; PACKETS],
             triangle: [[u32::MAX; 8]; PACKETS],

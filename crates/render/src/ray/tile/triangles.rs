@@ -6,7 +6,7 @@ use super::rays::Range;
 use crate::ray::corners::Corners;
 
 /// How much farther away a triangle's corner may be than its plane, before single precision is not enough for the plane.
-const MOST_OBLIQUE: f32 = 16.0;
+const MAX_OBLIQUENESS: f32 = 16.0;
 
 /// Up to eight triangles made ready for rays of one origin.
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ impl Triangles {
         if self.seen == 0 {
             return;
         }
-        let most = volume * L::splat(MOST_OBLIQUE);
+        let most = volume * L::splat(MAX_OBLIQUENESS);
         let is_oblique = (most * most).lt(a.dot(a) * normal.dot(normal));
         let is_deep = farthest * L::splat(0.95) * greatest;
         self.vast = (seen & is_oblique & one.lt(is_deep)).signs();
