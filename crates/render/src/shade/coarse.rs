@@ -1,6 +1,6 @@
-//! The light that reaches each second pixel of each second row, freed of the pattern, for all pixels.
+//! Incident light at half resolution, filtered over the sampling pattern and interpolated for all pixels.
 //!
-//! Each second of them in each second row looks at the lamps; those between look where these disagree.
+//! Shadow rays are cast at a quarter of the samples, and elsewhere only where these disagree.
 
 use glam::{Vec3, Vec4};
 use oaktwin_image::Image;
@@ -15,14 +15,14 @@ use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// A pixel's place and light.
+/// The surface and the light of a pixel.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    /// From the eye, metres.
+    /// The point relative to the eye, metres.
     point: Vec3,
-    /// Zero where nothing is seen.
+    /// Zero for a miss.
     normal: Vec3,
-    /// Of the plane distance within which another sample belongs to the same surface.
+    /// The inverse of the distance from the plane within which another sample belongs to the same surface.
     per_tolerance: f32,
     light: Light,
 }
@@ -34,14 +34,15 @@ const NOTHING: Sample = Sample {
     light: Light::FULL,
 };
 
-/// So much similarity must places have with a pixel's to tell its light.
+/// The minimum total similarity for interpolation.
 const MIN_SIMILARITY: f32 = 0.02;
 
-/// A quarter of a view's pixels.
+/// Samples at a quarter of a view's pixels.
 #[derive(Debug)]
 pub(super) struct Coarse {
     samples: Image<Sample>,
-    /// Their light: what arrives of the lamps', all of that, the surroundings' share and the sky's.
+    /// The light of each sample: the lamp light that arrives, the lamp light without shadows, and the visible shares of the
+    /// surroundings and the sky.
     light: Image<Vec4>,
 }
 
@@ -66,7 +67,7 @@ impl Sample {
         }
     }
 
-    /// How much another one says about this: 0 to 1, by how parallel they are and how far the other is off this one's
+    /// Returns the weight of another sample, 0 to 1: from the angle between the normals and its distance from this sample's
     /// plane.
     #[inline]
     fn similarity(&self, other: &Self) -> f32 {
@@ -94,7 +95,7 @@ impl Coarse {
         let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
         let mut lamp_samples = Image::filled(width.div_ceil(2), height.div_ceil(2), LampSamples::default());
-        // A row of lamp_samples for two of samples.
+        // One row of lamp samples for two rows of samples.
         let lamp_sample_rows = lamp_samples.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
         let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
         rows.zip(lamp_sample_rows)
@@ -131,7 +132,7 @@ impl Coarse {
                     }
                     let cell = Pattern::cell(x, y);
                     let (ambient, sky) = (sample.light.ambient, sample.light.sky);
-                    // Where all even places around see a lamp, or none does, no shadow begins.
+                    // There is no shadow edge where all even neighbours see a lamp or none does.
                     if x % 2 != 0 || y % 2 != 0 {
                         let around = Neighbours::new(&first, &lamp_samples, sample, x, y);
                         let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
@@ -143,7 +144,7 @@ impl Coarse {
                         (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, cell, sees);
                     }
                     (sample.light.ambient, sample.light.sky) = (ambient, sky);
-                    // Every other place asks its four neighbours.
+                    // Every other sample takes the mean of its four neighbours.
                     if ambient.is_nan() {
                         let found = mean_around(&first, sample, x, y).or_else(|| {
                             let place = place_of(finder, x, y)?;
@@ -170,11 +171,11 @@ impl Coarse {
         Self { samples, light }
     }
 
-    /// The light at a place that pixel `(x, y)` sees; `None` where none of its neighbours sees the same surface.
+    /// Returns the light at the point that pixel `(x, y)` sees; `None` where no neighbour sees the same surface.
     pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Shares> {
         let at = Sample::new(place);
-        // Smoothing over an even number of samples moved them by half of one, a pixel: of the pixels, those of odd
-        // columns have a sample of their own and the others lie between two.
+        // Filtering over an even number of samples shifts them by half a sample, which is one pixel: pixels in odd columns
+        // coincide with a sample and the others lie between two.
         let columns = [x.div_ceil(2), x / 2 + 1];
         let rows = [y.div_ceil(2), y / 2 + 1];
         self.mean(&at, columns, rows).or_else(|| {
@@ -183,7 +184,7 @@ impl Coarse {
         })
     }
 
-    /// Of the samples of the same surface.
+    /// Returns the weighted mean of the samples of the same surface.
     #[inline]
     fn mean(&self, at: &Sample, columns: [u32; 2], rows: [u32; 2]) -> Option<Shares> {
         let within = |at: u32, count: u32| at.min(count.saturating_sub(1));
@@ -211,7 +212,7 @@ impl Coarse {
     }
 }
 
-/// What the even places around a place see of the lamps; nothing where one of them may be of another surface.
+/// The lamp samples of the even neighbours; `None` for a neighbour that may belong to another surface.
 struct Neighbours([Option<LampSamples>; 4]);
 
 impl Neighbours {
@@ -225,7 +226,7 @@ impl Neighbours {
         }))
     }
 
-    /// Whether all of them see a lamp, or none does.
+    /// Whether all of them see a lamp or none does; `None` where they disagree.
     fn all_see(&self, lamp: u32) -> Option<bool> {
         let mut all = None;
         for lamp_samples in &self.0 {
@@ -243,7 +244,7 @@ impl Neighbours {
     }
 }
 
-/// The mean of what the four neighbours see around them; `None` where hardly any is of the same surface.
+/// The mean of the four neighbours' ambient light; `None` where too few belong to the same surface.
 fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(f32, f32)> {
     let neighbours = [
         (x.checked_sub(1), Some(y)),
@@ -263,8 +264,8 @@ fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(
     (weights > 0.5).then(|| (ambient / weights, sky / weights))
 }
 
-/// The mean of four samples of the same surface, one `step` apart: from two before to one after. `take` puts what is
-/// wanted of it into what was there.
+/// Filters over four samples of the same surface, `step` apart, from two before to one after. `take` combines the unfiltered and
+/// the filtered light.
 fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> Light) -> Image<Sample> {
     let mut smooth = samples.clone();
     let row_length = (samples.width() as usize).max(1);

@@ -1,8 +1,8 @@
-//! Colour: what a camera with a film sees, good enough for stereo matching and for people to recognise the scene.
+//! Shading: colour images for stereo matching and for people. It is not a path tracer.
 //!
-//! Textures are filtered over what a pixel covers; lamps have soft shadows; surroundings darken what is close to them;
-//! light that bounces is a constant. It is no path tracer. There is no randomness in it: which part of a lamp a place
-//! looks at follows from its place in the image, and smoothing over the pattern's period makes all pixels alike.
+//! Textures are filtered over the footprint of a pixel, lamps cast soft shadows, nearby surfaces occlude ambient light, and
+//! indirect light is a constant. Sampling is deterministic: the position in the image selects the samples of lamps and
+//! surroundings from a periodic pattern, and a filter over the pattern's period removes the pattern.
 
 mod beam;
 mod coarse;
@@ -46,7 +46,7 @@ use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
-/// What colour needs of a scene, beside its triangles.
+/// The data that shading needs of a scene beside its triangles.
 #[derive(Debug)]
 pub(crate) struct Shader {
     textures: Textures,
@@ -54,7 +54,7 @@ pub(crate) struct Shader {
     pattern: Pattern,
 }
 
-/// All that a pixel is shaded with.
+/// The data that all pixels of an image are shaded with.
 struct ShadingContext<'a> {
     scene: &'a Scene,
     view: &'a View,
@@ -66,7 +66,7 @@ struct ShadingContext<'a> {
     film: Film,
 }
 
-/// What colour is worked out of: a scene, its triangles' tree, a view and what that sees.
+/// The input of shading: a scene, its ray caster, a view and the visible surfaces.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadingInput<'a> {
     pub(crate) scene: &'a Scene,
@@ -76,7 +76,7 @@ pub(crate) struct ShadingInput<'a> {
     pub(crate) seen: &'a Visibility,
 }
 
-/// Of the scene's light, and of a beam's.
+/// The luminance from the scene's lights and from a beam.
 pub(crate) struct LuminanceParts {
     pub(crate) scene: Image<f32>,
     pub(crate) beam: Option<Image<f32>>,
@@ -92,9 +92,8 @@ impl Shader {
         }
     }
 
-    /// sRGB and coverage (255, or 0 for a miss, which has the colour of the sky) of what is seen; smooth at outlines if
-    /// it is known what the corners of pixels see. The findings name the textures that could not be shown, in the order
-    /// of the scene.
+    /// Returns sRGB and coverage: 255, or 0 for a miss, which has the colour of the sky. Outlines are antialiased if the
+    /// corners of pixels are given. The findings name the textures that cannot be shown, in the order of the scene.
     pub(crate) fn shade(
         &self,
         input: ShadingInput<'_>,
@@ -122,8 +121,8 @@ impl Shader {
         })
     }
 
-    /// Linear luminance of what is seen, 1 being a white diffuse surface in typical light, with smooth outlines; and what
-    /// a beam adds to it. The findings are those of [`Shader::shade`].
+    /// Returns linear luminance, with antialiased outlines, and the luminance that a beam adds; 1 is a white diffuse surface in
+    /// typical light. The findings are those of [`Shader::shade`].
     pub(crate) fn luminance(
         &self,
         input: ShadingInput<'_>,
@@ -194,7 +193,7 @@ impl Shader {
         (work(&context), findings)
     }
 
-    /// Decodes the textures of what is seen; says which it could not.
+    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
         let mut meshes = vec![false; scene.meshes.len()];
         let mut last = u32::MAX;
@@ -232,17 +231,17 @@ impl Shader {
     }
 }
 
-/// What a thread shades with, used again and again.
+/// The reused memory of a thread.
 struct Workspace<'a> {
     finder: SurfaceFinder<'a>,
     stack: Stack,
-    /// What the triangle that was seen last is painted with.
+    /// The layer of the last triangle.
     layer: Option<(Hit, Layer<'a>)>,
 }
 
-/// What a pixel sees.
+/// The target of a ray.
 enum Visible {
-    /// The sky, exposed.
+    /// The exposed colour of the sky.
     Sky(Vec3),
     Facet(Facet),
 }
@@ -256,7 +255,7 @@ impl ShadingContext<'_> {
         }
     }
 
-    /// The colour, on film, of what each pixel's centre sees; black where the lens sees nothing.
+    /// Returns the colour, on film, at the centre of each pixel; black where the lens has no ray.
     fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
         let mut colors = Image::filled(width, height, [0.0; 3]);
@@ -296,21 +295,21 @@ impl ShadingContext<'_> {
         colors
     }
 
-    /// Puts what the first facets send into their places of a row.
+    /// Writes the colours of the first facets into their pixels of a row.
     fn expose(&self, facets: &Facets, places: &[usize], row: &mut [[f32; 3]]) {
         if places.is_empty() {
             return;
         }
-        let sent = self.sent(facets);
+        let radiance = self.radiance(facets);
         for (lane, place) in places.iter().enumerate() {
             if let Some(pixel) = row.get_mut(*place) {
-                let color = Vec3::from(sent.map(|channel| channel[lane & 7]));
+                let color = Vec3::from(radiance.map(|channel| channel[lane & 7]));
                 *pixel = self.film.exposed(color).to_array();
             }
         }
     }
 
-    fn sent(&self, facets: &Facets) -> [[f32; 8]; 3] {
+    fn radiance(&self, facets: &Facets) -> [[f32; 8]; 3] {
         let kernel = Radiance {
             facets,
             emitters: self.occlusion.emitters,
@@ -319,7 +318,7 @@ impl ShadingContext<'_> {
         run_lanes_at(self.level, kernel)
     }
 
-    /// The colour, on film, of what one ray sees; see [`seen`](Self::seen).
+    /// Returns the colour, on film, along one ray; see [`seen`](Self::seen).
     fn color<'a>(
         &'a self,
         at: [u32; 2],
@@ -334,13 +333,13 @@ impl ShadingContext<'_> {
             Visible::Facet(facet) => {
                 let mut facets = Facets::default();
                 facets.set(0, &facet);
-                Vec3::from(self.sent(&facets).map(|channel| channel[0]))
+                Vec3::from(self.radiance(&facets).map(|channel| channel[0]))
             }
         };
         self.film.exposed(color)
     }
 
-    /// What a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a pixel below.
+    /// Returns the target of a ray through pixel `(x, y)`; `next` returns the rays of the pixels to the right and below.
     #[inline]
     fn seen<'a>(
         &'a self,
@@ -375,7 +374,7 @@ impl ShadingContext<'_> {
         })
     }
 
-    /// What a triangle is painted with.
+    /// Returns the layer of a triangle.
     #[inline]
     fn layer<'a, 'd>(
         &'a self,

@@ -1,4 +1,4 @@
-//! How much of the light surfaces send to the eye, eight places at a time.
+//! Reflection towards the eye, eight points at a time.
 
 use glam::Vec3;
 use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
@@ -9,14 +9,14 @@ use super::paint::Finish;
 use super::rig::LightRig;
 use crate::ray::Vector;
 
-/// What dielectrics reflect of light that comes from straight above.
+/// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f32 = 0.04;
 
-/// From this roughness on a dielectric shows no lamps.
+/// The roughness from which on dielectrics have no specular highlights.
 const DULL: f32 = 0.75;
 
-/// A place on a surface, in single precision, relative to the eye, in the world's axes; what it is made of, and the
-/// shares of the lamps' light, the surroundings' and the sky's that arrive there.
+/// A point on a surface, in single precision, relative to the eye, in world axes; its material, and the shares of the light from
+/// lamps, surroundings and sky that arrive there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
     pub(super) point: Vec3,
@@ -27,7 +27,7 @@ pub(super) struct Facet {
     pub(super) sky: f32,
 }
 
-/// Eight of them.
+/// Eight facets.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Facets {
     point: [[f32; 8]; 3],
@@ -42,7 +42,7 @@ pub(super) struct Facets {
 }
 
 impl Facets {
-    /// Of a lane below eight.
+    /// Sets one of eight lanes.
     #[inline]
     pub(super) fn set(&mut self, lane: usize, facet: &Facet) {
         let Finish {
@@ -70,9 +70,8 @@ impl Facets {
     }
 }
 
-/// The exposed radiance that leaves places towards the eye, by channel: diffuse, and a glossy part with the distribution
-/// of Trowbridge and Reitz ("GGX") and Schlick's Fresnel term. What a surface gives off by itself is not exposed: 1 is
-/// white.
+/// The exposed radiance towards the eye, by channel: a diffuse part, and a glossy part with the distribution of Trowbridge and
+/// Reitz ("GGX") and Schlick's Fresnel term. Emission is not exposed: 1 is white.
 pub(super) struct Radiance<'a> {
     pub(super) facets: &'a Facets,
     pub(super) emitters: &'a [Emitter],
@@ -141,7 +140,7 @@ impl LaneKernel for Radiance<'_> {
     }
 }
 
-/// What lamps send, unhidden.
+/// Reflected lamp light without shadows.
 struct Shine<L: Lanes> {
     normal: Vector<L>,
     eye: Vector<L>,
@@ -209,8 +208,8 @@ impl<L: Lanes> Shine<L> {
         }
     }
 
-    /// Light from the unit vector `towards` that is `share` of `radiance` on a surface that faces it, from a lamp that
-    /// looks `width` wide (the tangent of half its angle).
+    /// Adds light from the unit vector `towards`, with an irradiance of `share` times `radiance` on a surface that faces it, from
+    /// a lamp of angular radius `width` (its tangent).
     #[inline(always)]
     fn light(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L) {
         let zero = L::splat(0.0);
@@ -226,7 +225,7 @@ impl<L: Lanes> Shine<L> {
         if is_lit.signs() == 0 {
             return;
         }
-        // A wide lamp has a wide reflection.
+        // A large lamp has a large highlight.
         let one = L::splat(1.0);
         let alpha = (self.alpha + width * L::splat(0.5)).min(one);
         let (factor, fresnel) = self.lobe(towards, to_light, alpha);
@@ -234,7 +233,7 @@ impl<L: Lanes> Shine<L> {
         self.glossy = self.glossy + times(received, fresnel) * factor;
     }
 
-    /// The glossy part of the reflectance, without the cosine: a factor, and Fresnel's.
+    /// Returns the glossy reflectance without the cosine: a factor and the Fresnel term.
     #[inline(always)]
     fn lobe(&self, towards: Vector<L>, to_light: L, alpha: L) -> (L, Vector<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
@@ -246,7 +245,7 @@ impl<L: Lanes> Shine<L> {
         let eye_to_half = self.eye.dot(half).max(zero);
         let a2 = alpha * alpha;
         let spread = to_half * to_half * (a2 - one) + one;
-        // Schlick's masking, both ways, over the usual 4 cos cos.
+        // Schlick's masking for both directions, divided by the 4 cos cos of the specular term.
         let k = alpha * L::splat(0.5);
         let rest = one - k;
         let masking = (self.to_eye * rest + k) * (to_light * rest + k);
@@ -267,7 +266,7 @@ fn load<L: Lanes>([x, y, z]: &[[f32; 8]; 3]) -> Vector<L> {
     }
 }
 
-/// By channel.
+/// Multiplies by channel.
 #[inline(always)]
 fn times<L: Lanes>(a: Vector<L>, b: Vector<L>) -> Vector<L> {
     Vector {
