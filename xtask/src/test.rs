@@ -129,11 +129,24 @@ fn rust_tests(args: &Args) -> Command {
 /// processors other than x86-64.
 fn portable_tests(args: &Args) -> Command {
     let mut test = workspace::cargo();
-    test.args(["test", "--no-fail-fast", "--tests", "--features", "oaktwin-simd/portable"]);
+    test.args([
+        "test",
+        "--no-fail-fast",
+        "--tests",
+        "--features",
+        "oaktwin-simd/portable",
+    ]);
     if args.all {
         test.arg("--workspace");
     } else {
-        test.args(["-p", "oaktwin-simd", "-p", "oaktwin-depth", "-p", "oaktwin-render"]);
+        test.args([
+            "-p",
+            "oaktwin-simd",
+            "-p",
+            "oaktwin-depth",
+            "-p",
+            "oaktwin-render",
+        ]);
     }
     test
 }
