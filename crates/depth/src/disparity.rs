@@ -1,10 +1,8 @@
 //! Fixed-point disparities and their conversion to depth.
 
 use oaktwin_camera::StereoGeometry;
-
 use oaktwin_parameter::{Kind, Value, View, choice};
-
-use crate::simd::{self, Kernel};
+use oaktwin_simd::{self as simd, Kernel};
 
 /// The fractional bits of a disparity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
