@@ -6,6 +6,7 @@ mod accuracy;
 mod assets;
 mod bad_input;
 mod fit;
+mod optics;
 mod output;
 mod program;
 mod render;
