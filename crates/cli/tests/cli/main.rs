@@ -11,6 +11,7 @@ mod output;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_outputs;
 mod render_pair;
 mod render_record;
 mod render_sensor;
