@@ -19,7 +19,10 @@ fn unsupported_sensor_outputs_are_a_warning() {
     for (annotators, more) in [
         ("depth_sensor_imager", "-o engine"),
         // The reduced image has no colours.
-        ("depth_sensor_point_cloud_color", "-o filters --filter decimation:decimationFactor=2"),
+        (
+            "depth_sensor_point_cloud_color",
+            "-o filters --filter decimation:decimationFactor=2",
+        ),
     ] {
         let arguments = arguments(annotators, more);
         let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
