@@ -6,16 +6,13 @@
 mod adaptive_median;
 mod confidence;
 mod hole_filling;
-mod parameters;
 mod superpixels;
-
-pub use parameters::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 
 use rayon::prelude::*;
 
 use self::superpixels::Superpixels;
 use super::census::Census;
-use super::parameters::Parameters;
+use super::parameters::{AdaptiveMedian, ConfidenceMetrics, HoleFilling, Parameters};
 use crate::preset::Platform;
 use crate::simd::{self, Kernel, Level};
 
