@@ -72,6 +72,8 @@ impl Serialize for Source {
 pub struct About {
     /// The name: `DepthAI`'s or NVIDIA's where there is one.
     pub name: &'static str,
+    /// The path of the field in its struct.
+    pub field: &'static str,
     /// Another name that is accepted too; empty if there is none.
     pub alias: &'static str,
     /// The kind of values.
@@ -98,6 +100,7 @@ impl About {
     pub const fn new(name: &'static str) -> Self {
         Self {
             name,
+            field: "",
             alias: "",
             kind: Kind::Flag,
             unit: "",
@@ -174,11 +177,23 @@ impl About {
         Self { source, ..self }
     }
 
-    /// The same with the kind of values and the documentation.
+    /// The same with its field, the kind of values and the documentation.
     #[must_use]
-    pub const fn of(self, kind: Kind, doc: &'static str) -> Self {
+    pub const fn of(self, field: &'static str, kind: Kind, doc: &'static str) -> Self {
         let doc = doc.trim_ascii();
-        Self { kind, doc, ..self }
+        Self {
+            field,
+            kind,
+            doc,
+            ..self
+        }
+    }
+
+    /// The first sentence of the documentation, without its full stop.
+    #[must_use]
+    pub fn summary(&self) -> &'static str {
+        let end = [". ", ": ", "; "].iter().filter_map(|mark| self.doc.find(mark)).min();
+        end.map_or(self.doc.trim_end_matches('.'), |end| &self.doc[..end])
     }
 
     /// Whether the parameter accepts this number.

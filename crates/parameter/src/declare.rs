@@ -191,7 +191,8 @@ macro_rules! parameter_row {
     };
     (@of ($($path:ident).+) $ty:ty, $doc:expr, $View:ty, $name:literal, $($chain:tt)*) => {
         $crate::Row {
-            about: $crate::About::new($name) $($chain)*.of(<$View as $crate::View<$ty>>::KIND, $doc),
+            about: $crate::About::new($name) $($chain)*
+                .of(stringify!($($path).+), <$View as $crate::View<$ty>>::KIND, $doc),
             get: |p| <$View as $crate::View<$ty>>::get(&p.$($path).+),
             set: |p, text| <$View as $crate::View<$ty>>::set(&mut p.$($path).+, text),
             numbers: |p| <$View as $crate::View<$ty>>::numbers(&p.$($path).+),

@@ -1,31 +1,29 @@
 //! The depth sensor of a stage: the attributes of NVIDIA's schemas on a render product or its camera, as authored.
 
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Table};
+
 use crate::asset::IsaacVersion;
 pub use crate::nvidia::OUTLIER_REMOVAL;
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
 
-/// The attributes of both schemas with the types that Isaac Sim 5.1 gives them; `outlierRemovalEnabled` is a `bool` in 6.
-/// What else is a `bool` is a switch, the rest shapes what the sensor reports. Source: Kit's schema; ovrtx documents the same
-/// fourteen.
-pub const ATTRIBUTES: [(&str, &str); 14] = [
-    ("baselineMM", "float"),
-    ("confidenceThreshold", "float"),
-    ("enabled", "bool"),
-    ("focalLengthPixel", "float"),
-    ("maxDisparityPixel", "float"),
-    ("maxDistance", "float"),
-    ("minDistance", "float"),
-    ("noiseDownscaleFactorPixel", "float"),
-    ("noiseMean", "float"),
-    ("noiseSigma", "float"),
-    (OUTLIER_REMOVAL, "int"),
-    ("rgbDepthOutputMode", "int"),
-    ("sensorSizePixel", "float"),
-    ("showDistance", "bool"),
-];
+/// The attributes of both schemas, sorted by name, with the types that Isaac Sim 5.1 gives them; `outlierRemovalEnabled` is a
+/// `bool` in 6. All other `bool`s are switches, the rest shapes what the sensor reports. Source: Kit's schema; ovrtx
+/// documents the same attributes.
+#[must_use]
+pub fn attribute_types() -> Vec<(&'static str, &'static str)> {
+    let type_of = |kind| match kind {
+        Kind::Flag => "bool",
+        Kind::Number => "float",
+        Kind::Integer | Kind::Choice(_) | Kind::Text(_) => "int",
+    };
+    let mut types: Vec<_> = Attributes::rows().map(|row| (row.about.name, type_of(row.about.kind))).collect();
+    types.sort_unstable();
+    types
+}
 
-/// What a stage says about a depth sensor; what it does not say has the schema's defaults.
+/// The attributes that a stage authors for a depth sensor; all others have the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthSensor {
     prim: Prim,
@@ -48,7 +46,7 @@ pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>)
 }
 
 impl DepthSensor {
-    /// The prim that says it.
+    /// The prim that has the attributes.
     #[must_use]
     pub fn prim(&self) -> &Prim {
         &self.prim

@@ -2,7 +2,7 @@ use oaktwin_image::{Image, ZDepth};
 use rayon::prelude::*;
 
 use super::SingleView;
-use super::parameters::OutputMode;
+use super::OutputMode;
 use super::plan::Plan;
 use super::tile::{self, Planes, Rows, Scratch};
 use crate::batch::{Batch, check_length};

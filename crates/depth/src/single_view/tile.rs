@@ -5,7 +5,7 @@ use oaktwin_simd::{self as simd, Kernel};
 use super::assumptions::{ConfidenceAt, Invalid};
 use super::confidence::{self, Texture};
 use super::outliers::{self, Validity};
-use super::parameters::OutputMode;
+use super::OutputMode;
 use super::plan::Plan;
 use super::sense::Output;
 use super::view;

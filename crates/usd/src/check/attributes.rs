@@ -3,7 +3,7 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
 use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
-use crate::depth_sensor::ATTRIBUTES;
+use crate::depth_sensor::attribute_types;
 use crate::nvidia::OUTLIER_REMOVAL;
 use crate::stage::Value;
 
@@ -86,7 +86,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             ));
             continue;
         }
-        let Some((_, expected)) = ATTRIBUTES.iter().find(|(known, _)| *known == name) else {
+        let Some((_, expected)) = attribute_types().into_iter().find(|(known, _)| *known == name) else {
             findings.push(unknown(sensor.generation, path, &full, name));
             continue;
         };
@@ -125,7 +125,7 @@ fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Findin
             format!("{full} is not among the names that ovrtx's pages give; its full list is not public"),
         );
     }
-    let near = nearest(name, ATTRIBUTES.iter().map(|(known, _)| *known));
+    let near = nearest(name, attribute_types().into_iter().map(|(known, _)| known));
     let remedy = match near.first() {
         Some(near) => format!("write {PRODUCT_NAMESPACE}{near}, or remove it"),
         None => "remove it".to_owned(),
