@@ -88,6 +88,13 @@ fn rust_steps(report: &mut Report, args: &Args) {
         );
     }
     report.command("Rust tests", &mut rust_tests(args), counts::of_cargo_test);
+    if !args.fast {
+        report.command(
+            "Rust tests without vector instructions",
+            &mut portable_tests(args),
+            counts::of_cargo_test,
+        );
+    }
     if args.all {
         let mut slow = workspace::cargo();
         slow.args([
@@ -114,6 +121,32 @@ fn rust_tests(args: &Args) -> Command {
     }
     if std::env::var_os(TEST_DATA).is_some() {
         test.args(["--", "--include-ignored", "--skip", "slow_"]);
+    }
+    test
+}
+
+/// Returns the command for the tests of the crates with pixel loops, or of all crates with `--all`, on the path of
+/// processors other than x86-64.
+fn portable_tests(args: &Args) -> Command {
+    let mut test = workspace::cargo();
+    test.args([
+        "test",
+        "--no-fail-fast",
+        "--tests",
+        "--features",
+        "oaktwin-simd/portable",
+    ]);
+    if args.all {
+        test.arg("--workspace");
+    } else {
+        test.args([
+            "-p",
+            "oaktwin-simd",
+            "-p",
+            "oaktwin-depth",
+            "-p",
+            "oaktwin-render",
+        ]);
     }
     test
 }

@@ -1,9 +1,9 @@
 //! Fixed-point disparities, and what depth they are.
 
 use oaktwin_camera::StereoGeometry;
+use oaktwin_simd::{self as simd, Kernel};
 
 use crate::choice::choice;
-use crate::simd::{self, Kernel};
 
 /// The fractional bits of a disparity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]

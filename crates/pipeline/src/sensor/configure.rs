@@ -102,7 +102,7 @@ pub(super) fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
                 "{} is of {generation}, which has no presets here",
                 twin.device.name
             ),
-            remedy: "name filters with --filter".to_owned(),
+            remedy: "name its filters one by one".to_owned(),
         })
 }
 
