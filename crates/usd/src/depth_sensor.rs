@@ -1,4 +1,4 @@
-//! The depth sensor of a stage: the attributes of NVIDIA's schemas on a render product or its camera, as authored.
+//! The depth sensor of a stage: the authored attributes of NVIDIA's schemas on a render product or its camera.
 
 use oaktwin_parameter::nvidia::Attributes;
 use oaktwin_parameter::{Kind, Table};
@@ -30,8 +30,8 @@ pub struct DepthSensor {
     namespace: &'static str,
 }
 
-/// The depth sensor of a render product: Kit's schema on the product, or ovrtx's on the camera. The former wins, as
-/// Isaac Sim reads no other.
+/// Returns the depth sensor of a render product: Kit's schema on the product, else ovrtx's on the camera. The former
+/// takes precedence, as Isaac Sim reads no other.
 #[must_use]
 pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
     let of = |prim: &Prim, schema: &str, namespace| {
@@ -46,25 +46,25 @@ pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>)
 }
 
 impl DepthSensor {
-    /// The prim that has the attributes.
+    /// Returns the prim that carries the attributes.
     #[must_use]
     pub fn prim(&self) -> &Prim {
         &self.prim
     }
 
-    /// Its authored attributes by their names in the schema, `baselineMM`.
+    /// Returns the authored attributes by their name in the schema, such as `baselineMM`.
     pub fn attributes(&self) -> impl Iterator<Item = (&str, &Attribute)> {
         self.prim.in_namespace(self.namespace)
     }
 
-    /// The whole name of an attribute, `omni:rtx:post:depthSensor:baselineMM`.
+    /// Returns the full name of an attribute, such as `omni:rtx:post:depthSensor:baselineMM`.
     #[must_use]
     pub fn full_name(&self, name: &str) -> String {
         format!("{}{name}", self.namespace)
     }
 
-    /// The Isaac Sim that it is written for, where that can be seen: `outlierRemovalEnabled` is an `int` in 5.x and a
-    /// `bool` in 6.x, and ovrtx's schema is as new as 6.
+    /// Returns the Isaac Sim version that the sensor is written for, if known: `outlierRemovalEnabled` is an `int` in 5.x
+    /// and a `bool` in 6.x; ovrtx's schema corresponds to 6.
     #[must_use]
     pub fn isaac(&self) -> Option<IsaacVersion> {
         if self.namespace == CAMERA_NAMESPACE {
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn the_product_before_the_camera() {
+    fn product_takes_precedence_over_camera() {
         let mut product = RenderProduct::default();
         let mut camera = SceneCamera::default();
         assert!(of_product(Some(&product), Some(&camera)).is_none());
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn the_type_of_one_attribute_says_the_version() {
+    fn type_of_outlier_removal_determines_the_version() {
         for (type_name, value, isaac) in [
             ("int", Value::Int(3), Some(IsaacVersion::V5_1)),
             ("bool", Value::Bool(true), Some(IsaacVersion::V6)),
