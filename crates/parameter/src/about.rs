@@ -224,7 +224,7 @@ impl About {
         Some(format!("{range} {}", self.unit).trim_end().to_owned())
     }
 
-    /// What a valid value is, for an error: `expected a number: 0 to 10 px`.
+    /// What a valid value is, for an error: `expected a number from 0 to 10 px`.
     #[must_use]
     pub fn expectation(&self) -> String {
         let what = match self.kind {
@@ -235,10 +235,16 @@ impl About {
             Kind::Number => "a number",
             Kind::Text(what) => what,
         };
-        match self.range_text() {
-            Some(range) => format!("expected {what}: {range}"),
-            None if self.unit.is_empty() => format!("expected {what}"),
-            None => format!("expected {what} in {}", self.unit),
-        }
+        let (min, max, unit) = (self.min, self.max, self.unit);
+        let expected = match (min, max) {
+            (f64::MIN, f64::MAX) if unit.is_empty() => format!("expected {what}"),
+            (f64::MIN, f64::MAX) => format!("expected {what} in {unit}"),
+            (f64::MIN_POSITIVE, f64::MAX) => format!("expected {what} above 0 {unit}"),
+            (_, f64::MAX) => format!("expected {what} of at least {min} {unit}"),
+            _ if self.step > 0.0 => format!("expected {}", self.range_text().unwrap_or_default()),
+            _ => format!("expected {what} from {min} to {max} {unit}"),
+        };
+        expected.trim_end().to_owned()
+    }
     }
 }

@@ -26,7 +26,7 @@
 /// noise.set("sigma", "0.5")?;
 /// assert_eq!(noise.sigma_px, 0.5);
 /// let error = noise.set("sigma", "11").unwrap_err();
-/// assert_eq!(error.to_string(), "sigma: 11 is out of range; expected a number: 0 to 10 px");
+/// assert_eq!(error.to_string(), "sigma: 11 is out of range; expected a number from 0 to 10 px");
 /// # Ok::<(), oaktwin_parameter::ParameterError>(())
 /// ```
 #[macro_export]

@@ -37,21 +37,21 @@ parameters! {
     pub struct Attributes("single-view", platform) {
         /// The distance between the imagers; its sign is the side of the second one.
         baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").source(Source::Nvidia)),
-        /// The focal length, for a sensor that is `sensorSizePixel` wide.
+        /// The focal length. It is for a sensor that is `sensorSizePixel` wide.
         focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").positive().source(Source::Nvidia)),
         /// The width of the sensor.
         sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").positive().source(Source::Nvidia)),
-        /// The largest disparity, in pixels of the rendered image.
+        /// The largest disparity. It is in pixels of the rendered image.
         max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").positive().source(Source::Nvidia)),
         /// The minimum depth.
         min_distance_m: f64 = 0.5
             => ("minDistance".unit("m").range(0.0..=f64::MAX).source(Source::Nvidia)),
         /// The maximum depth.
         max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").source(Source::Nvidia)),
-        /// The quantization step of disparity, in pixels of the rendered image. 0 disables both the step and the jitter.
+        /// The quantization step of disparity. It is in pixels of the rendered image; 0 disables both the step and the jitter.
         noise_mean_px: f64 = 0.25
             => ("noiseMean".unit("px").range(0.0..=f64::MAX).source(Source::Nvidia)),
-        /// The standard deviation of disparity, in pixels of the rendered image.
+        /// The standard deviation of disparity. It is in pixels of the rendered image.
         noise_sigma_px: f64 = 0.25
             => ("noiseSigma".unit("px").range(0.0..=f64::MAX).source(Source::Nvidia)),
         /// The side of the squares of pixels that share their noise.

@@ -272,21 +272,21 @@ fn rejects_invalid_text() {
              threshold, brightness",
             "spatial:alpa=1: alpa: unknown parameter of spatial filter; did you mean 'alpha'?",
             "spatial:alpha: setting 'alpha' has no value; write alpha=VALUE",
-            "spatial:alpha=nan: alpha: must not be NaN; expected a number: 0 to 1",
-            "temporal:alpha=1.5: alpha: 1.5 is out of range; expected a number: 0 to 1",
-            "spatial:delta=256: delta: invalid value '256'; expected a whole number: 0 to 255",
-            "spatial:radius=-1: radius: invalid value '-1'; expected a whole number: 0 to 255 px",
-            "spatial:iterations=101: iterations: 101 is out of range; expected a whole number: 0 to 100",
+            "spatial:alpha=nan: alpha: must not be NaN; expected a number from 0 to 1",
+            "temporal:alpha=1.5: alpha: 1.5 is out of range; expected a number from 0 to 1",
+            "spatial:delta=256: delta: invalid value '256'; expected a whole number from 0 to 255",
+            "spatial:radius=-1: radius: invalid value '-1'; expected a whole number from 0 to 255 px",
+            "spatial:iterations=101: iterations: 101 is out of range; expected a whole number from 0 to 100",
             "temporal:persistency=9: persistency: invalid value '9'; expected PERSISTENCY_OFF, VALID_8_OUT_OF_8, \
              VALID_2_IN_LAST_3, VALID_2_IN_LAST_4, VALID_2_OUT_OF_8, VALID_1_IN_LAST_2, VALID_1_IN_LAST_5, \
              VALID_1_IN_LAST_8 or PERSISTENCY_INDEFINITELY",
             "temporal:persistency=VALID_2_IN_LAST_5: persistency: invalid value 'VALID_2_IN_LAST_5'; expected \
              PERSISTENCY_OFF, VALID_8_OUT_OF_8, VALID_2_IN_LAST_3, VALID_2_IN_LAST_4, VALID_2_OUT_OF_8, \
              VALID_1_IN_LAST_2, VALID_1_IN_LAST_5, VALID_1_IN_LAST_8 or PERSISTENCY_INDEFINITELY",
-            "decimation:factor=0: factor: 0 is out of range; expected a whole number: 1, 2, 3 or 4 px",
+            "decimation:factor=0: factor: 0 is out of range; expected 1, 2, 3 or 4 px",
             "median:size=4: size: invalid value '4'; expected 3, 5 or 7",
             "threshold filter: min: 9 is above max; expected up to 8",
-            "brightness:max=300: max: 300 is out of range; expected a whole number: 0 to 256",
+            "brightness:max=300: max: 300 is out of range; expected a whole number from 0 to 256",
         ]
     );
 }

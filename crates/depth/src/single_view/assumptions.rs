@@ -242,11 +242,11 @@ mod tests {
         );
         assert_eq!(
             error("sobel-gain", "much"),
-            "sobel-gain: invalid value 'much'; expected a number: above 0"
+            "sobel-gain: invalid value 'much'; expected a number above 0"
         );
         assert_eq!(
             error("sobel-gain", "NaN"),
-            "sobel-gain: must not be NaN; expected a number: above 0"
+            "sobel-gain: must not be NaN; expected a number above 0"
         );
     }
 }

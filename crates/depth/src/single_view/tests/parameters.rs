@@ -56,7 +56,7 @@ fn errors_name_the_attribute_and_the_remedy() {
     );
     assert_eq!(
         says("noiseSigma", "nan"),
-        "noiseSigma: must not be NaN; expected a number: 0 or more px"
+        "noiseSigma: must not be NaN; expected a number of at least 0 px"
     );
     assert_eq!(
         says("maxDistance", "0.25"),
@@ -69,7 +69,7 @@ fn errors_name_the_attribute_and_the_remedy() {
     );
     assert_eq!(
         says("outlierRemovalEnabled", "-1"),
-        "outlierRemovalEnabled: invalid value '-1'; expected a whole number: 0 to 63 px"
+        "outlierRemovalEnabled: invalid value '-1'; expected a whole number from 0 to 63 px"
     );
     for (name, value) in [
         ("confidenceThreshold", "1.01"),
