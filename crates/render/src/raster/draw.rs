@@ -30,7 +30,7 @@ struct Entry<'a> {
 impl Job<'_> {
     #[inline(always)]
     fn entry(&self, at: usize) -> Option<Entry<'_>> {
-        #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+        #[expect(clippy::cast_possible_truncation, reason = "takes the lower half")]
         let item = self.visible.get(*self.entries.get(at)? as u32 as usize)?;
         let instance = self.frame.scene.instances.get(item.instance as usize)?;
         let mesh = self.meshes.get(instance.mesh as usize)?;

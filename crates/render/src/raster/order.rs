@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::cluster::{Bounds, valid_corners};
 
 /// Returns the triangle of a key, which is its lower half; the upper half is the position on the curve.
-#[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+#[expect(clippy::cast_possible_truncation, reason = "takes the lower half")]
 pub(super) fn triangle(key: u64) -> u32 {
     key as u32
 }

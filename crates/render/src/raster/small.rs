@@ -328,7 +328,7 @@ impl<L: Lanes> Setup<L> {
             let bit = mask.trailing_zeros() as usize;
             mask &= mask - 1;
             let (corner, lane) = (bit / LANES, bit % LANES);
-            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            #[expect(clippy::cast_sign_loss, reason = "within the tile")]
             let at = at[lane] as usize + (corner & 1) + (corner >> 1) * STRIDE;
             let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
             tile.put::<IDS>(job, at, found[corner][lane], id);
@@ -359,7 +359,7 @@ impl<L: Lanes> Setup<L> {
             let slope = [L::splat(slope[0][lane]), L::splat(slope[1][lane])];
             let (inverse_z, rest) = (L::splat(inverse_z[lane]), L::splat(rest[lane]));
             let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
-            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            #[expect(clippy::cast_sign_loss, reason = "within the tile")]
             let mut at = at[lane] as usize;
             for _ in 0..=last[lane] {
                 let outside = edges[0] | edges[1] | edges[2];

@@ -145,7 +145,7 @@ impl FrameOfView<'_> {
                 let direction = directions[packet][lane];
                 let z_per_length = f64::from(rays.z_per_length[packet][lane]);
                 let instance = workspace.state.seen.instance[packet][lane];
-                // A miss in single precision is certain; otherwise there is no ray.
+                // A miss in single precision is final, and so is a pixel without a ray; sideways rays are cast below.
                 if instance == u32::MAX && (z_per_length > 0.0 || direction.is_nan()) {
                     continue;
                 }

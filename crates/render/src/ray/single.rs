@@ -180,7 +180,10 @@ struct Path {
 
 impl Path {
     /// Creates the ray; `None` if it has no direction or the bounds are not finite.
-    #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the remainder is kept or within the slack"
+    )]
     fn new(frame_from_world: DAffine3, origin: DVec3, direction: DVec3, bounds: &Bounds) -> Option<Self> {
         let origin = frame_from_world.transform_point3(origin);
         let direction = frame_from_world.transform_vector3(direction);
@@ -226,10 +229,7 @@ impl Path {
     }
 
     /// Converts a distance in lengths of the ray's direction.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "all that uses it allows for rounding"
-    )]
+    #[allow(clippy::cast_possible_truncation, reason = "callers add a slack for rounding")]
     fn lengths(&self, t: f64) -> f32 {
         (t / self.stretch) as f32
     }

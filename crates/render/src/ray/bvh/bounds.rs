@@ -59,7 +59,7 @@ impl Bounds {
     }
 }
 
-/// A box and which item it belongs to.
+/// A box and the index of its item.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Item(Bounds);
 
@@ -75,7 +75,7 @@ impl Item {
         self.0.0[3].to_bits()
     }
 
-    /// The box; lane 3 is not to be read.
+    /// Returns the box, with the index in lane 3.
     #[inline]
     pub(super) fn bounds(&self) -> Bounds {
         self.0

@@ -30,7 +30,10 @@ struct Plane {
 
 impl Frame {
     /// Creates the transform; `None` if the bounds or the origin are not finite.
-    #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the remainder is kept or within the slack"
+    )]
     pub(super) fn new(
         tile_from_world: &DMat3,
         origin_in_frame: DVec3,
@@ -95,7 +98,7 @@ impl Frame {
 }
 
 impl Plane {
-    #[allow(clippy::cast_possible_truncation, reason = "allowed for")]
+    #[allow(clippy::cast_possible_truncation, reason = "within the slack")]
     fn new(normal: DVec3, origin: DVec3, bounds: &Bounds) -> Self {
         let (min, max) = (bounds.min(), bounds.max());
         let reach = |axis: usize| f64::from(min[axis].abs().max(max[axis].abs())) + origin[axis].abs();

@@ -56,7 +56,7 @@ impl TileRays {
 
     /// Creates a tile from directions in the camera frame, by packet, NaN where there is no ray. With `is_flat`, for
     /// directions with z = 1, the tile frame is the camera frame.
-    #[allow(clippy::cast_possible_truncation, reason = "of 1e-4 of a pixel")]
+    #[allow(clippy::cast_possible_truncation, reason = "rounds by less than 1e-4 px")]
     pub(crate) fn new(directions: &PerRay<DVec3>, is_flat: bool) -> Self {
         let mut rays = Self::NONE;
         if !is_flat {

@@ -107,7 +107,7 @@ fn in_tile(
 }
 
 /// Computes a value for each position, by rows.
-#[allow(clippy::cast_possible_truncation, reason = "of what were u32")]
+#[allow(clippy::cast_possible_truncation, reason = "indices of u32 sizes")]
 fn over<T: Send>(width: u32, height: u32, value: impl Fn(u32, u32) -> T + Sync) -> Vec<T> {
     let mut values = Vec::new();
     (0..width as usize * height as usize)

@@ -100,7 +100,7 @@ impl Triangles {
     }
 
     /// Recomputes the plane of an oblique triangle in double precision.
-    #[allow(clippy::cast_possible_truncation, reason = "rounded once, at the end")]
+    #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
     pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
         let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
         let normal = (b - a).cross(c - a);
