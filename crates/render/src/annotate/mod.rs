@@ -1,4 +1,4 @@
-//! The annotators of Replicator: what each pixel sees, told as distances, normals, ids, boxes, points and colours.
+//! The annotators of Replicator: distances, normals, ids, boxes, points and colours of a view.
 
 mod boxes;
 mod coverage;
@@ -22,13 +22,13 @@ use crate::{Backend, Renderer, View, Visibility};
 pub(crate) use semantics::Semantics;
 pub(crate) use surface::{Surface, SurfaceFinder};
 
-/// What the annotators leave open.
+/// The options of the annotators.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnnotateOptions {
-    /// Whether the point cloud has the points of things without a semantic label too. It has by default; Replicator
-    /// leaves them out unless it is told otherwise (`includeUnlabelled`).
+    /// Whether the point cloud includes points of prims without a semantic label. The default is true; Replicator's
+    /// (`includeUnlabelled`) is false.
     pub unlabelled_points: bool,
-    /// Whether outlines are smooth in the colours; else each pixel has the colour of what its centre sees.
+    /// Whether colours are antialiased at silhouettes; otherwise a pixel has the colour at its centre.
     pub smooth_edges: bool,
 }
 
@@ -42,10 +42,9 @@ impl Default for AnnotateOptions {
 }
 
 impl Renderer {
-    /// What these annotators say of a view; the findings are what colours had to do without.
+    /// Renders the annotations of a view; the findings report missing inputs of the colours.
     ///
-    /// [`Annotator::CameraParams`] says nothing about the scene and is left to whoever writes the frame; what depth
-    /// sensors report is left to them.
+    /// Annotators that do not come from the scene are ignored: [`Annotator::CameraParams`] and those of depth sensors.
     #[must_use]
     pub fn annotate(
         &self,
@@ -59,7 +58,7 @@ impl Renderer {
         let depth_is_enough = annotators.iter().all(|annotator| match annotator {
             Annotator::DistanceToImagePlane | Annotator::CameraParams => true,
             Annotator::DistanceToCamera => view.clips_along_axis(),
-            other => other.is_of_depth_sensor(),
+            other => other.is_depth_sensor(),
         });
         if depth_is_enough {
             if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {

@@ -31,7 +31,7 @@ impl Sensors {
         let of_sensor: Vec<Annotator> = annotators
             .iter()
             .copied()
-            .filter(|one| one.is_of_depth_sensor())
+            .filter(|one| one.is_depth_sensor())
             .collect();
         if of_sensor.is_empty() && sweep.is_none() {
             return Ok(Self::default());
