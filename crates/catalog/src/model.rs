@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use oaktwin_camera::ImageSize;
-use schemars::JsonSchema;
 use oaktwin_parameter::nvidia::Attributes;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{Source, Sources};
@@ -298,7 +298,8 @@ impl DepthSensor {
     /// have the schema's defaults.
     #[must_use]
     pub fn attributes(&self, is_extended: bool) -> Attributes {
-        let extended = |standard: f64, extended: Option<f64>| extended.filter(|_| is_extended).unwrap_or(standard);
+        let extended =
+            |standard: f64, extended: Option<f64>| extended.filter(|_| is_extended).unwrap_or(standard);
         Attributes {
             baseline_mm: self.baseline_mm,
             focal_length_px: self.focal_length_px,

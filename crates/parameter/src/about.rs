@@ -246,5 +246,4 @@ impl About {
         };
         expected.trim_end().to_owned()
     }
-    }
 }

@@ -451,7 +451,10 @@ impl StereoMatcher {
         let values = self.ask(py, |matcher| match matcher.sensor().engine() {
             Engine::StereoMatching(engine) => {
                 let value = |name| engine.parameters().get(name);
-                Matching::names().into_iter().map(|name| Ok((name, value(name)?))).collect()
+                Matching::names()
+                    .into_iter()
+                    .map(|name| Ok((name, value(name)?)))
+                    .collect()
             }
             _ => Ok(Vec::new()),
         });

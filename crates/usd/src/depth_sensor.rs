@@ -18,7 +18,9 @@ pub fn attribute_types() -> Vec<(&'static str, &'static str)> {
         Kind::Number => "float",
         Kind::Integer | Kind::Choice(_) | Kind::Text(_) => "int",
     };
-    let mut types: Vec<_> = Attributes::rows().map(|row| (row.about.name, type_of(row.about.kind))).collect();
+    let mut types: Vec<_> = Attributes::rows()
+        .map(|row| (row.about.name, type_of(row.about.kind)))
+        .collect();
     types.sort_unstable();
     types
 }

@@ -1,6 +1,6 @@
 use oaktwin_image::Image;
-use oaktwin_simd::{Level, saturating_trunc};
 use oaktwin_parameter::{Numbered, choice, parameters};
+use oaktwin_simd::{Level, saturating_trunc};
 use rayon::prelude::*;
 
 use super::{Pixel, simd};

@@ -1,6 +1,6 @@
 use oaktwin_image::Image;
-use oaktwin_simd::{Level, Weight};
 use oaktwin_parameter::parameters;
+use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;

@@ -1,6 +1,6 @@
 use oaktwin_image::Image;
-use oaktwin_simd::Level;
 use oaktwin_parameter::parameters;
+use oaktwin_simd::Level;
 
 use super::{Pixel, simd};
 

@@ -4,9 +4,7 @@ use std::str::FromStr;
 use oaktwin_diagnostic::{fold_name, suggest};
 use oaktwin_parameter::{Platform, Table};
 
-use super::{
-    Brightness, Decimation, Filter, MedianSettings, Spatial, Speckle, Temporal, Threshold,
-};
+use super::{Brightness, Decimation, Filter, MedianSettings, Spatial, Speckle, Temporal, Threshold};
 use crate::ParameterError;
 
 /// The names of the filters in text.
@@ -38,9 +36,18 @@ pub fn parse(text: &str) -> Result<Filter, ParameterError> {
         Some("decimation") => Filter::Decimation(Decimation::defaults(defaults)),
         Some("threshold") => Filter::Threshold(Threshold::defaults(defaults)),
         Some(_) => Filter::Brightness(Brightness::defaults(defaults)),
-        None => return Err(ParameterError::new(text, format!("unknown filter '{name}'"), suggest(name, NAMES))),
+        None => {
+            return Err(ParameterError::new(
+                text,
+                format!("unknown filter '{name}'"),
+                suggest(name, NAMES),
+            ));
+        }
     };
-    let settings = settings.split(',').map(str::trim).filter(|setting| !setting.is_empty());
+    let settings = settings
+        .split(',')
+        .map(str::trim)
+        .filter(|setting| !setting.is_empty());
     for setting in settings {
         let (key, value) = setting.split_once('=').ok_or_else(|| {
             let what = format!("setting '{setting}' has no value");
@@ -99,13 +106,15 @@ impl Filter {
 }
 
 fn checked<T: Table>(settings: &T) -> Result<(), ParameterError> {
-    settings
-        .check_all()
-        .map_err(|error| ParameterError::new(format!("{}: {}", T::GROUP, error.name), error.what, error.remedy))
+    settings.check_all().map_err(|error| {
+        ParameterError::new(format!("{}: {}", T::GROUP, error.name), error.what, error.remedy)
+    })
 }
 
 fn settings<T: Table>(settings: &T) -> String {
-    let all: Vec<String> = T::rows().map(|row| format!("{}={}", row.about.name, (row.get)(settings))).collect();
+    let all: Vec<String> = T::rows()
+        .map(|row| format!("{}={}", row.about.name, (row.get)(settings)))
+        .collect();
     all.join(",")
 }
 

@@ -20,7 +20,11 @@ impl Threshold {
             return Ok(());
         }
         let what = format!("{} is above max", self.min_range);
-        Err(ParameterError::new("min", what, format!("expected up to {}", self.max_range)))
+        Err(ParameterError::new(
+            "min",
+            what,
+            format!("expected up to {}", self.max_range),
+        ))
     }
 
     pub(super) fn run<P: Pixel>(&self, image: &mut Image<P>) {

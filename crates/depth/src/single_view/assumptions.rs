@@ -201,7 +201,10 @@ impl Default for Assumptions {
 /// `name=value` of all, separated by spaces.
 impl fmt::Display for Assumptions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all: Vec<String> = self.by_name().map(|(name, value)| format!("{name}={value}")).collect();
+        let all: Vec<String> = self
+            .by_name()
+            .map(|(name, value)| format!("{name}={value}"))
+            .collect();
         f.write_str(&all.join(" "))
     }
 }

@@ -62,8 +62,8 @@ mod select;
 pub use inspect::inspect;
 pub use pair::{Luminance, Pair, PairError};
 pub use parameters::{
-    AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling, Interpolation, Parameters,
-    platform_of,
+    AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling,
+    Interpolation, Parameters, platform_of,
 };
 
 use std::fmt;

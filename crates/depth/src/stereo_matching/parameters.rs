@@ -348,7 +348,11 @@ impl Parameters {
             let shifted = penalty >> self.penalty_shift.min(31);
             if shifted > MAX_PENALTY {
                 let what = format!("{shifted} is out of range after penaltyShift");
-                return Err(ParameterError::new(name, what, format!("expected 0 to {MAX_PENALTY}")));
+                return Err(ParameterError::new(
+                    name,
+                    what,
+                    format!("expected 0 to {MAX_PENALTY}"),
+                ));
             }
         }
         if !is_set_of_paths(self.paths) {
@@ -365,5 +369,8 @@ pub(super) const MAX_PENALTY: u32 = 7680;
 /// The platform without which a parameter has no effect; `None` if it has an effect on both, or does not exist.
 #[must_use]
 pub fn platform_of(name: &str) -> Option<Platform> {
-    <Parameters as oaktwin_parameter::Table>::row(name).ok()?.about.platform
+    <Parameters as oaktwin_parameter::Table>::row(name)
+        .ok()?
+        .about
+        .platform
 }

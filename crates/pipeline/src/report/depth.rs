@@ -107,7 +107,11 @@ fn attributes(sensor: &TwinDepthSensor) -> Vec<AttributeReport> {
         let about = &row.about;
         let in_unit = if about.unit.is_empty() { "" } else { ", " };
         AttributeReport {
-            name: if about.alias.is_empty() { about.name } else { about.alias },
+            name: if about.alias.is_empty() {
+                about.name
+            } else {
+                about.alias
+            },
             value: (row.numbers)(&values)[0],
             meaning: format!("{}{in_unit}{}", about.summary(), about.unit),
         }

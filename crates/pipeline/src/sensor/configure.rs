@@ -174,7 +174,9 @@ fn names(engine: EngineKind) -> Vec<&'static str> {
     match engine {
         EngineKind::SingleView => single_view_names(),
         EngineKind::StereoNoise => stereo_noise::Parameters::names(),
-        EngineKind::StereoMatching => [stereo_matching::Parameters::names(), vec![CALIBRATION_ERROR]].concat(),
+        EngineKind::StereoMatching => {
+            [stereo_matching::Parameters::names(), vec![CALIBRATION_ERROR]].concat()
+        }
         EngineKind::TimeOfFlight => time_of_flight::Parameters::names(),
     }
 }

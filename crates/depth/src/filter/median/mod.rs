@@ -1,8 +1,8 @@
 mod network;
 
 use oaktwin_image::Image;
-use oaktwin_simd::Level;
 use oaktwin_parameter::{Kind, View, choice, parameters};
+use oaktwin_simd::Level;
 use rayon::prelude::*;
 
 pub(crate) use network::{Network, Networks};

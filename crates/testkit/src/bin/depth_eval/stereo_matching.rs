@@ -67,7 +67,9 @@ impl ParametersRequest {
         let platforms = [Platform::Rvc2, Platform::Rvc4];
         let platform = platforms.into_iter().find(|known| known.name() == self.platform);
         let parameters = Parameters::new(platform.ok_or("no such platform")?, STEREO, 1280);
-        let values = Parameters::names().into_iter().map(|name| Ok((name, parameters.get(name)?)));
+        let values = Parameters::names()
+            .into_iter()
+            .map(|name| Ok((name, parameters.get(name)?)));
         let values: BTreeMap<&str, String> = values.collect::<Result<_, Box<dyn Error>>>()?;
         Ok(json!({ "parameters": values }))
     }
