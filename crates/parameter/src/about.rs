@@ -192,7 +192,10 @@ impl About {
     /// The first sentence of the documentation, without its full stop.
     #[must_use]
     pub fn summary(&self) -> &'static str {
-        let end = [". ", ": ", "; "].iter().filter_map(|mark| self.doc.find(mark)).min();
+        let end = [". ", ": ", "; "]
+            .iter()
+            .filter_map(|mark| self.doc.find(mark))
+            .min();
         end.map_or(self.doc.trim_end_matches('.'), |end| &self.doc[..end])
     }
 

@@ -108,7 +108,11 @@ impl Attributes {
         let (min, max) = (self.min_distance_m, self.max_distance_m);
         if max < min {
             let what = format!("{max} m is below the minDistance of {min} m");
-            return Err(ParameterError::new("maxDistance", what, "set a larger maxDistance"));
+            return Err(ParameterError::new(
+                "maxDistance",
+                what,
+                "set a larger maxDistance",
+            ));
         }
         Ok(())
     }
