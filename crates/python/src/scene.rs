@@ -361,7 +361,7 @@ impl Scene {
     #[getter]
     fn bounds(&self) -> Option<[[f64; 3]; 2]> {
         let bounds = self.renderer.scene().bounds()?;
-        Some([bounds.low.to_array(), bounds.high.to_array()])
+        Some([bounds.min.to_array(), bounds.max.to_array()])
     }
 
     fn __repr__(&self) -> String {
