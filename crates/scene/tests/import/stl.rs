@@ -72,7 +72,7 @@ fn lengths_are_checked() {
     );
     let mut huge = binary("a");
     huge[80..84].fill(0xff);
-    assert!(error("a.stl", &huge).contains("says 214748364834 bytes"));
+    assert!(error("a.stl", &huge).contains("214748364834 bytes required"));
     assert!(error("a.stl", "no such thing").contains("neither a binary nor a text STL file"));
 }
 
