@@ -39,7 +39,7 @@ pub(super) fn read(document: &Document, materials: &Materials, builder: &mut Bui
     };
     walk.push(&roots, "", DAffine3::IDENTITY);
     while let Some(pending) = walk.stack.pop() {
-        walk.visit(pending, builder)?;
+        walk.visit(&pending, builder)?;
     }
     if walk.repeated > 0 {
         builder.warn(
@@ -82,7 +82,7 @@ impl Walk<'_> {
         }));
     }
 
-    fn visit(&mut self, pending: Pending, builder: &mut Builder) -> Result<(), Fault> {
+    fn visit(&mut self, pending: &Pending, builder: &mut Builder) -> Result<(), Fault> {
         let index = pending.node;
         let Some(node) = self.document.root.nodes.get(index) else {
             return Err(Fault::damaged(format!("nodes[{index}]"), "does not exist"));
@@ -91,7 +91,7 @@ impl Walk<'_> {
             self.repeated += 1;
             return Ok(());
         }
-        let path = node_path(node, &pending);
+        let path = node_path(node, pending);
         let file_from_node = pending.file_from_parent * local(node);
         if let Some(mesh) = node.mesh {
             if node.skin.is_some() {
