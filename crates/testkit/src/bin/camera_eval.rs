@@ -152,7 +152,7 @@ fn answer(line: &str) -> Answer {
             right,
             right_from_left,
             intrinsics,
-        } => rectify([&left, &right], right_from_left, intrinsics)?,
+        } => rectify([&left, &right], right_from_left, intrinsics.as_ref())?,
         Request::Map {
             camera,
             rectified_from_camera,
@@ -190,7 +190,7 @@ fn answer(line: &str) -> Answer {
 fn rectify(
     [left, right]: [&CameraJson; 2],
     right_from_left: [[f64; 4]; 4],
-    intrinsics: Option<Rectified>,
+    intrinsics: Option<&Rectified>,
 ) -> Answer {
     let intrinsics = match intrinsics {
         None | Some(Rectified::ZeroDisparity) => RectifiedIntrinsics::ZeroDisparity,
