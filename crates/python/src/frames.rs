@@ -1,4 +1,4 @@
-//! Ground-truth frames as NumPy arrays, one or stacked.
+//! Ground-truth frames as NumPy arrays, single or stacked.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use pyo3::types::{PyDict, PyList};
 use crate::array::zeros;
 use crate::error::error;
 
-/// Frames of one camera on their way into arrays.
+/// Collects the frames of one camera in arrays.
 pub(crate) struct Frames<'py> {
     size: ImageSize,
     batch: Option<usize>,
@@ -23,7 +23,7 @@ pub(crate) struct Frames<'py> {
 }
 
 impl<'py> Frames<'py> {
-    /// For a batch of so many poses, or one.
+    /// For one pose, or a batch of several.
     pub(crate) fn new(size: ImageSize, batch: Option<usize>) -> Self {
         Self {
             size,
@@ -92,7 +92,7 @@ impl<'py> Frames<'py> {
         Ok(())
     }
 
-    /// All by name.
+    /// Returns all arrays by name.
     pub(crate) fn finish(mut self, py: Python<'py>, asked: &[Annotator]) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
         for annotator in asked {
@@ -188,7 +188,7 @@ fn flat<T, const C: usize>(image: Image<[T; C]>) -> Vec<T> {
     image.into_pixels().into_flattened()
 }
 
-/// Structured as Replicator's.
+/// A structured array with Replicator's fields.
 fn boxes<'py>(py: Python<'py>, boxes: &Boxes2d) -> PyResult<Bound<'py, PyAny>> {
     let fields = [
         ("semanticId", "u4"),
