@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArrayMethods};
@@ -165,9 +166,7 @@ impl Scene {
     /// camera: a device's camera (`device.cameras["left"]`, `device.depth_camera()`) or any other `Camera`.
     /// world_from_camera: the camera's pose: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
     ///     forward), metres. See `look_at`.
-    /// annotators: Replicator's names: "distance_to_image_plane" (z, the default), "distance_to_camera", "rgb", "normals",
-    ///     "instance_id_segmentation", "semantic_segmentation", "bounding_box_2d_tight", "bounding_box_2d_loose",
-    ///     "pointcloud".
+    /// annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
     /// backend: "auto" (default), "raster" or "ray"; the results are equal.
     /// smooth_edges: whether outlines in colour images are antialiased.
     ///
@@ -388,17 +387,26 @@ fn up_name(up: Up) -> &'static str {
     }
 }
 
-/// Parses an annotator that can be rendered from a scene.
+/// The annotators of scenes and depth sensors: a dictionary from name to description.
+///
+/// `Scene.render` takes all but "camera_params" and those whose names begin with "depth_sensor_", which
+/// `DepthSensor.annotate` takes.
+#[pyfunction]
+pub(crate) fn annotators() -> BTreeMap<&'static str, &'static str> {
+    Annotator::all().map(|one| (one.name(), one.doc())).collect()
+}
+
+/// Returns the annotator of a name, if it describes a scene and is an image or a list.
 fn scene_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
     if found == Annotator::CameraParams {
         return Err(wrong(
             name,
             "is not an image",
-            "use the camera's K, distortion and size",
+            "use the camera's attributes K, distortion and size",
         ));
     }
-    if found.is_of_depth_sensor() {
+    if found.is_depth_sensor() {
         let remedy = "pass distance_to_image_plane (and rgb) to DepthSensor.annotate";
         return Err(wrong(name, "is an output of a depth sensor", remedy));
     }

@@ -31,6 +31,7 @@ from ._oaktwin import (
     StereoMatcher,
     __version__,
     align,
+    annotators,
     look_at,
     models,
 )
@@ -51,6 +52,7 @@ __all__ = [
     "__version__",
     "accuracy",
     "align",
+    "annotators",
     "filters",
     "look_at",
     "models",
