@@ -85,11 +85,7 @@ pub(crate) fn writable<'py, T: Element>(
     array: &Bound<'py, PyUntypedArray>,
 ) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
     if !array.is_c_contiguous() {
-        return Err(wrong(
-            name,
-            "is not C-contiguous",
-            "pass a C-contiguous array",
-        ));
+        return Err(wrong(name, "is not C-contiguous", "pass a C-contiguous array"));
     }
     let mut array = array.cast::<PyArrayDyn<T>>()?.try_readwrite().map_err(|_| {
         wrong(

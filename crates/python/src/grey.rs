@@ -49,7 +49,11 @@ pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Images> {
         let values = values.as_slice().map_err(error)?;
         if let Some(max) = values.iter().max().filter(|max| **max > TEN_BITS) {
             let is = format!("has values above 10 bits, up to {max}");
-            return Err(wrong(name, is, "pass values from 0 to 1023; of 16-bit images the upper 10 bits (>> 6)"));
+            return Err(wrong(
+                name,
+                is,
+                "pass values from 0 to 1023; of 16-bit images the upper 10 bits (>> 6)",
+            ));
         }
         let images = values.chunks_exact(numbers);
         let one = |values: &[u16]| image(name, size, values.to_vec()).map(Recorded::Ten);

@@ -289,11 +289,7 @@ fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> 
 pub(crate) fn apart<A, B>(read: &[A], written: &[B]) -> PyResult<()> {
     let ((start, end), (first, last)) = (bytes(written), bytes(read));
     if start < last && first < end {
-        return Err(wrong(
-            "out",
-            "overlaps the input",
-            "pass a separate array",
-        ));
+        return Err(wrong("out", "overlaps the input", "pass a separate array"));
     }
     Ok(())
 }

@@ -67,7 +67,11 @@ fn check_memory(device: &Device, size: ImageSize) -> PyResult<()> {
     let needed = u64::from(size.width) * u64::from(size.height) * BYTES_OF_PIXEL;
     match available_bytes() {
         Some(available) if needed > available => {
-            let is = format!("requires {} of memory, but only {} is free", gib(needed), gib(available));
+            let is = format!(
+                "requires {} of memory, but only {} is free",
+                gib(needed),
+                gib(available)
+            );
             Err(wrong(name, is, "reduce the image size"))
         }
         _ => Ok(()),

@@ -35,7 +35,13 @@ pub(crate) fn numbers<'py>(
         .py()
         .import("numpy")?
         .call_method1("array", (object, "float64"))
-        .map_err(|cause| wrong(name, format_args!("is not an array of numbers ({cause})"), "pass an array of numbers"))?;
+        .map_err(|cause| {
+            wrong(
+                name,
+                format_args!("is not an array of numbers ({cause})"),
+                "pass an array of numbers",
+            )
+        })?;
     let array = contiguous::<f64>(name, array.cast::<PyUntypedArray>()?)?;
     Ok((array.shape().to_vec(), array))
 }
@@ -69,11 +75,7 @@ pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidT
 
 fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     if matrix.iter().any(|number| !number.is_finite()) {
-        return Err(wrong(
-            name,
-            "has non-finite values",
-            "pass a rigid transform",
-        ));
+        return Err(wrong(name, "has non-finite values", "pass a rigid transform"));
     }
     let (rows, _) = matrix.as_chunks::<4>();
     let [a, b, c, last] = rows else {

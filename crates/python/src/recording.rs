@@ -240,7 +240,10 @@ fn image<'py>(name: &str, object: &Bound<'py, PyAny>, camera: &Camera) -> PyResu
     let size = camera.camera.intrinsics.size;
     if shape.batch.is_some() || shape.size != size {
         let is = format!("has shape {:?}", shape.dims());
-        let remedy = format!("pass an image of the camera's size, ({}, {})", size.height, size.width);
+        let remedy = format!(
+            "pass an image of the camera's size, ({}, {})",
+            size.height, size.width
+        );
         return Err(wrong(name, is, remedy));
     }
     Ok(depth)

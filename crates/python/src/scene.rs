@@ -117,7 +117,11 @@ impl Scene {
         let positions = triples::<f32>("vertices", vertices, "float32")?;
         let faces = triples::<i64>("faces", faces, "int64")?;
         if positions.as_flattened().iter().any(|number| !number.is_finite()) {
-            return Err(wrong("vertices", "contains non-finite values", "remove those vertices"));
+            return Err(wrong(
+                "vertices",
+                "contains non-finite values",
+                "remove those vertices",
+            ));
         }
         let count = u32::try_from(positions.len())
             .map_err(|_| wrong("vertices", "too many vertices", "pass fewer than 2^32"))?;
@@ -301,7 +305,10 @@ impl Scene {
         let own = py.get_type::<Self>();
         let options = PyDict::new(py);
         match &self.origin {
-            Origin::File { path, options: opened } => {
+            Origin::File {
+                path,
+                options: opened,
+            } => {
                 options.set_item("time", opened.time)?;
                 options.set_item("subdivide", opened.subdivide)?;
                 options.set_item("up", opened.up.map(up_name))?;
@@ -419,7 +426,11 @@ fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyRe
     let needed = results.saturating_add(frame_bytes(size, annotators));
     match available_bytes() {
         Some(available) if needed > available => {
-            let is = format!("requires {} of memory, but only {} is free", gib(needed), gib(available));
+            let is = format!(
+                "requires {} of memory, but only {} is free",
+                gib(needed),
+                gib(available)
+            );
             Err(wrong(
                 &camera.name,
                 is,

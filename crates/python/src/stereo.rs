@@ -202,7 +202,11 @@ impl StereoMatcher {
         let source = match device {
             Some(_) if of_any => {
                 let remedy = "omit fx, hfov_deg and baseline, or the device";
-                return Err(wrong("device", "conflicts with fx, hfov_deg and baseline", remedy));
+                return Err(wrong(
+                    "device",
+                    "conflicts with fx, hfov_deg and baseline",
+                    remedy,
+                ));
             }
             Some(device) => Source::device(device, raw, rectify)?,
             None if raw == Some(true) || rectify.is_some() => {

@@ -41,7 +41,11 @@ pub(super) enum Source {
 }
 
 impl Source {
-    pub(super) fn device(device: &Bound<'_, Device>, raw: Option<bool>, rectify: Option<&str>) -> PyResult<Self> {
+    pub(super) fn device(
+        device: &Bound<'_, Device>,
+        raw: Option<bool>,
+        rectify: Option<&str>,
+    ) -> PyResult<Self> {
         let own = device.get();
         let rectify = rectify
             .map(|name| choose("rectify", name, &METHODS))
@@ -66,7 +70,13 @@ impl Source {
             (Some(fx), None) => Some(FieldOfView::FocalLength(fx)),
             (None, Some(hfov)) => Some(FieldOfView::Degrees(hfov)),
             (None, None) => None,
-            _ => return Err(wrong("fx, hfov_deg", "only one of them may be given", "pass fx or hfov_deg")),
+            _ => {
+                return Err(wrong(
+                    "fx, hfov_deg",
+                    "only one of them may be given",
+                    "pass fx or hfov_deg",
+                ));
+            }
         };
         match (field_of_view, baseline) {
             (Some(field_of_view), Some(baseline_m)) => Ok(Self::Rectified {
