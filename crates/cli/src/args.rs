@@ -1,6 +1,7 @@
 //! The command-line arguments.
 
 mod accuracy;
+mod annotators;
 mod asset;
 mod calibration;
 mod depth_files;
