@@ -4,6 +4,7 @@ mod accuracy;
 mod annotators;
 mod asset;
 mod calibration;
+pub(crate) mod choice;
 mod depth_files;
 mod fit;
 mod pair;
@@ -17,6 +18,7 @@ mod unit;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use oaktwin::depth::preset::Platform;
 use oaktwin::usd::asset::IsaacVersion;
 
 pub(crate) use accuracy::AccuracyArgs;
@@ -63,6 +65,8 @@ pub(crate) enum Command {
     Models(JsonArgs),
     /// Print every number of a model, and what is known about it
     Show(ShowArgs),
+    /// List the parameters of an engine, the imager or the filters
+    Params(ParamsArgs),
     /// Print the comparison tables of some or all models
     Compare(CompareArgs),
     /// Read a DepthAI calibration, or export one to other formats
@@ -114,6 +118,24 @@ pub(crate) struct ShowArgs {
     pub(crate) provenance: bool,
 
     /// Print JSON (always with provenance)
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ParamsArgs {
+    /// An engine, imager or filters (default: list them)
+    pub(crate) group: Option<String>,
+
+    /// Print the defaults on this platform: RVC2 or RVC4 (default: RVC2, or the model's)
+    #[arg(long, ignore_case = true, value_parser = choice::parser::<Platform>())]
+    pub(crate) platform: Option<Platform>,
+
+    /// Print the defaults of this model
+    #[arg(long)]
+    pub(crate) model: Option<String>,
+
+    /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -33,6 +33,7 @@ from ._oaktwin import (
     annotators,
     look_at,
     models,
+    parameters,
 )
 
 __all__ = [
@@ -55,4 +56,5 @@ __all__ = [
     "filters",
     "look_at",
     "models",
+    "parameters",
 ]
