@@ -3,7 +3,6 @@ use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_parameter::nvidia::Attributes;
 use oaktwin_parameter::{Kind, Table};
 
-use super::attributes::namespace;
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Scene};
 use super::{num, same};
@@ -83,7 +82,7 @@ impl<'a> Parameters<'a> {
     }
 
     pub(super) fn authored(&self, name: &str) -> Option<f64> {
-        let full = format!("{}{name}", namespace(self.sensor.generation));
+        let full = format!("{}{name}", self.sensor.generation.namespace());
         self.sensor.prim.number(&full)
     }
 
