@@ -24,6 +24,7 @@ mod grey;
 mod images;
 mod json;
 mod pair;
+mod parameters;
 mod pose;
 mod recording;
 mod rectification;
@@ -56,6 +57,8 @@ mod _oaktwin {
     use super::images::_read_from;
     #[pymodule_export]
     use super::main;
+    #[pymodule_export]
+    use super::parameters::parameters;
     #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]
