@@ -19,7 +19,7 @@ fn main() -> std::io::Result<()> {
 }
 
 /// The generated files: path and text.
-pub fn files() -> std::io::Result<[(PathBuf, String); 3]> {
+pub(crate) fn files() -> std::io::Result<[(PathBuf, String); 3]> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let stub = root.join("crates/python/python/oaktwin/_oaktwin.pyi");
     let stub_text = with_literals(&std::fs::read_to_string(&stub)?);

@@ -58,7 +58,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::main;
     #[pymodule_export]
-    use super::parameters::parameters;
+    use crate::parameters::parameters;
     #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]

@@ -1,4 +1,4 @@
-use oaktwin::depth::parameters::{self, Platform};
+use oaktwin::depth::parameters::{self as tables, Platform};
 use pyo3::prelude::*;
 
 use crate::choice;
@@ -15,6 +15,6 @@ use crate::json;
 #[pyfunction]
 #[pyo3(signature = (group, *, platform = "rvc2"))]
 pub(crate) fn parameters<'py>(py: Python<'py>, group: &str, platform: &str) -> PyResult<Bound<'py, PyAny>> {
-    let group = parameters::group(group).map_err(error)?;
+    let group = tables::group(group).map_err(error)?;
     json::to_python(py, &group.list(choice::named::<Platform>("platform", platform)?))
 }

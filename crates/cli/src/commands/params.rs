@@ -30,11 +30,12 @@ pub(crate) fn run(context: &Context, args: &ParamsArgs) -> Result<Exit> {
             })
         })
         .collect::<Result<_>>()?;
-    match (&groups[..], args.json, &args.group) {
-        (groups, true, None) => output::print_json(&groups)?,
-        ([group, ..], true, _) => output::print_json(group)?,
-        ([group, ..], false, Some(_)) => output::print(&text(group))?,
-        (groups, false, _) => output::print(&list(groups))?,
+    let only = groups.first().filter(|_| args.group.is_some());
+    match (only, args.json) {
+        (Some(group), true) => output::print_json(group)?,
+        (Some(group), false) => output::print(&text(group))?,
+        (None, true) => output::print_json(&groups)?,
+        (None, false) => output::print(&list(&groups))?,
     }
     Ok(Exit::Good)
 }
