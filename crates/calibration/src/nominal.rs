@@ -1,4 +1,4 @@
-use oaktwin_camera::{LensModel, RigidTransform};
+use oaktwin_camera::{OpenCvLens, RigidTransform};
 use oaktwin_catalog::{Role, Twin, TwinCamera};
 
 use crate::Socket;
@@ -64,11 +64,11 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
 }
 
 fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
-    let (kind, coefficients) = match &camera.lens {
-        LensModel::OpenCvPinhole(lens) => (0, lens.coefficients.to_vec()),
-        LensModel::OpenCvFisheye(lens) => (1, lens.k.to_vec()),
-        // DepthAI has no f-theta; no calibration or catalog gives one either.
-        LensModel::Pinhole | LensModel::FTheta(_) => (0, vec![0.0; 14]),
+    let (kind, coefficients) = match camera.lens.as_opencv() {
+        Some(OpenCvLens::Pinhole(coefficients)) => (0, coefficients.to_vec()),
+        Some(OpenCvLens::Fisheye(k)) => (1, k.to_vec()),
+        // Neither DepthAI nor any calibration or catalog has another lens.
+        None => (0, vec![0.0; 14]),
     };
     let size = camera.intrinsics.size;
     // Of the design with its distortion, where that is known.

@@ -1,6 +1,6 @@
 use std::fmt::Write as _;
 
-use oaktwin_camera::{LensModel, OpenCv};
+use oaktwin_camera::{LensModel, OpenCv, OpenCvLens};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::{equidistant, error_px, radial_tangential};
@@ -69,14 +69,12 @@ fn distortion(
     camera: &CameraCalibration,
     findings: &mut Vec<Finding>,
 ) -> Result<(&'static str, [f64; 4]), CalibrationError> {
-    match camera.lens {
-        LensModel::OpenCvFisheye(lens) => return Ok(("equidistant", lens.k)),
-        LensModel::Pinhole => return Ok(("radtan", [0.0; 4])),
-        LensModel::OpenCvPinhole(lens) if lens.coefficients[4..].iter().all(|c| *c == 0.0) => {
-            let [k1, k2, p1, p2, ..] = lens.coefficients;
+    match camera.lens.as_opencv() {
+        Some(OpenCvLens::Fisheye(k)) => return Ok(("equidistant", k)),
+        Some(OpenCvLens::Pinhole([k1, k2, p1, p2, rest @ ..])) if rest == [0.0; 10] => {
             return Ok(("radtan", [k1, k2, p1, p2]));
         }
-        LensModel::OpenCvPinhole(_) | LensModel::FTheta(_) => {}
+        _ => {}
     }
     let optics = camera.camera();
     let place = format!("{}.distortionCoeff", camera.place);

@@ -1,5 +1,5 @@
 use oaktwin_camera::math::DMat3;
-use oaktwin_camera::{Camera, LensModel, OpenCvPinhole};
+use oaktwin_camera::{Camera, LensModel, OpenCvLens, OpenCvPinhole};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::error_px;
@@ -47,10 +47,11 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
 
 /// The distortion model's name and its coefficients.
 fn distortion(camera: &CameraCalibration, findings: &mut Vec<Finding>) -> (&'static str, Vec<f64>) {
-    let coefficients = match camera.lens {
-        LensModel::OpenCvFisheye(lens) => return ("equidistant", lens.k.to_vec()),
-        LensModel::OpenCvPinhole(lens) => lens.coefficients,
-        LensModel::Pinhole | LensModel::FTheta(_) => [0.0; 14],
+    let coefficients = match camera.lens.as_opencv() {
+        Some(OpenCvLens::Fisheye(k)) => return ("equidistant", k.to_vec()),
+        Some(OpenCvLens::Pinhole(coefficients)) => coefficients,
+        // No calibration has another lens.
+        None => [0.0; 14],
     };
     let (plumb_bob, rational, rest) = (&coefficients[..5], &coefficients[..8], &coefficients[8..]);
     if rest.iter().any(|c| *c != 0.0) {
