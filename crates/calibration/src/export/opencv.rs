@@ -7,7 +7,7 @@ use super::text::{number, rows};
 use super::{Export, camera_name, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration, StereoPair};
 
-/// `FileStorage` files: one a camera in the names of OpenCV's `calibration` sample, and `stereo.yml` in those of its
+/// Creates `FileStorage` files: one per camera with the keys of OpenCV's `calibration` sample, and `stereo.yml` with those of its
 /// `stereo_calib` sample. All 14 coefficients; metres.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
@@ -92,7 +92,7 @@ fn matrix(text: &mut String, name: &str, rows: usize, entries: &[f64]) {
     );
 }
 
-/// The matrix of v ×.
+/// Returns the matrix of the cross product with v.
 fn cross(v: DVec3) -> DMat3 {
     DMat3::from_cols(
         DVec3::new(0.0, v.z, -v.y),
