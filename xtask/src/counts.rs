@@ -1,9 +1,9 @@
-//! How many tests passed, failed and were skipped, read from the runners' closing lines.
+//! Counts of passed, failed and skipped tests, read from the test runners' output.
 
 use std::fmt;
 use std::ops::AddAssign;
 
-/// Numbers of tests.
+/// Test counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
     pub(crate) passed: u64,
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn closing_lines_of_cargo_test() {
+    fn reads_the_counts_of_cargo_test() {
         let line =
             "test result: ok. 12 passed; 0 failed; 3 ignored; 0 measured; 4 filtered out; finished in 0.01s";
         assert_eq!(of_cargo_test(line), counts(12, 0, 7));
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn closing_lines_of_pytest() {
+    fn reads_the_counts_of_pytest() {
         assert_eq!(of_pytest("12 passed in 0.50s"), counts(12, 0, 0));
         let line =
             "==== 1 failed, 2 passed, 3 skipped, 4 deselected, 1 warning, 2 errors in 75.01s (0:01:15) ====";

@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every check of the project, each as a step; one that fails does not hide the others.
+//! `cargo xtask test`: runs every check of the project as a step, and continues after a failure.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -35,7 +35,7 @@ struct Programs {
     camera_eval: PathBuf,
     depth_eval: PathBuf,
     scene_dump: PathBuf,
-    /// With the feature `rerun`, where everything is tested.
+    /// Built with the feature `rerun`; only with `--all`.
     rerun: Option<PathBuf>,
 }
 
@@ -50,7 +50,7 @@ enum Readiness {
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
     let skip_python = args.skip_python || args.fast;
-    // Mostly waiting for downloads, so it runs beside the Rust steps.
+    // Downloads take most of the time, so this runs beside the Rust steps.
     let wanted = wanted(args);
     let environments = (!skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     rust_steps(&mut report, args);
@@ -88,6 +88,13 @@ fn rust_steps(report: &mut Report, args: &Args) {
         );
     }
     report.command("Rust tests", &mut rust_tests(args), counts::of_cargo_test);
+    if !args.fast {
+        report.command(
+            "Rust tests without vector instructions",
+            &mut portable_tests(args),
+            counts::of_cargo_test,
+        );
+    }
     if args.all {
         let mut slow = workspace::cargo();
         slow.args([
@@ -118,7 +125,33 @@ fn rust_tests(args: &Args) -> Command {
     test
 }
 
-/// The environments that are to be tested in; those with the package first to last.
+/// Returns the command for the tests of the crates with pixel loops, or of all crates with `--all`, on the path of
+/// processors other than x86-64.
+fn portable_tests(args: &Args) -> Command {
+    let mut test = workspace::cargo();
+    test.args([
+        "test",
+        "--no-fail-fast",
+        "--tests",
+        "--features",
+        "oaktwin-simd/portable",
+    ]);
+    if args.all {
+        test.arg("--workspace");
+    } else {
+        test.args([
+            "-p",
+            "oaktwin-simd",
+            "-p",
+            "oaktwin-depth",
+            "-p",
+            "oaktwin-render",
+        ]);
+    }
+    test
+}
+
+/// Returns the environments to test in.
 fn wanted(args: &Args) -> Vec<&'static Environment> {
     let mut wanted: Vec<_> = ENVIRONMENTS.iter().collect();
     wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
@@ -194,17 +227,13 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             report.command(&name, &mut tests, pytest_counts());
         }
         let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
-        if has_pdoc
-            && report
-                .step("manual of the Python package", || docs::build(&python))
-                .is_none()
-        {
+        if has_pdoc && report.step("manual", || docs::build(&python)).is_none() {
             report.count_failure();
         }
     }
 }
 
-/// Puts the package into an environment; whether it is there.
+/// Installs the package in an environment, and returns whether that succeeded.
 fn install(
     report: &mut Report,
     environment: &Environment,
@@ -228,8 +257,8 @@ fn install(
     installed.is_some()
 }
 
-/// Returns how the lines of pytest are counted: a test skipped for want of the public test data, although it is there,
-/// counts as failed.
+/// Returns the function that counts pytest's results. If the public test data are set, a test that was skipped because it did
+/// not find them counts as failed.
 fn pytest_counts() -> fn(&str) -> Option<Counts> {
     if std::env::var_os(TEST_DATA).is_some() {
         |line| counts::of_pytest(line).or_else(|| counts::of_data_skipped_by_pytest(line, TEST_DATA))
@@ -258,7 +287,7 @@ fn build_programs(all: bool) -> Result<Programs, String> {
     })
 }
 
-/// The program that writes `.rrd`, in a folder of its own: five hundred crates, and other features of those of the rest.
+/// Builds the program that writes `.rrd`, in its own target folder: it needs five hundred more crates and other features.
 fn build_with_rerun() -> Result<PathBuf, String> {
     let folder = workspace::target().join("rerun");
     let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
@@ -266,7 +295,7 @@ fn build_with_rerun() -> Result<PathBuf, String> {
     workspace::build_program("oaktwin", &arguments)
 }
 
-/// A pinned environment's: nothing of the user's own Python gets in.
+/// Returns a pinned environment's interpreter, isolated from the user's own Python.
 fn interpreter(python: &Path) -> Command {
     let mut command = python::isolated(python);
     command

@@ -88,8 +88,9 @@ fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog)
             place,
             format!("{size} is larger than the {native} of the {}", sensor.id),
             message![
-                "check that the file belongs to this model; ignore this with ",
-                opt("force")
+                "check that the file belongs to this model; ",
+                opt("force"),
+                " ignores the error"
             ],
         ));
     }

@@ -248,8 +248,9 @@ pub(crate) fn baseline_finding(place: String, found_m: f64, nominal_m: f64, who:
             off * 100.0
         ),
         message![
-            "check the model and the square size of the calibration board; ignore this with ",
-            opt("force")
+            "check the model and the square size of the calibration board; ",
+            opt("force"),
+            " ignores the error"
         ],
     ))
 }

@@ -159,7 +159,10 @@ impl Reader {
             self.error(
                 "not-finite",
                 &field.path,
-                format!("line {}: {shown} is out of the range of a 32-bit float", field.node.at.line),
+                format!(
+                    "line {}: {shown} is out of the range of a 32-bit float",
+                    field.node.at.line
+                ),
                 "correct it, or export the calibration again",
             );
         }

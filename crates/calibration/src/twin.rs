@@ -77,7 +77,9 @@ fn body(
                 "pair-nominal",
                 Level::Warning,
                 "cameraData",
-                format!("no extrinsics connect {left} and {right} ({error}); all cameras keep their nominal poses"),
+                format!(
+                    "no extrinsics connect {left} and {right} ({error}); all cameras keep their nominal poses"
+                ),
                 "calibrate the stereo pair",
             ));
             return Ok(None);

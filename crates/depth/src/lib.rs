@@ -24,7 +24,6 @@ pub mod random;
 pub mod rectify;
 mod sensor;
 mod shot;
-mod simd;
 pub mod single_view;
 pub mod stereo_matching;
 pub mod stereo_noise;

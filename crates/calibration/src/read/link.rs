@@ -96,8 +96,7 @@ fn link(reader: &mut Reader, field: &Field<'_>) -> Option<ReadLink> {
     if let Some(unit) = field.get("lengthUnit")
         && reader.integer(&unit, i32::MIN.into(), i32::MAX.into())? != CENTIMETRES
     {
-        let message =
-            "not centimetres (1); ignored, as in DepthAI: translations are read as centimetres";
+        let message = "not centimetres (1); ignored, as in DepthAI: translations are read as centimetres";
         reader.warn(
             "length-unit",
             unit.path,

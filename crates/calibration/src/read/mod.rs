@@ -100,7 +100,8 @@ fn version(reader: &mut Reader, root: &Field<'_>) -> Option<u32> {
     };
     let version = reader.integer(&field, 0, u32::MAX.into())?;
     if version < 4 {
-        let message = format!("version {version} is not supported; DepthAI reads camera parameters of versions 5 to 7");
+        let message =
+            format!("version {version} is not supported; DepthAI reads camera parameters of versions 5 to 7");
         reader.error(
             "old-version",
             "version",

@@ -183,8 +183,8 @@ fn rrd_names_its_feature() {
     let refused = program().refused(&["render", "room.usda", "--record", "a.rrd"]);
     assert_eq!(
         refused,
-        "error: a.rrd: this build cannot write .rrd, which needs the feature `rerun`; name a .mcap file, or build it in: \
-         cargo build --release -p oaktwin-cli --features rerun\n"
+        "error: a.rrd: this build cannot write .rrd, which needs the feature `rerun`; name a .mcap file, or build with \
+         the feature `rerun`\n"
     );
 }
 

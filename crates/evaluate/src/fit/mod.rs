@@ -52,7 +52,7 @@ use crate::accuracy::{self, AccuracyError, MeasuredOptics, REGION, Watch};
 use crate::figure::Figure;
 use method::{Fitted, Method};
 use oaktwin_catalog::{DepthKind, Twin};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message};
 use oaktwin_files::FileError;
 use oaktwin_pipeline::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
 use recording::Recording;
@@ -107,7 +107,7 @@ pub enum FitError {
     Accuracy(#[from] AccuracyError),
     /// An option or recording that cannot be: `WHAT: what is wrong; what to do`.
     #[error("{0}")]
-    Option(String),
+    Option(Message),
     /// Whoever watched wanted no more.
     #[error("interrupted; nothing was fitted")]
     Interrupted,
@@ -167,11 +167,11 @@ pub fn fit(
         Engine::StereoNoise(engine) => Box::new(Stereo::new(*engine.parameters())),
         Engine::TimeOfFlight(engine) => Box::new(Tof::new(engine, options)?),
         _ => {
-            return Err(FitError::Option(format!(
+            return Err(FitError::Option(message![format!(
                 "engine: there is nothing to fit in {}, whose errors are not measured; choose stereo-noise or \
                  time-of-flight",
                 kind.as_str()
-            )));
+            )]));
         }
     };
     let recording = recording::open(recordings, &depth.spec.prim)?;
@@ -225,7 +225,7 @@ pub fn fit(
 }
 
 fn check(options: &Options) -> Result<(), FitError> {
-    let wrong = |text: String| Err(FitError::Option(text));
+    let wrong = |text: String| Err(FitError::Option(text.into()));
     if !(options.region > 0.0 && options.region <= 1.0) {
         return wrong(format!(
             "region: {} is no share of an image; give a share above 0, up to 1",

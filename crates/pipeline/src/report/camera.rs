@@ -1,10 +1,7 @@
 use serde::Serialize;
 
-use oaktwin_camera::{
-    ApertureOffsets, Camera, ImageSize, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
-};
-use oaktwin_catalog::{LegacyDistortion, Origin, Role, Source, Sources, Twin, TwinCamera};
-use oaktwin_usd::asset::LensChoice;
+use oaktwin_camera::{ApertureOffsets, ImageSize, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics};
+use oaktwin_catalog::{LegacyDistortion, LensChoice, Origin, Role, Source, Sources, Twin, TwinCamera};
 
 /// One camera: intrinsics, the calculation that they enter, USD parameters and the check of the field of view.
 #[derive(Clone, Debug, Serialize)]
@@ -114,13 +111,7 @@ impl CameraReport {
         } else {
             ApertureOffsets::Document
         });
-        let fisheye = camera
-            .nominal_fisheye()
-            .filter(|_| nominal && lens == LensChoice::Fisheye);
-        let optics = fisheye.unwrap_or(Camera {
-            intrinsics: *intrinsics,
-            lens: camera.lens,
-        });
+        let optics = twin.optics(camera, lens);
         let forward = camera.body_from_camera.rotation.z_axis;
         Self {
             role: spec.role,

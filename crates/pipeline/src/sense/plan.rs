@@ -7,7 +7,7 @@ use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
 /// What a program's standard input is called in messages.
@@ -72,10 +72,13 @@ pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSe
                 .iter()
                 .map(|sensor| sensor.spec.kind.as_str())
                 .collect();
-            SenseError::option(format!(
-                "--sensor {kind}: {model} has no such depth sensor; it has {}",
-                has.join(", ")
-            ))
+            SenseError::option(message![
+                opt("sensor").with(kind),
+                format!(
+                    ": {model} has no such depth sensor; expected {}",
+                    has.join(" or ")
+                )
+            ])
         })?,
         None => of(DepthKind::Tof)
             .or_else(|| twin.depth_sensors.first())
@@ -174,7 +177,7 @@ pub(super) fn sequences<'a>(
                 "of its depth sensors, {} ({}) is taken",
                 chosen.spec.prim, chosen.spec.kind
             ),
-            "choose with --sensor",
+            message!["choose with ", opt("sensor")],
         ));
     }
     Ok(sequences)
@@ -246,8 +249,13 @@ fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result
         (None, Some(kind)) => Ok(kind),
         (None, None) => Err(FileError::new(
             path,
-            "does not say whether it is depth along the axis or distance from the camera",
-            "say --input-kind z, or --input-kind range",
+            "unknown kind of depth: along the optical axis, or distance from the camera",
+            message![
+                "set ",
+                opt("input-kind").with("z"),
+                " or ",
+                opt("input-kind").with("range")
+            ],
         )
         .into()),
     }

@@ -102,7 +102,7 @@ pub(super) fn platform(twin: &Twin) -> Result<Platform, ParameterError> {
                 "{} is of {generation}, which has no presets here",
                 twin.device.name
             ),
-            remedy: "name filters with --filter".to_owned(),
+            remedy: "name its filters one by one".to_owned(),
         })
 }
 
@@ -173,9 +173,9 @@ pub(super) const CALIBRATION_ERROR: &str = "bias";
 fn names(engine: EngineKind) -> Vec<&'static str> {
     match engine {
         EngineKind::SingleView => single_view_names(),
-        EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
+        EngineKind::StereoNoise => stereo_noise::Parameters::names(),
         EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
-        EngineKind::TimeOfFlight => time_of_flight::NAMES.to_vec(),
+        EngineKind::TimeOfFlight => time_of_flight::Parameters::names(),
     }
 }
 

@@ -146,6 +146,6 @@ pub(crate) fn needs_a_pair(what: &str) -> ParameterError {
     ParameterError {
         name: "engine".to_owned(),
         what: format!("stereo-matching needs a pair of images, and {what}"),
-        remedy: "render a model's pair (render --model), give one (stereo), or use stereo-noise".to_owned(),
+        remedy: "render a model's pair, match existing pairs, or use stereo-noise".to_owned(),
     }
 }

@@ -1,4 +1,4 @@
-//! The annotators of Replicator: distances, normals, ids, boxes, points and colours of a view.
+//! The annotators of Replicator: distances, normals, ids, bounding boxes, point clouds and colours.
 
 mod boxes;
 mod coverage;
@@ -16,19 +16,19 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
 
 use crate::rays::Rays;
-use crate::shade::{Corners, Sight, corners_of};
+use crate::shade::{Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
 
 pub(crate) use semantics::Semantics;
 pub(crate) use surface::{Surface, SurfaceFinder};
 
-/// The options of the annotators.
+/// Options of the annotators.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnnotateOptions {
-    /// Whether the point cloud includes points of prims without a semantic label. The default is true; Replicator's
-    /// (`includeUnlabelled`) is false.
+    /// Whether the point cloud includes points without a semantic label. The default is true; Replicator's
+    /// `includeUnlabelled` defaults to false.
     pub unlabelled_points: bool,
-    /// Whether colours are antialiased at silhouettes; otherwise a pixel has the colour at its centre.
+    /// Whether outlines are antialiased in the colour image; otherwise each pixel has the colour at its centre.
     pub smooth_edges: bool,
 }
 
@@ -42,9 +42,9 @@ impl Default for AnnotateOptions {
 }
 
 impl Renderer {
-    /// Renders the annotations of a view; the findings report missing inputs of the colours.
+    /// Renders the requested annotators of a view; the findings are textures that cannot be shown.
     ///
-    /// Annotators that do not come from the scene are ignored: [`Annotator::CameraParams`] and those of depth sensors.
+    /// [`Annotator::CameraParams`] and the outputs of depth sensors are not produced here.
     #[must_use]
     pub fn annotate(
         &self,
@@ -97,14 +97,14 @@ impl Renderer {
                 seen: self.visibility(&corner_view, backend),
             });
             let caster = self.ray_caster();
-            let sight = Sight {
+            let input = ShadingInput {
                 scene,
                 caster,
                 view,
                 rays,
                 seen,
             };
-            let (rgb, missing) = self.shader().shade(sight, corners.as_ref());
+            let (rgb, missing) = self.shader().shade(input, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
         }

@@ -28,12 +28,7 @@ impl Sensors {
         oak: Option<&Oak>,
     ) -> Result<Self> {
         let sweep = asked::sweep(args)?;
-        let of_sensor: Vec<Annotator> = annotators
-            .iter()
-            .copied()
-            .filter(|one| one.is_depth_sensor())
-            .collect();
-        if of_sensor.is_empty() && sweep.is_none() {
+        if !annotators.iter().any(|one| one.is_depth_sensor()) && sweep.is_none() {
             return Ok(Self::default());
         }
         let sensor = args.sensor.options()?;
@@ -47,7 +42,6 @@ impl Sensors {
         if sweep.is_some() || !asked::everything(args) {
             findings.extend(without_sensor(args, cameras, &own)?);
         }
-        findings.extend(without_output(&of_sensor, cameras, &own));
         let swept = sweep
             .map(|sweep| SweptSensors::new(sweep, cameras, &options))
             .transpose()
@@ -147,38 +141,4 @@ fn without_sensor(
             )
         })
         .collect())
-}
-
-/// What an engine does not have.
-fn without_output(
-    of_sensor: &[Annotator],
-    cameras: &[PlacedCamera],
-    sensors: &[Option<Sensor>],
-) -> Vec<Finding> {
-    let missing: Vec<&str> = of_sensor
-        .iter()
-        .filter(|one| {
-            matches!(
-                one,
-                Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
-            )
-        })
-        .map(|one| one.name())
-        .collect();
-    let other = |sensor: &Option<Sensor>| {
-        let kind = EngineKind::of(sensor.as_ref()?.engine());
-        Some(kind).filter(|kind| *kind != EngineKind::SingleView && !missing.is_empty())
-    };
-    let both = cameras.iter().zip(sensors);
-    both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
-        .map(|(camera, kind)| {
-            Finding::new(
-                "single-view-only",
-                Level::Note,
-                &camera.path,
-                format!("{} has no {}: left out", kind.as_str(), missing.join(" and no ")),
-                "",
-            )
-        })
-        .collect()
 }

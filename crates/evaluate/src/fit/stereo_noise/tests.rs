@@ -196,7 +196,7 @@ fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
     recorded(12.0).write(folder.path());
     let error = fitted(&[folder.path()], &options()).unwrap_err();
     assert!(
-        error.contains("the target is turned by 1") && error.contains("perpendicular"),
+        error.contains("the target is tilted by 1") && error.contains("perpendicular"),
         "{error}"
     );
 }
