@@ -1,4 +1,4 @@
-use oaktwin_camera::{Camera, LensModel, OpenCv, RigidTransform, UsdOptics};
+use oaktwin_camera::{Camera, LensModel, OpenCv, OpenCvLens, RigidTransform, UsdOptics};
 use serde::Serialize;
 
 use crate::matrices::{projection, view_transform};
@@ -147,29 +147,30 @@ impl CameraParams {
 
     fn describe_lens(&mut self, camera: &Camera) {
         let intrinsics = &camera.intrinsics;
-        match camera.lens {
-            LensModel::Pinhole => return,
-            LensModel::OpenCvPinhole(lens) => {
-                let [k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, _, _] = lens.coefficients.map(single);
-                self.model = "pinholeOpenCV";
+        self.model = camera.lens.names().replicator;
+        if camera.lens == LensModel::Pinhole {
+            return;
+        }
+        if let LensModel::FTheta(lens) = camera.lens {
+            self.polynomial = lens.coefficients().map(single).to_vec();
+            self.optical_centre = [lens.optical_centre.x, lens.optical_centre.y].map(single);
+            self.max_fov_deg = single(lens.max_fov.to_degrees());
+            self.nominal_width = lens.nominal_size.width;
+            self.nominal_height = lens.nominal_size.height;
+            return;
+        }
+        match camera.lens.as_opencv() {
+            Some(OpenCvLens::Pinhole(coefficients)) => {
+                let [k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, _, _] = coefficients.map(single);
                 self.polynomial = vec![k1, k2, k3, k4, k5, k6];
                 self.lens_p = vec![p1, p2];
                 self.lens_s = vec![s1, s2, s3, s4];
             }
-            LensModel::OpenCvFisheye(lens) => {
-                let [k1, k2, k3, k4] = lens.k.map(single);
-                self.model = "fisheyeOpenCV";
+            Some(OpenCvLens::Fisheye(k)) => {
+                let [k1, k2, k3, k4] = k.map(single);
                 self.polynomial = vec![k1, k2, k3, k4, 0.0];
             }
-            LensModel::FTheta(lens) => {
-                self.model = "fisheyePolynomial";
-                self.polynomial = lens.coefficients().map(single).to_vec();
-                self.optical_centre = [lens.optical_centre.x, lens.optical_centre.y].map(single);
-                self.max_fov_deg = single(lens.max_fov.to_degrees());
-                self.nominal_width = lens.nominal_size.width;
-                self.nominal_height = lens.nominal_size.height;
-                return;
-            }
+            None => self.polynomial = camera.lens.coefficients().iter().copied().map(single).collect(),
         }
         let centre = intrinsics.principal_point::<OpenCv>();
         self.optical_centre = [centre.x, centre.y].map(single);

@@ -1,6 +1,6 @@
 use numpy::{PyArray1, PyArray2};
 use oaktwin::camera::{
-    self, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
+    self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
 };
 use oaktwin::render::{Clip, PlacedCamera, check_size};
 use pyo3::prelude::*;
@@ -59,18 +59,7 @@ pub(crate) fn _camera(
 ) -> PyResult<Camera> {
     let size = ImageSize::new(size.0, size.1);
     check_size(size).map_err(error)?;
-    let lens = match lens {
-        "pinhole" => LensModel::Pinhole,
-        "opencv" => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
-        "fisheye" => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
-        other => {
-            return Err(wrong(
-                "lens",
-                format_args!("there is no `{other}`"),
-                "pickle it again",
-            ));
-        }
-    };
+    let lens = self::lens(lens, &coefficients)?;
     Ok(Camera {
         name,
         camera: camera::Camera::new(Intrinsics::from_opencv_matrix(size, k), lens),
@@ -84,21 +73,17 @@ pub(crate) fn _camera(
 
 impl Camera {
     fn state(&self) -> PyResult<State> {
-        let coefficients = match &self.camera.lens {
-            LensModel::Pinhole => Vec::new(),
-            LensModel::OpenCvPinhole(lens) => lens.coefficients.to_vec(),
-            LensModel::OpenCvFisheye(lens) => lens.k.to_vec(),
-            LensModel::FTheta(_) => {
-                let remedy = "open the scene that has it where it is wanted";
-                return Err(wrong(&self.name, "an f-theta lens cannot be pickled", remedy));
-            }
-        };
+        let lens = &self.camera.lens;
+        if LensFamily::of(lens).is_none() {
+            let what = format!("its {} lens cannot be pickled", lens.names().option);
+            return Err(wrong(&self.name, what, "open its scene again instead"));
+        }
         Ok((
             self.name.clone(),
             self.size(),
             self.camera.intrinsics.opencv_matrix(),
             self.lens(),
-            coefficients,
+            lens.coefficients().to_vec(),
             self.clip(),
             self.body_from_camera.rows(),
         ))
@@ -134,6 +119,15 @@ impl Camera {
             ..self.clone()
         })
     }
+}
+
+fn lens(name: &str, coefficients: &[f64]) -> PyResult<LensModel> {
+    let families: Vec<_> = LensFamily::ALL
+        .iter()
+        .map(|family| (family.name, family))
+        .collect();
+    let family = choose("lens", name, &families)?;
+    (family.from_coefficients)(coefficients).map_err(|found| error(format!("distortion: {found}")))
 }
 
 fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f64>) -> PyResult<Intrinsics> {
@@ -205,19 +199,7 @@ impl Camera {
         let intrinsics = intrinsics(size, K.as_ref(), hfov_deg)?;
         let default = if distortion.is_some() { "opencv" } else { "pinhole" };
         let coefficients = distortion.unwrap_or_default();
-        let names = [("pinhole", 0u8), ("opencv", 1), ("fisheye", 2)];
-        let lens = match choose("lens", lens.unwrap_or(default), &names)? {
-            0 if coefficients.is_empty() => LensModel::Pinhole,
-            0 => {
-                return Err(wrong(
-                    "distortion",
-                    "a pinhole has none",
-                    "leave it out, or the lens",
-                ));
-            }
-            1 => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
-            _ => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
-        };
+        let lens = self::lens(lens.unwrap_or(default), &coefficients)?;
         if !(near > 0.0 && far > near) {
             let is = format!("{near} to {far} m is no range");
             return Err(wrong("near, far", is, "give metres, near above 0 and below far"));
@@ -252,21 +234,16 @@ impl Camera {
     /// The lens model: "pinhole", "opencv" or "fisheye".
     #[getter]
     fn lens(&self) -> &'static str {
-        match self.camera.lens {
-            LensModel::Pinhole => "pinhole",
-            LensModel::OpenCvPinhole(_) => "opencv",
-            LensModel::OpenCvFisheye(_) => "fisheye",
-            LensModel::FTheta(_) => "f-theta",
-        }
+        self.camera.lens.names().option
     }
 
     /// The lens's coefficients in OpenCV's order: (14,) of "opencv", (4,) of "fisheye", (0,) of "pinhole".
     #[getter]
     fn distortion<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        match &self.camera.lens {
-            LensModel::OpenCvPinhole(lens) => PyArray1::from_slice(py, &lens.coefficients),
-            LensModel::OpenCvFisheye(lens) => PyArray1::from_slice(py, &lens.k),
-            LensModel::Pinhole | LensModel::FTheta(_) => PyArray1::from_slice(py, &[]),
+        let lens = &self.camera.lens;
+        match LensFamily::of(lens) {
+            Some(_) => PyArray1::from_slice(py, lens.coefficients()),
+            None => PyArray1::from_slice(py, &[]),
         }
     }
 

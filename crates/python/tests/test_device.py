@@ -215,7 +215,7 @@ def test_cameras_of_ones_own():
         "is no array of numbers": dict(size=(4, 4), K="K"),
         "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
         "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),
-        "a pinhole has none": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
+        "the model has at most 0": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
         "no range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
         "there is no `wide`": dict(size=(4, 4), hfov_deg=9, lens="wide"),
     }
