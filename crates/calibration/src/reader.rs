@@ -179,7 +179,7 @@ impl Reader {
                 "out-of-range",
                 &field.path,
                 format!(
-                    "line {}: {value} is not a whole number from {least} to {most}",
+                    "line {}: {value} is not a whole number from {min} to {max}",
                     field.node.at.line
                 ),
                 "correct it, or export the calibration again",

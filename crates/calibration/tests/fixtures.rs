@@ -1,4 +1,4 @@
-//! The project's own calibrations: what is good reads and returns, what is odd is text, what is bad is refused.
+//! The project's own calibrations: valid files round-trip, suspicious ones cause findings, invalid ones errors.
 
 #![allow(
     clippy::unwrap_used,
