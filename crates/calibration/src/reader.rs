@@ -128,7 +128,7 @@ impl Reader {
                     "the last value is used; remove the others",
                 );
             } else if !known.contains(&key.as_str()) {
-                let message = "not a key of DepthAI's format; ignored";
+                let message = "not a key of DepthAI's format; preserved, but ignored";
                 self.note("unknown-key", field.key_path(key), message);
             }
         }

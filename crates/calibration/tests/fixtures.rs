@@ -82,11 +82,11 @@ fn good_files_fit_their_models() {
             .collect();
         let expected: &[&str] = match name {
             "oak-d-pro-w-poe.json" | "oak-d-sr-poe.json" => &[
-                "note[imu-nominal]: imuExtrinsics: the file does not place the inertial unit; its nominal place is kept",
+                "note[imu-nominal]: imuExtrinsics: the file has no extrinsics of the inertial unit; its nominal pose is used",
             ],
             "fisheye-two-roots.json" => &[
-                "warning[focal-length-off]: cameraData[3].intrinsicMatrix: fx is 3082.9 px at 3840x2160 where the Camera_rgb_imx378 camera nominally has 2288.2 px, +34.7 %; check that the file belongs to this model",
-                "warning[place-nominal]: cameraData[3].extrinsics: no extrinsics join CAM_A and CAM_B: the RGB camera keeps its nominal place; calibrate the cameras together",
+                "warning[focal-length-off]: cameraData[3].intrinsicMatrix: fx is 3082.9 px at 3840x2160, but nominally 2288.2 px for the Camera_rgb_imx378 camera (+34.7 %); check that the file belongs to this model",
+                "warning[place-nominal]: cameraData[3].extrinsics: no extrinsics connect CAM_A and CAM_B; the RGB camera keeps its nominal pose; calibrate the cameras together",
             ],
             _ => &[],
         };
