@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use crate::error::error;
 use crate::finding;
 
-/// Returns the texts of a format's files by name.
+/// Returns the files of a format by name.
 pub(crate) fn export<'py>(
     py: Python<'py>,
     raw: &Raw,
