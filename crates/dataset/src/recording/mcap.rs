@@ -287,7 +287,7 @@ fn optical_from_camera() -> RigidTransform {
     RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Ros), DVec3::ZERO)
 }
 
-/// Returns the QoS profile of a topic for players, by which static transforms are kept for late subscribers (with the numbers of
+/// Returns the quality-of-service profile of a topic for players, by which static transforms are kept for late subscribers (with the numbers of
 /// `rmw`: keep last one, reliable, transient local, automatic, no limits).
 fn metadata(topic: &str) -> BTreeMap<String, String> {
     let forever = "{sec: 9223372036, nsec: 854775807}";
