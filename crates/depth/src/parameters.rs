@@ -31,7 +31,11 @@ pub const GROUPS: &[Group] = &[
             Group::list_of::<single_view::Assumptions>,
         ],
     ),
-    Group::new("imager", "Image sensor of a stereo pair", &[Group::list_of::<imager::Parameters>]),
+    Group::new(
+        "imager",
+        "Image sensor of a stereo pair",
+        &[Group::list_of::<imager::Parameters>],
+    ),
     Group::new(
         "filters",
         "DepthAI's post-processing filters",
@@ -56,7 +60,9 @@ pub const ENGINES: usize = 4;
 /// Returns an error that suggests the nearest names if there is no such group.
 pub fn group(name: &str) -> Result<&'static Group, ParameterError> {
     let folded = oaktwin_diagnostic::fold_name(name);
-    let found = GROUPS.iter().find(|group| oaktwin_diagnostic::fold_name(group.name) == folded);
+    let found = GROUPS
+        .iter()
+        .find(|group| oaktwin_diagnostic::fold_name(group.name) == folded);
     found.ok_or_else(|| {
         let remedy = suggest(name, GROUPS.iter().map(|group| group.name));
         ParameterError::new(name, "unknown group of parameters", remedy)

@@ -21,7 +21,11 @@ impl Serialize for Listing {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let about = &self.about;
         let finite = |limit: f64| (limit.abs() < f64::MAX).then_some(limit);
-        let min = if about.min == f64::MIN_POSITIVE { 0.0 } else { about.min };
+        let min = if about.min == f64::MIN_POSITIVE {
+            0.0
+        } else {
+            about.min
+        };
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("name", about.name)?;
         map.serialize_entry("table", self.table)?;

@@ -58,8 +58,6 @@ mod _oaktwin {
     #[pymodule_export]
     use super::main;
     #[pymodule_export]
-    use crate::parameters::parameters;
-    #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]
     use super::recording::Recording;
@@ -73,6 +71,8 @@ mod _oaktwin {
     use super::stereo::StereoMatcher;
     #[pymodule_export]
     use crate::accuracy::accuracy;
+    #[pymodule_export]
+    use crate::parameters::parameters;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -1,8 +1,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
-use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::depth::filter;
+use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;

@@ -84,7 +84,9 @@ fn text(group: &Group) -> String {
             let _ = write!(out, "\n{table}:\n");
         }
         let about = &row.about;
-        let platform = about.platform.map(|platform: Platform| format!("; {} only", platform.name()));
+        let platform = about
+            .platform
+            .map(|platform: Platform| format!("; {} only", platform.name()));
         let _ = write!(
             out,
             "\n{} = {}\n    {}; {}{}\n    {}\n",
