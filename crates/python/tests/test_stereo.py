@@ -1,4 +1,4 @@
-"""Rendered and matched pairs, compared with the truth, OpenCV and the program, and bad input."""
+"""Rendered and matched pairs, compared with the ground truth, OpenCV and the program, and invalid input."""
 
 import copy
 import json
@@ -26,7 +26,7 @@ def test_known_disparity(matcher, textured):
     assert np.array_equal(measured, depth > 0) and measured[both].mean() > 0.9
     error = np.abs(disparity - truth)[measured & both]
     assert np.median(error) < 0.2 and np.mean(error > 1) < 0.01
-    # Depth is that of the disparity, in whole millimetres.
+    # Depth follows from disparity, in integer millimetres.
     assert np.abs(depth - FX * BASELINE / np.where(measured, disparity, 1))[measured].max() < 5.1e-4
     assert np.array_equal(seen["rectified_left"], left) and np.array_equal(seen["rectified_right"], right)
     assert seen["confidence"][measured].min() > 0
@@ -78,7 +78,7 @@ def by_program(program, folder, left, right, *options, code=0):
         ),
     ],
 )
-def test_the_program_says_the_same(program, tmp_path, textured, kind, options, arguments):
+def test_results_match_the_program(program, tmp_path, textured, kind, options, arguments):
     left, right, _, _ = textured
     if kind == "ten bits":
         left, right = (image.astype(np.uint16) * 4 + 3 for image in (left, right))
@@ -92,7 +92,7 @@ def test_the_program_says_the_same(program, tmp_path, textured, kind, options, a
 
 @pytest.fixture(scope="module")
 def wall():
-    """A wall 2 m before the origin along x, and a smaller thing before it."""
+    """A wall at x = 2 m, and a smaller object in front of it."""
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     vertices = [[x, half * y, half * z] for x, half in [(2.0, 9), (1.2, 0.2)] for y, z in corners]
     return oaktwin.Scene.from_triangles(np.array(vertices), np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]))
@@ -106,7 +106,7 @@ def unit(calibration):
 AHEAD = oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="body")
 
 
-def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration):
+def test_a_unit_matches_the_program(program, tmp_path, wall, unit, calibration):
     taken = wall.render_pair(unit, AHEAD, size=(320, 200), projector=1, seed=3)
     for arguments, options in [([], {}), (["--rectify", "full"], {"rectify": "full"}), (["--rectified"], {"raw": False})]:
         expected, _ = by_program(
@@ -118,7 +118,7 @@ def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration
 
 
 def test_rendered_matched_and_compared(wall, unit):
-    # Of the unit a homography leaves the lens's distortion, which the truth has not.
+    # For the unit, a homography does not remove the lens distortion, which the ground truth does not have.
     for device, most in [(oaktwin.Device(PRO), 0.02), (oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), 0.02), (unit, 0.05)]:
         taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0)
         assert all(taken[name].shape == (400, 640) for name in taken)
@@ -131,9 +131,9 @@ def test_rendered_matched_and_compared(wall, unit):
         depth, z = seen["depth"], taken["z"]
         assert z.dtype == np.float32 and depth.shape == z.shape
         measured = depth > 0
-        # What only one camera sees has no depth, nor have the border and what is between the dots.
+        # Occlusions, the border and gaps between the dots are invalid.
         assert measured.mean() > 0.5 and np.median(np.abs(depth / z - 1)[measured]) < most
-        # The truth is that of the matcher's own camera.
+        # The ground truth is in the frame of the matcher's camera.
         assert matcher.camera.size == (640, 400) and matcher.baseline == pytest.approx(0.075, rel=0.02)
         truth = wall.render(matcher.camera, AHEAD @ matcher.camera.body_from_camera)["distance_to_image_plane"]
         assert np.array_equal(truth, z)
@@ -151,7 +151,7 @@ def test_a_nominal_pair_is_rectified(wall):
     assert np.allclose(camera.body_from_camera, device.cameras["left"].body_from_camera)
 
 
-def test_how_a_pair_is_taken(wall):
+def test_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **options)
     plain = take(projector=1)
@@ -163,17 +163,17 @@ def test_how_a_pair_is_taken(wall):
     assert ten["left"].dtype == ten["rectified_right"].dtype == np.uint16 and 255 < ten["left"].max() < 1024
     still = [take(projector=1, frame=frame, imager={"noise": False})["left"] for frame in (0, 1)]
     assert np.array_equal(*still)
-    # A device that is wrong about itself measures something else.
+    # A calibration error changes the measured depth.
     off = take(projector=1, device_seed=5)
     matcher = oaktwin.StereoMatcher(device)
     assert np.array_equal(off["z"], plain["z"]) and not np.array_equal(off["right"], plain["right"])
     depths = [matcher(one["left"], one["right"])["depth"] for one in (plain, off)]
     assert abs(np.subtract(*[np.median(depth[depth > 0]) for depth in depths])) > 1e-3
-    # Without light nothing fits; a blank wall without dots neither.
+    # Neither darkness nor a blank wall without dots can be matched.
     assert plain["left"].std() > 5 > take()["left"][90:110, 10:60].std()
 
 
-def test_pairs_that_cannot_be_taken(wall):
+def test_invalid_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     for call, said in [
         (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: it has no dot projector"),
@@ -194,7 +194,7 @@ def test_pairs_that_cannot_be_taken(wall):
         wall.render_pair(None, AHEAD)
 
 
-def test_images_of_any_making(matcher, textured):
+def test_image_types(matcher, textured):
     left, right, _, _ = textured
     expected = matcher(left, right)
     wide = np.zeros((240, 640), np.uint8)
@@ -206,7 +206,7 @@ def test_images_of_any_making(matcher, textured):
         (np.repeat(left[..., None], 3, axis=2), np.repeat(left[..., None], 4, axis=2)),
     ]:
         assert same(matcher(one, right), expected) and same(matcher(two, right), expected)
-    # Luma as the program has it.
+    # The luma of the program.
     colours = np.random.default_rng(0).integers(0, 256, (120, 320, 3)).astype(np.uint8)
     grey = (colours.astype(int) @ [299, 587, 114] + 500) // 1000
     assert np.array_equal(matcher(colours, colours)["rectified_left"], grey)
@@ -273,14 +273,14 @@ def test_small_images(matcher):
         ({"device": PRO, "rectify": "ful"}, "rectify: there is no `ful`; did you mean full"),
     ],
 )
-def test_matchers_that_cannot_be(options, said):
+def test_invalid_options(options, said):
     device = options.get("device")
     options = {**options, "device": device and oaktwin.Device(device)}
     with pytest.raises(oaktwin.Error, match=said):
         oaktwin.StereoMatcher(**options)
 
 
-def test_depth_is_no_pair(device, room):
+def test_the_depth_sensor_rejects_stereo_matching(device, room):
     with pytest.raises(oaktwin.Error, match="engine: stereo-matching needs a pair of images.*use StereoMatcher"):
         oaktwin.DepthSensor(device, engine="stereo-matching")
 
@@ -304,14 +304,14 @@ def test_findings(matcher, textured, program, tmp_path):
     assert finding.message in text
 
 
-def test_temporal_filters_remember(textured):
+def test_temporal_filters_have_a_state(textured):
     left, right, _, _ = textured
     matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, filters=["temporal:alpha=0.3"])
     other = right + np.random.default_rng(0).integers(0, 9, right.shape).astype(np.uint8)
     first, second = matcher(left, right)["depth"], matcher(left, other)["depth"]
     fresh = copy.copy(matcher)(left, other)["depth"]
     assert not np.array_equal(second, fresh)
-    # What is wrong with images changes nothing that is remembered.
+    # Invalid images do not change the state.
     with pytest.raises(oaktwin.Error):
         matcher(left, right[:50])
     matcher.reset()
@@ -340,7 +340,7 @@ def test_pickles(textured, options):
         assert other.parameters == matcher.parameters and other.rectify == matcher.rectify
 
 
-def test_a_matcher_of_a_unit_travels(tmp_path, textured, calibration, unit):
+def test_pickling_includes_the_calibration(tmp_path, textured, calibration, unit):
     file = tmp_path / calibration.name
     file.write_bytes(calibration.read_bytes())
     matcher = oaktwin.StereoMatcher(oaktwin.Device.from_calibration(file))
@@ -362,7 +362,7 @@ def test_a_calibration_without_the_pair(tmp_path, calibration):
         oaktwin.StereoMatcher(device)
 
 
-def test_parameters_are_said():
+def test_parameters():
     matcher = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters={"paths": 3})
     assert matcher.parameters["paths"] == "3" and float(matcher.parameters["focalLength"]) == 400
     assert float(matcher.parameters["baseline"]) == matcher.baseline == 0.05 and matcher.findings == []
