@@ -105,7 +105,7 @@ def test_everything_is_documented(name, item):
     assert not undocumented, f"{name} does not document {undocumented}"
 
 
-# What gives or takes arrays says their shape, and what they hold where there is nothing.
+# Functions with arrays document their shapes and invalid values.
 @pytest.mark.parametrize("name", ["DepthSensor", "Filter", "align", "DepthSensor.align", "DepthSensor.annotate", "Scene.render",
                                   "Scene.render_pair", "StereoMatcher"])
 def test_shapes_and_invalid_values_are_documented(name):
