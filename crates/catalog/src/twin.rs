@@ -1,6 +1,7 @@
 use oaktwin_camera::{
     Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
 };
+use oaktwin_parameter::nvidia::Attributes;
 
 use crate::{Camera, DepthSensor, Device, Role};
 
@@ -57,6 +58,17 @@ pub struct TwinDepthSensor {
     pub spec: DepthSensor,
     /// `focalLengthPixel` of this twin: the rounded fx of [`DepthSensor::camera`].
     pub focal_length_px: f64,
+}
+
+impl TwinDepthSensor {
+    /// The attributes of the render product in the standard or the extended mode.
+    #[must_use]
+    pub fn attributes(&self, is_extended: bool) -> Attributes {
+        Attributes {
+            focal_length_px: self.focal_length_px,
+            ..self.spec.attributes(is_extended)
+        }
+    }
 }
 
 impl Twin {

@@ -186,7 +186,7 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "confidence_threshold = 0.8",
             "confidence_threshold = 80",
-            "80 is not a threshold; give a number from 0 to 1",
+            "80 is out of range; expected a number from 0 to 1",
         ),
         (
             "clipping_range_m = [0.01, 100.0]",
