@@ -36,8 +36,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def run_and_interrupt(text):
     """Runs a script that prints "ready" and returns what it prints after being interrupted."""
-    # Processes started in the background of a script ignore SIGINT, and their children inherit that.
-    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n" + text
+    # Processes started in the background of a script ignore SIGINT, and their children inherit that. The alarm ends a script that
+    # outlives the tests.
+    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); signal.alarm(180)\n" + text
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
         try:
             assert process.stdout.readline() == "ready\n"
