@@ -31,7 +31,7 @@ def test_cameras(device):
     assert np.allclose(left.K, [[fx, 0, 639.5], [0, fx, 399.5], [0, 0, 1]], atol=1e-9)
     assert left.K.dtype == np.float64
     assert left.hfov_deg == pytest.approx(77) and left.lens == "pinhole" and left.distortion.shape == (0,)
-    # x right is y left's opposite, y down z up's, z forward x.
+    # The camera's x axis is the body's −y, its y axis −z, its z axis x.
     expected = [[0, 0, 1, 0], [-1, 0, 0, 0.0375], [0, -1, 0, 0], [0, 0, 0, 1]]
     assert np.array_equal(left.body_from_camera, expected)
     assert repr(left) == "<oaktwin.Camera left: 1280x800, fx 804.59 px, 77.00° x 52.87°, pinhole>"
@@ -77,7 +77,7 @@ def test_a_calibrated_unit(program, calibration):
     shown = shown[0] if isinstance(shown, list) else shown
     assert unit.report() == shown
     assert [finding.code for finding in unit.findings] == [finding["code"] for finding in shown["findings"]]
-    # The inverse of its rectification is what the raw pair is.
+    # The inverse of the rectification gives the raw extrinsics.
     pair = unit.rectification()
     assert np.allclose(pair.R1 @ pair.R1.T, np.eye(3)) and pair.baseline == pytest.approx(0.075, abs=0.002)
     with pytest.raises(oaktwin.Error):
@@ -133,7 +133,7 @@ def test_usd(program, tmp_path, device):
     assert (tmp_path / "ours.usd").read_bytes() == (tmp_path / "theirs.usd").read_bytes()
     device.write_usd(str(tmp_path / "ours.usdz"), body=False)
     assert (tmp_path / "ours.usdz").read_bytes()[:2] == b"PK"
-    with pytest.raises(oaktwin.Error, match=r"\.obj is no USD format"):
+    with pytest.raises(oaktwin.Error, match=r"\.obj is not a USD format"):
         device.write_usd(tmp_path / "ours.obj")
     with pytest.raises(FileNotFoundError, match="make the folder first"):
         device.write_usd(tmp_path / "no/ours.usd")
@@ -188,7 +188,7 @@ def test_a_catalog_of_ones_own(program, tmp_path):
 
 
 def test_findings_are_warnings(tmp_path):
-    # Of a tilted lens ROS has not all coefficients.
+    # ROS does not support all coefficients of a tilted lens.
     camera = json.loads(oaktwin.Device("OAK-D Pro PoE").to_depthai()["calibration.json"])
     for _, one in camera["cameraData"]:
         one["distortionCoeff"] = [0.01] * 5 + [0.0] * 7 + [0.02, 0.01]
@@ -208,15 +208,15 @@ def test_cameras_of_ones_own():
     assert np.array_equal(oaktwin.Camera((4, 4), hfov_deg=9, body_from_camera=pose).body_from_camera, pose)
     bad = {
         "no pixel": dict(size=(0, 4), hfov_deg=3),
-        "no field of view": dict(size=(4, 4), hfov_deg=180),
-        "give one": dict(size=(4, 4)),
+        "is out of range": dict(size=(4, 4), hfov_deg=180),
+        "pass one of them": dict(size=(4, 4)),
         "3x3": dict(size=(4, 4), K=np.eye(4)),
-        "no camera matrix": dict(size=(4, 4), K=-np.eye(3)),
-        "is no array of numbers": dict(size=(4, 4), K="K"),
+        "not a camera matrix": dict(size=(4, 4), K=-np.eye(3)),
+        "is not an array of numbers": dict(size=(4, 4), K="K"),
         "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
         "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),
-        "a pinhole has none": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
-        "no range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
+        "the model has at most 0": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
+        "not a valid range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
         "there is no `wide`": dict(size=(4, 4), hfov_deg=9, lens="wide"),
     }
     for text, arguments in bad.items():

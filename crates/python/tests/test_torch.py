@@ -1,4 +1,4 @@
-"""PyTorch's tensors, in and out, in their own memory."""
+"""PyTorch tensors as input and output, without copies."""
 
 import numpy as np
 import pytest
@@ -37,7 +37,7 @@ def test_results_are_written_in_the_tensor(sensor, room):
     address = out.data_ptr()
     assert sensor(depth, out=out) is out and out.data_ptr() == address
     assert np.array_equal(out.numpy(), sensor(room[0]))
-    with pytest.raises(oaktwin.Error, match="give an array of its own"):
+    with pytest.raises(oaktwin.Error, match="pass a separate array"):
         sensor(out, out=out)
 
 
@@ -49,20 +49,20 @@ def test_a_batch(sensor):
     assert not torch.equal(out[0], out[1])
 
 
-def test_what_lies_otherwise(sensor, room):
+def test_non_contiguous_tensors(sensor, room):
     depth = torch.from_numpy(room[0])
     turned = depth.T.contiguous().T
     assert _read_from(turned) != turned.data_ptr()
     assert np.array_equal(sensor(turned), sensor(depth))
     with pytest.raises(oaktwin.Error, match="C-contiguous"):
         sensor(depth, out=turned)
-    with pytest.raises(TypeError, match="give float32 metres"):
+    with pytest.raises(TypeError, match="pass float32 metres"):
         sensor(depth.double())
 
 
-def test_what_wants_gradients(sensor, room):
+def test_tensors_with_gradients(sensor, room):
     depth = torch.from_numpy(room[0].copy()).requires_grad_()
-    # In its own words.
+    # PyTorch's own message.
     with pytest.raises(RuntimeError, match="detach"):
         sensor(depth)
     assert sensor(depth.detach()).shape == room[0].shape
