@@ -38,10 +38,14 @@ pub enum Annotator {
     DepthSensorImager,
     /// `depth_sensor_output_visualization`
     DepthSensorOutputVisualization,
+    /// `disparity`: the disparity of a stereo matcher; no annotator of Replicator.
+    Disparity,
+    /// `confidence`: the confidence of a stereo matcher; no annotator of Replicator.
+    Confidence,
 }
 
 impl Annotator {
-    /// All of them.
+    /// All annotators of Replicator.
     pub const ALL: [Self; 15] = [
         Self::Rgb,
         Self::DistanceToImagePlane,
@@ -79,6 +83,8 @@ impl Annotator {
             Self::DepthSensorPointCloudColor => "depth_sensor_point_cloud_color",
             Self::DepthSensorImager => "depth_sensor_imager",
             Self::DepthSensorOutputVisualization => "depth_sensor_output_visualization",
+            Self::Disparity => "disparity",
+            Self::Confidence => "confidence",
         }
     }
 

@@ -16,7 +16,7 @@ use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
 use crate::recording::RecordingFileError;
-use crate::sensor::{Engine, Sensor};
+use crate::sensor::{EngineInput, Sensor};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, BasicWriter, CameraParams, DatasetError, Extras, Shot};
 use oaktwin_diagnostic::{Finding, Level};
@@ -246,7 +246,7 @@ impl<'a> Station<'a> {
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
-        let is_matching = (sensor.iter()).any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)));
+        let is_matching = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair);
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
         Self {
             camera,

@@ -81,7 +81,9 @@ fn pixel_bytes(annotator: Annotator) -> u64 {
         | Annotator::DistanceToCamera
         | Annotator::InstanceIdSegmentation
         | Annotator::SemanticSegmentation => 4,
-        Annotator::DepthSensorDistance
+        Annotator::Confidence => 1,
+        Annotator::Disparity
+        | Annotator::DepthSensorDistance
         | Annotator::DepthSensorPointCloudColor
         | Annotator::DepthSensorImager
         | Annotator::DepthSensorOutputVisualization => 4,

@@ -5,7 +5,7 @@ use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
-use oaktwin::sensor::{EngineKind, Sensor, calibration_error_px};
+use oaktwin::sensor::{EngineInput, Sensor};
 
 use super::{Oak, asked};
 use crate::args::RenderArgs;
@@ -71,7 +71,7 @@ pub(super) fn pair(
         .map_err(|error| format!("--sweep: {error}"))?
         .unwrap_or_default();
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
-    if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
+    if !engines.any(|engine| engine.is_some_and(|kind| kind.input == EngineInput::Pair)) {
         return match args.pair.given() {
             Some(option) => Err(format!(
                 "{option} is about the pair of stereo-matching: say --engine stereo-matching too, or leave it out"
@@ -85,9 +85,9 @@ pub(super) fn pair(
                     into the scene with --model, or use stereo-noise"
             .into());
     };
-    let bias_px = calibration_error_px(&options)?;
+    let bias_px = options.calibration_error_px()?;
     for swept in &all {
-        if calibration_error_px(swept)?.to_bits() != bias_px.to_bits() {
+        if swept.calibration_error_px()?.to_bits() != bias_px.to_bits() {
             return Err(
                 "--sweep bias: it is of the pair, which is rendered once; render with each --param bias="
                     .into(),
@@ -149,34 +149,35 @@ fn without_sensor(
         .collect())
 }
 
-/// What an engine does not have.
+/// The outputs of every depth sensor: its distance, and the points and colours of that.
+const DERIVED: [Annotator; 3] = [
+    Annotator::DepthSensorDistance,
+    Annotator::DepthSensorPointCloudPosition,
+    Annotator::DepthSensorPointCloudColor,
+];
+
+/// Reports requested outputs that an engine does not have.
 fn without_output(
     of_sensor: &[Annotator],
     cameras: &[PlacedCamera],
     sensors: &[Option<Sensor>],
 ) -> Vec<Finding> {
-    let missing: Vec<&str> = of_sensor
-        .iter()
-        .filter(|one| {
-            matches!(
-                one,
-                Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
-            )
-        })
-        .map(|one| one.name())
-        .collect();
     let other = |sensor: &Option<Sensor>| {
-        let kind = EngineKind::of(sensor.as_ref()?.engine());
-        Some(kind).filter(|kind| *kind != EngineKind::SingleView && !missing.is_empty())
+        let engine = sensor.as_ref()?.engine();
+        let lacks = |one: &&Annotator| {
+            DERIVED.iter().all(|derived| derived != *one) && !engine.outputs().contains(one)
+        };
+        let missing: Vec<&str> = of_sensor.iter().filter(lacks).map(|one| one.name()).collect();
+        (!missing.is_empty()).then(|| (engine.kind(), missing))
     };
     let both = cameras.iter().zip(sensors);
     both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
-        .map(|(camera, kind)| {
+        .map(|(camera, (kind, missing))| {
             Finding::new(
                 "single-view-only",
                 Level::Note,
                 &camera.path,
-                format!("{} has no {}: left out", kind.as_str(), missing.join(" and no ")),
+                format!("{kind} has no {}: left out", missing.join(" and no ")),
                 "",
             )
         })
