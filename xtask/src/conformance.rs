@@ -1,4 +1,4 @@
-//! `cargo xtask conformance`: the program as a user runs it, against Isaac Sim's own output.
+//! `cargo xtask conformance`: compares the program's output with Isaac Sim's.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -8,15 +8,15 @@ use crate::workspace;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// The folder with isaac-pointcloud and isaac-camera-params; by default `conformance` in `OAKTWIN_TEST_DATA`
+    /// Folder with isaac-pointcloud and isaac-camera-params [default: `conformance` in `OAKTWIN_TEST_DATA`]
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
 }
 
-/// Exit code when there is nothing to compare with.
+/// The exit code if the reference data are missing.
 const NO_DATA: u8 = 2;
 
-/// Builds, compares, prints a table.
+/// Builds the program, compares, and prints a table.
 pub(crate) fn run(args: &Args) -> ExitCode {
     let data = args
         .data

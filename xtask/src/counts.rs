@@ -1,9 +1,9 @@
-//! How many tests passed, failed and were skipped, read from the runners' closing lines.
+//! Counts of passed, failed and skipped tests, read from the test runners' output.
 
 use std::fmt;
 use std::ops::AddAssign;
 
-/// Numbers of tests.
+/// Test counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Counts {
     pub(crate) passed: u64,
@@ -29,10 +29,33 @@ impl fmt::Display for Counts {
     }
 }
 
-/// Reads a closing line of `cargo test`: `test result: ok. 3 passed; 0 failed; 1 ignored; …`.
+/// Reads a closing line of `cargo test`: `test result: ok. 3 passed; 0 failed; 1 ignored; …`. Tests excluded by name count
+/// as skipped.
 pub(crate) fn of_cargo_test(line: &str) -> Option<Counts> {
     let (_, figures) = line.strip_prefix("test result: ")?.split_once(". ")?;
+    let filtered_out = figures
+        .split("; ")
+        .filter_map(figure)
+        .find(|(_, word)| *word == "filtered");
+    let mut counts = sum(figures.split("; "));
+    counts.skipped += filtered_out.map_or(0, |(number, _)| number);
+    Some(counts)
+}
+
+/// The same for a run of tests selected by name, where those excluded ran before.
+pub(crate) fn of_filtered_cargo_test(line: &str) -> Option<Counts> {
+    let (_, figures) = line.strip_prefix("test result: ")?.split_once(". ")?;
     Some(sum(figures.split("; ")))
+}
+
+/// Reads a line of pytest's summary of skipped tests, `SKIPPED [2] file.py:3: reason`; those whose reason names the
+/// variable of the test data count as failed.
+pub(crate) fn of_data_skipped_by_pytest(line: &str, variable: &str) -> Option<Counts> {
+    let (number, reason) = line.strip_prefix("SKIPPED [")?.split_once(']')?;
+    reason.contains(variable).then_some(Counts {
+        failed: number.parse().ok()?,
+        ..Counts::default()
+    })
 }
 
 /// Reads the closing line of `pytest`: `=== 2 failed, 3 passed, 1 skipped in 0.1s ===`, or that without the bars.
@@ -61,10 +84,10 @@ fn sum<'a>(parts: impl Iterator<Item = &'a str>) -> Counts {
     counts
 }
 
-/// `3 passed` as (3, "passed").
+/// Splits `3 passed` into (3, "passed"), and `4 filtered out` into (4, "filtered").
 fn figure(part: &str) -> Option<(u64, &str)> {
-    let (number, word) = part.trim().split_once(' ')?;
-    Some((number.parse().ok()?, word))
+    let mut words = part.split_whitespace();
+    Some((words.next()?.parse().ok()?, words.next()?))
 }
 
 #[cfg(test)]
@@ -80,10 +103,11 @@ mod tests {
     }
 
     #[test]
-    fn closing_lines_of_cargo_test() {
+    fn reads_the_counts_of_cargo_test() {
         let line =
             "test result: ok. 12 passed; 0 failed; 3 ignored; 0 measured; 4 filtered out; finished in 0.01s";
-        assert_eq!(of_cargo_test(line), counts(12, 0, 3));
+        assert_eq!(of_cargo_test(line), counts(12, 0, 7));
+        assert_eq!(of_filtered_cargo_test(line), counts(12, 0, 3));
         let line = "test result: FAILED. 1 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.5s";
         assert_eq!(of_cargo_test(line), counts(1, 2, 0));
         assert_eq!(of_cargo_test("test lens::tests::round_trip ... ok"), None);
@@ -91,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn closing_lines_of_pytest() {
+    fn reads_the_counts_of_pytest() {
         assert_eq!(of_pytest("12 passed in 0.50s"), counts(12, 0, 0));
         let line =
             "==== 1 failed, 2 passed, 3 skipped, 4 deselected, 1 warning, 2 errors in 75.01s (0:01:15) ====";
@@ -100,5 +124,8 @@ mod tests {
         assert_eq!(of_pytest("tests/oracles/test_x.py ..s. [100%]"), None);
         assert_eq!(of_pytest("wrote five assets in 3 ms"), None);
         assert_eq!(of_pytest("SKIPPED [1] x.py:3: not in 24.5s"), None);
+        let line = "SKIPPED [2] x.py:3: DATA is not set";
+        assert_eq!(of_data_skipped_by_pytest(line, "DATA"), counts(0, 2, 0));
+        assert_eq!(of_data_skipped_by_pytest(line, "OTHER"), None);
     }
 }

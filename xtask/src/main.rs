@@ -1,9 +1,6 @@
-//! `cargo xtask`: what people and CI run.
+//! `cargo xtask`: the tasks of contributors and CI.
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a program for people: its output is what it is for"
-)]
+#![expect(clippy::print_stdout, reason = "its output is its purpose")]
 
 mod bench;
 mod conformance;
@@ -23,7 +20,7 @@ use clap::{Parser, Subcommand};
 #[command(
     name = "cargo xtask",
     bin_name = "cargo xtask",
-    about = "What people and CI run"
+    about = "Tasks of contributors and CI"
 )]
 struct Args {
     #[command(subcommand)]
@@ -32,16 +29,16 @@ struct Args {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Formatter, clippy, docs, Rust tests and the Python oracles: what CI runs.
+    /// Run the formatter, clippy, docs, Rust tests and Python oracles.
     Test(test::Args),
-    /// Compare the speed of this project with a peer, in one run.
+    /// Compare the speed of this project with a peer's, in one run.
     #[command(subcommand)]
     Bench(bench::Bench),
-    /// Compare what the program renders with what Isaac Sim rendered; exit code 1 where they differ, 2 without the data.
+    /// Compare renderings with Isaac Sim's; exit code 1 if they differ, 2 without the data.
     Conformance(conformance::Args),
-    /// Build the manual of the Python package into target/docs-python
+    /// Build the manual into target/docs and check its links.
     Docs,
-    /// Write the JSON schemas of the catalog's files anew.
+    /// Regenerate the JSON schemas and other generated files.
     Schema,
 }
 

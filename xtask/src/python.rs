@@ -1,4 +1,4 @@
-//! The Python environments of the oracles: made here, pinned, and made anew only when a pin changes.
+//! The pinned Python environments of the tests, recreated only when a pin changes.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::workspace::{self, output};
 /// A Python minor version, (3, 11).
 type Version = (u32, u32);
 
-/// A Python on this machine.
+/// A Python interpreter on this machine.
 #[derive(Clone, Debug)]
 pub(crate) struct Interpreter {
     path: PathBuf,
@@ -18,15 +18,15 @@ pub(crate) struct Interpreter {
 
 /// A set of pinned packages.
 pub(crate) struct Environment {
-    /// Its folder below `target/oracles`, and its requirements file's name.
+    /// The name of its folder below `target/oracles` and of its requirements file.
     pub(crate) name: &'static str,
-    /// The Python versions that its packages have wheels for, first and last; no last where none is known.
+    /// The first and the last Python version for which all its packages have wheels, if there is a known last one.
     versions: (Version, Option<Version>),
-    /// What is tested in it.
+    /// The tests that run in it.
     pub(crate) tests: &'static str,
 }
 
-/// The tests that ask other people's libraries.
+/// The tests that compare with other libraries.
 const ORACLES: &str = "tests/oracles";
 
 /// The newest OpenUSD and the other oracles.
@@ -36,7 +36,7 @@ pub(crate) const CURRENT: Environment = Environment {
     tests: ORACLES,
 };
 
-/// That, and the OpenUSD generation of Isaac Sim 5.1.
+/// The newest OpenUSD, and the generation of Isaac Sim 5.1.
 pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     CURRENT,
     Environment {
@@ -46,35 +46,35 @@ pub(crate) const ENVIRONMENTS: [Environment; 2] = [
     },
 ];
 
-/// Where the Python package is installed and tested, and its manual is built.
+/// The environment in which the Python package is tested and the manual is built.
 pub(crate) const PACKAGE: Environment = Environment {
     name: "python",
     versions: ((3, 11), None),
     tests: "crates/python/tests",
 };
 
-/// The same with the peers that are large; it takes the place of [`PACKAGE`].
+/// [`PACKAGE`] with the large peers, which it replaces.
 pub(crate) const PEERS: Environment = Environment {
     name: "peers",
     versions: ((3, 11), None),
     tests: "crates/python/tests",
 };
 
-/// `PyTorch`, several gigabytes of it, for the tests of its tensors.
+/// `PyTorch`, which takes several gigabytes, for the tests with tensors.
 pub(crate) const TORCH: Environment = Environment {
     name: "torch",
     versions: ((3, 11), None),
     tests: "crates/python/tests/test_torch.py",
 };
 
-/// What the package says it needs, the oldest of it, and nothing else: without pytest.
+/// The oldest versions of the package's own dependencies and nothing else, not even pytest.
 pub(crate) const BARE: Environment = Environment {
     name: "bare",
     versions: ((3, 10), Some((3, 11))),
     tests: "crates/python/tests/bare.py",
 };
 
-/// Open3D and the other engines that depth frames are compared with: large, so only made where they are asked for.
+/// Open3D and the other peers of the renderer, created only on request because they are large.
 pub(crate) const RENDER: Environment = Environment {
     name: "render",
     versions: ((3, 11), None),
@@ -82,7 +82,7 @@ pub(crate) const RENDER: Environment = Environment {
 };
 
 impl Interpreter {
-    /// The Pythons found under their usual names, the default one first. `OAKTWIN_PYTHON` names one more, before all.
+    /// Finds interpreters under their usual names, the default one first. `OAKTWIN_PYTHON` takes precedence.
     pub(crate) fn find_all() -> Vec<Self> {
         let own = std::env::var_os("OAKTWIN_PYTHON").map(PathBuf::from);
         let names = [
@@ -114,7 +114,7 @@ impl Environment {
         self.tests.starts_with("crates/python/")
     }
 
-    /// The first interpreter that it can be made with, or why there is none.
+    /// Returns the first suitable interpreter, or the reason why there is none.
     pub(crate) fn choose<'a>(&self, interpreters: &'a [Interpreter]) -> Result<&'a Interpreter, String> {
         let (first, last) = self.versions;
         let fits = |version| version >= first && last.is_none_or(|last| version <= last);
@@ -140,17 +140,17 @@ impl Environment {
         ))
     }
 
-    /// Its folder.
+    /// The folder of the environment.
     pub(crate) fn folder(&self) -> PathBuf {
         workspace::target().join("oracles").join(self.name)
     }
 
-    /// Made, with the first interpreter that it can be made with; the path of its Python.
+    /// Prepares the environment with the first suitable interpreter, and returns the path of its Python.
     pub(crate) fn ready(&self) -> Result<PathBuf, String> {
         self.prepare(self.choose(&Interpreter::find_all())?)
     }
 
-    /// Makes it if it is not there as its requirements file has it; the path of its Python.
+    /// Creates the environment unless it matches its requirements file, and returns the path of its Python.
     pub(crate) fn prepare(&self, interpreter: &Interpreter) -> Result<PathBuf, String> {
         let pins = workspace::root().join(format!("tests/oracles/requirements-{}.txt", self.name));
         let text = pinned(&pins)?;
@@ -160,14 +160,14 @@ impl Environment {
     }
 }
 
-/// A Python that does not see the packages of whoever runs this.
+/// Returns a command for a Python that ignores the user's own packages.
 pub(crate) fn isolated(python: &Path) -> Command {
     let mut command = Command::new(python);
     command.env_remove("PYTHONPATH").env_remove("PYTHONHOME");
     command
 }
 
-/// What a requirements file pins, with the files that it names: their texts one after the other.
+/// Returns the text of a requirements file and of the files that it includes.
 fn pinned(file: &Path) -> Result<String, String> {
     let mut text = fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
     let included: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("-r ")).collect();
@@ -181,7 +181,7 @@ fn pinned(file: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-/// Builds the Python package's wheel with a profile of cargo's and the maturin of an environment; its path.
+/// Builds the wheel of the Python package with one of cargo's profiles, and returns its path.
 pub(crate) fn build_wheel(python: &Path, profile: &str) -> Result<PathBuf, String> {
     let folder = workspace::target().join("oracles/wheels");
     let failed = |error: &std::io::Error| format!("{}: {error}", folder.display());
@@ -204,7 +204,7 @@ pub(crate) fn build_wheel(python: &Path, profile: &str) -> Result<PathBuf, Strin
     }
 }
 
-/// Installs the Python package's wheel in an environment, in place of any other.
+/// Installs the wheel of the Python package in an environment.
 pub(crate) fn install_wheel(python: &Path, wheel: &Path) -> Result<(), String> {
     let mut install = Command::new(python);
     install.args([
@@ -216,7 +216,7 @@ pub(crate) fn install_wheel(python: &Path, wheel: &Path) -> Result<(), String> {
     ]);
     install.args(["--no-deps", "--force-reinstall"]).arg(wheel);
     output(&mut install)?;
-    // NumPy is what it says it needs, and is there.
+    // Its only dependency, NumPy, is installed.
     output(Command::new(python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
     Ok(())
 }
@@ -253,7 +253,7 @@ fn prepare_in(
     output(Command::new(&interpreter.path).args(["-m", "venv"]).arg(&place)).map_err(|error| {
         format!("{error}\nThis Python cannot make environments; install its venv and ensurepip (Debian: python3-venv)")
     })?;
-    // Without dependencies: the file pins every package, and the check says so if one is missing.
+    // The file pins every package; the check below reports missing ones.
     let mut install = Command::new(&python);
     install.args([
         "-m",
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn an_environment_takes_the_first_interpreter_that_fits() {
+    fn chooses_the_first_suitable_interpreter() {
         let found = [interpreter((3, 13)), interpreter((3, 10)), interpreter((3, 11))];
         let [current, old] = &ENVIRONMENTS;
         assert_eq!(current.choose(&found).unwrap().version, (3, 13));
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn a_half_made_environment_is_made_anew_and_a_whole_one_kept() {
+    fn recreates_incomplete_environments_and_keeps_complete_ones() {
         let Some(found) = Interpreter::ask("python3".into()) else {
             println!("skipped: no python3");
             return;
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_includes_is_pinned_too() {
+    fn reads_included_requirements() {
         let folder = tempfile::tempdir().unwrap();
         let file = |name: &str| folder.path().join(name);
         fs::write(file("light.txt"), "numpy==1\n").unwrap();
@@ -347,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn a_python_that_cannot_make_environments_is_told() {
+    fn reports_a_python_without_venv() {
         let folder = tempfile::tempdir().unwrap();
         let nobody = Interpreter {
             path: "no-such-python".into(),

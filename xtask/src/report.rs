@@ -1,4 +1,4 @@
-//! What ran, how long it took, and what came of it.
+//! The steps of a run, their times and their outcomes.
 
 use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
@@ -26,7 +26,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Runs something as a step and prints its name and time; what it returns, unless it failed.
+    /// Runs a step, prints its name and time, and returns its result unless it failed.
     pub(crate) fn step<T>(&mut self, name: &str, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
         println!("\n-- {name}");
         let start = Instant::now();
@@ -48,7 +48,7 @@ impl Report {
         value
     }
 
-    /// Runs a command as a step, adding up the tests that `counts` reads in its output.
+    /// Runs a command as a step, and adds the test counts that `counts` reads from its output.
     pub(crate) fn command(
         &mut self,
         name: &str,
@@ -71,12 +71,12 @@ impl Report {
         result.is_some()
     }
 
-    /// Notes a step that failed outside [`Self::command`].
+    /// Counts the failure of a step outside [`Self::command`].
     pub(crate) fn count_failure(&mut self) {
         self.counts.failed += 1;
     }
 
-    /// Notes a step that did not run, and why.
+    /// Records a skipped step and its reason.
     pub(crate) fn skip(&mut self, name: &str, reason: impl Into<String>) {
         let reason = reason.into();
         println!("\n-- {name}: skipped: {reason}");
@@ -98,7 +98,7 @@ impl Report {
                 Outcome::Passed => ran.push(format!("{} ({})", step.name, seconds(step.time))),
                 Outcome::Failed(message) => {
                     ran.push(format!("{} (FAILED, {})", step.name, seconds(step.time)));
-                    // The rest of a long message stands where the step ran.
+                    // The full message was printed with the step.
                     let message = message.lines().next().unwrap_or_default();
                     failures.push(format!("FAILED: {}: {message}", step.name));
                 }

@@ -1,8 +1,8 @@
-//! `cargo xtask schema`: the catalog's JSON schemas, written by the catalog itself.
+//! `cargo xtask schema`: regenerates the JSON schemas of the catalog.
 
 use crate::workspace;
 
-/// Runs the catalog's own example, so that this program builds without the catalog.
+/// Runs an example of the catalog, so that this program builds without the catalog.
 pub(crate) fn run() -> Result<(), String> {
     let folder = workspace::root().join("crates/catalog/schema");
     let mut command = workspace::cargo();

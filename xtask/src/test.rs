@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every check of the project, each as a step; one that fails does not hide the others.
+//! `cargo xtask test`: runs every check of the project as a step, and continues after a failure.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -10,15 +10,21 @@ use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE,
 use crate::report::Report;
 use crate::workspace;
 
+/// The variable that names the folder of the public test data.
+const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
+
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Everything: the tests marked as slow too (`#[ignore]` in Rust, `slow` in Python), --peers, and `PyTorch`
+    /// Formatter, clippy and the Rust tests only: under 3 minutes from a warm target
+    #[arg(long, conflicts_with_all = ["all", "peers"])]
+    fast: bool,
+    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers and `PyTorch`
     #[arg(long)]
     all: bool,
-    /// The Python package beside its large peers too: Ray, Rerun, Open3D
+    /// Also test the Python package beside its large peers: Ray, Rerun, Open3D
     #[arg(long)]
     peers: bool,
-    /// Leave the Python oracles out
+    /// Skip the Python oracles
     #[arg(long)]
     skip_python: bool,
 }
@@ -29,11 +35,11 @@ struct Programs {
     camera_eval: PathBuf,
     depth_eval: PathBuf,
     scene_dump: PathBuf,
-    /// With the feature `rerun`, where everything is tested.
+    /// Built with the feature `rerun`; only with `--all`.
     rerun: Option<PathBuf>,
 }
 
-/// What became of a Python environment.
+/// The state of a Python environment.
 enum Readiness {
     Ready(PathBuf),
     Failed(String),
@@ -43,11 +49,13 @@ enum Readiness {
 /// Runs the steps; the last line it prints is `N passed, N failed, N skipped`.
 pub(crate) fn run(args: &Args) -> ExitCode {
     let mut report = Report::default();
-    // Mostly waiting for downloads: done beside the Rust steps.
+    let skip_python = args.skip_python || args.fast;
+    // Downloads take most of the time, so this runs beside the Rust steps.
     let wanted = wanted(args);
-    let environments = (!args.skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
+    let environments = (!skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     rust_steps(&mut report, args);
     match environments {
+        None if args.fast => report.skip("docs, Python oracles", "--fast"),
         None => report.skip("Python oracles", "--skip-python"),
         Some(environments) => match environments.join() {
             Ok(environments) => python_steps(&mut report, args, environments),
@@ -71,21 +79,79 @@ fn rust_steps(report: &mut Report, args: &Args) {
     );
     let clippy = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
     report.command("clippy", workspace::cargo().args(clippy), no_tests);
-    let doc = ["doc", "--workspace", "--no-deps"];
-    report.command(
-        "docs",
-        workspace::cargo().args(doc).env("RUSTDOCFLAGS", "-D warnings"),
-        no_tests,
-    );
-    let mut test = workspace::cargo();
-    test.args(["test", "--workspace", "--no-fail-fast"]);
-    if args.all {
-        test.args(["--", "--include-ignored"]);
+    if !args.fast {
+        let doc = ["doc", "--workspace", "--no-deps"];
+        report.command(
+            "docs",
+            workspace::cargo().args(doc).env("RUSTDOCFLAGS", "-D warnings"),
+            no_tests,
+        );
     }
-    report.command("Rust tests", &mut test, counts::of_cargo_test);
+    report.command("Rust tests", &mut rust_tests(args), counts::of_cargo_test);
+    if !args.fast {
+        report.command(
+            "Rust tests without vector instructions",
+            &mut portable_tests(args),
+            counts::of_cargo_test,
+        );
+    }
+    if args.all {
+        let mut slow = workspace::cargo();
+        slow.args([
+            "test",
+            "--workspace",
+            "--no-fail-fast",
+            "--tests",
+            "--",
+            "--ignored",
+            "slow_",
+        ]);
+        report.command("slow Rust tests", &mut slow, counts::of_filtered_cargo_test);
+    }
 }
 
-/// The environments that are to be tested in; those with the package first to last.
+/// Returns the command for all Rust tests but the slow ones. Tests that need the public test data run, and have to find
+/// it, if [`TEST_DATA`] is set; otherwise they count as skipped.
+fn rust_tests(args: &Args) -> Command {
+    let mut test = workspace::cargo();
+    test.args(["test", "--workspace", "--no-fail-fast"]);
+    if args.fast {
+        // Each documentation test is a program of its own to compile.
+        test.arg("--tests");
+    }
+    if std::env::var_os(TEST_DATA).is_some() {
+        test.args(["--", "--include-ignored", "--skip", "slow_"]);
+    }
+    test
+}
+
+/// Returns the command for the tests of the crates with pixel loops, or of all crates with `--all`, on the path of
+/// processors other than x86-64.
+fn portable_tests(args: &Args) -> Command {
+    let mut test = workspace::cargo();
+    test.args([
+        "test",
+        "--no-fail-fast",
+        "--tests",
+        "--features",
+        "oaktwin-simd/portable",
+    ]);
+    if args.all {
+        test.arg("--workspace");
+    } else {
+        test.args([
+            "-p",
+            "oaktwin-simd",
+            "-p",
+            "oaktwin-depth",
+            "-p",
+            "oaktwin-render",
+        ]);
+    }
+    test
+}
+
+/// Returns the environments to test in.
 fn wanted(args: &Args) -> Vec<&'static Environment> {
     let mut wanted: Vec<_> = ENVIRONMENTS.iter().collect();
     wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
@@ -158,20 +224,16 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             report.command(&name, &mut script, counts::of_pytest);
         } else {
             let mut tests = pytest(&python, environment.tests, programs, args);
-            report.command(&name, &mut tests, counts::of_pytest);
+            report.command(&name, &mut tests, pytest_counts());
         }
         let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
-        if has_pdoc
-            && report
-                .step("manual of the Python package", || docs::build(&python))
-                .is_none()
-        {
+        if has_pdoc && report.step("manual", || docs::build(&python)).is_none() {
             report.count_failure();
         }
     }
 }
 
-/// Puts the package into an environment; whether it is there.
+/// Installs the package in an environment, and returns whether that succeeded.
 fn install(
     report: &mut Report,
     environment: &Environment,
@@ -195,6 +257,16 @@ fn install(
     installed.is_some()
 }
 
+/// Returns the function that counts pytest's results. If the public test data are set, a test that was skipped because it did
+/// not find them counts as failed.
+fn pytest_counts() -> fn(&str) -> Option<Counts> {
+    if std::env::var_os(TEST_DATA).is_some() {
+        |line| counts::of_pytest(line).or_else(|| counts::of_data_skipped_by_pytest(line, TEST_DATA))
+    } else {
+        counts::of_pytest
+    }
+}
+
 fn build_programs(all: bool) -> Result<Programs, String> {
     // The whole workspace's features, as the tests were built with: nothing is compiled twice.
     let names = ["oaktwin", "camera-eval", "depth-eval", "scene-dump"];
@@ -215,7 +287,7 @@ fn build_programs(all: bool) -> Result<Programs, String> {
     })
 }
 
-/// The program that writes `.rrd`, in a folder of its own: five hundred crates, and other features of those of the rest.
+/// Builds the program that writes `.rrd`, in its own target folder: it needs five hundred more crates and other features.
 fn build_with_rerun() -> Result<PathBuf, String> {
     let folder = workspace::target().join("rerun");
     let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
@@ -223,7 +295,7 @@ fn build_with_rerun() -> Result<PathBuf, String> {
     workspace::build_program("oaktwin", &arguments)
 }
 
-/// A pinned environment's: nothing of the user's own Python gets in.
+/// Returns a pinned environment's interpreter, isolated from the user's own Python.
 fn interpreter(python: &Path) -> Command {
     let mut command = python::isolated(python);
     command

@@ -1,4 +1,4 @@
-//! The checkout, and commands run in it.
+//! The checkout, and the commands that run in it.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -12,7 +12,7 @@ pub(crate) fn root() -> &'static Path {
     xtask.parent().unwrap_or(xtask)
 }
 
-/// Where cargo builds, and where the Python environments go.
+/// The folder for builds and Python environments.
 pub(crate) fn target() -> PathBuf {
     match std::env::var_os("CARGO_TARGET_DIR") {
         Some(folder) => root().join(folder),
@@ -20,14 +20,14 @@ pub(crate) fn target() -> PathBuf {
     }
 }
 
-/// The cargo that runs this program, in the workspace's folder.
+/// Returns a command for cargo in the folder of the workspace.
 pub(crate) fn cargo() -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(root());
     command
 }
 
-/// A command as one would type it, with the variables that it sets.
+/// Returns a command as it would be typed, with the variables that it sets.
 pub(crate) fn shown(command: &Command) -> String {
     let variables = command
         .get_envs()
@@ -51,7 +51,7 @@ fn quoted(word: &OsStr) -> String {
     }
 }
 
-/// Runs a command to its end; an error names it.
+/// Runs a command. An error names it.
 pub(crate) fn check(command: &mut Command) -> Result<(), String> {
     let status = command.status().map_err(|error| not_started(command, &error))?;
     if status.success() {
@@ -61,7 +61,7 @@ pub(crate) fn check(command: &mut Command) -> Result<(), String> {
     }
 }
 
-/// Runs a command and returns what it wrote to its standard output; an error carries what it wrote to both.
+/// Runs a command and returns its standard output. An error contains both output streams.
 pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     let output = command
         .stdin(Stdio::null())
@@ -81,7 +81,7 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     ))
 }
 
-/// Runs a command, passing each line of its standard output on and to `see`.
+/// Runs a command, prints its standard output, and calls `see` with each line.
 pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<ExitStatus, String> {
     let mut child = command
         .stdout(Stdio::piped())
@@ -108,7 +108,7 @@ fn not_started(command: &Command, error: &std::io::Error) -> String {
     format!("{}: cannot be started: {error}", shown(command))
 }
 
-/// Builds with `cargo build` and these arguments; the programs that it made, by name.
+/// Runs `cargo build` with these arguments, and returns the programs that it built by name.
 pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, String> {
     let mut command = cargo();
     command
@@ -131,7 +131,7 @@ pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, Str
     Ok(programs)
 }
 
-/// Builds a program with these arguments besides; its path.
+/// Builds a program with additional arguments, and returns its path.
 pub(crate) fn build_program(name: &str, arguments: &[&str]) -> Result<PathBuf, String> {
     build(&[arguments, &["--bin", name]].concat())?
         .remove(name)
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_command_is_shown_as_one_types_it() {
+    fn shows_a_command_as_it_is_typed() {
         let mut command = Command::new("/somewhere/bin/cargo");
         command
             .args(["test", "a b", ""])
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn a_command_that_does_not_exist_is_named() {
+    fn names_a_command_that_does_not_exist() {
         let error = check(&mut Command::new("no-such-program-here")).unwrap_err();
         assert!(
             error.starts_with("no-such-program-here: cannot be started"),

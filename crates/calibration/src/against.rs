@@ -1,6 +1,6 @@
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Role, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level, fold_name};
+use oaktwin_diagnostic::{Finding, Level, fold_name, message, opt};
 
 use crate::check::{RESOLUTION, baseline_finding, pair_place};
 use crate::{Calibration, CameraCalibration, Socket};
@@ -88,7 +88,11 @@ fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog)
             Level::Error,
             place,
             format!("{size} is larger than the {native} of the {}", sensor.id),
-            "check that the file belongs to this model; --force takes it as it is",
+            message![
+                "check that the file belongs to this model; ",
+                opt("force"),
+                " ignores the error"
+            ],
         ));
     }
     let known = [

@@ -1,7 +1,7 @@
 //! What a calibration must be beyond its syntax, by itself.
 
 use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 
 use crate::model::{Calibration, CameraCalibration, Link};
 use crate::reader::Reader;
@@ -260,6 +260,10 @@ pub(crate) fn baseline_finding(place: String, found_m: f64, nominal_m: f64, who:
             nominal_m * 1e3,
             off * 100.0
         ),
-        "check the size of the calibration board's squares and the model; --force takes it as it is",
+        message![
+            "check the size of the calibration board's squares and the model; ",
+            opt("force"),
+            " ignores the error"
+        ],
     ))
 }

@@ -1,6 +1,6 @@
-//! The sheet itself, where `OAKTWIN_TEST_DATA` has it: every cell of its sensor, device, camera, virtual camera and
-//! depth-sensor tables against the catalog. An unknown row fails, so that none is passed over.
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "helpers of tests")]
+//! The published parameter sheet, found through `OAKTWIN_TEST_DATA`: every cell of its sensor, device, camera, virtual
+//! camera and depth-sensor tables is compared with the catalog. An unknown row fails the test.
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 mod common;
 
@@ -43,17 +43,16 @@ fn tables(text: &str) -> Vec<Table> {
     tables
 }
 
-fn sheet() -> Option<Vec<Table>> {
-    let Some(data) = std::env::var_os("OAKTWIN_TEST_DATA") else {
-        println!("skipped: OAKTWIN_TEST_DATA is not set");
-        return None;
-    };
-    let path = PathBuf::from(data).join("reference/oak-isaac-parameters.txt");
-    if !path.is_file() {
-        println!("skipped: no {}", path.display());
-        return None;
-    }
-    Some(tables(&std::fs::read_to_string(path).unwrap()))
+/// Returns the folder of the public test data.
+fn test_data() -> PathBuf {
+    std::env::var_os("OAKTWIN_TEST_DATA")
+        .expect("OAKTWIN_TEST_DATA names the folder of the test data")
+        .into()
+}
+
+fn sheet() -> Vec<Table> {
+    let path = test_data().join("reference/oak-isaac-parameters.txt");
+    tables(&std::fs::read_to_string(path).unwrap())
 }
 
 fn with_header(tables: &[Table], header: &[&str]) -> Vec<usize> {
@@ -74,8 +73,9 @@ const DEPTH: [(usize, DepthKind); 6] = [
 ];
 
 #[test]
+#[ignore = "needs OAKTWIN_TEST_DATA"]
 fn sensor_and_device_tables() {
-    let Some(tables) = sheet() else { return };
+    let tables = sheet();
     let catalog = Catalog::builtin();
     let properties = with_header(&tables, &["Property", "Value"]);
     assert_eq!(properties.len(), SENSORS.len() + catalog.devices().len());
@@ -204,8 +204,9 @@ fn device_row(device: &Device, key: &str, cell: &str) {
 }
 
 #[test]
+#[ignore = "needs OAKTWIN_TEST_DATA"]
 fn camera_tables() {
-    let Some(tables) = sheet() else { return };
+    let tables = sheet();
     let catalog = Catalog::builtin();
     let found: Vec<&Table> = tables
         .iter()
@@ -283,8 +284,9 @@ fn twin_and_sensor(model: usize, kind: DepthKind) -> (Twin, usize) {
 }
 
 #[test]
+#[ignore = "needs OAKTWIN_TEST_DATA"]
 fn virtual_camera_tables() {
-    let Some(tables) = sheet() else { return };
+    let tables = sheet();
     let found = with_header(&tables, &["Parameter", "Value", "Source"]);
     assert_eq!(found.len(), DEPTH.len());
     for (i, (model, kind)) in found.into_iter().zip(DEPTH) {
@@ -309,8 +311,9 @@ fn virtual_camera_tables() {
 }
 
 #[test]
+#[ignore = "needs OAKTWIN_TEST_DATA"]
 fn depth_sensor_tables() {
-    let Some(tables) = sheet() else { return };
+    let tables = sheet();
     let found = with_header(&tables, &["Parameter", "Value", "Description"]);
     assert_eq!(found.len(), DEPTH.len());
     for (i, (model, kind)) in found.into_iter().zip(DEPTH) {

@@ -5,10 +5,9 @@ use std::path::Path;
 
 use oaktwin::catalog::{Catalog, Device, Twin};
 use oaktwin::diagnostic::Finding;
-use oaktwin::unit;
-use oaktwin::usd::asset::AssetError;
+use oaktwin::{render, unit};
 
-use crate::args::{Lens, UnitArgs};
+use crate::args::UnitArgs;
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -62,20 +61,11 @@ impl Context {
     /// A model, or the unit of it that a calibration is of; the findings are the calibration's.
     pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
         let device = self.device(model)?;
-        if unit.lens == Lens::Fisheye
-            && device
-                .cameras
-                .iter()
-                .all(|camera| camera.fisheye_hfov_deg.is_none())
-        {
-            return Err(AssetError::NoFisheyeLens {
-                model: device.name.clone(),
-            }
-            .into());
-        }
-        match &unit.calibration {
-            Some(path) => Ok(unit::open(&self.catalog, device, path, unit.force)?),
-            None => Ok((self.catalog.nominal(device), Vec::new())),
-        }
+        let (twin, findings) = match &unit.calibration {
+            Some(path) => unit::open(&self.catalog, device, path, unit.force)?,
+            None => (self.catalog.nominal(device), Vec::new()),
+        };
+        render::check_lens(&twin, unit.lens.into())?;
+        Ok((twin, findings))
     }
 }

@@ -14,6 +14,7 @@ mod size;
 use std::ffi::OsString;
 
 use clap::Parser;
+use oaktwin::diagnostic;
 
 use args::{Cli, Command};
 use context::{Context, Exit, Result};
@@ -30,7 +31,12 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             return u8::try_from(message.exit_code()).unwrap_or(Exit::Error.code());
         }
     };
-    match run(&cli) {
+    diagnostic::with_style(output::flag, || finish(run(&cli)))
+}
+
+/// The exit code of a command that has ended, after its error has been printed.
+fn finish(ended: Result<Exit>) -> u8 {
+    match ended {
         Ok(exit) => exit.code(),
         Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Good.code(),
         Err(error) => {

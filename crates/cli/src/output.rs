@@ -5,7 +5,7 @@ use std::path::Path;
 
 use comfy_table::{CellAlignment, ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
 use oaktwin::catalog::Table;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, Opt};
 use serde::Serialize;
 
 use crate::context::Result;
@@ -34,6 +34,14 @@ pub(crate) fn say(message: &str) {
 pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
     for finding in findings {
         say(&format!("{}: {finding}", file.display()));
+    }
+}
+
+/// An option as it is typed: `--fx 500`.
+pub(crate) fn flag(option: &Opt) -> String {
+    match option.value() {
+        Some(value) => format!("--{} {value}", option.name()),
+        None => format!("--{}", option.name()),
     }
 }
 

@@ -20,7 +20,7 @@ pub struct Setup {
     /// NVIDIA's attributes of the depth sensor.
     pub attributes: single_view::Parameters,
     /// A preset of `DepthAI`.
-    pub preset: Option<Preset>,
+    pub preset: Option<PresetConfig>,
     /// Whether the extended disparity range is enabled, by the preset or otherwise.
     pub extended_disparity: bool,
     /// The seed of an individual unit's calibration bias; `None` for a unit without bias.
@@ -59,14 +59,14 @@ impl Setup {
 
 /// A preset of `DepthAI`.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Preset {
+pub enum PresetConfig {
     /// For stereo.
     Stereo(Box<StereoConfig>),
     /// For time of flight.
     TimeOfFlight(TimeOfFlightConfig),
 }
 
-impl Preset {
+impl PresetConfig {
     /// The technology of the cameras that the preset is for.
     #[must_use]
     pub fn technology(&self) -> Technology {

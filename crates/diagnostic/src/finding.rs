@@ -2,7 +2,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::{Message, Opt, ToMessage, message};
+use crate::Message;
 
 /// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -48,18 +48,6 @@ impl Finding {
             remedy: remedy.into(),
         }
     }
-
-    /// The same finding with each option spelled by `style`, ready to be printed or serialized.
-    #[must_use]
-    pub fn rendered(&self, style: impl Fn(&Opt) -> String) -> Self {
-        Self {
-            code: self.code,
-            level: self.level,
-            place: self.place.clone(),
-            message: self.message.render(&style).into(),
-            remedy: self.remedy.render(&style).into(),
-        }
-    }
 }
 
 impl fmt::Display for Level {
@@ -73,28 +61,24 @@ impl fmt::Display for Level {
 }
 
 /// `warning[baseline-off]: extrinsics: …; remedy`
-impl ToMessage for Finding {
-    fn to_message(&self) -> Message {
-        let head = format!("{}[{}]: {}: ", self.level, self.code, self.place);
-        let mut line = message![head, &self.message];
-        if !self.remedy.is_empty() {
-            line.push("; ");
-            line.push(&self.remedy);
-        }
-        line
-    }
-}
-
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.to_message().fmt(f)
+        write!(
+            f,
+            "{}[{}]: {}: {}",
+            self.level, self.code, self.place, self.message
+        )?;
+        match self.remedy.is_empty() {
+            true => Ok(()),
+            false => write!(f, "; {}", self.remedy),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::opt;
+    use crate::{message, opt, with_style};
 
     #[test]
     fn a_finding_is_one_line() {
@@ -112,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn rendering_a_finding_spells_the_options_of_its_message_and_remedy() {
+    fn options_have_the_style_of_the_front_end() {
         let finding = Finding::new(
             "own-size",
             Level::Note,
@@ -120,14 +104,9 @@ mod tests {
             message![opt("fx"), " has no effect"],
             message!["remove ", opt("fx")],
         );
-        let rendered = finding.rendered(|option| format!("--{}", option.name()));
         assert_eq!(
-            rendered.to_string(),
+            with_style(|option| format!("--{}", option.name()), || finding.to_string()),
             "note[own-size]: run--fx/a.npy: --fx has no effect; remove --fx"
-        );
-        assert_eq!(
-            finding.to_message().render(|option| option.name().to_uppercase()),
-            "note[own-size]: run--fx/a.npy: FX has no effect; remove FX"
         );
     }
 }

@@ -2,12 +2,12 @@
 //! misspelt names.
 //!
 //! A library does not know whether a command line or Python calls it, so it never writes `--fx` or `fx=` into a text. It
-//! puts an [`Opt`] into a [`Message`], and the front end renders the message with its own spelling of the options.
+//! puts an [`Opt`] into a [`Message`], and the front end prints the message [`with_style`], its own spelling of options.
 
 mod finding;
 mod message;
 mod suggest;
 
 pub use finding::{Finding, Level};
-pub use message::{Message, Opt, ToMessage, opt};
+pub use message::{Message, Opt, Style, opt, with_style};
 pub use suggest::{fold_name, nearest, suggest, suggestion};

@@ -1,13 +1,43 @@
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::fmt;
 use std::ops::Deref;
 
 use serde::{Serialize, Serializer};
 
+/// The spelling of options in a front end: `--fx` on a command line, `fx=` in Python.
+pub type Style = fn(&Opt) -> String;
+
+thread_local! {
+    static STYLE: Cell<Option<Style>> = const { Cell::new(None) };
+}
+
+/// Runs `print` with `style` as the spelling of the options in every [`Message`] that this thread displays or serializes
+/// meanwhile, however deep in an error it is.
+///
+/// ```
+/// use oaktwin_diagnostic::{message, opt, with_style};
+///
+/// let message = message!["run--fx/a.npy: no ", opt("fx")];
+/// assert_eq!(message.to_string(), "run--fx/a.npy: no 'fx'");
+/// let printed = with_style(|option| format!("--{}", option.name()), || format!("error: {message}"));
+/// assert_eq!(printed, "error: run--fx/a.npy: no --fx");
+/// ```
+pub fn with_style<T>(style: Style, print: impl FnOnce() -> T) -> T {
+    struct Restore(Option<Style>);
+    impl Drop for Restore {
+        fn drop(&mut self) {
+            STYLE.set(self.0);
+        }
+    }
+    let _restore = Restore(STYLE.replace(Some(style)));
+    print()
+}
+
 /// A reference to an option of the program or an argument of the Python package, perhaps with a value to set it to.
 ///
-/// Its name is the one that the command line uses, without hyphens in front: `depth-scale`. How it is spelled in a text
-/// is up to whoever renders the [`Message`]: `--depth-scale 0.001`, `depth_scale=0.001`.
+/// Its name is the one that the command line uses, without hyphens in front: `depth-scale`. A front end chooses the
+/// spelling when it prints a [`Message`], [`with_style`]: `--depth-scale 0.001`, `depth_scale=0.001`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Opt {
     name: &'static str,
@@ -56,8 +86,9 @@ impl fmt::Display for Opt {
 /// A text with references to options in it.
 ///
 /// The text is complete with each option in its neutral spelling (see [`Opt`]), so a message can be used like a `str`.
-/// The positions of the options are kept beside it: [`Message::render`] replaces these and nothing else, whatever a path
-/// or a name in the text may look like. [`message!`](crate::message) builds one from its parts.
+/// The positions of the options are kept beside it: [`with_style`] replaces these and nothing else, whatever a path
+/// or a name in the text may look like. [`message!`](crate::message) builds one from its parts. An error keeps a message
+/// as it is in its fields; formatted into a string, its options stay neutral.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Message {
     text: String,
@@ -99,18 +130,6 @@ impl Message {
     /// The options that the text refers to, in order.
     pub fn options(&self) -> impl Iterator<Item = &Opt> {
         self.options.iter().map(|(.., option)| option)
-    }
-}
-
-/// An error or a finding whose text may refer to options: what a front end renders instead of its `Display`.
-pub trait ToMessage {
-    /// The whole text, on one line.
-    fn to_message(&self) -> Message;
-}
-
-impl ToMessage for Message {
-    fn to_message(&self) -> Message {
-        self.clone()
     }
 }
 
@@ -182,9 +201,13 @@ impl Deref for Message {
     }
 }
 
+/// Each option in the front end's spelling [`with_style`], else in its neutral one.
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&self.text)
+        match STYLE.get() {
+            Some(style) if !self.options.is_empty() => f.pad(&self.render(style)),
+            _ => f.pad(&self.text),
+        }
     }
 }
 
@@ -200,10 +223,10 @@ impl PartialEq<&str> for Message {
     }
 }
 
-/// As a string, with each option in its neutral spelling. A front end serializes what it has rendered.
+/// The string that is displayed.
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.text)
+        serializer.collect_str(self)
     }
 }
 
@@ -224,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn each_front_end_spells_the_options_its_own_way() {
+    fn renders_options_in_the_style_of_a_front_end() {
         let remedy = message![
             "set ",
             opt("input-kind").with("z"),
@@ -248,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_that_looks_like_an_option_is_not_changed() {
+    fn keeps_paths_that_look_like_options() {
         let path = "run--time/'time'/--time";
         let error = message![path, ": not found; set ", opt("time")];
         assert_eq!(error.render(flag), format!("{path}: not found; set --time"));
@@ -256,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn nesting_keeps_the_positions() {
+    fn nested_messages_keep_their_options() {
         let inner = message!["use ", opt("fx")];
         let mut outer = message!["ä: ", &inner];
         outer.push("; ");
@@ -266,7 +289,25 @@ mod tests {
     }
 
     #[test]
-    fn a_plain_text_renders_as_itself() {
+    fn styles_apply_within_their_scope() {
+        #[derive(Debug)]
+        struct Error(Message);
+        impl fmt::Display for Error {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "run--fx/a.npy: {}", self.0)
+            }
+        }
+        let error = Error(message!["set ", opt("fx")]);
+        let printed = with_style(flag, || {
+            let inner = with_style(argument, || error.to_string());
+            format!("{inner}; {error}")
+        });
+        assert_eq!(printed, "run--fx/a.npy: set fx=…; run--fx/a.npy: set --fx");
+        assert_eq!(error.to_string(), "run--fx/a.npy: set 'fx'");
+    }
+
+    #[test]
+    fn plain_text_is_unchanged() {
         let message = Message::from("--fx is a file here");
         assert_eq!(message.render(flag), "--fx is a file here");
         assert!(Message::default().is_empty() && message.options().next().is_none());

@@ -4,6 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use oaktwin_diagnostic::Message;
 use oaktwin_image::CodecError;
 
 /// A file that could not be read or written. Reads `FILE: what is wrong; what to do`.
@@ -13,14 +14,14 @@ pub struct FileError {
     /// The file.
     pub path: PathBuf,
     /// What is wrong.
-    pub message: String,
+    pub message: Message,
     /// What to do.
-    pub remedy: String,
+    pub remedy: Message,
 }
 
 impl FileError {
     /// An error about `path`.
-    pub fn new(path: &Path, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub fn new(path: &Path, message: impl Into<Message>, remedy: impl Into<Message>) -> Self {
         Self {
             path: path.to_owned(),
             message: message.into(),
@@ -50,21 +51,16 @@ impl FileError {
     pub fn writing(path: &Path, error: &io::Error) -> Self {
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("its folder does not exist", "make the folder first"),
-            io::ErrorKind::PermissionDenied => ("may not be written", "choose another place with -o"),
-            io::ErrorKind::ReadOnlyFilesystem => {
-                ("is on a read-only file system", "choose another place with -o")
-            }
-            io::ErrorKind::StorageFull => (
-                "there is no space left",
-                "free some, or choose another place with -o",
-            ),
+            io::ErrorKind::PermissionDenied => ("may not be written", "choose another place"),
+            io::ErrorKind::ReadOnlyFilesystem => ("is on a read-only file system", "choose another place"),
+            io::ErrorKind::StorageFull => ("there is no space left", "free some, or choose another place"),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
             io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
             _ => {
                 return Self::new(
                     path,
                     format!("cannot be written ({error})"),
-                    "choose another place with -o",
+                    "choose another place",
                 );
             }
         };
@@ -110,7 +106,7 @@ pub fn read(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>, FileError> {
 pub fn make_folder(path: &Path) -> Result<(), FileError> {
     fs::create_dir_all(path).map_err(|e| {
         if path.exists() {
-            FileError::new(path, "is a file, not a folder", "name a folder with -o")
+            FileError::new(path, "is a file, not a folder", "name a folder")
         } else {
             FileError::writing(path, &e)
         }
@@ -164,7 +160,7 @@ impl InParts {
                 return Err(FileError::new(
                     path,
                     "is read-only",
-                    "choose another place with -o, or make it writable",
+                    "choose another place, or make it writable",
                 ));
             }
             _ => {

@@ -42,7 +42,7 @@ impl Format {
             Some("rrd") if HAS_RRD => Ok(Self::Rrd),
             Some("rrd") => wrong(
                 "this build cannot write .rrd, which needs the feature `rerun`",
-                "name a .mcap file, or build it in: cargo build --release -p oaktwin-cli --features rerun",
+                "name a .mcap file, or build with the feature `rerun`",
             ),
             _ => wrong("is no recording's name", "name a .mcap or an .rrd file"),
         }
@@ -98,7 +98,7 @@ impl RecordingFile {
     /// The file cannot be written, or its extension is no format's.
     pub fn create(path: &Path, up: Up) -> Result<Self, RecordingFileError> {
         let format = Format::of(path)?;
-        let output = BufWriter::new(InParts::create(path).map_err(elsewhere)?);
+        let output = BufWriter::new(InParts::create(path)?);
         let recorder = match format {
             Format::Mcap => Mcap::new(output).map(|mcap| Kind::Mcap(Box::new(mcap))),
             #[cfg(feature = "rerun")]
@@ -155,24 +155,18 @@ impl RecordingFile {
         let parts = output
             .into_inner()
             .map_err(|error| failed(&self.path, RecordingError::Io(error.into_error())))?;
-        Ok(parts.finish().map_err(elsewhere)?)
+        Ok(parts.finish()?)
     }
 }
 
 fn failed(path: &Path, error: RecordingError) -> RecordingFileError {
     match error {
-        RecordingError::Io(error) => elsewhere(FileError::writing(path, &error)).into(),
+        RecordingError::Io(error) => FileError::writing(path, &error).into(),
         error => RecordingFileError::Recording {
             path: path.to_owned(),
             error,
         },
     }
-}
-
-/// Another option names the place.
-fn elsewhere(mut error: FileError) -> FileError {
-    error.remedy = error.remedy.replace(" with -o", "");
-    error
 }
 
 #[cfg(test)]
@@ -238,7 +232,7 @@ mod tests {
             assert_eq!(said(name), expected);
         }
         if !HAS_RRD {
-            assert!(said("a.rrd").contains("--features rerun"));
+            assert!(said("a.rrd").contains("the feature `rerun`"));
         }
         std::fs::create_dir(folder.path().join("b.mcap")).unwrap();
         assert_eq!(said("b.mcap"), "DIR/b.mcap: is a directory; name a file in it");

@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
+use oaktwin::diagnostic::{Opt, with_style};
 use pyo3::exceptions::{
     PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyPermissionError, PyUserWarning, PyValueError,
 };
@@ -14,59 +15,62 @@ pyo3::create_exception!(
     oaktwin,
     Error,
     PyValueError,
-    "What cannot be: the text says where, what is wrong and what to do, as the program's does."
+    "Raised for invalid input; the message says where, what is wrong and what to do."
 );
 
 pyo3::create_exception!(
     oaktwin,
     FindingWarning,
     PyUserWarning,
-    "Something odd about a result that holds: what the program prints as a warning."
+    "A non-fatal problem with a result."
 );
 
-/// The program's options, and Python's for the same.
-const OPTIONS: [(&str, &str); 18] = [
-    (" with -o", ""),
-    (", --resample for images of the model's size", ""),
-    ("--align-size", "size"),
-    ("--align", "to"),
-    ("--depth-scale", "the depth's scale"),
-    ("--engine", "engine"),
-    ("--filter", "filters"),
-    ("--focal-px", "focal_px"),
-    ("--force", "force=True"),
-    ("--from", "measured_from"),
-    ("--fx", "fx"),
-    ("--hfov", "hfov_deg"),
-    ("--scale", "scale"),
-    ("--sensor", "sensor"),
-    ("--stereo-width", "width_px"),
-    ("--subdivide", "subdivide"),
-    ("--time", "time"),
-    ("--up", "up"),
+/// The arguments whose names differ from those of the program's options.
+const ARGUMENTS: [(&str, &str); 7] = [
+    ("align", "to"),
+    ("align-size", "size"),
+    ("filter", "filters"),
+    ("force", "force=True"),
+    ("from", "measured_from"),
+    ("hfov", "hfov_deg"),
+    ("stereo-width", "width_px"),
 ];
 
-/// A text of the program's, with Python's names for its options.
-pub(crate) fn plain(text: &str) -> String {
-    OPTIONS
-        .iter()
-        .fold(text.to_owned(), |text, (option, name)| text.replace(option, name))
+/// An option as an argument: `fx=500`, `engine="single-view"`.
+fn argument(option: &Opt) -> String {
+    let own = ARGUMENTS.iter().find(|(name, _)| *name == option.name());
+    let name = own.map_or_else(|| option.name().replace('-', "_"), |(_, own)| (*own).to_owned());
+    match option.value() {
+        None => name,
+        Some(value) if value.parse::<f64>().is_ok() => format!("{name}={value}"),
+        Some(value) => format!("{name}={value:?}"),
+    }
+}
+
+/// Runs `print` with options spelled as Python's arguments.
+pub(crate) fn with_arguments<T>(print: impl FnOnce() -> T) -> T {
+    with_style(argument, print)
+}
+
+/// The text with options spelled as Python's arguments.
+pub(crate) fn text(value: &impl ToString) -> String {
+    with_arguments(|| value.to_string())
 }
 
 /// An exception of an error.
 #[expect(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
 pub(crate) fn error(error: impl ToString) -> PyErr {
-    Error::new_err(plain(&error.to_string()))
+    Error::new_err(text(&error))
 }
 
 /// An exception that says where, what is wrong and what to do.
 pub(crate) fn wrong(what: impl Display, is: impl Display, remedy: impl Display) -> PyErr {
-    Error::new_err(plain(&format!("{what}: {is}; {remedy}")))
+    Error::new_err(with_arguments(|| format!("{what}: {is}; {remedy}")))
 }
 
 /// An error about a file that was to be read: an `OSError` where the file system is the reason.
 pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
-    let text = plain(&error.to_string());
+    let text = text(error);
     if path.is_dir() {
         return PyIsADirectoryError::new_err(text);
     }
@@ -78,7 +82,7 @@ pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
 
 /// An error about a file that was to be written.
 pub(crate) fn writing(path: &Path, error: &impl ToString) -> PyErr {
-    let text = plain(&error.to_string());
+    let text = text(error);
     if path.is_dir() {
         return PyIsADirectoryError::new_err(text);
     }

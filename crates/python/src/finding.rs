@@ -3,7 +3,7 @@ use std::ffi::CString;
 use oaktwin::diagnostic::{self, Level};
 use pyo3::prelude::*;
 
-use crate::error::{FindingWarning, plain};
+use crate::error::{FindingWarning, text};
 
 /// Something odd in an input or a result that holds nevertheless; str() is the program's line about it.
 ///
@@ -45,9 +45,9 @@ pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
         code: finding.code,
         level: finding.level.to_string(),
         place: finding.place.clone(),
-        message: plain(&finding.message),
-        remedy: plain(&finding.remedy),
-        line: plain(&finding.to_string()),
+        message: text(&finding.message),
+        remedy: text(&finding.remedy),
+        line: text(finding),
     };
     findings.iter().map(one).collect()
 }
@@ -55,7 +55,7 @@ pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
 /// Those that are more than notes, as Python's warnings.
 pub(crate) fn warn(py: Python<'_>, findings: &[diagnostic::Finding]) -> PyResult<()> {
     for finding in findings.iter().filter(|finding| finding.level > Level::Note) {
-        let text = CString::new(plain(&finding.to_string()).replace('\0', " "))?;
+        let text = CString::new(text(finding).replace('\0', " "))?;
         PyErr::warn(py, &py.get_type::<FindingWarning>(), &text, 1)?;
     }
     Ok(())

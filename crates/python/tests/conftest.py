@@ -1,8 +1,10 @@
 """What every test of the package shares."""
 
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +30,21 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if item.get_closest_marker("slow"):
                 item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+def run_and_interrupt(text):
+    """Runs a script that prints "ready" and returns what it prints after being interrupted."""
+    # Processes started in the background of a script ignore SIGINT, and their children inherit that.
+    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n" + text
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout.readline() == "ready\n"
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            answer, _ = process.communicate(timeout=120)
+            return answer
+        finally:
+            process.kill()
 
 
 @pytest.fixture(scope="session")

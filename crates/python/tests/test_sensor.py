@@ -213,11 +213,18 @@ def test_nothing_names_the_programs_options(device, room, tmp_path, calibration)
     assert not [text for text in said if " -" in text.replace(" -1", "") or "--" in text]
 
 
+def test_paths_that_look_like_options_are_unchanged(tmp_path):
+    path = tmp_path / "run--time" / "with -o.usd"
+    with pytest.raises(FileNotFoundError) as raised:
+        oaktwin.Scene.open(path)
+    assert str(path) in str(raised.value)
+
+
 @pytest.mark.parametrize(
     "options, text",
     [
         ({"engine": "steroe-noise"}, "engine: there is no `steroe-noise`; did you mean stereo-noise?"),
-        ({"engine": "stereo-noise", "sensor": "tof"}, "has no such depth sensor; it has stereo"),
+        ({"engine": "stereo-noise", "sensor": "tof"}, "has no such depth sensor; expected stereo"),
         ({"preset": "robotic"}, "did you mean ROBOTICS"),
         ({"filters": ["medium"]}, "medium: there is no filter"),
         ({"parameters": {"windw": 7}}, "windw: stereo-noise has no such parameter; did you mean window"),
@@ -225,9 +232,9 @@ def test_nothing_names_the_programs_options(device, room, tmp_path, calibration)
         ({"parameters": {"noiseSigma": 1}}, "it is a parameter of single-view"),
         ({"parameters": [1]}, "parameters: is no mapping"),
         ({"isaac": "7"}, "isaac: there is no `7`"),
-        ({"fx": -1}, "-1 is no focal length"),
-        ({"fx": float("nan")}, "no focal length"),
-        ({"hfov_deg": 180}, "180 is no field of view"),
+        ({"fx": -1}, "fx: must be a finite number > 0 (got -1)"),
+        ({"fx": float("nan")}, "fx: must be a finite number > 0"),
+        ({"hfov_deg": 180}, "hfov_deg: 180 is out of range"),
         ({"fx": 3, "hfov_deg": 4}, "give one"),
         ({"sensor": "lidar"}, "sensor: there is no `lidar`"),
     ],

@@ -3,17 +3,15 @@
 import copy
 import json
 import pickle
-import signal
-import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import run_and_interrupt
 from stereo_scenes import box, everywhere, pair
 
 FX, BASELINE = 300.0, 0.075
@@ -444,12 +442,7 @@ try:
 except KeyboardInterrupt:
     print("interrupted")
 """
-    process = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    process.send_signal(signal.SIGINT)
-    answer, _ = process.communicate(timeout=120)
-    assert answer == "interrupted\n"
+    assert run_and_interrupt(text) == "interrupted\n"
 
 
 def test_accuracy_of_matching(program):

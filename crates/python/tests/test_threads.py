@@ -3,17 +3,15 @@
 import gc
 import multiprocessing
 import os
-import signal
-import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import run_and_interrupt
 
 
 def test_many_threads_and_one_sensor(device):
@@ -98,12 +96,7 @@ try:
 except KeyboardInterrupt:
     print("interrupted")
 """
-    process = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    process.send_signal(signal.SIGINT)
-    answer, _ = process.communicate(timeout=120)
-    assert answer == "interrupted\n"
+    assert run_and_interrupt(text) == "interrupted\n"
 
 
 def resident():

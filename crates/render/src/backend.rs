@@ -2,20 +2,20 @@ use oaktwin_camera::LensModel;
 
 use crate::View;
 
-/// How to find out what a pixel sees.
+/// The visibility backend.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Backend {
-    /// Whichever suits the view.
+    /// The rasterizer for ideal pinholes, the ray caster for other lenses.
     #[default]
     Auto,
-    /// Triangles onto tiles of pixels; ideal pinholes only.
+    /// The rasterizer; ideal pinholes only.
     Raster,
-    /// Rays through a bounding volume hierarchy; every lens.
+    /// The ray caster; every lens.
     Ray,
 }
 
 impl Backend {
-    /// Itself, or what `Auto` stands for. A lens that bends rays is always cast.
+    /// Returns the backend that renders a view. Lenses with distortion are always ray cast.
     #[must_use]
     pub fn for_view(self, view: &View) -> Self {
         match (self, view.camera.lens) {

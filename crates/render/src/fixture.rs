@@ -17,7 +17,7 @@ pub(crate) fn view() -> View {
     }
 }
 
-/// The same with an equidistant fisheye: half the image's width is 1 rad.
+/// The same view with an equidistant fisheye: half the width of the image is 1 rad.
 pub(crate) fn fisheye() -> View {
     View {
         camera: Camera::new(
@@ -33,7 +33,7 @@ fn intrinsics() -> Intrinsics {
     Intrinsics::new(size, 100.0, 100.0, PixelPoint::<Usd>::new(100.0, 80.0))
 }
 
-/// Looks from `eye` to `target`; the world's −y is up in the image.
+/// A view from `eye` to `target`; the world's −y is up in the image.
 pub(crate) fn look_at(view: View, eye: DVec3, target: DVec3) -> View {
     let forward = (target - eye).normalize();
     let right = DVec3::Y.cross(forward).normalize();
@@ -81,12 +81,12 @@ pub(crate) fn cube() -> Mesh {
     }
 }
 
-/// A mesh that stands where its numbers say.
+/// Adds a mesh without a transform.
 pub(crate) fn placed(scene: &mut Scene, path: &str, mesh: Mesh) {
     placed_at(scene, path, mesh, DAffine3::IDENTITY, &[]);
 }
 
-/// A mesh with a place and labels, each of them a prim, a taxonomy and a name.
+/// Adds a mesh with a transform and labels; each label is a prim, a taxonomy and a name.
 pub(crate) fn placed_at(
     scene: &mut Scene,
     path: &str,

@@ -1,7 +1,7 @@
 //! Ground truth from a scene, on a CPU.
 //!
-//! A [`View`] says what a camera sees from where. Two backends find out what each pixel sees, and must agree: a
-//! rasterizer for ideal pinholes, a ray caster for every lens.
+//! A [`View`] is a camera with a pose and a clipping range. Two backends, which must agree, find the surface in each pixel: a
+//! rasterizer for ideal pinholes and a ray caster for every lens.
 
 mod annotate;
 mod backend;

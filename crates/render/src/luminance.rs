@@ -2,25 +2,24 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth};
 
 use crate::rays::Rays;
-use crate::shade::{Beam, Corners, Sight, corners_of};
+use crate::shade::{Beam, Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View};
 
-/// Light on a sensor, linear: 1 is what a white diffuse surface in the scene's typical light sends.
+/// Linear luminance on a sensor; 1 is a white diffuse surface in the scene's typical light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Luminance {
-    /// Of the scene's own lights: Rec. 709 luminance, without a tone curve. 0 where the lens sees nothing.
+    /// The Rec. 709 luminance from the scene's own lights, without a tone curve; 0 where the lens has no ray.
     pub scene: Image<f32>,
-    /// What a beam adds, where there is one.
+    /// The luminance that the beam adds, if there is one.
     pub beam: Option<Image<f32>>,
-    /// Metres along the optical axis, `+inf` for a miss.
+    /// Z-depth in metres, `+inf` for a miss.
     pub z: ZDepth,
 }
 
 impl Renderer {
-    /// The light that a view's pixels collect; the findings are what the picture had to do without.
+    /// Renders the luminance of a view's pixels; the findings are textures that cannot be shown.
     ///
-    /// Outlines are smooth in the scene's light. A beam is seen as far as diffuse surfaces reflect it, once; it casts
-    /// shadows.
+    /// Outlines are antialiased in the scene's light. A beam casts shadows and is reflected once, by diffuse surfaces only.
     #[must_use]
     pub fn luminance(
         &self,
@@ -34,17 +33,17 @@ impl Renderer {
             rays: Rays::new(&corner_view),
             seen: self.visibility(&corner_view, backend),
         };
-        let sight = Sight {
+        let input = ShadingInput {
             scene: self.scene(),
             caster: self.ray_caster(),
             view,
             rays: &Rays::new(view),
             seen: &seen,
         };
-        let (greys, findings) = self.shader().luminance(sight, Some(&corners), beam);
+        let (parts, findings) = self.shader().luminance(input, Some(&corners), beam);
         let found = Luminance {
-            scene: greys.scene,
-            beam: greys.beam,
+            scene: parts.scene,
+            beam: parts.beam,
             z: seen.z,
         };
         (found, findings)
@@ -62,7 +61,7 @@ mod tests {
     use super::*;
     use crate::{AnnotateOptions, BeamPattern, fixture};
 
-    /// As bright everywhere, within a cone.
+    /// A cone of uniform luminance.
     struct Spot {
         luminance: f32,
         radius: f32,
@@ -104,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_the_light_of_the_colours_before_the_tone_curve() {
+    fn luminance_equals_the_colours_before_the_tone_curve() {
         let renderer = Renderer::new(room());
         let view = fixture::view();
         let (light, findings) = renderer.luminance(&view, Backend::Auto, None);
@@ -116,7 +115,7 @@ mod tests {
         let rgb = frame.rgb.unwrap();
         let mut compared = 0;
         for (pixel, light) in rgb.pixels().iter().zip(light.scene.pixels()) {
-            // 0.8 is white in typical light; up to 0.6 the curve changes nothing.
+            // 0.8 is white in typical light; up to 0.6 the tone curve is the identity.
             let [r, g, b] = [0, 1, 2].map(|i| table[usize::from(pixel[i])]);
             let expected = 0.2126 * r + 0.7152 * g + 0.0722 * b;
             if expected < 0.5 {
@@ -128,10 +127,9 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_falls_with_the_square_of_the_distance_and_with_the_angle_and_is_blocked() {
+    fn a_beam_falls_off_with_distance_and_angle_and_casts_shadows() {
         let renderer = Renderer::new(room());
         let place = DVec3::new(-0.5, 0.1, 0.0);
-        // Turned a little.
         let rotation = DMat3::from_rotation_y(0.2);
         let spot = Spot {
             luminance: 2.0,

@@ -5,15 +5,15 @@ use rayon::prelude::*;
 
 use crate::View;
 
-/// The rays of a view's pixels in the camera's frame: of length 1 along the optical axis where the view is clipped along
-/// it, else of length 1. So what is `t` such lengths away is clipped by `t`, and for a pinhole `t` is the depth.
+/// The rays of a view's pixels in the camera frame: with z = 1 where the view is clipped along the optical axis, else of
+/// length 1. A point at `t` times the ray is clipped by `t`, which is the z-depth for a pinhole.
 #[derive(Debug)]
 pub(crate) struct Rays<'a> {
     view: &'a View,
     along_axis: bool,
-    /// Where there is a lens: one column and one row more than the image has; NaN where the lens sees nothing.
+    /// For lenses with distortion: one column and one row more than the image has; NaN where the lens has no ray.
     table: Option<Image<DVec3>>,
-    /// Where there is none: from one pixel's ray to the next one's to the right, and below.
+    /// For ideal pinholes: the difference from a pixel's ray to that of the next pixel to the right, and below.
     steps: [DVec3; 2],
 }
 
@@ -44,12 +44,12 @@ impl<'a> Rays<'a> {
         rays
     }
 
-    /// Whether all of them look forward, so that their lengths are measured along the optical axis.
+    /// Whether all rays have z = 1.
     pub(crate) fn are_along_axis(&self) -> bool {
         self.along_axis
     }
 
-    /// Through the centre of a pixel, which may be one to the right of or below the image.
+    /// Returns the ray through the centre of a pixel, which may be one to the right of the image or below it.
     #[inline]
     pub(crate) fn centre(&self, x: u32, y: u32) -> Option<DVec3> {
         match &self.table {
@@ -61,7 +61,7 @@ impl<'a> Rays<'a> {
         }
     }
 
-    /// Those of the pixels to the right and below of one that has such a ray.
+    /// Returns the rays of the pixels to the right of and below a pixel with the given ray.
     #[inline]
     pub(crate) fn next(&self, x: u32, y: u32, ray: DVec3) -> [Option<DVec3>; 2] {
         match &self.table {
@@ -70,7 +70,7 @@ impl<'a> Rays<'a> {
         }
     }
 
-    /// Through any place of the image, px, the first pixel's centre being at 0.5.
+    /// Returns the ray through a point of the image in pixels; the centre of the first pixel is at 0.5.
     pub(crate) fn through(&self, [x, y]: [f64; 2]) -> Option<DVec3> {
         let ray = self.view.camera.unproject(PixelPoint::<Usd>::new(x, y))?;
         Some(if self.along_axis { ray / ray.z } else { ray })

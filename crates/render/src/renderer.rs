@@ -9,9 +9,9 @@ use crate::ray::RayCaster;
 use crate::shade::Shader;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
-/// A scene made ready to be rendered any number of times, from any number of threads.
+/// A scene that can be rendered any number of times, from any number of threads.
 ///
-/// What a backend needs of its own is made when it is first used.
+/// The data structures of a backend are built when it is first used.
 #[derive(Debug)]
 pub struct Renderer {
     scene: Scene,
@@ -22,7 +22,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// For this scene.
+    /// Creates a renderer of a scene.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
         Self {
@@ -34,13 +34,13 @@ impl Renderer {
         }
     }
 
-    /// The scene.
+    /// Returns the scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The distance of what each pixel sees, along the optical axis, metres; `+inf` for a miss.
+    /// Renders the z-depth of each pixel in metres; `+inf` for a miss.
     #[must_use]
     pub fn depth(&self, view: &View, backend: Backend) -> ZDepth {
         match backend.for_view(view) {
@@ -49,7 +49,7 @@ impl Renderer {
         }
     }
 
-    /// What each pixel sees.
+    /// Renders the visible triangle and the z-depth of each pixel.
     #[must_use]
     pub fn visibility(&self, view: &View, backend: Backend) -> Visibility {
         match backend.for_view(view) {
@@ -58,14 +58,14 @@ impl Renderer {
         }
     }
 
-    /// The nearest triangle on each ray, both its ends included, and how far that is, in lengths of the ray's
-    /// direction; of equally near ones the first. `None` for a miss.
+    /// Finds the nearest triangle on each ray, both ends included, and its distance in lengths of the ray's direction; of
+    /// equally near triangles the first in the scene. `None` for a miss.
     #[must_use]
     pub fn cast_rays(&self, rays: &[Ray]) -> Vec<Option<(f64, Hit)>> {
         self.ray_caster().cast_all(&self.scene, rays)
     }
 
-    /// Whether anything lies on each ray between its ends, which do not count.
+    /// Tests whether anything lies on each ray between its ends, both excluded.
     #[must_use]
     pub fn occluded(&self, rays: &[Ray]) -> Vec<bool> {
         self.ray_caster().are_occluded(&self.scene, rays)
@@ -73,17 +73,17 @@ impl Renderer {
 
     pub(crate) fn rasterizer(&self) -> &Rasterizer {
         self.rasterizer
-            .get_or_init(|| apart(|| Rasterizer::new(&self.scene)))
+            .get_or_init(|| in_own_pool(|| Rasterizer::new(&self.scene)))
     }
 
     pub(crate) fn ray_caster(&self) -> &RayCaster {
         self.ray_caster
-            .get_or_init(|| apart(|| RayCaster::new(&self.scene)))
+            .get_or_init(|| in_own_pool(|| RayCaster::new(&self.scene)))
     }
 
     pub(crate) fn shader(&self) -> &Shader {
         self.shader
-            .get_or_init(|| apart(|| Shader::new(&self.scene, self.ray_caster())))
+            .get_or_init(|| in_own_pool(|| Shader::new(&self.scene, self.ray_caster())))
     }
 
     pub(crate) fn semantics(&self) -> &Semantics {
@@ -91,9 +91,9 @@ impl Renderer {
     }
 }
 
-/// Makes something with threads of its own, as many as the caller's. A caller that waited in its own pool would take up
-/// other work meanwhile, which may need what is being made: it would wait for itself.
-fn apart<T: Send>(make: impl FnOnce() -> T + Send) -> T {
+/// Runs a constructor in a new thread pool of the current size. A caller that waits in its own pool would steal other tasks
+/// meanwhile, and one of them may need the result: a deadlock.
+fn in_own_pool<T: Send>(make: impl FnOnce() -> T + Send) -> T {
     let threads = rayon::current_num_threads();
     let made = std::thread::scope(|scope| {
         let maker = scope.spawn(

@@ -1,47 +1,47 @@
 use oaktwin_camera::math::DAffine3;
 use oaktwin_camera::{Camera, LensModel, RigidTransform};
 
-/// A camera that stands somewhere: all that decides which ray belongs to a pixel.
+/// A camera with a pose: everything that determines the ray of a pixel.
 ///
 /// Pixel `(x, y)`, counted from 0 at the upper left, sees along the ray through its centre, `(x + 0.5, y + 0.5)` in
 /// the [`Usd`](oaktwin_camera::Usd) convention.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Intrinsics, which also say the image's size, and the lens.
+    /// The intrinsics, which include the size of the image, and the lens.
     pub camera: Camera,
-    /// Where it stands; the camera's axes are `OpenCV`'s, lengths metres.
+    /// The camera pose in metres; the camera's axes are those of `OpenCV`.
     pub world_from_camera: RigidTransform,
-    /// What is seen of the depth.
+    /// The clipping range.
     pub clip: Clip,
 }
 
 impl View {
-    /// From the world into the camera's frame.
+    /// Returns the transform from the world into the camera frame.
     #[must_use]
     pub fn camera_from_world(&self) -> DAffine3 {
         let inverse = self.world_from_camera.inverse();
         DAffine3::from_mat3_translation(inverse.rotation, inverse.translation)
     }
 
-    /// Whether [`Clip`] is measured along the optical axis; else along the ray.
+    /// Whether [`Clip`] is measured along the optical axis rather than along the ray.
     #[must_use]
     pub fn clips_along_axis(&self) -> bool {
         matches!(self.camera.lens, LensModel::Pinhole | LensModel::OpenCvPinhole(_))
     }
 }
 
-/// The part of space that is seen, metres along the optical axis; along the ray for lenses that see sideways
-/// (fisheye and f-theta). What lies outside is as if it was not there.
+/// The clipping range in metres along the optical axis, or along the ray for lenses that see sideways (fisheye and f-theta).
+/// Surfaces outside it are not rendered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip {
-    /// From here on, positive.
+    /// The near distance, positive.
     pub near_m: f64,
-    /// Up to here; may be infinite.
+    /// The far distance, which may be infinite.
     pub far_m: f64,
 }
 
 impl Default for Clip {
-    /// Isaac Sim's own: 1 cm to 10 000 km.
+    /// Returns Isaac Sim's default: 1 cm to 10 000 km.
     fn default() -> Self {
         Self {
             near_m: 0.01,

@@ -1,31 +1,31 @@
 use oaktwin_image::{Image, ZDepth};
 
-/// What each pixel of a view sees.
+/// The visible surface of each pixel of a view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visibility {
-    /// Metres along the optical axis, `+inf` for a miss.
+    /// Z-depth in metres, `+inf` for a miss.
     pub z: ZDepth,
-    /// Which triangle.
+    /// The visible triangles.
     pub hits: Image<Hit>,
 }
 
-/// A triangle of an instance, or nothing, in the scene's order; nothing comes last.
+/// A triangle of an instance, or a miss. Hits are ordered as in the scene; a miss comes last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Hit {
-    /// Into the scene's instances; `u32::MAX` for a miss.
+    /// The index of the instance in the scene; `u32::MAX` for a miss.
     pub instance: u32,
-    /// Into its mesh's triangles; `u32::MAX` for a miss.
+    /// The index of the triangle in the mesh; `u32::MAX` for a miss.
     pub triangle: u32,
 }
 
 impl Hit {
-    /// The ray ends nowhere.
+    /// A ray that hits nothing.
     pub const MISS: Self = Self {
         instance: u32::MAX,
         triangle: u32::MAX,
     };
 
-    /// Whether the ray ends nowhere.
+    /// Whether the ray hits nothing.
     #[must_use]
     pub const fn is_miss(self) -> bool {
         self.instance == u32::MAX

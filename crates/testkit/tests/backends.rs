@@ -33,7 +33,7 @@ fn backends_see_what_the_reference_sees() {
 
 #[test]
 #[ignore = "slow: many more scenes"]
-fn backends_see_what_the_reference_sees_in_many_scenes() {
+fn slow_backends_agree_with_the_reference_in_many_scenes() {
     check_seeds(2..60);
 }
 

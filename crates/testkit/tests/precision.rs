@@ -19,7 +19,7 @@ fn depth_is_exact_to_float32() {
 
 #[test]
 #[ignore = "slow: many more surfaces"]
-fn depth_is_exact_to_float32_on_many_surfaces() {
+fn slow_depth_is_exact_to_float32_on_many_surfaces() {
     check_seeds(150..6000);
 }
 

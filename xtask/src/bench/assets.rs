@@ -1,4 +1,4 @@
-//! All five assets: by the library, by the program, and by Python with OpenUSD, taken in turns.
+//! Writing all five assets with the library, the program, and OpenUSD in Python, in turns.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -14,12 +14,12 @@ pub(crate) struct Args {
     /// Print the medians and ratios as JSON
     #[arg(long)]
     json: bool,
-    /// How often each is measured
+    /// Number of rounds
     #[arg(long, default_value_t = 15)]
     rounds: u32,
 }
 
-/// How often a process that excludes its own start repeats the work; the first is left out as its warm-up.
+/// Repetitions in a process that excludes its own start; the first is its warm-up.
 const RUNS_IN_PROCESS: usize = 20;
 
 /// The programs measured.
@@ -37,7 +37,7 @@ struct Medians {
     python_whole: f64,
 }
 
-/// Measures and prints.
+/// Runs the benchmark and prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let contestants = Contestants::build()?;
     let folder = workspace::target().join("bench-assets");
@@ -74,7 +74,7 @@ impl Contestants {
         })
     }
 
-    /// One of each in every round, so that a machine that slows down slows all of them down.
+    /// Runs each program once per round, so that a change of the machine's speed affects all of them.
     fn measure(&self, rounds: u32, folder: &Path) -> Result<Medians, String> {
         let (mut library, mut program) = (Vec::new(), Vec::new());
         let (mut python_inside, mut python_whole) = (Vec::new(), Vec::new());
@@ -154,7 +154,7 @@ fn whole(command: &mut Command) -> Result<f64, String> {
     Ok(start.elapsed().as_secs_f64())
 }
 
-/// The median of what a process says that each of its runs took: one number of seconds a line, the first a warm-up.
+/// Returns the median of the times that a process prints, one per line in seconds; the first is its warm-up.
 fn inside(command: &mut Command) -> Result<f64, String> {
     let text = output(command.arg(RUNS_IN_PROCESS.to_string()))?;
     let times: Vec<f64> = text

@@ -1,4 +1,4 @@
-//! The sensor models and filters, against the same steps in NumPy and against DepthAI's own filters.
+//! The engines and filters, compared with NumPy implementations and DepthAI's own filters.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,21 +13,21 @@ use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// How often everybody takes a turn
+    /// Number of rounds
     #[arg(long, default_value_t = 3)]
     rounds: usize,
-    /// Frames of a turn
+    /// Frames per turn
     #[arg(long, default_value_t = 20)]
     frames: usize,
-    /// Only cases with this in their name
+    /// Run only cases whose name contains this
     #[arg(long, default_value = "")]
     case: String,
-    /// Leave NumPy and DepthAI out
+    /// Skip NumPy and DepthAI
     #[arg(long)]
     no_python: bool,
 }
 
-/// A case of ours on so many threads, or of a peer.
+/// One of our cases on a number of threads, or a peer's.
 #[derive(Default)]
 struct Case {
     by_threads: BTreeMap<u64, Times>,
@@ -38,7 +38,7 @@ struct Case {
 
 const THREADS: [u64; 2] = [1, 2];
 
-/// Measures and prints.
+/// Runs the benchmark and prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let own = program("depth-bench")?;
     let folder = workspace::target().join("bench-depth");
@@ -99,7 +99,7 @@ fn own_lines(own: &Path, args: &Args, threads: u64) -> Result<Vec<Value>, String
     Ok(lines(&output(&mut command)?))
 }
 
-/// Copying, read and written together.
+/// The bandwidth of copying memory, reads and writes together.
 fn print_bandwidth(bandwidths: BTreeMap<u64, Vec<f64>>) {
     for (threads, values) in bandwidths {
         let least = 8.0 * 1280.0 * 800.0;

@@ -1,4 +1,4 @@
-//! Opening USD stages, against OpenUSD in Python; then what colour costs beside depth.
+//! Opening USD stages, compared with OpenUSD in Python; then the cost of colour relative to depth.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,19 +12,19 @@ use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// How often each stage is opened, in turns
+    /// Number of rounds
     #[arg(long, default_value_t = 5)]
     rounds: usize,
 }
 
-/// A stage, and how many frames of it are rendered afterwards.
+/// A stage, and the number of its frames to render afterwards.
 struct Stage {
     title: &'static str,
     file: PathBuf,
     frames: usize,
 }
 
-/// Who opens, and how often in a process: the first time is its warm-up.
+/// A program that opens stages, and its repetitions per process; the first is its warm-up.
 struct Loaders {
     own: PathBuf,
     peer: Script,
@@ -32,7 +32,7 @@ struct Loaders {
 
 const OPENINGS: usize = 3;
 
-/// Measures and prints.
+/// Runs the benchmark and prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let package = ["--release", "--package", "oaktwin-testkit"];
     let loaders = Loaders {
@@ -83,7 +83,7 @@ fn stages(folder: &Path) -> Vec<Stage> {
 }
 
 impl Loaders {
-    /// Opens a stage in turns, prints the row; what the last round rendered.
+    /// Opens a stage in turns, prints its row, and returns what the last round rendered.
     fn compare(&self, stage: &Stage, rounds: usize) -> Result<Vec<Value>, String> {
         let mut own = Times::default();
         let mut peers = ["triangles", "arrays"].map(|what| (what, Times::default()));
@@ -123,7 +123,7 @@ impl Loaders {
     }
 }
 
-/// Colour beside depth, the same view in turns.
+/// Compares colour with depth for the same view, in turns.
 fn print_frames(frames: &[Value]) {
     if frames.is_empty() {
         return;

@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: this project beside a peer, in one run, as ratios.
+//! `cargo xtask bench`: compares speed with peers in one run, as ratios.
 
 mod assets;
 mod depth;
@@ -10,18 +10,18 @@ mod turns;
 
 #[derive(clap::Subcommand)]
 pub(crate) enum Bench {
-    /// Writing all five assets, against a Python script that does it with OpenUSD
+    /// Writing all five assets, compared with a Python script that uses OpenUSD
     Assets(assets::Args),
-    /// Depth frames, against Embree, Open3D and Mitsuba; `--help` lists what more it takes
+    /// Depth frames, compared with Embree, Open3D and Mitsuba
     #[command(disable_help_flag = true)]
     Render(render::Args),
-    /// The sensor models and DepthAI's filters, against NumPy and DepthAI
+    /// The engines and filters, compared with NumPy and DepthAI
     Depth(depth::Args),
-    /// The stereo matcher, against OpenCV's
+    /// The stereo matcher, compared with OpenCV's
     Stereo(stereo::Args),
-    /// Opening USD stages, against OpenUSD in Python; then what colour costs beside depth
+    /// Opening USD stages, compared with OpenUSD in Python; then the cost of colour relative to depth
     Load(load::Args),
-    /// The Python package's calls, against noise of one's own in NumPy
+    /// Calls of the Python package, compared with noise written in NumPy
     Python(python::Args),
 }
 

@@ -1,4 +1,4 @@
-//! What a call from Python costs.
+//! The cost of calls from Python.
 
 use std::process::Command;
 
@@ -7,15 +7,15 @@ use crate::workspace::{self, check};
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// How often everybody takes a turn
+    /// Number of rounds
     #[arg(long, default_value_t = 7)]
     rounds: usize,
-    /// The profile that cargo builds the package with
+    /// Cargo profile of the package
     #[arg(long, default_value = "release")]
     profile: String,
 }
 
-/// Measures and prints.
+/// Runs the benchmark and prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let python = PEERS.ready()?;
     install_wheel(&python, &build_wheel(&python, &args.profile)?)?;

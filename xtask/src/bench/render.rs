@@ -1,4 +1,4 @@
-//! Depth frames: what the program `render-bench` needs is built and fetched, then it runs.
+//! Depth frames: prepares the data and environments of `render-bench` and runs it.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -9,12 +9,12 @@ use crate::workspace::{self, check, output};
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Passed on to render-bench
+    /// Arguments of render-bench; `--help` lists them
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     arguments: Vec<String>,
 }
 
-/// Prepares and runs it; what cannot be prepared is named and left out.
+/// Prepares and runs the benchmark, and reports what it has to skip.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let program = program("render-bench")?;
     if args.arguments.iter().any(|word| word == "--help" || word == "-h") {
@@ -32,7 +32,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     )
 }
 
-/// The Python environment, and the chess set's triangles as OpenUSD extracts them.
+/// Returns the Python environment, and the triangles of the chess set as extracted by OpenUSD.
 fn prepare() -> Result<(), String> {
     let script = Script::new(&RENDER, "extract_triangles.py")?;
     let data = std::env::var_os("OAKTWIN_TEST_DATA").ok_or("the chess set: OAKTWIN_TEST_DATA is not set")?;

@@ -1,4 +1,4 @@
-//! The stereo matcher against OpenCV's semi-global matching, on one thread and on two.
+//! The stereo matcher, compared with OpenCV's semi-global matching on one and two threads.
 
 use std::collections::BTreeMap;
 use std::process::Command;
@@ -9,18 +9,18 @@ use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// How often everybody takes a turn
+    /// Number of rounds
     #[arg(long, default_value_t = 3)]
     rounds: usize,
-    /// Frames of a turn
+    /// Frames per turn
     #[arg(long, default_value_t = 10)]
     frames: usize,
-    /// Leave OpenCV out
+    /// Skip OpenCV
     #[arg(long)]
     no_python: bool,
 }
 
-/// Our cases: what they are called, and what is set.
+/// Our cases: their names and parameters.
 const CASES: [(&str, &[&str]); 5] = [
     ("8 paths", &["paths=8"]),
     ("5 paths", &["paths=5"]),
@@ -34,7 +34,7 @@ const CASES: [(&str, &[&str]); 5] = [
 
 const THREADS: [&str; 2] = ["1", "2"];
 
-/// Measures and prints.
+/// Runs the benchmark and prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let own = program("stereo-bench")?;
     let folder = workspace::target().join("bench-stereo");
@@ -91,7 +91,7 @@ fn take<'a>(
     }
 }
 
-/// What everything is compared with.
+/// The peer that defines the ratios.
 const PEER: &str = "OpenCV, 8 paths";
 
 fn print(names: &[String], all: BTreeMap<(String, &str), Times>) {

@@ -1,4 +1,4 @@
-//! Who takes turns, and what they say of them: lines of JSON.
+//! The programs that take turns, and the lines of JSON in which they report their times.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -9,8 +9,8 @@ use super::median;
 use crate::python::{self, Environment};
 use crate::workspace;
 
-/// A program of ours that measures, optimized. The rest of the workspace is not built with it: reading USD takes minutes
-/// to compile.
+/// Builds one of our benchmark programs with optimizations, without the rest of the workspace, which takes minutes to
+/// compile.
 pub(super) fn program(name: &str) -> Result<PathBuf, String> {
     let package = [
         "--release",
@@ -21,14 +21,14 @@ pub(super) fn program(name: &str) -> Result<PathBuf, String> {
     workspace::build_program(name, &package)
 }
 
-/// A script among the oracles, and the Python that runs it.
+/// A script of the oracles and the Python that runs it.
 pub(super) struct Script {
     python: PathBuf,
     script: PathBuf,
 }
 
 impl Script {
-    /// In an environment, which is made where it is not there.
+    /// Returns the script run in an environment, which is created if it is missing.
     pub(super) fn new(environment: &Environment, name: &str) -> Result<Self, String> {
         Ok(Self {
             python: environment.ready()?,
@@ -36,7 +36,7 @@ impl Script {
         })
     }
 
-    /// To be run, with the arguments that follow.
+    /// Returns the command, to which arguments are added.
     pub(super) fn command(&self) -> Command {
         let mut command = python::isolated(&self.python);
         command.arg(&self.script);
@@ -44,7 +44,7 @@ impl Script {
     }
 }
 
-/// Seconds a frame by the clock and of processor time, and the most memory.
+/// Elapsed and processor time per frame in seconds, and peak memory.
 #[derive(Default)]
 pub(super) struct Times {
     wall: Vec<f64>,
@@ -52,7 +52,7 @@ pub(super) struct Times {
     pub(super) peak_bytes: f64,
 }
 
-/// What a turn said.
+/// The measurements of one turn.
 pub(super) fn lines(text: &str) -> Vec<Value> {
     text.lines()
         .filter_map(|line| serde_json::from_str(line).ok())
@@ -60,7 +60,7 @@ pub(super) fn lines(text: &str) -> Vec<Value> {
 }
 
 impl Times {
-    /// Those of a line, one or many.
+    /// Reads the measurements in a line, one or several.
     pub(super) fn take(&mut self, line: &Value) {
         let numbers = |key: &str| match &line[key] {
             Value::Array(list) => list.iter().filter_map(Value::as_f64).collect(),
@@ -71,7 +71,7 @@ impl Times {
         self.peak_bytes = self.peak_bytes.max(line["peak_bytes"].as_f64().unwrap_or(0.0));
     }
 
-    /// By the clock, and of processor time.
+    /// Elapsed and processor time.
     pub(super) fn medians(self) -> (f64, f64) {
         (median(self.wall), median(self.cpu))
     }

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
 use oaktwin::depth::filter;
-use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
+use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::sensor::{ENGINES, EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
@@ -114,7 +114,8 @@ fn engine_parser() -> impl TypedValueParser<Value = &'static EngineKind> {
 }
 
 fn preset_help() -> String {
-    let stereo = |platform: Platform| format!("{}: {}", platform.name(), platform.presets().join(", "));
+    let stereo =
+        |platform: Platform| format!("{}: {}", platform.name(), Preset::names_on(platform).join(", "));
     format!(
         "A preset of DepthAI for the model's platform: the mode and the filters.\n{}.\n{}.\nTime of flight: {}",
         stereo(Platform::Rvc2),

@@ -211,3 +211,25 @@ fn a_users_catalog_adds_a_model_and_its_mistakes_have_lines() {
         );
     }
 }
+
+#[test]
+fn paths_that_look_like_options_are_unchanged() {
+    let program = Program::new();
+    fs::create_dir(program.path("run--time")).unwrap();
+    for arguments in [
+        &["render", "run--time/scene.usd"][..],
+        &[
+            "sense",
+            "run--time/with -o/scene.npy",
+            "--model",
+            "oak4-d",
+            "--input-kind",
+            "z",
+            "-o",
+            "out",
+        ],
+    ] {
+        let error = program.refused(arguments);
+        assert!(error.contains(arguments[1]), "{error}");
+    }
+}

@@ -1,8 +1,11 @@
 //! Runs the program in a folder of its own.
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 /// The calibration that ships with the project.
 pub(crate) const EXAMPLE: &str = concat!(
@@ -83,6 +86,31 @@ impl Program {
         ended.stderr
     }
 
+    /// Runs the program, interrupts it as soon as `is_time` holds, and returns how it ended.
+    #[cfg(unix)]
+    pub(crate) fn interrupted(&self, arguments: &[&str], is_time: impl Fn(&Self) -> bool) -> Ended {
+        let mut command = self.command(arguments);
+        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
+        let mut running = Running(child.unwrap());
+        running.wait_until(|child| {
+            assert_eq!(child.try_wait().unwrap(), None, "ended before it was interrupted");
+            is_time(self)
+        });
+        let id = running.0.id().to_string();
+        let kill = Command::new("kill").args(["-INT", &id]).status();
+        assert!(kill.unwrap().success());
+        running.wait_until(|child| child.try_wait().unwrap().is_some());
+        let [mut stdout, mut stderr] = [Vec::new(), Vec::new()];
+        running.0.stdout.take().unwrap().read_to_end(&mut stdout).unwrap();
+        running.0.stderr.take().unwrap().read_to_end(&mut stderr).unwrap();
+        let status = running.0.wait().unwrap();
+        self.ended(&Output {
+            status,
+            stdout,
+            stderr,
+        })
+    }
+
     /// Every file and folder below the folder.
     pub(crate) fn names(&self) -> Vec<String> {
         fn walk(folder: &Path, root: &Path, names: &mut Vec<String>) {
@@ -114,5 +142,29 @@ impl Program {
             stdout: text(&output.stdout),
             stderr: text(&output.stderr),
         }
+    }
+}
+
+/// A process that is killed when the test ends, however it ends.
+#[cfg(unix)]
+struct Running(Child);
+
+#[cfg(unix)]
+impl Running {
+    fn wait_until(&mut self, mut is_done: impl FnMut(&mut Child) -> bool) {
+        let deadline = Instant::now() + Duration::from_secs(120);
+        while !is_done(&mut self.0) {
+            assert!(Instant::now() < deadline, "the program hangs");
+            sleep(Duration::from_millis(5));
+        }
+    }
+}
+
+#[cfg(unix)]
+impl Drop for Running {
+    fn drop(&mut self) {
+        // Fails if it has ended, which is as good.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
     }
 }

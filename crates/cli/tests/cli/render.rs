@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::process::Stdio;
-use std::time::Duration;
 
 use oaktwin::image::npy;
 use serde_json::Value;
@@ -427,45 +426,15 @@ fn what_is_missing_is_told_and_refused_when_strict() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_leaves_whole_files_only() {
-    use std::os::unix::process::ExitStatusExt;
-    use std::process::Command;
-    use std::thread::sleep;
-
     let program = program();
     program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(200_000));
-    let mut child = program
-        .command(&[
-            "render",
-            "crate.obj",
-            "--model",
-            "oak4-d",
-            "--trajectory",
-            "long.txt",
-            "-o",
-            "out",
-            "--resolution",
-            "64x40",
-        ])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    while !program.path("out/distance_to_image_plane_0003.npy").exists() {
-        assert_eq!(child.try_wait().unwrap(), None, "ended before its fourth frame");
-        sleep(Duration::from_millis(5));
-    }
-    let id = child.id().to_string();
-    assert!(
-        Command::new("kill")
-            .args(["-INT", &id])
-            .status()
-            .unwrap()
-            .success()
-    );
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.signal(), None);
-    assert_eq!(output.status.code(), Some(130));
-    let message = String::from_utf8(output.stderr).unwrap();
+    let arguments = "render crate.obj --model oak4-d --trajectory long.txt -o out --resolution 64x40";
+    let arguments: Vec<&str> = arguments.split(' ').collect();
+    let ended = program.interrupted(&arguments, |program| {
+        program.path("out/distance_to_image_plane_0003.npy").exists()
+    });
+    let message = ended.stderr;
+    assert_eq!(ended.code, 130, "{message}");
     let frames: usize = message
         .strip_prefix("interrupted: ")
         .and_then(|rest| rest.split_once(" of 200000 frames are whole in out"))

@@ -219,8 +219,6 @@ fn small_vertical_offsets() {
 
 #[test]
 fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
-    use std::process::{Command, Stdio};
-    use std::{thread::sleep, time::Duration};
     let program = program();
     fs::create_dir(program.path("pairs")).unwrap();
     for side in ["left", "right"] {
@@ -230,22 +228,11 @@ fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
             fs::hard_link(&first, program.path(&format!("pairs/{side}_{i}.png"))).unwrap();
         }
     }
-    let mut child = program
-        .command(&stereo("pairs", "pairs", &[]))
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    while !program.path("out/depth_sensor_distance_2.npy").exists() {
-        assert_eq!(child.try_wait().unwrap(), None, "ended before its third pair");
-        sleep(Duration::from_millis(5));
-    }
-    let id = child.id().to_string();
-    let kill = Command::new("kill").args(["-INT", &id]).status();
-    assert!(kill.unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
-    let message = String::from_utf8(output.stderr).unwrap();
+    let ended = program.interrupted(&stereo("pairs", "pairs", &[]), |program| {
+        program.path("out/depth_sensor_distance_2.npy").exists()
+    });
+    let message = ended.stderr;
+    assert_eq!(ended.code, 130, "{message}");
     assert!(message.starts_with("interrupted: "), "{message}");
     let written: Vec<String> = program
         .names()

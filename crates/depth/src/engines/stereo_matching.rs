@@ -11,7 +11,7 @@ use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::stereo_matching::{NAMES, Parameters, StereoMatching, inspect, platform_of};
 use crate::{
-    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, ParameterError, Preset, Setup,
+    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, ParameterError, PresetConfig, Setup,
     Technology, stereo_noise,
 };
 
@@ -25,7 +25,7 @@ pub static STEREO_MATCHING: EngineKind = EngineKind {
     parameters: || [NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
     create: |setup: &Setup| {
         let mut parameters = Parameters::new(setup.platform, setup.stereo(), setup.width_px);
-        if let Some(Preset::Stereo(config)) = &setup.preset {
+        if let Some(PresetConfig::Stereo(config)) = &setup.preset {
             config.apply_to_matching(&mut parameters);
         }
         parameters.extended_disparity |= setup.extended_disparity;

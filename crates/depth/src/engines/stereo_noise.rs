@@ -7,9 +7,9 @@ use super::filters::{are_of_depth, run_on_disparity, run_on_metres};
 use crate::disparity::Subpixel;
 use crate::filter::{Chain, Filter};
 use crate::random::Stream;
-use crate::stereo_noise::{NAMES, Parameters, StereoNoise};
+use crate::stereo_noise::{Parameters, StereoNoise};
 use crate::{
-    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, Preset, Setup, Technology,
+    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup, Technology,
 };
 
 /// The parametric stereo error model: [`crate::stereo_noise`].
@@ -19,10 +19,10 @@ pub static STEREO_NOISE: EngineKind = EngineKind {
     input: EngineInput::Depth,
     models: Some(Technology::Stereo),
     is_default: true,
-    parameters: || NAMES.to_vec(),
+    parameters: Parameters::names,
     create: |setup: &Setup| {
         let mut parameters = Parameters::new(setup.stereo(), setup.width_px);
-        if let Some(Preset::Stereo(config)) = &setup.preset {
+        if let Some(PresetConfig::Stereo(config)) = &setup.preset {
             config.apply_to(&mut parameters);
         }
         parameters.extended_disparity = setup.extended_disparity;

@@ -6,9 +6,9 @@ use oaktwin_image::annotation::Annotator;
 use super::filters::run_on_metres;
 use crate::filter::Chain;
 use crate::random::Stream;
-use crate::time_of_flight::{NAMES, Parameters, TimeOfFlight};
+use crate::time_of_flight::{Parameters, TimeOfFlight};
 use crate::{
-    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, Preset, Setup, Technology,
+    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup, Technology,
 };
 
 /// The phase model of a time-of-flight camera: [`crate::time_of_flight`].
@@ -18,13 +18,13 @@ pub static TIME_OF_FLIGHT: EngineKind = EngineKind {
     input: EngineInput::Depth,
     models: Some(Technology::TimeOfFlight),
     is_default: true,
-    parameters: || NAMES.to_vec(),
+    parameters: Parameters::names,
     create: |setup: &Setup| {
         let mut parameters = Parameters {
             principal_point_px: setup.principal_point_px,
             ..Parameters::new(setup.focal_length_px, setup.width_px)
         };
-        if let Some(Preset::TimeOfFlight(config)) = &setup.preset {
+        if let Some(PresetConfig::TimeOfFlight(config)) = &setup.preset {
             config.apply_to(&mut parameters);
         }
         if let Some(seed) = setup.device_seed {

@@ -1,8 +1,8 @@
 use oaktwin_image::{Image, ImageView};
+use oaktwin_simd::Level;
 
 use super::temporal::Memory;
 use super::{Filter, Pixel};
-use crate::simd::Level;
 
 /// Filters in their order, with what they remember of earlier frames: of one camera, for one kind of pixel.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,5 @@
 use oaktwin_image::Image;
-
-use crate::simd::{self, Kernel, Level, whole};
+use oaktwin_simd::{self as simd, Kernel, Level, saturating_trunc};
 
 /// `DepthAI`'s `ToFDepthConfidenceFilter`, bit for bit as on a host: what is too dark for its distance is lost.
 ///
@@ -85,7 +84,7 @@ impl Kernel for Rows<'_> {
                 clippy::cast_sign_loss,
                 reason = "the lowest bits, as there"
             )]
-            let low = whole(confidence) as u16;
+            let low = saturating_trunc(confidence) as u16;
             *out = if nothing { u16::MAX } else { low };
             let confidence = if nothing { WITHOUT } else { confidence };
             *depth = if confidence < self.threshold { 0 } else { *depth };

@@ -1,8 +1,8 @@
 use oaktwin_image::Image;
+use oaktwin_simd::{Level, saturating_trunc};
 use rayon::prelude::*;
 
 use super::{Pixel, simd};
-use crate::simd::{Level, whole};
 
 /// `DecimationFilter`: makes the image smaller by a whole number; the values stay as they are.
 ///
@@ -160,7 +160,7 @@ fn mean<P: Pixel>(values: &[[P; LANES]]) -> [P; LANES] {
         let sum: f32 = values.iter().map(|lanes| Into::<f32>::into(lanes[lane])).sum();
         // Up to 16 values: the sum is exact, and the quotient no nearer to a whole number than it must be.
         let mean = sum / f32::from(counts[lane].max(1));
-        means[lane] = P::cut(whole(mean.floor()));
+        means[lane] = P::cut(saturating_trunc(mean.floor()));
     }
     means
 }

@@ -1,49 +1,8 @@
-//! The filters' inner loops as [`Kernel`]s, and numbers made pixels lane by lane.
+//! The filters' inner loops as [`Kernel`]s.
 
-#![allow(unsafe_code, reason = "numbers known to be in range are cut without a check")]
-
-use crate::simd::{Kernel, Level, run_at};
+use oaktwin_simd::{Kernel, Level, run_at};
 
 use super::{DecimationMode, Pixel, decimation, median, spatial, speckle, temporal};
-
-/// Two weights whose sum is 1, in `DepthAI`'s single precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Weight {
-    /// From 0 to 1.
-    alpha: f32,
-    /// From 0 to 1.
-    rest: f32,
-}
-
-impl Weight {
-    /// Of the first of two. What is not from 0 to 1 becomes the nearest that is, NaN 0.
-    pub(super) fn new(alpha: f32) -> Self {
-        let alpha = if alpha > 0.0 { alpha.min(1.0) } else { 0.0 };
-        Self {
-            alpha,
-            rest: 1.0 - alpha,
-        }
-    }
-
-    /// Mixes two; a half is rounded up.
-    #[inline(always)]
-    pub(super) fn mix_rounded<P: Pixel>(&self, first: P, second: P) -> P {
-        // SAFETY: as below, and at most 0.5 more.
-        P::cut(unsafe { (self.mix(first, second) + 0.5).to_int_unchecked() })
-    }
-
-    /// Mixes two and cuts off the fraction.
-    #[inline(always)]
-    pub(super) fn mix_truncated<P: Pixel>(&self, first: P, second: P) -> P {
-        // SAFETY: pixels are from 0 to 65 535 and weights from 0 to 1, so that the number is from 0 to 131 070.
-        P::cut(unsafe { self.mix(first, second).to_int_unchecked() })
-    }
-
-    #[inline(always)]
-    fn mix<P: Pixel>(&self, first: P, second: P) -> f32 {
-        Into::<f32>::into(first) * self.alpha + Into::<f32>::into(second) * self.rest
-    }
-}
 
 macro_rules! kernels {
     ($($(#[$doc:meta])* fn $name:ident<$rows:lifetime> = $body:path => ($($argument:ident: $type:ty),*);)*) => {$(

@@ -1,9 +1,9 @@
 use oaktwin_image::Image;
+use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd::{self, Weight};
-use crate::simd::Level;
+use super::simd;
 
 /// `SpatialFilter`: smooths along rows and columns, both ways, and stops at edges.
 ///
@@ -145,7 +145,7 @@ fn step<P: Pixel>(
         let (pixel, before, count) = (column[lane], before[lane], filled[lane]);
         let (begun, is_hole) = (before != zero, pixel <= hole);
         let distance = pixel.distance(before);
-        let mixed = settings.weight.mix_rounded(pixel, before);
+        let mixed = P::cut(settings.weight.mix_rounded(pixel.into(), before.into()));
         let is_mixed = begun & !is_hole & (distance >= least) & (distance <= settings.delta);
         let longer = count.next();
         let is_filled = begun & is_hole & (longer < settings.radius);
@@ -160,7 +160,7 @@ fn step<P: Pixel>(
 #[inline(always)]
 pub(super) fn down<P: Pixel>(settings: &Settings<P>, above: &[P], row: &mut [P]) {
     for (&above, pixel) in above.iter().zip(row) {
-        let mixed = settings.weight.mix_rounded(*pixel, above);
+        let mixed = P::cut(settings.weight.mix_rounded((*pixel).into(), above.into()));
         *pixel = if pixel.distance(above) < settings.delta {
             mixed
         } else {
@@ -174,7 +174,7 @@ pub(super) fn down<P: Pixel>(settings: &Settings<P>, above: &[P], row: &mut [P])
 pub(super) fn up<P: Pixel>(settings: &Settings<P>, below: &[P], row: &mut [P]) {
     let zero = P::default();
     for (&below, pixel) in below.iter().zip(row) {
-        let mixed = settings.weight.mix_rounded(*pixel, below);
+        let mixed = P::cut(settings.weight.mix_rounded((*pixel).into(), below.into()));
         let is_mixed = (*pixel != zero) & (below != zero) & (pixel.distance(below) < settings.delta);
         *pixel = if is_mixed { mixed } else { *pixel };
     }

@@ -1,7 +1,7 @@
 use oaktwin_image::Image;
+use oaktwin_simd::Level;
 
 use super::{Pixel, simd};
-use crate::simd::Level;
 
 /// `SpeckleFilter`: drops small patches of pixels that are alike.
 ///

@@ -1,9 +1,9 @@
 use oaktwin_image::Image;
+use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd::{self, Weight};
-use crate::simd::Level;
+use super::simd;
 
 /// `TemporalFilter`: smooths a pixel over the frames, and keeps a value that is gone for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -168,7 +168,7 @@ pub(super) fn update<P: Pixel>(settings: Settings<P>, pixels: &mut [P], last: &m
         let (is_new, was) = (new != zero, old != zero);
         let is_mixed = is_new & was & (new.distance(old) < settings.delta);
         let is_kept = !is_new & ((past & settings.recent).count_ones() >= settings.wanted);
-        let mixed = settings.weight.mix_truncated(new, old);
+        let mixed = P::cut(settings.weight.mix_truncated(new.into(), old.into()));
         let value = if is_mixed { mixed } else { new };
         *last = if is_new { value } else { old };
         // Where there was none, what is kept is 0.

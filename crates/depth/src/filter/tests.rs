@@ -1,9 +1,9 @@
 use oaktwin_image::Image;
+use oaktwin_simd::Level;
 use proptest::prelude::*;
 
 use super::temporal::Memory;
 use super::*;
-use crate::simd::Level;
 
 const MEDIANS: [Median; 3] = [Median::Kernel3x3, Median::Kernel5x5, Median::Kernel7x7];
 
@@ -130,7 +130,7 @@ proptest! {
             }
             out
         };
-        let baseline = run(Level::Baseline);
+        let baseline = run(Level::BASELINE);
         for level in Level::available() {
             prop_assert_eq!(&run(level), &baseline, "{:?}", level);
         }

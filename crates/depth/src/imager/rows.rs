@@ -2,12 +2,12 @@
 
 use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::ImageView;
+use oaktwin_simd::{self as simd, Kernel, saturating_trunc};
 use rayon::prelude::*;
 
 use super::blur::Blur;
 use super::{Exposure, Parameters};
 use crate::random::Plane;
-use crate::simd::{self, Kernel, whole};
 
 /// Rows that a thread takes at a time.
 const ROWS: usize = 16;
@@ -203,7 +203,7 @@ fn record<N: Number>(
         let electrons = electrons.min(rows.most_electrons);
         let noisy = electrons + (electrons + rows.read_variance).sqrt() * normal;
         let number = (noisy * rows.per_electron).max(0.0).min(rows.largest);
-        *out = N::of(whole(number + 0.5));
+        *out = N::of(saturating_trunc(number + 0.5));
     }
 }
 
@@ -213,7 +213,7 @@ mod tests {
 
     use super::*;
     use crate::random::{Stage, Stream};
-    use crate::simd::{Level, run_at};
+    use oaktwin_simd::{Level, run_at};
 
     #[test]
     fn all_instructions_make_the_same() {
@@ -242,7 +242,7 @@ mod tests {
             );
             out
         };
-        let baseline = with(Level::Baseline);
+        let baseline = with(Level::BASELINE);
         assert!(Level::available().iter().all(|&level| with(level) == baseline));
         assert!(baseline.iter().any(|&number| number > 100));
     }

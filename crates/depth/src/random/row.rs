@@ -1,9 +1,10 @@
 use std::marker::PhantomData;
 
+use oaktwin_simd::{self as simd, Kernel};
+
 use super::Plane;
 use super::normal::box_muller;
 use super::philox::{LANES, philox_lanes};
-use crate::simd::{self, Kernel};
 
 /// Words of [`LANES`] blocks.
 const GROUP: usize = 4 * LANES;

@@ -1,12 +1,12 @@
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{Camera, ImageSize, Intrinsics};
 use oaktwin_image::{Image, ImageView};
+use oaktwin_simd as simd;
 use rayon::prelude::*;
 
 use super::options::{EdgeFill, Method};
 use super::positions::positions;
 use super::rows::{Grey, Remap};
-use crate::simd;
 
 /// Fractional bits of a position.
 const BITS: u32 = 5;

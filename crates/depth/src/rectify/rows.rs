@@ -1,12 +1,12 @@
 //! Four pixels become one.
 
-use crate::simd::Kernel;
-
 /// A grey value: 8 or 16 bits.
 pub trait Grey: Copy + Default + Send + Sync + Sealed {
     /// Of 8 bits.
     fn from_u8(value: u8) -> Self;
 }
+
+use oaktwin_simd::Kernel;
 
 mod sealed {
     pub trait Sealed: Sized {

@@ -210,7 +210,7 @@ fn positions_between_and_beyond_pixels() {
 
 #[test]
 fn all_instructions_and_threads_make_the_same() {
-    use crate::simd::{Level, run_at};
+    use oaktwin_simd::{Level, run_at};
     let raw: Vec<u16> = (0..5000u32)
         .map(|i| (i.wrapping_mul(2_654_435_761) >> 16) as u16)
         .collect();
@@ -231,7 +231,7 @@ fn all_instructions_and_threads_make_the_same() {
         out
     };
     let levels = Level::available();
-    assert!(levels.iter().all(|&level| with(level) == with(Level::Baseline)));
+    assert!(levels.iter().all(|&level| with(level) == with(Level::BASELINE)));
 
     let (left, right, transform) = pair(SIZE, 572.0);
     let image = spot(SIZE, PixelPoint::new(300.0, 200.0));

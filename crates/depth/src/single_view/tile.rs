@@ -1,5 +1,7 @@
 //! All steps over some rows of an image.
 
+use oaktwin_simd::{self as simd, Kernel};
+
 use super::assumptions::{ConfidenceAt, Invalid};
 use super::confidence::{self, Texture};
 use super::outliers::{self, Validity};
@@ -10,7 +12,6 @@ use super::view;
 use super::warp::{self, Key, LANES, Row};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
-use crate::simd::{self, Kernel};
 
 /// Some rows of the outputs.
 #[derive(Debug)]

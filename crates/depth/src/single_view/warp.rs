@@ -1,9 +1,10 @@
 //! Samples of a row get their disparity and move by it.
 
+use oaktwin_simd as simd;
+
 use super::assumptions::TargetRounding;
 use super::plan::Plan;
 use crate::random::Plane;
-use crate::simd;
 
 /// What lands on a pixel: what is less wins.
 pub(super) trait Key: Copy + Ord {
@@ -222,7 +223,7 @@ impl Samples<'_> {
             // Not so where there is no sample.
             let is_near = shift.abs() <= limit;
             let column = (self.x + lane) as u32;
-            let shift = simd::whole(if is_near { shift } else { 0.0 });
+            let shift = simd::saturating_trunc(if is_near { shift } else { 0.0 });
             let target = column.wrapping_add(shift.cast_unsigned());
             let lands = is_near & (target < width);
             ranks[lane] = if lands {

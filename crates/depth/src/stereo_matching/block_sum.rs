@@ -1,6 +1,6 @@
 //! Sums of costs over blocks of pixels, in the narrowest numbers that hold them, and their means.
 
-use crate::simd;
+use oaktwin_simd as simd;
 
 /// Sums over the block's rows, candidates innermost, in the width that one matcher needs.
 #[derive(Clone, Debug, Default)]
@@ -89,5 +89,5 @@ sum!(u16, words, |sum, mean| {
 });
 sum!(u32, equations, |sum, mean| {
     let over = (sum + 4 * mean.area) as f32;
-    simd::whole(over / (8 * mean.area) as f32).cast_unsigned()
+    simd::saturating_trunc(over / (8 * mean.area) as f32).cast_unsigned()
 });

@@ -1,7 +1,8 @@
 //! The census transform: which pixels of a window are brighter than its mean, or than its middle.
 
+use oaktwin_simd::{self as simd, Kernel, Level};
+
 use super::plan::Plan;
-use crate::simd::{self, Kernel, Level};
 
 /// Columns that are added on either side of an image.
 const BORDER: usize = 8;

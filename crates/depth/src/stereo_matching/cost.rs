@@ -3,12 +3,13 @@
 //! A scan goes from row to row, and so do its blocks: of each pixel and candidate the sum over the block's rows is kept,
 //! to which the next row is added and from which the last one is taken away; along a row, columns likewise.
 
+use oaktwin_simd::{self as simd, Kernel};
+
 use super::block_sum::{BlockSum, Columns, Mean};
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
 use super::plan::{Plan, Raw, Zone};
 use super::scan::View;
-use crate::simd::{self, Kernel};
 
 /// The blocks of a scan's rows.
 #[derive(Clone, Debug, Default)]

@@ -127,7 +127,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             "unrelated",
             "stereo pair",
             "what is in the left image is not in the right one, or nearer than is searched".to_owned(),
-            "give the images of both cameras at one moment; for near things --extended-disparity",
+            "give both images of the same moment; for near objects enable the extended disparity",
         ));
     } else if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
         let to = if rows > 0 { "lower" } else { "higher" };

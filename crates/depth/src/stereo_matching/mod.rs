@@ -71,13 +71,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_image::{Image, ZDepth};
+use oaktwin_simd::Level;
 
 use self::census::Source;
 use self::pass::Workspace;
 use self::plan::Plan;
 use crate::ParameterError;
 use crate::disparity::{DepthTable, Fixed};
-use crate::simd::Level;
 
 /// The matcher, ready to look. Copies of it share the memory that they work in.
 #[derive(Clone)]

@@ -3,12 +3,13 @@
 //! Two scans go over the rows, one downward and one upward, on two threads. They meet in the middle, each leaving sums
 //! behind; then each adds to what the other has left, and finishes those rows. Sums are the same in whatever order.
 
+use oaktwin_simd::Level;
+
 use super::census::{Census, Source};
 use super::lanes::{Lane, Short};
 use super::plan::{Plan, Width};
 use super::rvc4;
 use super::scan::{Scan, View};
-use crate::simd::Level;
 
 /// Memory of a pass, kept for the next.
 #[derive(Clone, Debug, Default)]

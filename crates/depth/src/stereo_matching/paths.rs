@@ -3,8 +3,9 @@
 //! A path's cost of a candidate d at a pixel is L(d) = C(d) + min(L′(d), L′(d ± 1) + P1, min L′ + P2) − min L′, with L′ of
 //! the pixel before. What is kept of a pixel is L − min L, for 3 paths that come from the row before and one along the row.
 
+use oaktwin_simd::Kernel;
+
 use super::lanes::Lane;
-use crate::simd::Kernel;
 
 /// Paths that come from the row before: straight, from the pixel before, from the pixel after.
 pub(super) const FROM_ROW: usize = 3;

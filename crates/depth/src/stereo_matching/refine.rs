@@ -1,10 +1,11 @@
 //! Fractions of disparities, confidence, and what is lost.
 
+use oaktwin_simd::{self as simd, Kernel, Level};
+
 use super::parameters::Interpolation;
 use super::plan::Plan;
 use super::rvc4::{LOST, OCCLUDED};
 use super::select::Found;
-use crate::simd::{self, Kernel, Level};
 
 /// No candidate of the right image.
 pub(super) const NONE: u16 = u16::MAX;
@@ -182,7 +183,7 @@ impl Fractions<'_> {
             let second = f32::from(*second);
             let share = 255.0 * (second - c) / if second > 0.0 { second } else { 1.0 };
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
-            let share = simd::whole(share) as u8;
+            let share = simd::saturating_trunc(share) as u8;
             *confidence = share;
         }
     }

@@ -1,5 +1,7 @@
 //! A scan over the rows of an image, downward from left to right, or upward from right to left.
 
+use oaktwin_simd::{self as simd, Kernel, Level};
+
 use super::census::Census;
 use super::cost::Blocks;
 use super::lanes::Lane;
@@ -7,7 +9,6 @@ use super::paths::{FROM_ROW, Penalties, Row, Slots, Sums};
 use super::plan::{self, Plan};
 use super::refine::{self, NONE, Refined};
 use super::select::{Found, RightKeys, Select};
-use crate::simd::{self, Kernel, Level};
 
 /// What both scans look at.
 #[derive(Clone, Copy)]
@@ -231,7 +232,7 @@ impl<S: Lane> Kernel for Divide<'_, S> {
     #[inline(always)]
     fn run(self) {
         for sum in self.sums {
-            let quotient = simd::whole(f32::from(sum.wide()) / self.by);
+            let quotient = simd::saturating_trunc(f32::from(sum.wide()) / self.by);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "16 bits")]
             let quotient = quotient as u16;
             *sum = S::of(quotient);

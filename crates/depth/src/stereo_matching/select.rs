@@ -1,9 +1,10 @@
 //! The winner takes all: each pixel's candidate of the least sum, and each right pixel's.
 
+use oaktwin_simd::Kernel;
+
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
 use super::plan::{MOST, Plan, Zone};
-use crate::simd::Kernel;
 
 /// What is found in a row, for each pixel.
 #[derive(Clone, Debug, Default)]

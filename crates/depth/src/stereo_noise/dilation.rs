@@ -1,6 +1,6 @@
 //! Edge fattening: a matching window that reaches over an edge reports the near side.
 
-use crate::simd::{self, Kernel, Level};
+use oaktwin_simd::{self as simd, Kernel, Level};
 
 /// What reaches over an edge is this much nearer, px: less is the slope of a surface.
 const JUMP_PX: f32 = 1.0;

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use oaktwin_simd::{self as simd, Kernel, Level};
+
 use crate::random::{Plane, box_muller};
-use crate::simd::{self, Kernel, Level};
 
 /// What a pixel of the field holds: small whole numbers, so that sums are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! The steps of one row: loops that are compiled for each instruction set.
 
+use oaktwin_simd::Kernel;
+
 use super::scale::Scale;
-use crate::simd::Kernel;
 use crate::turns::sin_of_turns;
 
 /// Nearer than any range reaches: what is farther left is out of every image, and it stays finite.

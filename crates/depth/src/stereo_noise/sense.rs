@@ -1,6 +1,7 @@
 //! All steps of an image, a strip of a few rows after the other, in memory that stays near the processor.
 
 use oaktwin_image::ImageView;
+use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use super::StereoNoise;
@@ -13,7 +14,6 @@ use super::texture::{GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
-use crate::simd::{self, Level};
 
 /// Rows that one thread works on. The first has to sum up the windows of the rows before.
 const BAND: usize = 64;

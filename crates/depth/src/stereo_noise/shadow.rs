@@ -5,7 +5,7 @@
 //! it (the running minimum of x − d from the right), and is hidden where that something covers its very place, so that
 //! a wall between a thin pole and the pole's shadow stays visible.
 
-use crate::simd::{self, Kernel, Level};
+use oaktwin_simd::{self as simd, Kernel, Level};
 
 /// Pixels that are looked at together.
 pub(super) const BLOCK: usize = 16;

@@ -6,9 +6,9 @@
 //! face is dropped, brick and wood are kept.
 
 use oaktwin_image::ImageView;
+use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::window::{WindowSum, field_width};
-use crate::simd::{self, Kernel, Level};
 
 /// Confidence a grey level.
 pub(super) const GAIN: u32 = 128;

@@ -1,6 +1,6 @@
 //! Sums over a square window that slides down an image of small whole numbers, exactly.
 
-use crate::simd::Kernel;
+use oaktwin_simd::Kernel;
 
 /// The last `side` rows of a field, `side − 1` columns wider than the image, and what each column of them sums to.
 #[derive(Clone, Debug, Default)]
@@ -120,7 +120,7 @@ fn sum_block<const N: usize>(columns: &[u16], start: usize, side: usize, out: &m
 mod tests {
     use super::*;
     use crate::random::philox4x32_10;
-    use crate::simd::{self, Level};
+    use oaktwin_simd::{self as simd, Level};
     use proptest::prelude::*;
 
     #[expect(clippy::cast_possible_truncation, reason = "small numbers")]

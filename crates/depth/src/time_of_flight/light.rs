@@ -1,6 +1,7 @@
 //! The light that comes back: a row of depth becomes a row of phasors.
 
-use crate::simd::Kernel;
+use oaktwin_simd::Kernel;
+
 use crate::turns::{fraction, sin_of_turns};
 
 /// What is farther away is no surface: 10 km.

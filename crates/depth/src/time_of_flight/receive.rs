@@ -1,8 +1,9 @@
 //! What the sensor makes of the light: samples, phases, distances.
 
+use oaktwin_simd::Kernel;
+
 use super::unwrap::Unwrapping;
 use crate::random::box_muller;
-use crate::simd::Kernel;
 use crate::turns::angle_in_turns;
 
 /// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds,

@@ -1,6 +1,7 @@
 //! All steps of an image, one row after the other, in memory that stays near the processor.
 
 use oaktwin_image::ImageView;
+use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
@@ -11,7 +12,6 @@ use super::{Output, TimeOfFlight};
 use crate::Shot;
 use crate::filter::DepthConfidence;
 use crate::random::{Plane, Stage, Stream};
-use crate::simd::{self, Level};
 
 /// Rows that one thread works on. The first and the last need those beyond.
 const BAND: usize = 48;

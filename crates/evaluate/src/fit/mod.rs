@@ -54,7 +54,7 @@ use method::{Fitted, Method};
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_depth::stereo_noise::StereoNoise;
 use oaktwin_depth::time_of_flight::TimeOfFlight;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message};
 use oaktwin_files::FileError;
 use oaktwin_pipeline::sensor::{
     ParameterError, SensorOptions, Technology, default_engine, depth_sensor, sensor,
@@ -111,7 +111,7 @@ pub enum FitError {
     Accuracy(#[from] AccuracyError),
     /// An option or recording that cannot be: `WHAT: what is wrong; what to do`.
     #[error("{0}")]
-    Option(String),
+    Option(Message),
     /// Whoever watched wanted no more.
     #[error("interrupted; nothing was fitted")]
     Interrupted,
@@ -173,11 +173,11 @@ pub fn fit(
         (Some(parameters), _) => Box::new(Stereo::new(*parameters)),
         (_, Some(engine)) => Box::new(Tof::new(engine, options)?),
         _ => {
-            return Err(FitError::Option(format!(
+            return Err(FitError::Option(message![format!(
                 "engine: there is nothing to fit in {}, whose errors are not measured; choose stereo-noise or \
                  time-of-flight",
                 kind.name
-            )));
+            )]));
         }
     };
     let recording = recording::open(recordings, &depth.spec.prim)?;
@@ -227,7 +227,7 @@ pub fn fit(
 }
 
 fn check(options: &Options) -> Result<(), FitError> {
-    let wrong = |text: String| Err(FitError::Option(text));
+    let wrong = |text: String| Err(FitError::Option(text.into()));
     if !(options.region > 0.0 && options.region <= 1.0) {
         return wrong(format!(
             "region: {} is no share of an image; give a share above 0, up to 1",

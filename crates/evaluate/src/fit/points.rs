@@ -9,7 +9,7 @@ use super::recording::Stand;
 use super::report::Target;
 use super::target::{Seen, Sum};
 use crate::accuracy::measured::Curve;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
 /// A target that is turned farther is no measurement of a distance.
@@ -146,10 +146,13 @@ pub(super) fn tilts(
             .map_or((String::new(), 0.0), |(name, own)| {
                 (name.clone(), degrees(own.slope))
             });
-        return Err(FitError::Option(format!(
-            "{name}: the target is turned by {angle:.1}°, more than the {MOST_TILT_DEG}° that can be corrected; \
-             record it perpendicular to the camera, or give a smaller --region"
-        )));
+        return Err(FitError::Option(message![
+            format!(
+                "{name}: the target is tilted by {angle:.1}°, more than the {MOST_TILT_DEG}° that can be corrected; \
+                 record it perpendicular to the camera, or decrease "
+            ),
+            opt("region")
+        ]));
     }
     if is_turned {
         findings.push(Finding::new(

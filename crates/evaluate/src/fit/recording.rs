@@ -58,12 +58,15 @@ pub(super) fn open(paths: &[PathBuf], prim: &str) -> Result<Recording, FitError>
             .extension()
             .is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
         if is_table && !csv::has_column(&csv::text(path, "a table of distances")?, "file") {
-            let curve = measured::read(path).map_err(|error| FitError::Option(error.to_string()))?;
+            let curve = measured::read(path).map_err(|error| FitError::Option(error.to_string().into()))?;
             if paths.len() > 1 {
-                return Err(FitError::Option(format!(
-                    "{}: is a curve of errors, which stands alone; give it without other recordings",
-                    path.display()
-                )));
+                return Err(FitError::Option(
+                    format!(
+                        "{}: an error curve cannot be combined with other recordings; give it alone",
+                        path.display()
+                    )
+                    .into(),
+                ));
             }
             return Ok(Recording::Curve(path.clone(), curve));
         }

@@ -159,7 +159,7 @@ impl Report {
         let text = |text: &str| toml::Value::String(text.to_owned()).to_string();
         let mut lines = vec![
             format!(
-                "# Fitted to recordings of {}: give it to oaktwin with --params.",
+                "# Fitted to recordings of {}: load with `oaktwin … --params FILE`.",
                 self.model
             ),
             format!("engine = {}", text(self.engine)),

@@ -197,7 +197,8 @@ pub(super) fn look(stand: &Stand, look: &Look) -> Result<Seen, FitError> {
             eye.add(&image, truth.as_ref());
         }
     }
-    let eye = eye.ok_or_else(|| FitError::Option(format!("{}: holds no image; leave it out", stand.name)))?;
+    let eye =
+        eye.ok_or_else(|| FitError::Option(format!("{}: contains no images; remove it", stand.name).into()))?;
     Ok(eye.seen(stand))
 }
 

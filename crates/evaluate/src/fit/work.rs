@@ -14,7 +14,7 @@ use super::report::{Curve, FittedPoint, NotFound, Parameter, Report};
 use super::target::{self, Look, Seen};
 use super::{FitError, Options, findings};
 use crate::accuracy::Watch;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
 /// What is being made.
 pub(super) struct Work<'a> {
@@ -52,10 +52,11 @@ impl Work<'_> {
         points::of_one_size(&seen, stands)?;
         findings::of_targets(&seen, look.counting, &mut self.findings);
         if seen.iter().all(|one| one.values() == 0) {
-            return Err(FitError::Option(format!(
-                "{}: nothing was measured in the middle of any image; record again, or give a larger --region",
-                self.report.sources.join(", ")
-            )));
+            return Err(FitError::Option(message![
+                self.report.sources.join(", "),
+                ": nothing was measured in the middle of any image; record again, or increase ",
+                opt("region")
+            ]));
         }
         method.noise(&seen, self);
         let tilts = points::tilts(&seen, method, &mut self.findings)?;
@@ -76,7 +77,7 @@ impl Work<'_> {
         }
     }
 
-    pub(super) fn not_found(&mut self, name: &'static str, why: &str, remedy: &str) {
+    pub(super) fn not_found(&mut self, name: &'static str, why: &str, remedy: impl Into<Message>) {
         self.report.not_found.push(NotFound {
             name,
             why: why.to_owned(),

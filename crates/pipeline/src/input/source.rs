@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::render::check_size;
 use oaktwin_camera::ImageSize;
+use oaktwin_diagnostic::{message, opt};
 use oaktwin_files::FileError;
 use oaktwin_image::npy::{self, Layout, Number, Values};
 use oaktwin_image::{CodecError, Image, exr, pfm, png};
@@ -167,7 +168,7 @@ impl Source {
             return Err(FileError::new(
                 path,
                 "NPY: descr: whole numbers of 8 bits are no depth",
-                "give float metres, or uint16 (--depth-scale metres a unit)",
+                message!["give float metres, or uint16 with ", opt("depth-scale")],
             ));
         }
         let given = length.map(|length| length.saturating_sub(layout.data_offset as u64));

@@ -5,7 +5,7 @@ use crate::render::{Backend, Clip, Renderer, View, check_size};
 use crate::sensor::platform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
-use oaktwin_catalog::{self as catalog, Origin, Role, Twin, TwinCamera};
+use oaktwin_catalog::{self as catalog, Role, Twin};
 use oaktwin_depth::ParameterError;
 use oaktwin_depth::dots::{Dots, Projector};
 use oaktwin_depth::imager::{Imager, Recorded};
@@ -14,7 +14,6 @@ use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ImageView};
-use oaktwin_usd::asset::LensChoice;
 
 /// Far more than a calibration is wrong, px.
 const MOST_BIAS_PX: f64 = 10.0;
@@ -192,7 +191,7 @@ fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Re
             role: name,
         });
     };
-    let mut optics = optics(twin, camera, options.lens);
+    let mut optics = twin.optics(camera, options.lens);
     if let Some(size) = options.size {
         check_size(size).map_err(|error| PairError::Size {
             device: device(),
@@ -239,12 +238,6 @@ pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
     let centre = intrinsics.principal_point::<OpenCv>();
     let moved = PixelPoint::<OpenCv>::new(centre.x + by_px, centre.y);
     Intrinsics::new(intrinsics.size, intrinsics.fx, intrinsics.fy, moved)
-}
-
-fn optics(twin: &Twin, camera: &TwinCamera, lens: LensChoice) -> Camera {
-    (camera.nominal_fisheye())
-        .filter(|_| lens == LensChoice::Fisheye && twin.origin == Origin::Nominal)
-        .unwrap_or(Camera::new(camera.intrinsics, camera.lens))
 }
 
 /// As the device's processor does it; one that is not known, as `DepthAI` on a host.

@@ -4,6 +4,7 @@ use oaktwin_render::{Clip, View};
 
 use super::limits::SizeError;
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
+use oaktwin_diagnostic::Message;
 use oaktwin_usd::depth_sensor::DepthSensor;
 use oaktwin_usd::optics::OpticsError;
 
@@ -92,14 +93,12 @@ pub enum CameraError {
         paths: Vec<String>,
     },
     /// The scene has none.
-    #[error(
-        "{file}: there is no camera in it; put an OAK into it: --model OAK-D-Pro-PoE --look-at {look_at}"
-    )]
+    #[error("{file}: the scene has no camera; {remedy}")]
     NoCamera {
         /// The file.
         file: String,
-        /// Places from which much of the scene is seen.
-        look_at: String,
+        /// An OAK and a pose from which much of the scene is seen.
+        remedy: Message,
     },
     /// Its attributes make no camera.
     #[error("{file}: {error}")]

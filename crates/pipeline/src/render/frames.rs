@@ -19,7 +19,7 @@ use crate::recording::RecordingFileError;
 use crate::sensor::{EngineInput, Sensor};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, BasicWriter, CameraParams, DatasetError, Extras, Shot};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::{FileError, WrittenFile};
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{CodecError, Image, png};
@@ -272,14 +272,16 @@ impl<'a> Station<'a> {
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
         let sheet = sweep.and_then(|sweep| sweep.sheet(self.index, &frame, number as u64, pair.as_ref()));
         if let Some(sensor) = &mut self.sensor {
-            depth_sensor::sense_frame(
+            let (camera, number) = (&view.camera, number as u64);
+            let missing = depth_sensor::sense_frame(
                 sensor,
-                &view.camera,
-                number as u64,
+                camera,
+                number,
                 pair.as_ref(),
                 options.annotators,
                 &mut frame,
             );
+            findings.extend(not_produced(&self.camera.path, sensor, &missing));
         }
         frame.rgb = frame.rgb.filter(|_| options.annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame
@@ -298,6 +300,33 @@ impl<'a> Station<'a> {
         };
         (rendered, findings)
     }
+}
+
+/// A warning about sensor outputs that this sensor cannot produce.
+fn not_produced(place: &str, sensor: &Sensor, missing: &[Annotator]) -> Option<Finding> {
+    let names: Vec<&str> = missing.iter().map(|annotator| annotator.name()).collect();
+    (!names.is_empty()).then(|| {
+        let engine = sensor.engine().kind();
+        let filters = match sensor.filters().is_empty() {
+            true => "",
+            false => " with its filters",
+        };
+        Finding::new(
+            "sensor-output-missing",
+            Level::Warning,
+            place,
+            format!(
+                "not supported by {engine}{filters}, skipped: {}",
+                names.join(", ")
+            ),
+            message![
+                "remove them from ",
+                opt("annotators"),
+                ", or choose another ",
+                opt("engine")
+            ],
+        )
+    })
 }
 
 /// Cameras that are not rasterized although somebody asked for it.

@@ -6,9 +6,9 @@ use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCame
 use super::folder_names;
 use super::limits::check_size;
 use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
-use oaktwin_catalog::{DepthKind, Origin, Twin, TwinCamera};
+use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};
-use oaktwin_usd::asset::{AssetError, LensChoice, render_product_name};
+use oaktwin_usd::asset::{AssetError, render_product_name};
 
 /// The name that means every depth sensor.
 const DEPTH: &str = "depth";
@@ -162,7 +162,10 @@ fn place(
     world_from_body: &RigidTransform,
     options: &OakOptions<'_>,
 ) -> Result<PlacedCamera, CameraError> {
-    let own = optics(twin, candidate, options.lens);
+    let own = match candidate.is_depth {
+        true => Camera::new(candidate.camera.intrinsics, LensModel::Pinhole),
+        false => twin.optics(candidate.camera, options.lens),
+    };
     let path = format!("{}/{}", twin.device.name, candidate.prim);
     let size = options.size.unwrap_or(own.intrinsics.size);
     check_size(size).map_err(|error| CameraError::Size {
@@ -194,19 +197,6 @@ fn place(
             .is_depth
             .then(|| DepthSensorSource::Twin(candidate.prim.to_owned())),
     })
-}
-
-/// At the sensor's own size.
-fn optics(twin: &Twin, candidate: &Candidate<'_>, lens: LensChoice) -> Camera {
-    let camera = candidate.camera;
-    if candidate.is_depth {
-        return Camera::new(camera.intrinsics, LensModel::Pinhole);
-    }
-    // A calibration's own lens wins.
-    let fisheye = camera
-        .nominal_fisheye()
-        .filter(|_| lens == LensChoice::Fisheye && twin.origin == Origin::Nominal);
-    fisheye.unwrap_or(Camera::new(camera.intrinsics, camera.lens))
 }
 
 fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {

@@ -32,7 +32,7 @@ impl OutputFolder {
             .and_then(|_| fs::remove_file(&probe))
             .map_err(|error| {
                 let message = format!("cannot be written into ({error})");
-                FileError::new(path, message, "choose another place with -o")
+                FileError::new(path, message, "choose another place")
             })?;
         Ok(folder)
     }

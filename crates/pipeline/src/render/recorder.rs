@@ -9,7 +9,7 @@ use crate::recording::{
     RecordingFileError, Time,
 };
 use oaktwin_camera::RigidTransform;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_scene::Up;
 
@@ -184,9 +184,12 @@ fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
         return None;
     }
     let (level, remedy) = if is_alone {
-        (Level::Warning, "write them into a folder with -o")
+        (
+            Level::Warning,
+            message!["write them into a folder, ", opt("output").with("DIR")],
+        )
     } else {
-        (Level::Note, "")
+        (Level::Note, Message::default())
     };
     let message = format!("has no place for {}: left out", left_out.join(", "));
     Some(Finding::new("not-recorded", level, "recording", message, remedy))

@@ -9,7 +9,7 @@ use super::limits::check_size;
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
 use oaktwin_camera::{ImageSize, RigidTransform};
-use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};
+use oaktwin_diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_usd::depth_sensor;
 use oaktwin_usd::optics::{self, OpticsError, Projection};
 use oaktwin_usd::stage::{RenderProduct, SceneCamera};
@@ -71,7 +71,12 @@ pub fn scene_cameras(
     if chosen.is_empty() {
         return Err(CameraError::NoCamera {
             file: scene.path.display().to_string(),
-            look_at: around::look_at(&scene.scene),
+            remedy: message![
+                "add an OAK with ",
+                opt("model").with("OAK-D-Pro-PoE"),
+                " and ",
+                opt("look-at").with(around::look_at(&scene.scene))
+            ],
         });
     }
     let mut cameras = Vec::new();

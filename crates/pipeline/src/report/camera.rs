@@ -1,10 +1,9 @@
 use serde::Serialize;
 
 use oaktwin_camera::{
-    ApertureOffsets, Camera, ImageSize, LensModel, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
+    ApertureOffsets, ImageSize, LensModel, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
 };
-use oaktwin_catalog::{LegacyDistortion, Origin, Role, Source, Sources, Twin, TwinCamera};
-use oaktwin_usd::asset::LensChoice;
+use oaktwin_catalog::{LegacyDistortion, LensChoice, Origin, Role, Source, Sources, Twin, TwinCamera};
 
 /// One camera: intrinsics, the calculation that they enter, USD parameters and the check of the field of view.
 #[derive(Clone, Debug, Serialize)]
@@ -114,13 +113,7 @@ impl CameraReport {
         } else {
             ApertureOffsets::Document
         });
-        let fisheye = camera
-            .nominal_fisheye()
-            .filter(|_| nominal && lens == LensChoice::Fisheye);
-        let optics = fisheye.unwrap_or(Camera {
-            intrinsics: *intrinsics,
-            lens: camera.lens,
-        });
+        let optics = twin.optics(camera, lens);
         let forward = camera.body_from_camera.rotation.z_axis;
         Self {
             role: spec.role,

@@ -9,7 +9,7 @@ use super::{FieldOfView, SenseError};
 use oaktwin_camera::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
 };
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{self as files, FileError};
 
 /// The largest `camera_params` file.
@@ -54,24 +54,26 @@ pub(super) fn of_images(
             if camera.lens != LensModel::Pinhole {
                 findings.push(bent(
                     "camera",
-                    "rectify them, and give the camera without the lens",
+                    "rectify them, and give the camera without the lens".into(),
                 ));
             }
             Ok(said(camera))
         }
         (FieldOfView::FocalLength(fx), _) => {
             if !(fx.is_finite() && fx > 0.0) {
-                return Err(SenseError::option(format!(
-                    "--fx {fx} is no focal length; give a number of pixels above 0"
-                )));
+                return Err(SenseError::option(message![
+                    opt("fx"),
+                    format!(": must be a finite number > 0 (got {fx}); give the focal length in pixels")
+                ]));
             }
             Ok(said(pinhole(Intrinsics::new(size, fx, fx, centre))))
         }
         (FieldOfView::Degrees(hfov), _) => {
             if !(hfov > 0.0 && hfov < 180.0) {
-                return Err(SenseError::option(format!(
-                    "--hfov {hfov} is no field of view; give degrees between 0 and 180"
-                )));
+                return Err(SenseError::option(message![
+                    opt("hfov"),
+                    format!(": {hfov} is out of range; give degrees between 0 and 180")
+                ]));
             }
             Ok(said(pinhole(Intrinsics::from_hfov(size, hfov.to_radians()))))
         }
@@ -79,7 +81,10 @@ pub(super) fn of_images(
             let camera = read_params(params, size)?;
             if camera.lens != LensModel::Pinhole {
                 let place = params.display().to_string();
-                findings.push(bent(&place, "give --resample to rectify them"));
+                findings.push(bent(
+                    &place,
+                    message!["add ", opt("resample"), " to rectify them"],
+                ));
             }
             Ok(said(camera))
         }
@@ -102,7 +107,15 @@ pub(super) fn of_images(
                     own.size,
                     own.hfov().to_degrees()
                 ),
-                "say --fx or --hfov where they have another, --resample for images of the model's size",
+                message![
+                    "set ",
+                    opt("fx"),
+                    " or ",
+                    opt("hfov"),
+                    " if it differs, or ",
+                    opt("resample"),
+                    " to get images of the model's size"
+                ],
             ));
             Ok(ImageCamera {
                 camera: pinhole(Intrinsics::new(size, own.fx * scale, own.fy * scale, centre)),
@@ -113,7 +126,7 @@ pub(super) fn of_images(
 }
 
 /// That images are not as a depth sensor's.
-fn bent(place: &str, remedy: &str) -> Finding {
+fn bent(place: &str, remedy: Message) -> Finding {
     Finding::new(
         "image-lens",
         Level::Warning,
@@ -131,7 +144,13 @@ fn is_same(a: &Intrinsics, b: &Intrinsics) -> bool {
 
 /// Replicator's `camera_params`.
 pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileError> {
-    let wrong = |message: String| FileError::new(path, message, "render the camera again, or give --fx");
+    let wrong = |message: String| {
+        FileError::new(
+            path,
+            message,
+            message!["render the camera again, or set ", opt("fx")],
+        )
+    };
     let bytes = files::read(path, MOST_BYTES, "camera_params")?;
     let params: Value = serde_json::from_slice(&bytes).map_err(|error| wrong(error.to_string()))?;
     let numbers = |key: &str| -> Vec<f64> {

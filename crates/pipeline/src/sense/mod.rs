@@ -31,6 +31,7 @@ pub use rig::align_to;
 pub use run::{Done, Output, Sensed, sense};
 
 use crate::sensor::ParameterError;
+use oaktwin_diagnostic::Message;
 use oaktwin_files::FileError;
 
 /// What a sensor is to see.
@@ -70,16 +71,16 @@ pub enum SenseError {
     /// A sensor that cannot be.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// An option that cannot be: `--OPTION: what is wrong; what to do`.
+    /// An invalid option: `OPTION: what is wrong; what to do`.
     #[error("{0}")]
-    Option(String),
+    Option(Message),
     /// The stream of results cannot be written.
     #[error(transparent)]
     Stream(std::io::Error),
 }
 
 impl SenseError {
-    fn option(text: impl Into<String>) -> Self {
+    fn option(text: impl Into<Message>) -> Self {
         Self::Option(text.into())
     }
 }

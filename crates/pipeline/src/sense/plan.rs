@@ -8,7 +8,7 @@ use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
 /// What a program's standard input is called in messages.
@@ -147,7 +147,7 @@ pub(super) fn sequences<'a>(
                 "of its depth sensors, {} ({}) is taken",
                 chosen.spec.prim, chosen.spec.kind
             ),
-            "choose with --sensor",
+            message!["choose with ", opt("sensor")],
         ));
     }
     Ok(sequences)
@@ -219,8 +219,13 @@ fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result
         (None, Some(kind)) => Ok(kind),
         (None, None) => Err(FileError::new(
             path,
-            "does not say whether it is depth along the axis or distance from the camera",
-            "say --input-kind z, or --input-kind range",
+            "unknown kind of depth: along the optical axis, or distance from the camera",
+            message![
+                "set ",
+                opt("input-kind").with("z"),
+                " or ",
+                opt("input-kind").with("range")
+            ],
         )
         .into()),
     }

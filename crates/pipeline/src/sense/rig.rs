@@ -5,10 +5,10 @@ use super::{AlignTo, SenseError};
 use crate::render::check_size;
 use crate::sensor::Sensor;
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform};
-use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_camera::{Camera, ImageSize, RigidTransform};
+use oaktwin_catalog::{LensChoice, Twin, TwinDepthSensor};
 use oaktwin_depth::align::Align;
-use oaktwin_usd::asset::LensChoice;
+use oaktwin_diagnostic::{message, opt};
 
 /// From the images that a sensor reports of those of a camera to the camera that is asked for.
 ///
@@ -50,36 +50,29 @@ pub(super) fn aligner(
             .iter()
             .map(|camera| camera.spec.role.as_str())
             .collect();
-        SenseError::option(format!(
-            "--align {}: {} has no such camera; it has {}",
-            to.camera,
-            twin.device.name,
-            has.join(", ")
-        ))
+        SenseError::option(message![
+            opt("align").with(to.camera),
+            format!(
+                ": {} has no such camera; expected {}",
+                twin.device.name,
+                has.join(" or ")
+            )
+        ])
     })?;
     let source = twin.camera(sensor.spec.camera).ok_or_else(|| {
-        SenseError::option(format!(
-            "--align: the place of {} is not known; leave it out",
-            sensor.spec.prim
-        ))
+        SenseError::option(message![
+            opt("align"),
+            format!(": the position of {} is unknown; remove it", sensor.spec.prim)
+        ])
     })?;
-    let mut own = optics(target, lens);
+    let mut own = twin.optics(target, lens);
     if let Some(size) = to.size {
-        check_size(size).map_err(|error| SenseError::option(format!("--align-size: {error}")))?;
+        check_size(size)
+            .map_err(|error| SenseError::option(message![opt("align-size"), format!(": {error}")]))?;
         own.intrinsics = own.intrinsics.resized(size, true);
     }
     let source_from_reported = RigidTransform::new(DMat3::IDENTITY, DVec3::new(-shift_m, 0.0, 0.0));
     let target_from_reported =
         target.body_from_camera.inverse() * source.body_from_camera * source_from_reported;
     Ok(Align::new(reported, own, target_from_reported, to.fill))
-}
-
-fn optics(camera: &TwinCamera, lens: LensChoice) -> Camera {
-    match camera.nominal_fisheye() {
-        // A calibration's own lens wins.
-        Some(optics) if lens == LensChoice::Fisheye && camera.lens == LensModel::Pinhole => {
-            Camera::new(optics.intrinsics, optics.lens)
-        }
-        _ => Camera::new(camera.intrinsics, camera.lens),
-    }
 }

@@ -15,7 +15,7 @@ use crate::input::source::Source;
 use crate::sensor::{Engine, EngineInput, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
 use oaktwin_camera::{Camera, ImageSize, LensModel};
 use oaktwin_catalog::Twin;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::{FileError, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -71,10 +71,13 @@ pub fn sense(
     watch: &mut dyn FnMut(Done) -> ControlFlow<()>,
 ) -> Result<Sensed, SenseError> {
     if !(options.depth_scale.is_finite() && options.depth_scale > 0.0) {
-        return Err(SenseError::option(format!(
-            "--depth-scale {} is no scale; give metres a unit, above 0",
-            options.depth_scale
-        )));
+        return Err(SenseError::option(message![
+            opt("depth-scale"),
+            format!(
+                ": must be a finite number > 0 (got {}); give metres per integer depth unit",
+                options.depth_scale
+            )
+        ]));
     }
     if let Some(engine) = options
         .sensor
@@ -410,16 +413,16 @@ fn check_outputs(
             Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
         );
         if is_isaacs && !engine.outputs().contains(annotator) {
-            return Err(SenseError::option(format!(
-                "--outputs {name}: {} does not make it; leave it out, or choose --engine single-view",
-                engine.kind()
-            )));
+            return Err(SenseError::option(message![
+                opt("annotators").with(name),
+                format!(": not supported by {}; remove it, or set ", engine.kind()),
+                opt("engine").with("single-view")
+            ]));
         }
         if engine.needs_rgb(*annotator) && !has_pictures {
-            let message = format!("has no picture, of which {name} is made");
-            return Err(
-                FileError::new(&file.path, message, "give it with --rgb, or leave the output out").into(),
-            );
+            let remedy = message!["give it as ", opt("rgb"), ", or remove the annotator"];
+            let message = format!("no colour image, which {name} requires");
+            return Err(FileError::new(&file.path, message, remedy).into());
         }
     }
     Ok(())

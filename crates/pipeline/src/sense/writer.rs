@@ -135,7 +135,7 @@ impl<'a> Writer<'a> {
             return Err(FileError::new(
                 path,
                 "is an input of this command",
-                "choose another place with -o",
+                "choose another place",
             ));
         }
         Ok(())

@@ -44,6 +44,6 @@ pub(crate) fn needs_a_pair(engine: &EngineKind, reason: &str) -> ParameterError 
     ParameterError {
         name: "engine".to_owned(),
         what: format!("{engine} requires a stereo pair, but {reason}"),
-        remedy: "render a model's pair (render --model), give one (stereo), or use stereo-noise".to_owned(),
+        remedy: "render a model's pair, match existing pairs, or use stereo-noise".to_owned(),
     }
 }

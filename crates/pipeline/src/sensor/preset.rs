@@ -3,7 +3,7 @@
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_depth::filter::Filter;
 use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, TimeOfFlightConfig};
-use oaktwin_depth::{EngineKind, ParameterError, Preset};
+use oaktwin_depth::{EngineKind, ParameterError, PresetConfig};
 use oaktwin_diagnostic::{Finding, Level, fold_name};
 
 use super::SensorOptions;
@@ -21,7 +21,7 @@ pub(super) fn of_sensor(
     twin: &Twin,
     kind: DepthKind,
     options: &SensorOptions,
-) -> Result<Option<Preset>, ParameterError> {
+) -> Result<Option<PresetConfig>, ParameterError> {
     let Some(name) = &options.preset else {
         return Ok(None);
     };
@@ -39,15 +39,15 @@ pub(super) fn of_sensor(
         }
         DepthKind::Tof => {
             let preset = TimeOfFlightConfig::preset(name).map_err(unknown)?;
-            Ok(Some(Preset::TimeOfFlight(preset)))
+            Ok(Some(PresetConfig::TimeOfFlight(preset)))
         }
     }
 }
 
 /// Returns a stereo preset of a platform.
-pub(super) fn of_stereo(platform: Platform, name: &str) -> Result<Preset, ParameterError> {
+pub(super) fn of_stereo(platform: Platform, name: &str) -> Result<PresetConfig, ParameterError> {
     let config = StereoConfig::preset(platform, name).map_err(unknown)?;
-    Ok(Preset::Stereo(Box::new(config)))
+    Ok(PresetConfig::Stereo(Box::new(config)))
 }
 
 fn unknown(error: PresetError) -> ParameterError {
@@ -59,11 +59,11 @@ fn unknown(error: PresetError) -> ParameterError {
 }
 
 /// Reports what a preset changes.
-pub(super) fn finding(preset: &Preset, options: &SensorOptions, kind: &EngineKind, prim: &str) -> Finding {
+pub(super) fn finding(preset: &PresetConfig, options: &SensorOptions, kind: &EngineKind, prim: &str) -> Finding {
     let mut changes = Vec::new();
     let is_modelled = kind.models == Some(preset.technology());
     match preset {
-        Preset::Stereo(config) => {
+        PresetConfig::Stereo(config) => {
             if is_modelled {
                 changes.push(format!("{} subpixel bits", config.subpixel.bits()));
                 if config.disparity_shift_px > 0 {
@@ -74,7 +74,7 @@ pub(super) fn finding(preset: &Preset, options: &SensorOptions, kind: &EngineKin
             let range = if is_extended { "extended" } else { "standard" };
             changes.push(format!("{range} disparity"));
         }
-        Preset::TimeOfFlight(config) if is_modelled => {
+        PresetConfig::TimeOfFlight(config) if is_modelled => {
             let threshold = config.phase_unwrap_error_threshold;
             changes.push(format!("a phase unwrapping error of up to {threshold} mm"));
             changes.push(format!(
@@ -82,7 +82,7 @@ pub(super) fn finding(preset: &Preset, options: &SensorOptions, kind: &EngineKin
                 config.confidence_threshold
             ));
         }
-        Preset::TimeOfFlight(_) => {}
+        PresetConfig::TimeOfFlight(_) => {}
     }
     let filters = preset.filters();
     let names: Vec<&str> = filters.iter().map(Filter::name).collect();

@@ -3,7 +3,7 @@
 use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::{EngineKind, ParameterError, Preset, Setup, single_view};
+use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::options::technology;
@@ -78,7 +78,7 @@ pub(super) fn setup(
             }
         }
     };
-    let preset_extends = setup.preset.as_ref().is_some_and(Preset::extended_disparity);
+    let preset_extends = setup.preset.as_ref().is_some_and(PresetConfig::extended_disparity);
     setup.extended_disparity = options.extended_disparity || preset_extends;
     if let Source::Twin { sensor, own, .. } = source {
         setup.attributes = single_view_parameters(sensor, setup.extended_disparity, options.isaac);

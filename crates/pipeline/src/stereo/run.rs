@@ -238,7 +238,7 @@ impl Writer {
             return Err(FileError::new(
                 &path,
                 "is an input of this command",
-                "choose another place with -o",
+                "choose another place",
             ));
         }
         if !self.written.insert(name.to_owned()) {

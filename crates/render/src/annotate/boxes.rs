@@ -11,16 +11,16 @@ use super::stencil::{Extent, Stencil};
 use crate::rays::Rays;
 use crate::{Hit, View};
 
-/// The boxes of a view.
+/// The 2D bounding boxes of a view.
 pub(super) struct Boxes {
-    /// Around the pixels that see a thing; it has none where no pixel does.
+    /// Boxes around the visible pixels of an entity; an entity without visible pixels has none.
     pub(super) tight: Boxes2d,
-    /// Around the pixels that would see a thing if nothing else was there, even if none does.
+    /// Boxes around the pixels that an entity covers, occluded or not.
     pub(super) loose: Boxes2d,
 }
 
-/// A box for each prim that carries labels, around it and all that is below it. What of it lies outside the image
-/// does not count, neither for the box nor for the part that is hidden.
+/// Returns a box for each labelled prim, which includes its descendants. Parts outside the image count neither for the box nor
+/// for the occlusion ratio.
 pub(super) fn boxes(
     scene: &Scene,
     semantics: &Semantics,
@@ -51,12 +51,12 @@ pub(super) fn boxes(
         loose: Boxes2d::default(),
     };
     for (entity, tight, loose) in found {
-        // At an edge, rounding may see a pixel that was not expected to.
+        // At an edge, a pixel may be visible that rounding excluded from the coverage.
         let loose = Extent {
             count: loose.count.max(tight.count),
             ..loose.union(tight)
         };
-        let hidden = hidden_part(tight.count, loose.count);
+        let hidden = occlusion_ratio(tight.count, loose.count);
         add(&mut boxes.tight, entity, tight, hidden);
         add(&mut boxes.loose, entity, loose, hidden);
     }
@@ -67,7 +67,7 @@ pub(super) fn boxes(
     boxes
 }
 
-/// What is seen of each instance.
+/// The extent of the visible pixels of each instance.
 fn seen_extents(scene: &Scene, hits: &Image<Hit>) -> Vec<Extent> {
     let mut seen = vec![Extent::EMPTY; scene.instances.len()];
     for (row, y) in hits.rows().zip(0..) {
@@ -85,7 +85,7 @@ fn seen_extents(scene: &Scene, hits: &Image<Hit>) -> Vec<Extent> {
     clippy::cast_possible_truncation,
     reason = "a ratio is float32"
 )]
-fn hidden_part(seen: u64, all: u64) -> f32 {
+fn occlusion_ratio(seen: u64, all: u64) -> f32 {
     (1.0 - seen as f64 / (all as f64).max(1.0)) as f32
 }
 

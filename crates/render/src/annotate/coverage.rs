@@ -1,4 +1,4 @@
-//! Which pixels see a thing when nothing else is there.
+//! The pixels that an instance covers, regardless of occlusion.
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_camera::{LensModel, Usd};
@@ -8,22 +8,22 @@ use super::stencil::Stencil;
 use crate::View;
 use crate::rays::Rays;
 
-/// A piece of a triangle is as good as flat in the image of a lens when it is this small, radians.
+/// The angle in radians below which an edge counts as straight in the image of a lens.
 const FLAT: f64 = 0.05;
-/// How often a triangle is quartered at most to become that small.
-const MOST_QUARTERINGS: u32 = 10;
+/// How many times a triangle is subdivided at most.
+const MAX_SUBDIVISIONS: u32 = 10;
 
-/// A view, ready for many triangles.
+/// The coverage test of a view.
 pub(super) struct Coverage<'a> {
     view: &'a View,
     rays: &'a Rays<'a>,
     camera_from_world: DAffine3,
 }
 
-/// A triangle in the camera's frame.
+/// A triangle in the camera frame.
 struct Triangle {
     corners: [DVec3; 3],
-    /// The normals of the sides of the origin's pyramid over it.
+    /// The normals of the planes through the origin and each edge.
     sides: [DVec3; 3],
     normal: DVec3,
 }
@@ -37,7 +37,7 @@ impl<'a> Coverage<'a> {
         }
     }
 
-    /// Adds the pixels that see an instance.
+    /// Adds the pixels that an instance covers.
     pub(super) fn add_instance(&self, scene: &Scene, instance: u32, stencil: &mut Stencil) {
         let Some(placed) = scene.instances.get(instance as usize) else {
             return;
@@ -61,7 +61,7 @@ impl<'a> Coverage<'a> {
         let distance = |p: DVec3| if along_axis { p.z } else { p.length() };
         let (near, far) = (self.view.clip.near_m, self.view.clip.far_m);
         let distances = corners.map(distance);
-        // A ball around the camera may be touched by a triangle whose corners are outside, but not the other way round.
+        // A triangle with all corners beyond the far distance may still reach into the sphere of that radius.
         let hidden = if along_axis {
             distances.iter().all(|d| *d < near) || distances.iter().all(|d| *d > far)
         } else {
@@ -80,29 +80,29 @@ impl<'a> Coverage<'a> {
             let points = clipped.iter().filter_map(|p| self.project(*p));
             self.add_box(&triangle, points, 1e-6, stencil);
         } else {
-            self.add_piece(&triangle, corners, MOST_QUARTERINGS, stencil);
+            self.add_piece(&triangle, corners, MAX_SUBDIVISIONS, stencil);
         }
     }
 
-    /// Quarters a triangle until its image hardly differs from that of its corners.
-    fn add_piece(&self, triangle: &Triangle, piece: [DVec3; 3], quarterings: u32, stencil: &mut Stencil) {
+    /// Subdivides a triangle until its edges are nearly straight in the image.
+    fn add_piece(&self, triangle: &Triangle, piece: [DVec3; 3], subdivisions: u32, stencil: &mut Stencil) {
         let [a, b, c] = piece;
         let is_small = [(a, b), (b, c), (c, a)]
             .iter()
             .all(|(p, q)| p.angle_between(*q) <= FLAT);
         let pixels = piece.map(|p| self.project(p));
         let seen = pixels.iter().flatten().count();
-        if is_small && (seen == 0 || seen == 3) || quarterings == 0 {
+        if is_small && (seen == 0 || seen == 3) || subdivisions == 0 {
             self.add_box(triangle, pixels.into_iter().flatten(), 1.0, stencil);
             return;
         }
         let [ab, bc, ca] = [a.midpoint(b), b.midpoint(c), c.midpoint(a)];
         for quarter in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
-            self.add_piece(triangle, quarter, quarterings - 1, stencil);
+            self.add_piece(triangle, quarter, subdivisions - 1, stencil);
         }
     }
 
-    /// Tries each pixel of the box around some points of the image, `margin` pixels wider.
+    /// Tests each pixel in the bounding box of image points, enlarged by `margin` pixels.
     fn add_box(
         &self,
         triangle: &Triangle,
@@ -157,7 +157,7 @@ impl<'a> Coverage<'a> {
 fn centres(low: f64, high: f64, count: u32) -> std::ops::Range<u32> {
     let first = (low - 0.5).ceil().clamp(0.0, f64::from(count));
     let end = ((high - 0.5).floor() + 1.0).clamp(0.0, f64::from(count));
-    // Nothing between infinities that are the wrong way round.
+    // Without points the box is inverted.
     if first < end {
         first as u32..end as u32
     } else {
@@ -165,7 +165,7 @@ fn centres(low: f64, high: f64, count: u32) -> std::ops::Range<u32> {
     }
 }
 
-/// The corners of the part of a triangle that lies in front of a plane across the optical axis.
+/// Clips a triangle at the near plane.
 fn in_front(corners: [DVec3; 3], near: f64) -> Vec<DVec3> {
     if corners.iter().all(|p| p.z >= near) {
         return corners.to_vec();

@@ -1,4 +1,4 @@
-//! The annotators of Replicator: what each pixel sees, told as distances, normals, ids, boxes, points and colours.
+//! The annotators of Replicator: distances, normals, ids, bounding boxes, point clouds and colours.
 
 mod boxes;
 mod coverage;
@@ -16,19 +16,19 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
 
 use crate::rays::Rays;
-use crate::shade::{Corners, Sight, corners_of};
+use crate::shade::{Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
 
 pub(crate) use semantics::Semantics;
 pub(crate) use surface::{Surface, SurfaceFinder};
 
-/// What the annotators leave open.
+/// Options of the annotators.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnnotateOptions {
-    /// Whether the point cloud has the points of things without a semantic label too. It has by default; Replicator
-    /// leaves them out unless it is told otherwise (`includeUnlabelled`).
+    /// Whether the point cloud includes points without a semantic label. The default is true; Replicator's
+    /// `includeUnlabelled` defaults to false.
     pub unlabelled_points: bool,
-    /// Whether outlines are smooth in the colours; else each pixel has the colour of what its centre sees.
+    /// Whether outlines are antialiased in the colour image; otherwise each pixel has the colour at its centre.
     pub smooth_edges: bool,
 }
 
@@ -42,10 +42,9 @@ impl Default for AnnotateOptions {
 }
 
 impl Renderer {
-    /// What these annotators say of a view; the findings are what colours had to do without.
+    /// Renders the requested annotators of a view; the findings are textures that cannot be shown.
     ///
-    /// [`Annotator::CameraParams`] says nothing about the scene and is left to whoever writes the frame; what depth
-    /// sensors report is left to them.
+    /// [`Annotator::CameraParams`] and the outputs of depth sensors are not produced here.
     #[must_use]
     pub fn annotate(
         &self,
@@ -98,14 +97,14 @@ impl Renderer {
                 seen: self.visibility(&corner_view, backend),
             });
             let caster = self.ray_caster();
-            let sight = Sight {
+            let input = ShadingInput {
                 scene,
                 caster,
                 view,
                 rays,
                 seen,
             };
-            let (rgb, missing) = self.shader().shade(sight, corners.as_ref());
+            let (rgb, missing) = self.shader().shade(input, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
         }

@@ -6,10 +6,10 @@ use super::surface::SurfaceFinder;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// Unit normals in the world's axes, 0 for a miss: interpolated where the mesh has normals, else the triangle's own.
+/// Returns unit normals in the world frame, 0 for a miss: interpolated where the mesh has normals, else those of the
+/// triangles.
 ///
-/// They belong to the side that is seen: the inside of a surface has the outside's normals turned round, whether the
-/// mesh calls itself double-sided or not, because depth sees both sides as well.
+/// Normals point to the visible side, also where the mesh is not marked double-sided, because depth includes both sides too.
 #[expect(clippy::cast_possible_truncation, reason = "normals are float32")]
 pub(super) fn normals(scene: &Scene, view: &View, rays: &Rays, seen: &Visibility) -> Image<[f32; 3]> {
     let (width, height) = (seen.hits.width(), seen.hits.height());

@@ -9,7 +9,7 @@ use super::surface::SurfaceFinder;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// Where each pixel's ray ends, row by row: from the triangle in double precision, rounded once.
+/// Returns the points that the pixels see, row by row, computed from the triangles in double precision and rounded once.
 #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
 pub(super) fn pointcloud(
     scene: &Scene,

@@ -7,7 +7,7 @@ use super::surface::SurfaceFinder;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// The range along each pixel's ray, where every pixel looks forward: the depth is a number of rays' lengths then.
+/// Returns the range along each pixel's ray where all rays have z = 1.
 #[expect(clippy::cast_possible_truncation, reason = "a range is float32")]
 pub(super) fn from_depth(rays: &Rays, depth: &ZDepth) -> RangeDepth {
     along_rows(depth, |row, y| {
@@ -20,7 +20,7 @@ pub(super) fn from_depth(rays: &Rays, depth: &ZDepth) -> RangeDepth {
     })
 }
 
-/// The same for every lens: what is seen sideways, where the depth says nothing, is asked of the triangle itself.
+/// Returns the range along each pixel's ray for every lens; where rays point sideways it is computed from the triangle.
 #[expect(clippy::cast_possible_truncation, reason = "a range is float32")]
 pub(super) fn from_visibility(scene: &Scene, view: &View, rays: &Rays, seen: &Visibility) -> RangeDepth {
     if rays.are_along_axis() {

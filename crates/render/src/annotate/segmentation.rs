@@ -7,12 +7,12 @@ use oaktwin_scene::Scene;
 use super::semantics::{BACKGROUND, Semantics};
 use crate::Hit;
 
-/// One more than the instance's place in the scene; 0 for a miss. The same in every view.
+/// Returns the index of the instance in the scene plus 1; 0 for a miss. It is the same in every view.
 pub(super) fn instance_id(hit: Hit) -> u32 {
     hit.instance.wrapping_add(1)
 }
 
-/// Which instance each pixel sees.
+/// The instance segmentation of an image.
 pub(super) fn instances(scene: &Scene, hits: &Image<Hit>) -> Segmentation {
     let ids = hits.map(|hit| instance_id(*hit));
     let prim_paths = occurring(&ids)
@@ -25,7 +25,7 @@ pub(super) fn instances(scene: &Scene, hits: &Image<Hit>) -> Segmentation {
     Segmentation { ids, prim_paths }
 }
 
-/// Which set of labels each pixel sees.
+/// The semantic segmentation of an image.
 pub(super) fn semantics(semantics: &Semantics, hits: &Image<Hit>) -> SemanticSegmentation {
     let ids = hits.map(|hit| {
         if hit.is_miss() {

@@ -3,31 +3,31 @@ use std::collections::{BTreeMap, BTreeSet};
 use oaktwin_image::annotation::Labels;
 use oaktwin_scene::{Label, Scene};
 
-/// The semantic id where nothing is.
+/// The semantic id of the background.
 pub(crate) const BACKGROUND: u32 = 0;
-/// The semantic id of what carries no label.
+/// The semantic id of instances without a label.
 pub(crate) const UNLABELLED: u32 = 1;
-/// The first semantic id of a set of labels.
+/// The semantic id of the first set of labels.
 const FIRST: u32 = 2;
 
-/// A prim that carries labels, with everything below it.
+/// A labelled prim with its descendants.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Entity {
     pub(crate) prim: String,
     pub(crate) semantic_id: u32,
-    /// Its parts, into the scene's instances, ascending.
+    /// The indices of its instances in the scene, ascending.
     pub(crate) instances: Vec<u32>,
 }
 
 /// The semantic labels of a scene, with ids that are the same in all of its views.
 ///
-/// A thing's labels are its own together with those of its ancestors, as Replicator flattens them; each such set has
-/// an id, in the sets' own order.
+/// The labels of an instance are its own and those of its ancestors, as Replicator flattens them. Each distinct set has an
+/// id; ids are in the order of the sets.
 #[derive(Debug)]
 pub(crate) struct Semantics {
     of_instance: Vec<u32>,
     sets: Vec<Labels>,
-    /// In the order in which the scene mentions them, parents before children.
+    /// In the order of the scene, parents before children.
     pub(crate) entities: Vec<Entity>,
 }
 
@@ -79,7 +79,6 @@ impl Semantics {
         }
     }
 
-    /// The semantic id of an instance.
     pub(crate) fn of_instance(&self, instance: u32) -> u32 {
         self.of_instance
             .get(instance as usize)
@@ -87,7 +86,6 @@ impl Semantics {
             .unwrap_or(UNLABELLED)
     }
 
-    /// The labels behind an id.
     pub(crate) fn labels(&self, id: u32) -> Labels {
         let class = |name: &str| Labels::from([("class".to_owned(), name.to_owned())]);
         match id {
@@ -100,14 +98,14 @@ impl Semantics {
     }
 }
 
-/// Where the labels of each next prim begin.
+/// The indices at which the labels of each prim begin.
 fn carriers(labels: &[Label]) -> Vec<usize> {
     (0..labels.len())
         .filter(|&at| at == 0 || labels[at].prim != labels[at - 1].prim)
         .collect()
 }
 
-/// Each taxonomy's labels, sorted, without repetition, joined by commas.
+/// The distinct labels of each taxonomy, sorted and joined by commas.
 fn flattened(labels: &[Label]) -> Labels {
     let mut names: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for label in labels {

@@ -8,7 +8,7 @@ pub(super) struct Stencil {
     rows: [u32; 2],
 }
 
-/// A rectangle of pixels and how many of them count.
+/// The bounding rectangle of a set of pixels, and their number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Extent {
     pub(super) count: u64,
@@ -19,14 +19,13 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Nothing.
     pub(super) const EMPTY: Self = Self {
         count: 0,
         x: [u32::MAX, 0],
         y: [u32::MAX, 0],
     };
 
-    /// With one more pixel.
+    /// Adds a pixel.
     pub(super) fn add(&mut self, x: u32, y: u32) {
         *self = self.union(Self {
             count: 1,
@@ -35,7 +34,7 @@ impl Extent {
         });
     }
 
-    /// Both together, which have no pixel in common.
+    /// Returns the union of two disjoint sets.
     pub(super) fn union(self, other: Self) -> Self {
         let hull = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].max(b[1])];
         Self {
@@ -57,13 +56,12 @@ impl Stencil {
         }
     }
 
-    /// Whether a pixel of the image belongs to it.
     pub(super) fn has(&self, x: u32, y: u32) -> bool {
         let at = y as usize * self.words_per_row + x as usize / 64;
         self.words.get(at).is_some_and(|word| word >> (x % 64) & 1 == 1)
     }
 
-    /// Takes a pixel in; one outside the image is left out.
+    /// Adds a pixel; pixels outside the image are ignored.
     pub(super) fn insert(&mut self, x: u32, y: u32) {
         let at = y as usize * self.words_per_row + x as usize / 64;
         if x < self.width
@@ -74,7 +72,6 @@ impl Stencil {
         }
     }
 
-    /// What is in it.
     pub(super) fn extent(&self) -> Extent {
         let mut extent = Extent::EMPTY;
         for y in self.rows[0]..self.rows[1] {
@@ -95,7 +92,6 @@ impl Stencil {
         extent
     }
 
-    /// Takes all pixels out.
     pub(super) fn clear(&mut self) {
         for y in self.rows[0]..self.rows[1] {
             let row = y as usize * self.words_per_row;
@@ -110,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_goes_in_is_counted_and_framed() {
+    fn counts_and_bounds_the_inserted_pixels() {
         let mut stencil = Stencil::new(130, 4);
         for (x, y) in [(3, 1), (64, 1), (129, 2), (3, 1), (130, 2), (0, 4)] {
             stencil.insert(x, y);

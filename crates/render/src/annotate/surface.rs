@@ -1,4 +1,4 @@
-//! The place on a triangle that a ray hits.
+//! The point on a triangle that a ray hits.
 
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::{Mesh, Scene};
@@ -8,25 +8,25 @@ use crate::{Hit, View};
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'a> {
-    /// What it belongs to.
     pub(crate) mesh: &'a Mesh,
-    /// In the world, metres.
+    /// The point in the world, metres.
     pub(crate) point: DVec3,
-    /// From the camera to the point, metres.
+    /// The distance from the camera, metres.
     pub(crate) range: f64,
-    /// The shares of the triangle's corners, each from 0 to 1, together 1.
+    /// The barycentric coordinates, each from 0 to 1, with a sum of 1.
     pub(crate) weights: [f64; 3],
-    /// The triangle's own unit normal in the world, on the side that is seen.
+    /// The triangle's unit normal in the world, on the visible side.
     pub(crate) flat_normal: DVec3,
-    /// The interpolated unit normal in the world, turned with `flat_normal`; the same where the mesh has none.
+    /// The interpolated unit normal in the world, flipped with `flat_normal`; equal to it where the mesh has no normals.
     pub(crate) normal: DVec3,
-    /// The normals, in the camera's frame, of the sides of the camera's pyramid over the triangle, each opposite a
-    /// corner.
+    /// The normals, in the camera frame, of the planes through the camera and each edge, in the order of the opposite
+    /// corners.
     pub(crate) sides: [DVec3; 3],
 }
 
 impl Surface<'_> {
-    /// The shares of the triangle's corners where a ray of the camera meets its plane; NaN or infinite where none does.
+    /// Returns the barycentric coordinates where a ray of the camera meets the triangle's plane; NaN or infinite where it
+    /// does not.
     #[inline]
     fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
         let [a, b, c] = &self.sides;
@@ -40,7 +40,7 @@ impl Surface<'_> {
     }
 }
 
-/// Looks up surfaces, remembering the instance and the triangle that it saw last.
+/// Looks up surfaces, with a cache of the last instance and triangle.
 pub(crate) struct SurfaceFinder<'a> {
     scene: &'a Scene,
     origin: DVec3,
@@ -54,21 +54,20 @@ pub(crate) struct SurfaceFinder<'a> {
 struct Placed<'a> {
     mesh: &'a Mesh,
     camera_from_mesh: DAffine3,
-    /// Normals are turned by the inverse transpose, mirrored instances' too.
+    /// The inverse transpose, also for mirrored instances.
     world_from_normal: DMat3,
-    /// −1 where the instance is mirrored: its triangles run the other way round.
+    /// −1 where the instance is mirrored, which reverses the winding of its triangles.
     turn: f64,
 }
 
-/// A triangle in the camera's frame.
+/// A triangle in the camera frame.
 #[derive(Clone, Copy)]
 struct Triangle {
-    /// One of its corners.
     corner: DVec3,
     sides: [DVec3; 3],
-    /// Not of length 1.
+    /// Not normalized.
     normal: DVec3,
-    /// In the world.
+    /// In the world frame.
     flat_normal: DVec3,
     smooth_normals: Option<[[f32; 3]; 3]>,
 }
@@ -86,7 +85,7 @@ impl<'a> SurfaceFinder<'a> {
         }
     }
 
-    /// What a ray in the camera's frame sees on the triangle that it hits, at the depth `z` along the optical axis.
+    /// Returns the surface where a ray in the camera frame hits a triangle at z-depth `z`.
     #[inline]
     pub(crate) fn find(&mut self, hit: Hit, ray: DVec3, z: f32) -> Option<Surface<'a>> {
         if hit != self.hit {
@@ -97,7 +96,7 @@ impl<'a> SurfaceFinder<'a> {
         };
         let from_plane = triangle.corner.dot(triangle.normal) / ray.dot(triangle.normal);
         let from_depth = f64::from(z) / ray.z;
-        // A triangle that is seen edge-on has no plane to speak of.
+        // The plane of a triangle seen edge-on is ill-conditioned.
         let is_trusted = (from_plane - from_depth).abs() <= 1e-5 * from_depth.abs();
         let t = if is_trusted || !(from_depth.is_finite() && from_depth > 0.0) {
             from_plane
@@ -183,7 +182,7 @@ impl<'a> SurfaceFinder<'a> {
 }
 
 impl Surface<'_> {
-    /// Between the corners' values.
+    /// Interpolates the values of the corners.
     #[inline]
     pub(crate) fn interpolated<const N: usize>(&self, corners: [[f32; N]; 3]) -> [f64; N] {
         let [a, b, c] = &corners;
@@ -197,12 +196,12 @@ impl Surface<'_> {
     }
 }
 
-/// Shares from 0 to 1 that make up a whole, whatever rounding did to them.
+/// Clamps barycentric coordinates to 0 to 1 with a sum of 1.
 #[inline]
 fn clamped([a, b, c]: [f64; 3]) -> [f64; 3] {
     let (a, b, c) = (a.clamp(0.0, 1.0), b.clamp(0.0, 1.0), c.clamp(0.0, 1.0));
     let sum = a + b + c;
-    // Nor is a NaN a share.
+    // Also false for NaN.
     if sum > 0.0 {
         [a / sum, b / sum, c / sum]
     } else {

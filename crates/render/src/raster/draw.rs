@@ -1,9 +1,10 @@
 //! All that a tile shows.
 
+use oaktwin_simd::{LaneKernel, Lanes};
+
 use super::cluster::{Cluster, ClusteredMesh};
 use super::cull::Visible;
 use super::frame::{Frame, Projection};
-use super::lanes::Lanes;
 use super::large;
 use super::small::{self, Drawn, Scratch};
 use super::tile::{Id, Rectangle, STRIDE, Tile};
@@ -57,16 +58,34 @@ impl Entry<'_> {
     }
 }
 
+/// Draws a tile and writes its depth into the rows of an image.
+pub(super) struct DrawTile<'a, 'r, const IDS: bool> {
+    pub(super) job: &'a Job<'a>,
+    pub(super) tile: &'a mut Tile,
+    pub(super) scratch: &'a mut Scratch,
+    pub(super) rows: &'a mut [&'r mut [f32]],
+}
+
+impl<const IDS: bool> LaneKernel for DrawTile<'_, '_, IDS> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        draw::<L, IDS>(self.job, self.tile, self.scratch);
+        resolve(self.tile, self.rows);
+    }
+}
+
 /// How many clusters memory is asked ahead of time.
 const AHEAD: usize = 2;
 
 /// Draws what is listed.
 #[inline(always)]
-pub(super) fn draw<L: Lanes, const IDS: bool>(l: L, job: &Job, tile: &mut Tile, scratch: &mut Scratch) {
+fn draw<L: Lanes, const IDS: bool>(job: &Job, tile: &mut Tile, scratch: &mut Scratch) {
     let mut last: Option<(u32, Projection)> = None;
     for at in 0..job.entries.len() {
         if let Some(next) = job.entry(at + AHEAD) {
-            small::prefetch(l, next.mesh, next.cluster);
+            small::prefetch::<L>(next.mesh, next.cluster);
         }
         let Some(Entry { item, mesh, cluster }) = job.entry(at) else {
             continue;
@@ -89,7 +108,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(l: L, job: &Job, tile: &mut Tile, 
         if let Some(triangle) = item.triangle {
             if let Some(positions) = mesh.positions(cluster, triangle as usize) {
                 let id = Id::new(at, triangle - cluster.first_triangle);
-                large::draw::<L, IDS>(l, job, tile, &onto_tile, positions, id);
+                large::draw::<L, IDS>(job, tile, &onto_tile, positions, id);
             }
         } else {
             let drawn = Drawn {
@@ -98,7 +117,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(l: L, job: &Job, tile: &mut Tile, 
                 onto_tile: &onto_tile,
                 entry: at,
             };
-            small::draw::<L, IDS>(l, job, tile, scratch, &drawn);
+            small::draw::<L, IDS>(job, tile, scratch, &drawn);
         }
         tile.touch(rectangle);
     }
@@ -106,7 +125,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(l: L, job: &Job, tile: &mut Tile, 
 
 /// Writes what the tile shows: z in metres, infinite where there is nothing.
 #[inline(always)]
-pub(super) fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
+fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
     for (row, inverse_z) in rows.iter_mut().zip(tile.inverse_z.chunks(STRIDE)) {
         for (z, inverse_z) in row.iter_mut().zip(inverse_z) {
             *z = 1.0 / inverse_z;

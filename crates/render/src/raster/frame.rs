@@ -119,13 +119,3 @@ impl Projection {
         [self.u, self.v, self.z].map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
     }
 }
-
-/// 1.5 · 2^52: adding it to a number rounds it to an integer, which is then the lowest bits of the sum.
-const ROUND: f64 = 6_755_399_441_055_744.0;
-
-/// The nearest integer, of ties the even one; for numbers within 32 bits.
-#[expect(clippy::cast_possible_truncation, reason = "the lowest bits are meant")]
-#[inline(always)]
-pub(super) fn round(value: f64) -> i32 {
-    (value + ROUND).to_bits() as i32
-}

@@ -1,10 +1,10 @@
 //! Any triangle, in double precision: large ones, and those that reach behind the camera.
 
 use oaktwin_camera::math::DVec3;
+use oaktwin_simd::{Lanes, round_ties_even};
 
 use super::draw::Job;
-use super::frame::{Frame, Grid, Projection, round};
-use super::lanes::Lanes;
+use super::frame::{Frame, Grid, Projection};
 use super::tile::{Id, Rectangle, STRIDE, Tile};
 
 /// A corner in the frame of a tile's grid: `(u, v, z)` as from [`Projection::on_tile`].
@@ -23,7 +23,7 @@ impl Corner {
         let is_on_grid = at[2] > 0.0 && x.abs() <= grid.limit && y.abs() <= grid.limit;
         Self {
             at: DVec3::from(at),
-            snapped: is_on_grid.then(|| [round(x), round(y)]),
+            snapped: is_on_grid.then(|| [round_ties_even(x), round_ties_even(y)]),
         }
     }
 
@@ -62,7 +62,6 @@ impl Linear {
 /// Draws a triangle of a mesh onto the part of the image in `tile`.
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
-    lanes: L,
     job: &Job,
     tile: &mut Tile,
     onto_tile: &Projection,
@@ -113,13 +112,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
                 }
             }
             #[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
-            tile.put_row::<L, IDS>(
-                lanes,
-                job,
-                y as usize * STRIDE + x as usize,
-                lanes.load_f(&row),
-                id,
-            );
+            tile.put_row::<L, IDS>(job, y as usize * STRIDE + x as usize, L::load(&row), id);
         }
     }
 }

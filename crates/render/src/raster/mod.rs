@@ -8,10 +8,8 @@ mod cluster;
 mod cull;
 mod draw;
 mod frame;
-mod lanes;
 mod large;
 mod order;
-mod simd;
 mod small;
 #[cfg(test)]
 mod tests;
@@ -19,13 +17,13 @@ mod tile;
 
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::Scene;
+use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 use self::cluster::{Bounds, ClusteredMesh};
 use self::cull::Visible;
-use self::draw::Job;
+use self::draw::{DrawTile, Job};
 use self::frame::Frame;
-use self::simd::Level;
 use self::small::Scratch;
 use self::tile::Tile;
 use crate::{Hit, View, Visibility};
@@ -125,7 +123,13 @@ impl Rasterizer {
                     visible: &visible,
                     entries: order,
                 };
-                simd::draw::<IDS>(self.level, &job, tile, scratch, &mut z_rows);
+                let kernel = DrawTile::<IDS> {
+                    job: &job,
+                    tile,
+                    scratch,
+                    rows: &mut z_rows,
+                };
+                run_lanes_at(self.level, kernel);
                 if let Some(mut rows) = id_rows {
                     draw::resolve_ids(&job, tile, &mut rows);
                 }

@@ -1,9 +1,10 @@
 //! Clusters of triangles, most of which are a few pixels: eight triangles at a time, in single precision.
 
+use oaktwin_simd::{F64Lanes, I32Lanes, Lanes, Row};
+
 use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES};
 use super::draw::Job;
 use super::frame::{Grid, Projection};
-use super::lanes::{Lanes, Row};
 use super::large;
 use super::tile::{Id, ROW, STRIDE, Tile};
 
@@ -109,52 +110,51 @@ impl Drawn<'_> {
 
 /// Asks for a cluster's geometry before it is needed.
 #[inline(always)]
-pub(super) fn prefetch<L: Lanes>(l: L, mesh: &ClusteredMesh, cluster: &Cluster) {
+pub(super) fn prefetch<L: Lanes>(mesh: &ClusteredMesh, cluster: &Cluster) {
     let first = cluster.first_vertex as usize;
     let vertices = first..first + usize::from(cluster.vertices);
     for axis in [&mesh.x, &mesh.y, &mesh.z] {
         for line in axis.get(vertices.clone()).unwrap_or_default().chunks(16) {
-            l.prefetch(line);
+            L::prefetch(line);
         }
     }
     let first = cluster.first_triangle as usize;
     let triangles = first..first + usize::from(cluster.triangles);
     for line in mesh.corners.get(triangles).unwrap_or_default().chunks(16) {
-        l.prefetch(line);
+        L::prefetch(line);
     }
 }
 
 /// Draws a cluster that lies between the near and the far plane, and on the tile's grid.
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
-    l: L,
     job: &Job,
     tile: &mut Tile,
     scratch: &mut Scratch,
     drawn: &Drawn,
 ) {
-    transform(l, scratch, drawn);
-    sort_out(l, job.frame.grid, tile, scratch, drawn);
+    transform::<L>(scratch, drawn);
+    sort_out::<L>(job.frame.grid, tile, scratch, drawn);
     let corners = drawn.corners();
     for (kept, count) in scratch.tiny.batches() {
-        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
-        setup.draw_tiny::<IDS>(l, job, tile, drawn, kept, count);
+        let setup = Setup::<L>::new(job.frame.grid, scratch, corners, kept);
+        setup.draw_tiny::<IDS>(job, tile, drawn, kept, count);
     }
     for (kept, count) in scratch.small.batches() {
-        let setup = Setup::new(l, job.frame.grid, scratch, corners, kept);
-        setup.draw_rows::<IDS>(l, job, tile, drawn, kept, count);
+        let setup = Setup::<L>::new(job.frame.grid, scratch, corners, kept);
+        setup.draw_rows::<IDS>(job, tile, drawn, kept, count);
     }
     for triangle in &scratch.large.triangles[..scratch.large.count.min(MAX_TRIANGLES)] {
         let at = drawn.cluster.first_triangle as usize + usize::from(*triangle);
         if let Some(positions) = drawn.mesh.positions(drawn.cluster, at) {
-            large::draw::<L, IDS>(l, job, tile, drawn.onto_tile, positions, drawn.id(*triangle));
+            large::draw::<L, IDS>(job, tile, drawn.onto_tile, positions, drawn.id(*triangle));
         }
     }
 }
 
 /// Brings the vertices onto the grid.
 #[inline(always)]
-fn transform<L: Lanes>(l: L, scratch: &mut Scratch, drawn: &Drawn) {
+fn transform<L: Lanes>(scratch: &mut Scratch, drawn: &Drawn) {
     let first = drawn.cluster.first_vertex as usize;
     let count = usize::from(drawn.cluster.vertices).next_multiple_of(LANES);
     let range = first..first + count;
@@ -167,108 +167,104 @@ fn transform<L: Lanes>(l: L, scratch: &mut Scratch, drawn: &Drawn) {
         return;
     };
     let (u, v, w) = (
-        splat_row(l, drawn.onto_tile.u),
-        splat_row(l, drawn.onto_tile.v),
-        splat_row(l, drawn.onto_tile.z),
+        splat_row(drawn.onto_tile.u),
+        splat_row(drawn.onto_tile.v),
+        splat_row(drawn.onto_tile.z),
     );
     let positions = (x.as_chunks::<LANES>().0.iter())
         .zip(y.as_chunks::<LANES>().0)
         .zip(z.as_chunks::<LANES>().0);
-    let one = l.splat_d(1.0);
+    let one = L::F64::splat(1.0);
     for (((x, y), z), out) in positions.zip(scratch.vertices.as_chunks_mut::<LANES>().0) {
-        let at = [l.widen(x), l.widen(y), l.widen(z)];
-        let inverse_z = l.div_d(one, apply(l, w, at));
-        let x = l.mul_d(apply(l, u, at), inverse_z);
-        let y = l.mul_d(apply(l, v, at), inverse_z);
-        l.store_rows(l.round_d(x), l.round_d(y), l.narrow(inverse_z), out);
+        let at = [L::load(x).widen(), L::load(y).widen(), L::load(z).widen()];
+        let inverse_z = one / apply(w, at);
+        let x = apply(u, at) * inverse_z;
+        let y = apply(v, at) * inverse_z;
+        L::store_rows(L::round(x), L::round(y), L::narrow(inverse_z), out);
     }
 }
 
 #[inline(always)]
-fn splat_row<L: Lanes>(l: L, [a, b, c, d]: [f64; 4]) -> [L::D; 4] {
-    [l.splat_d(a), l.splat_d(b), l.splat_d(c), l.splat_d(d)]
+fn splat_row<D: F64Lanes>([a, b, c, d]: [f64; 4]) -> [D; 4] {
+    [D::splat(a), D::splat(b), D::splat(c), D::splat(d)]
 }
 
 /// In the order of [`Projection::apply`].
 #[inline(always)]
-fn apply<L: Lanes>(l: L, m: [L::D; 4], [x, y, z]: [L::D; 3]) -> L::D {
-    let sum = l.add_d(l.mul_d(m[0], x), l.mul_d(m[1], y));
-    l.add_d(l.add_d(sum, l.mul_d(m[2], z)), m[3])
+fn apply<D: F64Lanes>(m: [D; 4], [x, y, z]: [D; 3]) -> D {
+    let sum = m[0] * x + m[1] * y;
+    sum + m[2] * z + m[3]
 }
 
 /// The vertices of eight triangles: x, y and 1/z of each corner.
 #[inline(always)]
-fn gather<L: Lanes>(l: L, vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(L::I, L::I, L::F); 3] {
+fn gather<L: Lanes>(vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(L::I32, L::I32, L); 3] {
     let c = corners.map(u32::to_le_bytes);
     [
-        corner(l, vertices, c, 0),
-        corner(l, vertices, c, 1),
-        corner(l, vertices, c, 2),
+        corner::<L>(vertices, c, 0),
+        corner::<L>(vertices, c, 1),
+        corner::<L>(vertices, c, 2),
     ]
 }
 
 #[inline(always)]
 fn corner<L: Lanes>(
-    l: L,
     vertices: &[Row; MAX_VERTICES],
     corners: [[u8; 4]; LANES],
     k: usize,
-) -> (L::I, L::I, L::F) {
-    l.columns(corners.map(|corners| &vertices[usize::from(corners[k])]))
+) -> (L::I32, L::I32, L) {
+    L::load_rows(corners.map(|corners| &vertices[usize::from(corners[k])]))
 }
 
 /// The first and the last pixel whose centre is not before the first or behind the last of three.
 #[inline(always)]
-fn pixels<L: Lanes>(l: L, bits: u32, a: L::I, b: L::I, c: L::I) -> Extent<L> {
-    let below = l.splat_i((1 << bits) - 1);
-    let low = l.min_i(l.min_i(a, b), c);
-    let high = l.max_i(l.max_i(a, b), c);
-    let first = l.max_i(l.shr_i(l.add_i(low, below), bits), l.splat_i(0));
+fn pixels<I: I32Lanes>(bits: u32, a: I, b: I, c: I) -> Extent<I> {
+    let below = I::splat((1 << bits) - 1);
+    let low = a.min(b).min(c);
+    let high = a.max(b).max(c);
+    let first = (low + below).shift_right(bits).max(I::splat(0));
     Extent {
         first,
-        last: l.shr_i(high, bits),
-        size: l.sub_i(high, low),
+        last: high.shift_right(bits),
+        size: high - low,
     }
 }
 
 /// Along one axis.
-struct Extent<L: Lanes> {
+struct Extent<I> {
     /// Not before the tile.
-    first: L::I,
-    last: L::I,
+    first: I,
+    last: I,
     /// In steps.
-    size: L::I,
+    size: I,
 }
 
 /// Drops triangles that no pixel's centre of the tile can be in, and tells the others apart by size.
 #[inline(always)]
-fn sort_out<L: Lanes>(l: L, grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
+fn sort_out<L: Lanes>(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
     let bits = grid.bits;
     // A difference of coordinates may be as large as 32 bits without a sign.
-    let limit = l.splat_i(if grid.is_fine { (SMALL << bits) - 1 } else { -1 });
-    let (right, bottom) = (l.splat_i(tile.width - 1), l.splat_i(tile.height - 1));
-    let one = l.splat_i(1);
+    let limit = L::I32::splat(if grid.is_fine { (SMALL << bits) - 1 } else { -1 });
+    let (right, bottom) = (L::I32::splat(tile.width - 1), L::I32::splat(tile.height - 1));
+    let one = L::I32::splat(1);
     (scratch.tiny.count, scratch.small.count, scratch.large.count) = (0, 0, 0);
     let total = usize::from(drawn.cluster.triangles);
     for (first, corners) in (0..total)
         .step_by(LANES)
         .zip(drawn.corners().as_chunks::<LANES>().0)
     {
-        let [(x0, y0, _), (x1, y1, _), (x2, y2, _)] = gather(l, &scratch.vertices, *corners);
-        let (x, y) = (pixels(l, bits, x0, x1, x2), pixels(l, bits, y0, y1, y2));
-        let wide = l.sub_i(l.min_i(x.last, right), x.first);
-        let high = l.sub_i(l.min_i(y.last, bottom), y.first);
+        let [(x0, y0, _), (x1, y1, _), (x2, y2, _)] = gather::<L>(&scratch.vertices, *corners);
+        let (x, y) = (pixels(bits, x0, x1, x2), pixels(bits, y0, y1, y2));
+        let wide = x.last.min(right) - x.first;
+        let high = y.last.min(bottom) - y.first;
         // Negative, each: without a pixel; not small; not tiny.
-        let is_empty = l.or_i(wide, high);
-        let is_large = l.or_i(
-            l.or_i(x.size, y.size),
-            l.or_i(l.sub_i(limit, x.size), l.sub_i(limit, y.size)),
-        );
-        let is_wide = l.or_i(l.sub_i(one, wide), l.sub_i(one, high));
+        let is_empty = wide | high;
+        let is_large = x.size | y.size | (limit - x.size) | (limit - y.size);
+        let is_wide = (one - wide) | (one - high);
         let there = 0xFF >> (LANES - (total - first).min(LANES));
-        let kept = !l.signs(is_empty) & there;
-        let large = l.signs(is_large) & kept;
-        let small = l.signs(is_wide) & kept & !large;
+        let kept = !is_empty.signs() & there;
+        let large = is_large.signs() & kept;
+        let small = is_wide.signs() & kept & !large;
         if large != 0 {
             scratch.large.push(first, large);
         }
@@ -283,66 +279,66 @@ fn sort_out<L: Lanes>(l: L, grid: Grid, tile: &Tile, scratch: &mut Scratch, draw
 /// edges; these are integers as in `large`, a pixel times a grid step each. Scaled, two of them are barycentric
 /// coordinates, which 1/z is interpolated with.
 struct Setup<L: Lanes> {
-    a: [L::I; 3],
-    b: [L::I; 3],
-    c: [L::I; 3],
-    inverse_z: L::F,
+    a: [L::I32; 3],
+    b: [L::I32; 3],
+    c: [L::I32; 3],
+    inverse_z: L,
     /// What the constants' rounding down took away.
-    rest: L::F,
-    slope: [L::F; 2],
-    x: L::I,
-    y: L::I,
-    last_y: L::I,
+    rest: L,
+    slope: [L; 2],
+    x: L::I32,
+    y: L::I32,
+    last_y: L::I32,
 }
 
 impl<L: Lanes> Setup<L> {
     #[inline(always)]
-    fn new(l: L, grid: Grid, scratch: &Scratch, corners: &[u32], kept: &[u8; LANES]) -> Self {
+    fn new(grid: Grid, scratch: &Scratch, corners: &[u32], kept: &[u8; LANES]) -> Self {
         let corners = kept.map(|at| corners.get(usize::from(at)).copied().unwrap_or_default());
-        let [(x0, y0, w0), (x1, y1, w1), (x2, y2, w2)] = gather(l, &scratch.vertices, corners);
+        let [(x0, y0, w0), (x1, y1, w1), (x2, y2, w2)] = gather::<L>(&scratch.vertices, corners);
         let bits = grid.bits;
-        let (x, y) = (pixels(l, bits, x0, x1, x2), pixels(l, bits, y0, y1, y2));
-        let (dx1, dy1) = (l.sub_i(x1, x0), l.sub_i(y1, y0));
-        let (dx2, dy2) = (l.sub_i(x2, x0), l.sub_i(y2, y0));
-        let (fx1, fy1) = (l.widen_i(dx1), l.widen_i(dy1));
-        let (fx2, fy2) = (l.widen_i(dx2), l.widen_i(dy2));
-        let fx = l.widen_i(l.sub_i(x0, l.shl_i(x.first, bits)));
-        let fy = l.widen_i(l.sub_i(y0, l.shl_i(y.first, bits)));
-        let pixel = l.splat_d(1.0 / grid.steps());
-        let area = l.mul_d(cross(l, fx1, fy2, fx2, fy1), pixel);
-        let signed_area = l.narrow(area);
+        let (x, y) = (pixels(bits, x0, x1, x2), pixels(bits, y0, y1, y2));
+        let (dx1, dy1) = (x1 - x0, y1 - y0);
+        let (dx2, dy2) = (x2 - x0, y2 - y0);
+        let (fx1, fy1) = (L::widen_i32(dx1), L::widen_i32(dy1));
+        let (fx2, fy2) = (L::widen_i32(dx2), L::widen_i32(dy2));
+        let fx = L::widen_i32(x0 - x.first.shift_left(bits));
+        let fy = L::widen_i32(y0 - y.first.shift_left(bits));
+        let pixel = L::F64::splat(1.0 / grid.steps());
+        let area = cross(fx1, fy2, fx2, fy1) * pixel;
+        let signed_area = L::narrow(area);
         // All ones where the corners go round the other way.
-        let reversed = l.shr_i(l.bits_f(signed_area), 31);
-        let sign = l.mul_d(l.widen_i(l.or_i(reversed, l.splat_i(1))), pixel);
-        let c1 = l.mul_d(cross(l, fx2, fy, fy2, fx), sign);
-        let c2 = l.mul_d(cross(l, fy1, fx, fx1, fy), sign);
-        let area = l.mul_d(area, l.mul_d(sign, l.splat_d(grid.steps())));
-        let c0 = l.sub_d(l.sub_d(area, c1), c2);
+        let reversed = signed_area.to_bits().shift_right(31);
+        let sign = L::widen_i32(reversed | L::I32::splat(1)) * pixel;
+        let c1 = cross(fx2, fy, fy2, fx) * sign;
+        let c2 = cross(fy1, fx, fx1, fy) * sign;
+        let area = area * (sign * L::F64::splat(grid.steps()));
+        let c0 = area - c1 - c2;
         // Just less than half: a multiple of a step less this, rounded to the nearest, is rounded down.
-        let half = l.splat_d(0.5 - 0.5 / grid.steps());
-        let c0 = l.round_d(l.sub_d(c0, half));
-        let (k1, k2) = (l.round_d(l.sub_d(c1, half)), l.round_d(l.sub_d(c2, half)));
-        let rest1 = l.narrow(l.sub_d(c1, l.widen_i(k1)));
-        let rest2 = l.narrow(l.sub_d(c2, l.widen_i(k2)));
-        let straight = l.xor_i(reversed, l.splat_i(-1));
-        let (a1, b1) = (flip(l, dy2, reversed), flip(l, dx2, straight));
-        let (a2, b2) = (flip(l, dy1, straight), flip(l, dx1, reversed));
-        let zero = l.splat_i(0);
-        let (a0, b0) = (l.sub_i(zero, l.add_i(a1, a2)), l.sub_i(zero, l.add_i(b1, b2)));
+        let half = L::F64::splat(0.5 - 0.5 / grid.steps());
+        let c0 = L::round(c0 - half);
+        let (k1, k2) = (L::round(c1 - half), L::round(c2 - half));
+        let rest1 = L::narrow(c1 - L::widen_i32(k1));
+        let rest2 = L::narrow(c2 - L::widen_i32(k2));
+        let straight = reversed ^ L::I32::splat(-1);
+        let (a1, b1) = (flip(dy2, reversed), flip(dx2, straight));
+        let (a2, b2) = (flip(dy1, straight), flip(dx1, reversed));
+        let zero = L::I32::splat(0);
+        let (a0, b0) = (zero - (a1 + a2), zero - (b1 + b2));
         // Without an area a triangle has no inside: its neighbours have its edges' pixels.
-        let magnitude = l.and_i(l.bits_f(signed_area), l.splat_i(i32::MAX));
-        let is_flat = l.shr_i(l.sub_i(magnitude, l.splat_i(1)), 31);
-        let never = l.and_i(is_flat, l.splat_i(-1 << 30));
-        let c0 = l.or_i(l.and_i(c0, l.xor_i(is_flat, l.splat_i(-1))), never);
-        let per_area = l.div_f(l.splat_f(1.0), l.narrow(area));
-        let slope1 = l.mul_f(l.sub_f(w1, w0), per_area);
-        let slope2 = l.mul_f(l.sub_f(w2, w0), per_area);
+        let magnitude = signed_area.to_bits() & L::I32::splat(i32::MAX);
+        let is_flat = (magnitude - L::I32::splat(1)).shift_right(31);
+        let never = is_flat & L::I32::splat(-1 << 30);
+        let c0 = (c0 & (is_flat ^ L::I32::splat(-1))) | never;
+        let per_area = L::splat(1.0) / L::narrow(area);
+        let slope1 = (w1 - w0) * per_area;
+        let slope2 = (w2 - w0) * per_area;
         Self {
             a: [a0, a1, a2],
             b: [b0, b1, b2],
             c: [c0, k1, k2],
             inverse_z: w0,
-            rest: l.add_f(l.mul_f(rest1, slope1), l.mul_f(rest2, slope2)),
+            rest: rest1 * slope1 + rest2 * slope2,
             slope: [slope1, slope2],
             x: x.first,
             y: y.first,
@@ -354,7 +350,6 @@ impl<L: Lanes> Setup<L> {
     #[inline(always)]
     fn draw_tiny<const IDS: bool>(
         &self,
-        l: L,
         job: &Job,
         tile: &mut Tile,
         drawn: &Drawn,
@@ -368,17 +363,17 @@ impl<L: Lanes> Setup<L> {
             // Right, down, left.
             match corner {
                 0 => {}
-                1 => edges = add(l, edges, self.a),
-                3 => edges = add(l, edges, self.b),
-                _ => edges = sub(l, edges, self.a),
+                1 => edges = add(edges, self.a),
+                3 => edges = add(edges, self.b),
+                _ => edges = sub(edges, self.a),
             }
-            let outside = l.signs(l.or_i(l.or_i(edges[0], edges[1]), edges[2]));
+            let outside = (edges[0] | edges[1] | edges[2]).signs();
             mask |= (outside ^ 0xFF) << (corner * LANES);
-            let inverse_z = interpolate(l, edges, self.inverse_z, self.slope, self.rest);
-            *found = l.store_f(inverse_z);
+            let inverse_z = interpolate::<L>(edges, self.inverse_z, self.slope, self.rest);
+            *found = inverse_z.to_array();
         }
         found.swap(2, 3);
-        let at = l.store_i(l.add_i(l.mul_i(self.y, l.splat_i(ROW)), self.x));
+        let at = (self.y * L::I32::splat(ROW) + self.x).to_array();
         mask &= (0xFF >> (LANES - count)) * 0x0101_0101;
         while mask != 0 {
             let bit = mask.trailing_zeros() as usize;
@@ -395,38 +390,33 @@ impl<L: Lanes> Setup<L> {
     #[inline(always)]
     fn draw_rows<const IDS: bool>(
         &self,
-        l: L,
         job: &Job,
         tile: &mut Tile,
         drawn: &Drawn,
         kept: &[u8; LANES],
         count: usize,
     ) {
-        let columns = l.load_i(&[0, 1, 2, 3, 4, 5, 6, 7]);
-        let (a, b, c) = (store(l, self.a), store(l, self.b), store(l, self.c));
-        let slope = [l.store_f(self.slope[0]), l.store_f(self.slope[1])];
-        let (inverse_z, rest) = (l.store_f(self.inverse_z), l.store_f(self.rest));
-        let last = l.store_i(l.sub_i(l.min_i(self.last_y, l.splat_i(tile.height - 1)), self.y));
-        let at = l.store_i(l.add_i(l.mul_i(self.y, l.splat_i(ROW)), self.x));
+        let columns = L::I32::load(&[0, 1, 2, 3, 4, 5, 6, 7]);
+        let (a, b, c) = (store(self.a), store(self.b), store(self.c));
+        let slope = [self.slope[0].to_array(), self.slope[1].to_array()];
+        let (inverse_z, rest) = (self.inverse_z.to_array(), self.rest.to_array());
+        let last = (self.last_y.min(L::I32::splat(tile.height - 1)) - self.y).to_array();
+        let at = (self.y * L::I32::splat(ROW) + self.x).to_array();
         for lane in 0..count.min(LANES) {
-            let across = splat(l, a, lane);
-            let across = [
-                l.mul_i(across[0], columns),
-                l.mul_i(across[1], columns),
-                l.mul_i(across[2], columns),
-            ];
-            let mut edges = add(l, splat(l, c, lane), across);
-            let down = splat(l, b, lane);
-            let slope = [l.splat_f(slope[0][lane]), l.splat_f(slope[1][lane])];
-            let (inverse_z, rest) = (l.splat_f(inverse_z[lane]), l.splat_f(rest[lane]));
+            let across = splat::<L::I32>(a, lane);
+            let across = [across[0] * columns, across[1] * columns, across[2] * columns];
+            let mut edges = add(splat(c, lane), across);
+            let down = splat(b, lane);
+            let slope = [L::splat(slope[0][lane]), L::splat(slope[1][lane])];
+            let (inverse_z, rest) = (L::splat(inverse_z[lane]), L::splat(rest[lane]));
             let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
             #[expect(clippy::cast_sign_loss, reason = "in the tile")]
             let mut at = at[lane] as usize;
             for _ in 0..=last[lane] {
-                let outside = l.or_i(l.or_i(edges[0], edges[1]), edges[2]);
-                let w = interpolate(l, edges, inverse_z, slope, rest);
-                tile.put_row::<L, IDS>(l, job, at, l.zero_where_negative(outside, w), id);
-                edges = add(l, edges, down);
+                let outside = edges[0] | edges[1] | edges[2];
+                let w = interpolate::<L>(edges, inverse_z, slope, rest);
+                tile.put_row::<L, IDS>(job, at, L::select(outside, L::splat(0.0), w), id);
+                edges = add(edges, down);
                 at += STRIDE;
             }
         }
@@ -434,43 +424,43 @@ impl<L: Lanes> Setup<L> {
 }
 
 #[inline(always)]
-fn interpolate<L: Lanes>(l: L, edges: [L::I; 3], inverse_z: L::F, slope: [L::F; 2], rest: L::F) -> L::F {
-    let second = l.add_f(l.mul_f(l.float_i(edges[2]), slope[1]), rest);
-    l.add_f(inverse_z, l.add_f(l.mul_f(l.float_i(edges[1]), slope[0]), second))
+fn interpolate<L: Lanes>(edges: [L::I32; 3], inverse_z: L, slope: [L; 2], rest: L) -> L {
+    let second = L::from_i32(edges[2]) * slope[1] + rest;
+    inverse_z + (L::from_i32(edges[1]) * slope[0] + second)
 }
 
 /// `a b - c d`.
 #[inline(always)]
-fn cross<L: Lanes>(l: L, a: L::D, b: L::D, c: L::D, d: L::D) -> L::D {
-    l.sub_d(l.mul_d(a, b), l.mul_d(c, d))
+fn cross<D: F64Lanes>(a: D, b: D, c: D, d: D) -> D {
+    a * b - c * d
 }
 
 /// The negative where the mask is all ones.
 #[inline(always)]
-fn flip<L: Lanes>(l: L, a: L::I, mask: L::I) -> L::I {
-    l.sub_i(l.xor_i(a, mask), mask)
+fn flip<I: I32Lanes>(a: I, mask: I) -> I {
+    (a ^ mask) - mask
 }
 
 #[inline(always)]
-fn add<L: Lanes>(l: L, a: [L::I; 3], b: [L::I; 3]) -> [L::I; 3] {
-    [l.add_i(a[0], b[0]), l.add_i(a[1], b[1]), l.add_i(a[2], b[2])]
+fn add<I: I32Lanes>(a: [I; 3], b: [I; 3]) -> [I; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[inline(always)]
-fn sub<L: Lanes>(l: L, a: [L::I; 3], b: [L::I; 3]) -> [L::I; 3] {
-    [l.sub_i(a[0], b[0]), l.sub_i(a[1], b[1]), l.sub_i(a[2], b[2])]
+fn sub<I: I32Lanes>(a: [I; 3], b: [I; 3]) -> [I; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
-fn store<L: Lanes>(l: L, a: [L::I; 3]) -> [[i32; LANES]; 3] {
-    [l.store_i(a[0]), l.store_i(a[1]), l.store_i(a[2])]
+fn store<I: I32Lanes>(a: [I; 3]) -> [[i32; LANES]; 3] {
+    [a[0].to_array(), a[1].to_array(), a[2].to_array()]
 }
 
 #[inline(always)]
-fn splat<L: Lanes>(l: L, of: [[i32; LANES]; 3], lane: usize) -> [L::I; 3] {
+fn splat<I: I32Lanes>(of: [[i32; LANES]; 3], lane: usize) -> [I; 3] {
     [
-        l.splat_i(of[0][lane]),
-        l.splat_i(of[1][lane]),
-        l.splat_i(of[2][lane]),
+        I::splat(of[0][lane]),
+        I::splat(of[1][lane]),
+        I::splat(of[2][lane]),
     ]
 }

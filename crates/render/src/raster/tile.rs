@@ -1,8 +1,9 @@
 //! The pixels that are drawn together, small enough for the fastest cache.
 
+use oaktwin_simd::{I32Lanes, Lanes};
+
 use super::draw::Job;
 use super::frame::Frame;
-use super::lanes::Lanes;
 
 /// Columns of a tile.
 pub(super) const WIDTH: usize = 128;
@@ -164,25 +165,17 @@ impl Tile {
 
     /// The same for eight pixels in a row, where `inverse_z` is positive.
     #[inline(always)]
-    pub(super) fn put_row<L: Lanes, const IDS: bool>(
-        &mut self,
-        l: L,
-        job: &Job,
-        at: usize,
-        inverse_z: L::F,
-        id: Id,
-    ) {
+    pub(super) fn put_row<L: Lanes, const IDS: bool>(&mut self, job: &Job, at: usize, inverse_z: L, id: Id) {
         let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() else {
             return;
         };
-        let before = l.load_f(pixels);
-        *pixels = l.store_f(l.max_f(inverse_z, before));
+        let before = L::load(pixels);
+        *pixels = inverse_z.max(before).to_array();
         if IDS && let Some(ids) = self.ids[at % SIZE..].first_chunk_mut::<8>() {
-            let nearer = l.greater_f(inverse_z, before);
-            let not_farther =
-                l.signs(l.greater_f(inverse_z, l.splat_f(0.0))) & !l.signs(l.greater_f(before, inverse_z));
-            *ids = l.store_i(l.select_i(nearer, l.splat_i(id.0), l.load_i(ids)));
-            let mut ties = not_farther & !l.signs(nearer);
+            let nearer = before.lt(inverse_z);
+            let not_farther = L::splat(0.0).lt(inverse_z).signs() & !inverse_z.lt(before).signs();
+            *ids = L::I32::select(nearer, L::I32::splat(id.0), L::I32::load(ids)).to_array();
+            let mut ties = not_farther & !nearer.signs();
             while ties != 0 {
                 let first = &mut ids[ties.trailing_zeros() as usize % 8];
                 if job.hit(id) < job.hit(Id(*first)) {

@@ -1,4 +1,5 @@
-use super::simd::Lanes;
+use oaktwin_simd::Lanes;
+
 use super::vector::Vector;
 
 /// The corners of up to eight triangles.

@@ -8,7 +8,6 @@ mod exact;
 mod instances;
 mod mesh_tree;
 mod render;
-mod simd;
 mod single;
 mod stack;
 mod tile;
@@ -17,11 +16,11 @@ mod vector;
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::{Mesh, Scene};
+use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 use self::instances::Instances;
 use self::mesh_tree::MeshTree;
-pub(crate) use self::simd::{Instructions, Kernel, Lanes};
 use self::single::{Cast, Until};
 pub(crate) use self::stack::Stack;
 use self::tile::RayTables;
@@ -46,7 +45,7 @@ pub struct Ray {
 pub(crate) struct RayCaster {
     trees: Vec<MeshTree>,
     instances: Instances,
-    instructions: Instructions,
+    level: Level,
     tables: RayTables,
 }
 
@@ -93,7 +92,7 @@ impl RayCaster {
         Self {
             trees,
             instances,
-            instructions: Instructions::detect(),
+            level: Level::detect(),
             tables: RayTables::default(),
         }
     }
@@ -120,23 +119,22 @@ impl RayCaster {
     /// The nearest triangle on the ray, both ends included, and how far it is, in lengths of `direction`. Of equally
     /// near ones the first instance's first.
     pub(crate) fn cast(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> Option<(f64, Hit)> {
-        self.instructions.run(Cast {
-            scene: &self.prepared(scene),
-            ray,
-            until: Until::Nearest,
-            stack,
-        })
+        self.search(scene, ray, Until::Nearest, stack)
     }
 
     /// Whether anything lies on the ray between its ends.
     pub(crate) fn is_occluded(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
-        let found = self.instructions.run(Cast {
+        self.search(scene, ray, Until::Any, stack).is_some()
+    }
+
+    fn search(&self, scene: &Scene, ray: Ray, until: Until, stack: &mut Stack) -> Option<(f64, Hit)> {
+        let kernel = Cast {
             scene: &self.prepared(scene),
             ray,
-            until: Until::Any,
+            until,
             stack,
-        });
-        found.is_some()
+        };
+        run_lanes_at(self.level, kernel)
     }
 
     /// [`cast`](Self::cast) for each ray, in parallel.

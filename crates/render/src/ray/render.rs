@@ -3,6 +3,7 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::Scene;
+use oaktwin_simd::run_lanes_at;
 use rayon::prelude::*;
 
 use super::single::power_of_two_near;
@@ -36,20 +37,20 @@ impl RayCaster {
             .zip(0..size.height.div_ceil(SIDE));
         match hits {
             Some(hits) => bands.zip(hits.pixels_mut().par_chunks_mut(length)).for_each_init(
-                Desk::new,
-                |desk, ((z, row), hits)| {
+                Workspace::new,
+                |workspace, ((z, row), hits)| {
                     frame.render_band(
                         Band {
                             row,
                             z,
                             hits: Some(hits),
                         },
-                        desk,
+                        workspace,
                     );
                 },
             ),
-            None => bands.for_each_init(Desk::new, |desk, (z, row)| {
-                frame.render_band(Band { row, z, hits: None }, desk);
+            None => bands.for_each_init(Workspace::new, |workspace, (z, row)| {
+                frame.render_band(Band { row, z, hits: None }, workspace);
             }),
         }
         ZDepth(z)
@@ -82,13 +83,13 @@ struct FrameOfView<'a> {
 }
 
 /// What a thread needs for tiles, used again and again.
-struct Desk {
+struct Workspace {
     stack: Stack,
     state: State,
     distances: PerRay<f64>,
 }
 
-impl Desk {
+impl Workspace {
     fn new() -> Self {
         Self {
             stack: Stack::new(),
@@ -99,27 +100,29 @@ impl Desk {
 }
 
 impl FrameOfView<'_> {
-    fn render_band(&self, mut band: Band, desk: &mut Desk) {
+    fn render_band(&self, mut band: Band, workspace: &mut Workspace) {
         let width = self.view.camera.intrinsics.size.width;
         for column in 0..width.div_ceil(SIDE) {
             let (rays, directions) = self.rays.tile(column, band.row);
-            self.caster.instructions.run(Trace {
+            let trace = Trace {
                 scene: &self.scene,
                 origin: &self.origin,
                 rays: &rays,
                 clip: self.view.clip,
-                state: &mut desk.state,
-                stack: &mut desk.stack,
-            });
-            self.caster.instructions.run(Solve {
+                state: &mut workspace.state,
+                stack: &mut workspace.stack,
+            };
+            run_lanes_at(self.caster.level, trace);
+            let solve = Solve {
                 scene: &self.scene,
                 origin: self.origin.point,
                 world_from_camera: self.view.world_from_camera.rotation,
-                seen: &desk.state.seen,
+                seen: &workspace.state.seen,
                 directions: &directions,
-                distances: &mut desk.distances,
-            });
-            self.finish(&rays, &directions, column, &mut band, desk);
+                distances: &mut workspace.distances,
+            };
+            run_lanes_at(self.caster.level, solve);
+            self.finish(&rays, &directions, column, &mut band, workspace);
         }
     }
 
@@ -131,7 +134,7 @@ impl FrameOfView<'_> {
         directions: &PerRay<DVec3>,
         column: u32,
         band: &mut Band,
-        desk: &mut Desk,
+        workspace: &mut Workspace,
     ) {
         let width = self.view.camera.intrinsics.size.width;
         let clip = self.view.clip;
@@ -141,14 +144,15 @@ impl FrameOfView<'_> {
                 let (packet, lane) = place(x, y);
                 let direction = directions[packet][lane];
                 let z_per_length = f64::from(rays.z_per_length[packet][lane]);
-                let instance = desk.state.seen.instance[packet][lane];
+                let instance = workspace.state.seen.instance[packet][lane];
                 // Here single precision has seen that there is nothing, or there is no ray.
                 if instance == u32::MAX && (z_per_length > 0.0 || direction.is_nan()) {
                     continue;
                 }
-                let mut t = desk.distances[packet][lane];
-                let inverse =
-                    f64::from(desk.state.seen.inverse_z[packet][lane]) * self.origin.scale * z_per_length;
+                let mut t = workspace.distances[packet][lane];
+                let inverse = f64::from(workspace.state.seen.inverse_z[packet][lane])
+                    * self.origin.scale
+                    * z_per_length;
                 // Seen all but from the side, single precision decides: it keeps to the triangle.
                 let error = (t * inverse - 1.0).abs();
                 if error.is_nan() || error > 1e-3 {
@@ -156,9 +160,9 @@ impl FrameOfView<'_> {
                 }
                 let is_within = instance != u32::MAX && t >= clip.near_m && t <= clip.far_m;
                 let (t, hit) = if is_within {
-                    let slot = desk.state.seen.triangle[packet][lane];
+                    let slot = workspace.state.seen.triangle[packet][lane];
                     (t, self.scene.hit(instance, slot))
-                } else if let Some(found) = self.cast(direction, &mut desk.stack) {
+                } else if let Some(found) = self.cast(direction, &mut workspace.stack) {
                     found
                 } else {
                     continue;

@@ -2,12 +2,12 @@
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_scene::Mesh;
+use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
 use super::bvh::{Bounds, Node};
 use super::corners::corners;
 use super::exact::Plane;
 use super::mesh_tree::MeshTree;
-use super::simd::{Kernel, Lanes};
 use super::stack::{Entry, Stack, push_children};
 use super::vector::Vector;
 use super::{Prepared, Ray};
@@ -62,7 +62,7 @@ pub(crate) struct Cast<'a> {
     pub(crate) stack: &'a mut Stack,
 }
 
-impl Kernel for Cast<'_> {
+impl LaneKernel for Cast<'_> {
     type Output = Option<(f64, Hit)>;
 
     #[inline(always)]
@@ -274,14 +274,14 @@ fn walk<L: Lanes>(
         let planes = &node.bounds;
         // In this order a NaN stays one, and hides the child.
         let start = near
-            .max(L::load(&planes[x]).sub(to_first.x).mul(inverse.x))
-            .max(L::load(&planes[y]).sub(to_first.y).mul(inverse.y))
-            .max(L::load(&planes[z]).sub(to_first.z).mul(inverse.z));
+            .max((L::load(&planes[x]) - to_first.x) * inverse.x)
+            .max((L::load(&planes[y]) - to_first.y) * inverse.y)
+            .max((L::load(&planes[z]) - to_first.z) * inverse.z);
         let end = L::splat(far)
-            .min(L::load(&planes[x1]).sub(to_last.x).mul(inverse.x))
-            .min(L::load(&planes[y1]).sub(to_last.y).mul(inverse.y))
-            .min(L::load(&planes[z1]).sub(to_last.z).mul(inverse.z));
-        let end = end.mul(L::splat(1.0 + 1e-6)).max(end.mul(L::splat(1.0 - 1e-6)));
+            .min((L::load(&planes[x1]) - to_last.x) * inverse.x)
+            .min((L::load(&planes[y1]) - to_last.y) * inverse.y)
+            .min((L::load(&planes[z1]) - to_last.z) * inverse.z);
+        let end = (end * L::splat(1.0 + 1e-6)).max(end * L::splat(1.0 - 1e-6));
         push_children(stack, node, start.le(end), start);
     }
     false
@@ -300,18 +300,18 @@ fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search:
     let fine = Vector::splat(path.fine);
     let direction = Vector::<L>::splat(path.single);
     let [a, b, c] = corners::<L>(&mesh.positions, triangles);
-    let a = a.sub(coarse).sub(fine).scale(scale);
-    let b = b.sub(coarse).sub(fine).scale(scale);
-    let c = c.sub(coarse).sub(fine).scale(scale);
+    let a = (a - coarse - fine) * scale;
+    let b = (b - coarse - fine) * scale;
+    let c = (c - coarse - fine) * scale;
     let ab = a.side(b).dot(direction);
     let bc = b.side(c).dot(direction);
     let ca = c.side(a).dot(direction);
-    let normal = b.sub(a).cross(c.sub(a));
-    let t = a.dot(normal).div(direction.dot(normal));
+    let normal = (b - a).cross(c - a);
+    let t = a.dot(normal) / direction.dot(normal);
     let zero = L::splat(0.0);
     let is_inside = zero.le(ab.min(bc).min(ca)).signs() | ab.max(bc).max(ca).le(zero).signs();
     let near = loosened(path.lengths(search.near) * path.scale, -1e-4);
     let far = loosened(path.lengths(search.far) * path.scale, 1e-4);
-    let in_range = L::splat(near).le(t).and(t.le(L::splat(far)));
+    let in_range = L::splat(near).le(t) & t.le(L::splat(far));
     is_inside & in_range.signs() & ((1u32 << triangles.len()) - 1)
 }

@@ -1,5 +1,6 @@
+use oaktwin_simd::{I32Lanes, Lanes};
+
 use super::bvh::Node;
-use super::simd::Lanes;
 
 /// What is left to visit: a node, or the items of a leaf.
 #[derive(Clone, Copy, Debug)]
@@ -35,12 +36,12 @@ pub(crate) type Stack = Vec<Entry>;
 
 /// Appends the children that `seen` has (all ones), so that the one that starts first comes out first.
 #[inline(always)]
-pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L, starts: L) {
+pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L::I32, starts: L) {
     let mut children = seen.signs();
     if children == 0 {
         return;
     }
-    let starts_of = starts.values();
+    let starts_of = starts.to_array();
     let count = children.count_ones() as usize;
     if count == 1 {
         let child = children.trailing_zeros() as usize & 7;
@@ -49,9 +50,9 @@ pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L, s
     }
     // Their numbers in the lowest bits tell equal ones apart; that moves the order by less than rounding does.
     let finite = starts.min(L::splat(f32::MAX)).max(L::splat(f32::MIN));
-    let numbers = L::load_bits(&[0, 1, 2, 3, 4, 5, 6, 7]);
-    let distinct = finite.and(L::splat(f32::from_bits(!7))).xor(numbers);
-    let ranks = seen.select(distinct, L::splat(f32::INFINITY)).ranks();
+    let numbers = L::I32::load(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    let distinct = L::from_bits((finite.to_bits() & L::I32::splat(!7)) ^ numbers);
+    let ranks = L::select(seen, distinct, L::splat(f32::INFINITY)).ranks();
     let base = stack.len();
     stack.resize(base + count, Entry::ROOT);
     let new = &mut stack[base..];

@@ -14,7 +14,6 @@ use oaktwin_camera::{
 use oaktwin_scene::{Instance, Mesh, Scene};
 use proptest::prelude::*;
 
-use super::simd::Instructions;
 use super::*;
 use crate::Clip;
 
@@ -551,16 +550,19 @@ fn a_tree_that_cannot_be_balanced() {
 }
 
 #[test]
-fn any_number_of_threads_and_any_instructions_give_the_same_bytes() {
+fn any_number_of_threads_and_any_level_give_the_same_bytes() {
     let scene = random_scene(11);
     let caster = RayCaster::new(&scene);
-    let baseline = RayCaster {
-        instructions: Instructions::Baseline,
+    let at_levels = Level::available().into_iter().map(|level| RayCaster {
+        level,
         ..RayCaster::new(&scene)
-    };
+    });
+    let at_levels: Vec<_> = at_levels.collect();
     for view in every_lens(131, 77) {
         let one = caster.visibility(&scene, &view);
-        assert_eq!(baseline.visibility(&scene, &view), one);
+        for caster in &at_levels {
+            assert_eq!(caster.visibility(&scene, &view), one, "{:?}", caster.level);
+        }
         for threads in [1, 3] {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)

@@ -2,7 +2,9 @@
 //!
 //! No closures here, nor in the kernels: a closure is compiled without the instructions of the function around it.
 
-use super::simd::Lanes;
+use std::ops::{Add, Mul, Sub};
+
+use oaktwin_simd::Lanes;
 
 #[derive(Clone, Copy)]
 pub(crate) struct Vector<L> {
@@ -34,57 +36,27 @@ impl<L: Lanes> Vector<L> {
         self.z.store(z);
     }
 
+    /// Flips the signs where `sign` is the bits of −0.
     #[inline(always)]
-    pub(crate) fn add(self, other: Self) -> Self {
+    pub(crate) fn flip(self, sign: L::I32) -> Self {
         Self {
-            x: self.x.add(other.x),
-            y: self.y.add(other.y),
-            z: self.z.add(other.z),
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn sub(self, other: Self) -> Self {
-        Self {
-            x: self.x.sub(other.x),
-            y: self.y.sub(other.y),
-            z: self.z.sub(other.z),
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn scale(self, by: L) -> Self {
-        Self {
-            x: self.x.mul(by),
-            y: self.y.mul(by),
-            z: self.z.mul(by),
-        }
-    }
-
-    /// With the signs turned where `sign` is negative.
-    #[inline(always)]
-    pub(crate) fn turned(self, sign: L) -> Self {
-        Self {
-            x: self.x.xor(sign),
-            y: self.y.xor(sign),
-            z: self.z.xor(sign),
+            x: L::from_bits(self.x.to_bits() ^ sign),
+            y: L::from_bits(self.y.to_bits() ^ sign),
+            z: L::from_bits(self.z.to_bits() ^ sign),
         }
     }
 
     #[inline(always)]
     pub(crate) fn dot(self, other: Self) -> L {
-        self.x
-            .mul(other.x)
-            .add(self.y.mul(other.y))
-            .add(self.z.mul(other.z))
+        self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     #[inline(always)]
     pub(crate) fn cross(self, other: Self) -> Self {
         Self {
-            x: self.y.mul(other.z).sub(self.z.mul(other.y)),
-            y: self.z.mul(other.x).sub(self.x.mul(other.z)),
-            z: self.x.mul(other.y).sub(self.y.mul(other.x)),
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
         }
     }
 
@@ -92,6 +64,45 @@ impl<L: Lanes> Vector<L> {
     /// with the other sign, to the last bit.
     #[inline(always)]
     pub(crate) fn side(self, other: Self) -> Self {
-        self.add(other).cross(other.sub(self))
+        (self + other).cross(other - self)
+    }
+}
+
+impl<L: Lanes> Add for Vector<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            x: self.x + other.x,
+            y: self.y + other.y,
+            z: self.z + other.z,
+        }
+    }
+}
+
+impl<L: Lanes> Sub for Vector<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
+    }
+}
+
+impl<L: Lanes> Mul<L> for Vector<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: L) -> Self {
+        Self {
+            x: self.x * factor,
+            y: self.y * factor,
+            z: self.z * factor,
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Light of a projector: from one point, of a pattern that is finer than a pixel.
+//! The light of a projector: a point source with a pattern finer than a pixel.
 
 use glam::{Vec2, Vec3};
 use oaktwin_camera::RigidTransform;
@@ -7,22 +7,22 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::rig::luminance;
-use super::{Sight, Studio};
+use super::{ShadingContext, ShadingInput};
 use crate::annotate::Surface;
 use crate::ray::{Ray, RayCaster, Stack};
 
-/// Samples of a pixel in a row and in a column.
+/// The samples of a pixel in a row and in a column.
 const SAMPLES: u8 = 4;
 
-/// Nothing this near to the projector takes its light, metres: its own window.
+/// Surfaces this close to the projector, such as its own window, do not block it, metres.
 const NEAR_M: f64 = 0.01;
 
 /// A projector in a scene.
 #[derive(Clone, Copy)]
 pub struct Beam<'a> {
-    /// Where it stands; its axes are `OpenCV`'s, it shines along z. Metres.
+    /// The pose in metres; the axes are those of `OpenCV`, and the beam points along z.
     pub world_from_beam: RigidTransform,
-    /// What it projects.
+    /// The projected pattern.
     pub pattern: &'a dyn BeamPattern,
 }
 
@@ -34,89 +34,94 @@ impl std::fmt::Debug for Beam<'_> {
     }
 }
 
-/// What a projector sends into each direction, which is given as its place (x/z, y/z) on the plane z = 1.
+/// The pattern of a projector as a function of direction, given as (x/z, y/z).
 pub trait BeamPattern: Sync {
-    /// The luminance of a white diffuse surface that faces the projector from there 1 m away, 1 being such a surface in
-    /// the scene's typical light.
+    /// Returns the luminance of a white diffuse surface at 1 m that faces the projector; 1 is the same surface in the scene's
+    /// typical light.
     fn luminance(&self, at: [f32; 2]) -> f32;
 
-    /// Whether it sends nothing to any place within a radius. It may say no where it could say yes.
+    /// Whether the pattern is dark everywhere within a radius. May return false where it is dark.
     fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool;
 }
 
-/// The light of a beam on a surface, per white at 1 m that faces it, and where its pixel lies in the pattern.
+/// The light of a beam on a surface, relative to a surface at 1 m that faces it, and the pixel's footprint in the pattern.
 struct Lit {
     strength: f32,
-    place: Place,
+    footprint: Footprint,
 }
 
-/// Where places of a pixel lie in the pattern: homogeneous, linear across the pixel as its surface is flat.
+/// The footprint of a pixel in the pattern: homogeneous and linear across the pixel, since its surface is flat.
 #[derive(Clone, Copy)]
-struct Place {
+struct Footprint {
     middle: Vec3,
     across: Vec3,
     down: Vec3,
 }
 
-impl Place {
-    /// At a place of the pixel, −½ to ½ from its middle.
+impl Footprint {
+    /// Returns the direction at a point of the pixel, −½ to ½ from its centre.
     #[inline]
     fn at(&self, x: f32, y: f32) -> Vec2 {
         let p = self.middle + self.across * x + self.down * y;
         Vec2::new(p.x, p.y) / p.z
     }
 
-    /// No place of the pixel is farther from its middle, to first order and a fifth more.
+    /// Returns a bound of the distance of the pixel's points from its centre: to first order, plus a fifth.
     fn radius(&self, middle: Vec2) -> f32 {
         let step = |by: Vec3| (Vec2::new(by.x, by.y) - middle * by.z).length();
         0.6 * (step(self.across) + step(self.down)) / self.middle.z.abs()
     }
 }
 
-impl Studio<'_> {
-    /// The luminance that a beam adds to each pixel: of diffuse reflection alone. A pixel is what its centre sees, with
-    /// the pattern's mean over it.
-    pub(super) fn beam(&self, sight: &Sight<'_>, beam: &Beam<'_>) -> Image<f32> {
-        let hits = &sight.seen.hits;
+impl ShadingContext<'_> {
+    /// Returns the luminance that a beam adds to each pixel by diffuse reflection: the surface at the pixel's centre with the
+    /// mean of the pattern over the pixel.
+    pub(super) fn beam(&self, input: &ShadingInput<'_>, beam: &Beam<'_>) -> Image<f32> {
+        let hits = &input.seen.hits;
         let (width, height) = (hits.width(), hits.height());
         let mut out = Image::filled(width, height, 0.0);
         let row_length = (width as usize).max(1);
         let seen_rows =
-            (sight.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
+            (input.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
         let rows = out.pixels_mut().par_chunks_mut(row_length);
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || self.desk(),
-            |desk, ((row, (depths, hits)), y)| {
+            || self.workspace(),
+            |workspace, ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
-                    let Some(ray) = sight.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
+                    let Some(ray) = input.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
                     };
-                    let next = sight.rays.next(x, y, ray);
-                    let found = desk.finder.find(*hit, ray, *z);
+                    let next = input.rays.next(x, y, ray);
+                    let found = workspace.finder.find(*hit, ray, *z);
                     let lit = found
                         .as_ref()
                         .and_then(|surface| Some((surface, self.lit(surface, ray, next, beam)?)));
                     let Some((surface, lit)) = lit else {
                         continue;
                     };
-                    let middle = lit.place.at(0.0, 0.0);
+                    let middle = lit.footprint.at(0.0, 0.0);
                     if beam
                         .pattern
-                        .is_dark_around(middle.to_array(), lit.place.radius(middle))
-                        || is_shadowed(sight, surface, beam.world_from_beam.translation, &mut desk.stack)
+                        .is_dark_around(middle.to_array(), lit.footprint.radius(middle))
+                        || is_shadowed(
+                            input,
+                            surface,
+                            beam.world_from_beam.translation,
+                            &mut workspace.stack,
+                        )
                     {
                         continue;
                     }
-                    let finish = self.coat(surface, *hit, desk).at(surface, || next);
+                    let finish = self.layer(surface, *hit, workspace).at(surface, || next);
                     let albedo = luminance(finish.color) * (1.0 - finish.metallic);
-                    *pixel = mean(&lit.place, beam.pattern) * lit.strength * albedo;
+                    *pixel = mean(&lit.footprint, beam.pattern) * lit.strength * albedo;
                 }
             },
         );
         out
     }
 
-    /// `None` where the beam does not reach the side that is seen.
+    /// Returns `None` where the beam does not reach the visible side.
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     fn lit(
         &self,
@@ -134,8 +139,8 @@ impl Studio<'_> {
         if !(is_ahead && cosine > 0.0 && surface.flat_normal.dot(from_beam) < 0.0) {
             return None;
         }
-        // A ray r of the eye meets the surface's plane, through p and across n, at eye + r ((p − eye)·n) / (r·n): seen
-        // from the beam a multiple of (eye − beam) (r·n) + r ((p − eye)·n).
+        // A ray r of the eye meets the surface's plane, through p with normal n, at eye + r ((p − eye)·n) / (r·n): relative
+        // to the beam a multiple of (eye − beam) (r·n) + r ((p − eye)·n).
         let normal = surface.flat_normal;
         let height = (surface.point - eye).dot(normal);
         let eye_from_beam = eye - beam.world_from_beam.translation;
@@ -146,33 +151,33 @@ impl Studio<'_> {
         let step = |to: Option<DVec3>| to.map_or(DVec3::ZERO, |to| in_beam(to - ray));
         let middle = in_beam(ray);
         let scale = 1.0 / middle.length();
-        let place = Place {
+        let footprint = Footprint {
             middle: (middle * scale).as_vec3(),
             across: (step(next[0]) * scale).as_vec3(),
             down: (step(next[1]) * scale).as_vec3(),
         };
         Some(Lit {
             strength: (cosine / (distance * distance).max(NEAR_M * NEAR_M)) as f32,
-            place,
+            footprint,
         })
     }
 }
 
-/// The pattern's mean over a pixel.
-fn mean(place: &Place, pattern: &dyn BeamPattern) -> f32 {
+/// The mean of the pattern over a pixel.
+fn mean(footprint: &Footprint, pattern: &dyn BeamPattern) -> f32 {
     let samples = f32::from(SAMPLES);
     let offset = |i: u8| (f32::from(i) + 0.5) / samples - 0.5;
     let mut sum = 0.0;
     for row in 0..SAMPLES {
         for column in 0..SAMPLES {
-            sum += pattern.luminance(place.at(offset(column), offset(row)).to_array());
+            sum += pattern.luminance(footprint.at(offset(column), offset(row)).to_array());
         }
     }
     sum / (samples * samples)
 }
 
-fn is_shadowed(sight: &Sight<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mut Stack) -> bool {
-    // As far off the surface as the point may be wrong by.
+fn is_shadowed(input: &ShadingInput<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mut Stack) -> bool {
+    // The offset is the rounding error of the point.
     let origin = surface.point + surface.flat_normal * (2e-5 + surface.range * 1e-4);
     let direction = beam - origin;
     let ray = Ray {
@@ -181,6 +186,6 @@ fn is_shadowed(sight: &Sight<'_>, surface: &Surface<'_>, beam: DVec3, stack: &mu
         near: 0.0,
         far: (1.0 - NEAR_M / direction.length()).max(0.0),
     };
-    let caster: &RayCaster = sight.caster;
-    caster.is_occluded(sight.scene, ray, stack)
+    let caster: &RayCaster = input.caster;
+    caster.is_occluded(input.scene, ray, stack)
 }

@@ -1,6 +1,6 @@
-//! The light that reaches each second pixel of each second row, freed of the pattern, for all pixels.
+//! Incident light at half resolution, filtered over the sampling pattern and interpolated for all pixels.
 //!
-//! Each second of them in each second row looks at the lamps; those between look where these disagree.
+//! Shadow rays are cast at a quarter of the samples, and elsewhere only where these disagree.
 
 use glam::{Vec3, Vec4};
 use oaktwin_image::Image;
@@ -8,21 +8,21 @@ use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
 use super::lamp::Lamp;
-use super::occlusion::{Glimpses, Light, Occlusion, Place, Shares};
+use super::occlusion::{LampSamples, Light, Occlusion, Place, Shares};
 use super::pattern::{PERIOD, Pattern};
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// A pixel's place and light.
+/// The surface and the light of a pixel.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    /// From the eye, metres.
+    /// The point relative to the eye, metres.
     point: Vec3,
-    /// Zero where nothing is seen.
+    /// Zero for a miss.
     normal: Vec3,
-    /// Of the plane distance within which another sample belongs to the same surface.
+    /// The inverse of the distance from the plane within which another sample belongs to the same surface.
     per_tolerance: f32,
     light: Light,
 }
@@ -34,14 +34,15 @@ const NOTHING: Sample = Sample {
     light: Light::FULL,
 };
 
-/// So much kinship must places have with a pixel's to tell its light.
-const LEAST_KINSHIP: f32 = 0.02;
+/// The minimum total similarity for interpolation.
+const MIN_SIMILARITY: f32 = 0.02;
 
-/// A quarter of a view's pixels.
+/// Samples at a quarter of a view's pixels.
 #[derive(Debug)]
 pub(super) struct Coarse {
     samples: Image<Sample>,
-    /// Their light: what arrives of the lamps', all of that, the surroundings' share and the sky's.
+    /// The light of each sample: the lamp light that arrives, the lamp light without shadows, and the visible shares of the
+    /// surroundings and the sky.
     light: Image<Vec4>,
 }
 
@@ -66,10 +67,10 @@ impl Sample {
         }
     }
 
-    /// How much another one says about this: 0 to 1, by how parallel they are and how far the other is off this one's
+    /// Returns the weight of another sample, 0 to 1: from the angle between the normals and its distance from this sample's
     /// plane.
     #[inline]
-    fn kinship(&self, other: &Self) -> f32 {
+    fn similarity(&self, other: &Self) -> f32 {
         let parallel = (self.normal.dot(other.normal) - 0.75) * 4.0;
         let off = self.normal.dot(other.point - self.point).abs() * self.per_tolerance;
         parallel.max(0.0) * (1.0 - off).max(0.0)
@@ -93,35 +94,34 @@ impl Coarse {
         };
         let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
-        let mut glimpses = Image::filled(width.div_ceil(2), height.div_ceil(2), Glimpses::default());
-        // A row of glimpses for two of samples.
-        let glimpse_rows = glimpses.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
+        let mut lamp_samples = Image::filled(width.div_ceil(2), height.div_ceil(2), LampSamples::default());
+        // One row of lamp samples for two rows of samples.
+        let lamp_sample_rows = lamp_samples.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
         let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
-        rows.zip(glimpse_rows).zip(0..height.div_ceil(2)).for_each_init(
-            state,
-            |(finder, stack), ((samples, glimpses), half_y)| {
+        rows.zip(lamp_sample_rows)
+            .zip(0..height.div_ceil(2))
+            .for_each_init(state, |(finder, stack), ((samples, lamp_samples), half_y)| {
                 for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
                     for (sample, x) in row.iter_mut().zip(0..) {
                         let Some(place) = place_of(finder, x, y) else {
                             continue;
                         };
                         *sample = Sample::new(&place);
-                        let turn = Pattern::turn(x, y);
+                        let cell = Pattern::cell(x, y);
                         if x % 2 == 0
                             && y % 2 == 0
-                            && let Some(glimpses) = glimpses.get_mut(x as usize / 2)
+                            && let Some(lamp_samples) = lamp_samples.get_mut(x as usize / 2)
                         {
-                            (sample.light, *glimpses) = occlusion.look_at_lamps(&place, turn, stack);
+                            (sample.light, *lamp_samples) = occlusion.sample_lamps(&place, cell, stack);
                         }
                         (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
-                            occlusion.look_around(&place, turn, stack)
+                            occlusion.sample_surroundings(&place, cell, stack)
                         } else {
                             (f32::NAN, f32::NAN)
                         };
                     }
                 }
-            },
-        );
+            });
         let first = samples.clone();
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
         rows.zip(0..height)
@@ -130,25 +130,25 @@ impl Coarse {
                     if sample.per_tolerance == 0.0 {
                         continue;
                     }
-                    let turn = Pattern::turn(x, y);
+                    let cell = Pattern::cell(x, y);
                     let (ambient, sky) = (sample.light.ambient, sample.light.sky);
-                    // Where all even places around see a lamp, or none does, no shadow begins.
+                    // There is no shadow edge where all even neighbours see a lamp or none does.
                     if x % 2 != 0 || y % 2 != 0 {
-                        let around = Around::new(&first, &glimpses, sample, x, y);
+                        let around = Neighbours::new(&first, &lamp_samples, sample, x, y);
                         let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
                             around.all_see(index).unwrap_or_else(|| {
                                 place_of(finder, x, y)
                                     .is_some_and(|place| occlusion.sees(&place, lamp, spot, stack))
                             })
                         };
-                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, turn, sees);
+                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, cell, sees);
                     }
                     (sample.light.ambient, sample.light.sky) = (ambient, sky);
-                    // Every other place asks its four neighbours.
+                    // Every other sample takes the mean of its four neighbours.
                     if ambient.is_nan() {
                         let found = mean_around(&first, sample, x, y).or_else(|| {
                             let place = place_of(finder, x, y)?;
-                            Some(occlusion.look_around(&place, turn, stack))
+                            Some(occlusion.sample_surroundings(&place, cell, stack))
                         });
                         (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
                     }
@@ -171,11 +171,11 @@ impl Coarse {
         Self { samples, light }
     }
 
-    /// The light at a place that pixel `(x, y)` sees; `None` where none of its neighbours sees the same surface.
+    /// Returns the light at the point that pixel `(x, y)` sees; `None` where no neighbour sees the same surface.
     pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Shares> {
         let at = Sample::new(place);
-        // Smoothing over an even number of samples moved them by half of one, a pixel: of the pixels, those of odd
-        // columns have a sample of their own and the others lie between two.
+        // Filtering over an even number of samples shifts them by half a sample, which is one pixel: pixels in odd columns
+        // coincide with a sample and the others lie between two.
         let columns = [x.div_ceil(2), x / 2 + 1];
         let rows = [y.div_ceil(2), y / 2 + 1];
         self.mean(&at, columns, rows).or_else(|| {
@@ -184,7 +184,7 @@ impl Coarse {
         })
     }
 
-    /// Of the samples of the same surface.
+    /// Returns the weighted mean of the samples of the same surface.
     #[inline]
     fn mean(&self, at: &Sample, columns: [u32; 2], rows: [u32; 2]) -> Option<Shares> {
         let within = |at: u32, count: u32| at.min(count.saturating_sub(1));
@@ -197,14 +197,14 @@ impl Coarse {
                 if let (Some(sample), Some(light)) =
                     (self.samples.get(column, row), self.light.get(column, row))
                 {
-                    let weight = at.kinship(sample);
+                    let weight = at.similarity(sample);
                     sum += *light * weight;
                     weights += weight;
                 }
             }
         }
         let [some, all, ambient, sky] = sum.to_array();
-        (weights > LEAST_KINSHIP).then(|| Shares {
+        (weights > MIN_SIMILARITY).then(|| Shares {
             direct: if all > 0.0 { some / all } else { 1.0 },
             ambient: ambient / weights,
             sky: sky / weights,
@@ -212,29 +212,29 @@ impl Coarse {
     }
 }
 
-/// What the even places around a place see of the lamps; nothing where one of them may be of another surface.
-struct Around([Option<Glimpses>; 4]);
+/// The lamp samples of the even neighbours; `None` for a neighbour that may belong to another surface.
+struct Neighbours([Option<LampSamples>; 4]);
 
-impl Around {
-    fn new(samples: &Image<Sample>, glimpses: &Image<Glimpses>, at: &Sample, x: u32, y: u32) -> Self {
+impl Neighbours {
+    fn new(samples: &Image<Sample>, lamp_samples: &Image<LampSamples>, at: &Sample, x: u32, y: u32) -> Self {
         let (columns, rows) = ([x / 2, x.div_ceil(2)], [y / 2, y.div_ceil(2)]);
         Self([0, 1, 2, 3].map(|i| {
             let (column, row) = (columns[i % 2], rows[i / 2]);
             let other = samples.get(2 * column, 2 * row)?;
-            let is_kin = at.kinship(other) >= 0.25;
-            glimpses.get(column, row).copied().filter(|_| is_kin)
+            let is_similar = at.similarity(other) >= 0.25;
+            lamp_samples.get(column, row).copied().filter(|_| is_similar)
         }))
     }
 
-    /// Whether all of them see a lamp, or none does.
+    /// Whether all of them see a lamp or none does; `None` where they disagree.
     fn all_see(&self, lamp: u32) -> Option<bool> {
         let mut all = None;
-        for glimpses in &self.0 {
-            let found = glimpses
+        for lamp_samples in &self.0 {
+            let found = lamp_samples
                 .as_ref()?
                 .iter()
                 .flatten()
-                .find(|glimpse| glimpse.lamp == lamp)?;
+                .find(|lamp_sample| lamp_sample.lamp == lamp)?;
             if all.is_some_and(|all| all != found.is_seen) {
                 return None;
             }
@@ -244,7 +244,7 @@ impl Around {
     }
 }
 
-/// The mean of what the four neighbours see around them; `None` where hardly any is of the same surface.
+/// The mean of the four neighbours' ambient light; `None` where too few belong to the same surface.
 fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(f32, f32)> {
     let neighbours = [
         (x.checked_sub(1), Some(y)),
@@ -255,7 +255,7 @@ fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(
     let (mut ambient, mut sky, mut weights) = (0.0, 0.0, 0.0);
     for (x, y) in neighbours {
         if let Some(other) = x.zip(y).and_then(|(x, y)| samples.get(x, y)) {
-            let weight = at.kinship(other);
+            let weight = at.similarity(other);
             ambient += other.light.ambient * weight;
             sky += other.light.sky * weight;
             weights += weight;
@@ -264,8 +264,8 @@ fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(
     (weights > 0.5).then(|| (ambient / weights, sky / weights))
 }
 
-/// The mean of four samples of the same surface, one `step` apart: from two before to one after. `take` puts what is
-/// wanted of it into what was there.
+/// Filters over four samples of the same surface, `step` apart, from two before to one after. `take` combines the unfiltered and
+/// the filtered light.
 fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> Light) -> Image<Sample> {
     let mut smooth = samples.clone();
     let row_length = (samples.width() as usize).max(1);
@@ -283,7 +283,7 @@ fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> L
                 let other = (x.checked_add_signed(dx).zip(y.checked_add_signed(dy)))
                     .and_then(|(x, y)| samples.get(x, y));
                 if let Some(other) = other {
-                    let weight = if i == 0 { 1.0 } else { sample.kinship(other) };
+                    let weight = if i == 0 { 1.0 } else { sample.similarity(other) };
                     sum = sum.plus(other.light, weight);
                     weights += weight;
                 }

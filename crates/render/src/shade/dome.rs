@@ -1,4 +1,4 @@
-//! Images of the sky.
+//! Textures of dome lights.
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
@@ -8,13 +8,13 @@ use oaktwin_scene::Texture;
 use super::harmonics::Harmonics;
 use super::textures::{Missing, linear};
 
-/// Columns and rows of what is looked at for the light that surfaces receive.
+/// The columns and rows of the reduced image from which spherical harmonics are computed.
 const COARSE: [u32; 2] = [64, 32];
 
-/// An image in latitude and longitude around the world.
+/// A latitude-longitude image around the world.
 ///
-/// In the light's frame its upper edge is +y, its middle is +z and what is left of the middle is +x, as `OpenEXR` defines
-/// such images and OpenUSD draws them.
+/// In the light's frame its upper edge is +y, its centre is +z and +x is left of the centre, as `OpenEXR` defines such images and
+/// OpenUSD draws them.
 #[derive(Debug)]
 pub(super) struct DomeImage {
     image: Image<[f32; 3]>,
@@ -37,7 +37,7 @@ impl DomeImage {
         })
     }
 
-    /// From a direction in the world.
+    /// Returns the radiance from a direction in the world.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -69,7 +69,7 @@ impl DomeImage {
         }
     }
 
-    /// Its light without detail.
+    /// Returns the spherical harmonics of the image.
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub(super) fn harmonics(&self) -> Harmonics {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -94,7 +94,7 @@ impl DomeImage {
         sum
     }
 
-    /// The mean of the pixels that a place of the coarse image covers.
+    /// Returns the mean of the pixels that a pixel of the reduced image covers.
     #[expect(clippy::cast_precision_loss, reason = "a count")]
     fn mean(&self, column: u32, row: u32) -> Vec3 {
         let span = |at: u32, coarse: u32, fine: u32| {

@@ -1,4 +1,4 @@
-//! Smooth outlines.
+//! Antialiased outlines.
 
 use glam::Vec3;
 use oaktwin_camera::{Intrinsics, Usd};
@@ -6,25 +6,25 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::film::Film;
-use super::{Desk, Studio};
+use super::{ShadingContext, Workspace};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
-/// The least difference from a neighbour, of 255, that is worth smoothing.
-const LEAST_CONTRAST: u8 = 10;
+/// The minimum difference from a neighbour, of 255, that is antialiased.
+const MIN_CONTRAST: u8 = 10;
 
-/// The least bend of 1/z over three pixels that is an edge, as a share of 1/z.
-const LEAST_BEND: f32 = 1e-3;
+/// The minimum second difference of 1/z over three pixels at an edge, relative to 1/z.
+const MIN_BEND: f32 = 1e-3;
 
-/// What the corners of a view's pixels see.
+/// The surfaces that the corners of a view's pixels see.
 #[derive(Debug)]
 pub(crate) struct Corners<'a> {
-    /// Of [`corners_of`] the view.
+    /// The rays of the view that [`corners_of`] returns.
     pub(crate) rays: Rays<'a>,
     pub(crate) seen: Visibility,
 }
 
-/// The view of the corners of a view's pixels: one column and one row more than the view has.
+/// Returns a view whose pixel centres are the corners of a view's pixels: it has one column and one row more.
 pub(crate) fn corners_of(view: &View) -> View {
     let mut corners = *view;
     let of = &view.camera.intrinsics;
@@ -38,7 +38,7 @@ pub(crate) fn corners_of(view: &View) -> View {
     corners
 }
 
-/// The pixels at outlines, row by row.
+/// Finds the pixels at outlines, row by row.
 pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>) -> Vec<Vec<u32>> {
     (0..colors.height())
         .into_par_iter()
@@ -46,10 +46,10 @@ pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]
         .collect()
 }
 
-/// Where one thing ends and another begins a pixel becomes half of what its centre sees and half of what its four corners
-/// do; `put` writes that into the image. Coverage stays the centre's, as in all other annotations.
+/// At outlines a pixel becomes the mean of its centre's colour and the mean of its four corners' colours; `put` writes it into the
+/// image. Coverage remains that of the centre, as in all other annotations.
 pub(super) fn smooth<T: Send>(
-    studio: &Studio<'_>,
+    context: &ShadingContext<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
@@ -61,12 +61,12 @@ pub(super) fn smooth<T: Send>(
     let row_length = (width as usize).max(1);
     let rows = image.pixels_mut().par_chunks_mut(row_length);
     rows.zip(outlines).zip(0..height).for_each_init(
-        || studio.desk(),
-        |desk, ((row, outlines), y)| {
+        || context.workspace(),
+        |workspace, ((row, outlines), y)| {
             // The corners on the right of one pixel are those on the left of the next.
             let mut last: Option<(u32, [Vec3; 2])> = None;
             for &x in outlines {
-                let mut at = |x, dy| corner(studio, corners, seen, colors, [x, y + dy], desk);
+                let mut at = |x, dy| corner(context, corners, seen, colors, [x, y + dy], workspace);
                 let left = match last {
                     Some((column, colors)) if column == x => colors,
                     _ => [at(x, 0), at(x, 1)],
@@ -83,14 +83,14 @@ pub(super) fn smooth<T: Send>(
     );
 }
 
-/// The colour of what a corner sees: that of a pixel around it that sees the same triangle, or its own.
+/// Returns the colour at a corner: that of an adjacent pixel that sees the same triangle, else its own.
 fn corner<'a>(
-    studio: &'a Studio<'_>,
+    context: &'a ShadingContext<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
     [x, y]: [u32; 2],
-    desk: &mut Desk<'a>,
+    workspace: &mut Workspace<'a>,
 ) -> Vec3 {
     let hit = corners.seen.hits.get(x, y).copied().unwrap_or(Hit::MISS);
     let around = [
@@ -111,10 +111,10 @@ fn corner<'a>(
     };
     let next = || corners.rays.next(x, y, ray);
     let z = corners.seen.z.0.get(x, y).copied().unwrap_or(f32::INFINITY);
-    studio.color([x, y], hit, ray, next, z, desk)
+    context.color([x, y], hit, ray, next, z, workspace)
 }
 
-/// A row of what is seen.
+/// A row of colours and visible surfaces.
 #[derive(Clone, Copy)]
 struct Row<'a> {
     colors: &'a [[f32; 3]],
@@ -143,7 +143,7 @@ impl<'a> Row<'a> {
         })
     }
 
-    /// As people see it, with coverage.
+    /// Returns sRGB with coverage.
     fn tone(&self, x: usize, film: Film) -> Option<[u8; 4]> {
         let [r, g, b] = film.srgb(Vec3::from(*self.colors.get(x)?));
         let coverage = if self.hits.get(x)?.is_miss() { 0 } else { 255 };
@@ -151,14 +151,13 @@ impl<'a> Row<'a> {
     }
 }
 
-/// What is seen of a pixel beside its colour.
 #[derive(Clone, Copy)]
 struct Pixel {
     instance: u32,
     z: f32,
 }
 
-/// The pixels of a row at outlines and sharp edges that can be seen as such.
+/// Finds the pixels of a row at outlines and creases with enough contrast.
 fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> Vec<u32> {
     let Some(row) = Row::new(seen, colors, y) else {
         return Vec::new();
@@ -171,12 +170,12 @@ fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> 
             let Some(pixel) = row.pixel(x) else {
                 return false;
             };
-            // Colours are looked at last: there are few edges.
+            // Colours are compared last because there are few edges.
             let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
                 let other = row.and_then(|row| row.tone(other, film));
                 mine.tone(x, film)
                     .zip(other)
-                    .is_some_and(|(a, b)| contrast(a, b) >= LEAST_CONTRAST)
+                    .is_some_and(|(a, b)| contrast(a, b) >= MIN_CONTRAST)
             };
             let (left, right) = (x.wrapping_sub(1), x + 1);
             (pixel.is_edge_between(row.pixel(left), row.pixel(right))
@@ -195,7 +194,7 @@ impl Pixel {
         let is_other = |other: Self| other.instance != self.instance;
         let bends = before
             .zip(after)
-            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > LEAST_BEND);
+            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > MIN_BEND);
         bends || before.is_some_and(is_other) || after.is_some_and(is_other)
     }
 }

@@ -1,4 +1,4 @@
-//! What light leaves in an image.
+//! The response of the film to light.
 
 use glam::Vec3;
 use oaktwin_image::Image;
@@ -7,27 +7,27 @@ use rayon::prelude::*;
 use super::tone::{Encoder, tone};
 use crate::Visibility;
 
-/// How an image keeps light.
+/// The response curve of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Film {
-    /// By the tone curve, for people.
+    /// The tone curve, for people.
     Tones,
-    /// As it is, for sensors.
+    /// Linear, for sensors.
     Linear,
 }
 
 impl Film {
-    /// What becomes of exposed radiance.
+    /// Applies the response curve to exposed radiance.
     #[inline]
     pub(super) fn exposed(self, radiance: Vec3) -> Vec3 {
         match self {
             Self::Tones => toned(radiance),
-            // Also of a NaN.
+            // NaN becomes 0.
             Self::Linear => radiance.max(Vec3::ZERO),
         }
     }
 
-    /// As people see what is on it.
+    /// Returns the tone-mapped sRGB of a value on film.
     #[inline]
     pub(super) fn srgb(self, color: Vec3) -> [u8; 3] {
         let color = match self {
@@ -43,7 +43,7 @@ fn toned(radiance: Vec3) -> Vec3 {
     Vec3::from(radiance.to_array().map(tone))
 }
 
-/// In sRGB, with coverage: 255, or 0 for a miss.
+/// Returns sRGB with coverage: 255, or 0 for a miss.
 pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility) -> Image<[u8; 4]> {
     let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
     rgb.pixels_mut()

@@ -1,21 +1,21 @@
-//! Light from all around, as smooth functions of direction.
+//! Light from all directions as spherical harmonics.
 
 use glam::Vec3;
 
-/// Spherical harmonics up to the second order, three channels: light from all around, of which a diffuse surface takes
-/// nothing finer (Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001).
+/// Spherical harmonics up to the second order, in three channels, which suffice for diffuse surfaces (Ramamoorthi and Hanrahan,
+/// "An Efficient Representation for Irradiance Environment Maps", 2001).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Harmonics([Vec3; 9]);
 
 impl Harmonics {
-    /// The same radiance from everywhere.
+    /// Creates uniform radiance.
     pub(super) fn uniform(radiance: Vec3) -> Self {
         let mut all = Self::default();
         all.0[0] = radiance / BASIS_0;
         all
     }
 
-    /// `slope · direction` more from where `towards` points.
+    /// Adds a gradient: `slope` times the cosine to `towards`.
     pub(super) fn with_slope(mut self, slope: Vec3, towards: Vec3) -> Self {
         for (coefficient, part) in self.0[1..4].iter_mut().zip([towards.y, towards.z, towards.x]) {
             *coefficient += slope * (part / BASIS_1);
@@ -23,14 +23,14 @@ impl Harmonics {
         self
     }
 
-    /// Adds radiance that comes out of a small solid angle.
+    /// Adds radiance from a small solid angle.
     pub(super) fn add(&mut self, direction: Vec3, radiance: Vec3, solid_angle: f32) {
         for (coefficient, basis) in self.0.iter_mut().zip(basis(direction)) {
             *coefficient += radiance * (basis * solid_angle);
         }
     }
 
-    /// Both.
+    /// Returns the sum.
     pub(super) fn plus(mut self, other: &Self) -> Self {
         for (mine, others) in self.0.iter_mut().zip(other.0) {
             *mine += others;
@@ -38,7 +38,7 @@ impl Harmonics {
         self
     }
 
-    /// What a diffuse surface receives from its side of the world, over π: the mean radiance by cosine.
+    /// Returns the irradiance of a surface divided by π: the cosine-weighted mean radiance.
     #[inline]
     pub(super) fn mean_by_cosine(&self, normal: Vec3) -> Vec3 {
         let mut sum = Vec3::ZERO;
@@ -48,20 +48,20 @@ impl Harmonics {
         sum.max(Vec3::ZERO)
     }
 
-    /// What of that is to be multiplied with 1, y, z, x, xy, yz, 3z² − 1, xz and x² − y² of the normal.
+    /// Returns the coefficients of that for 1, y, z, x, xy, yz, 3z² − 1, xz and x² − y² of the normal.
     #[inline]
     pub(super) fn by_cosine(&self) -> [Vec3; 9] {
         std::array::from_fn(|i| self.0[i] * BANDS[i])
     }
 
-    /// Whether there is as much from everywhere.
+    /// Whether the radiance is uniform.
     #[inline]
     pub(super) fn is_uniform(&self) -> bool {
         self.0[1..].iter().all(|coefficient| *coefficient == Vec3::ZERO)
     }
 }
 
-/// The basis' factors, times the cosine's own coefficients over π.
+/// The factors of the basis, times the coefficients of the cosine over π.
 const BANDS: [f32; 9] = [
     BASIS_0,
     BASIS_1 * 2.0 / 3.0,
@@ -93,7 +93,7 @@ fn basis(d: Vec3) -> [f32; 9] {
     ]
 }
 
-/// The same without their factors.
+/// The spherical harmonics without their factors.
 #[inline]
 fn polynomials(d: Vec3) -> [f32; 9] {
     [
@@ -114,14 +114,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn uniform_light_is_the_same_everywhere() {
+    fn uniform_light_does_not_depend_on_the_normal() {
         let uniform = Harmonics::uniform(Vec3::new(1.0, 2.0, 3.0));
         let got = uniform.mean_by_cosine(Vec3::new(0.6, 0.0, -0.8));
         assert!((got - Vec3::new(1.0, 2.0, 3.0)).length() < 1e-5);
     }
 
     #[test]
-    fn sums_over_the_sphere_agree_with_the_formula() {
+    fn integration_over_the_sphere_matches_the_formula() {
         // Radiance 1 + z from direction z.
         let mut summed = Harmonics::default();
         let (rings, sectors) = (64u16, 128u16);
@@ -137,7 +137,7 @@ mod tests {
         }
         let formula = Harmonics::uniform(Vec3::ONE).with_slope(Vec3::ONE, Vec3::Z);
         for normal in [Vec3::Z, Vec3::X, Vec3::NEG_Z] {
-            // The mean of z by cosine is 2/3 straight up.
+            // The cosine-weighted mean of z is 2/3 for a normal along z.
             let expected = 1.0 + normal.z * 2.0 / 3.0;
             for light in [&summed, &formula] {
                 assert!((light.mean_by_cosine(normal).x - expected).abs() < 1e-3);

@@ -1,11 +1,11 @@
 use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 
-/// A light that stands or points somewhere.
+/// A light other than a dome.
 #[derive(Clone, Debug)]
 pub(super) struct Lamp {
     pub(super) shape: Shape,
-    /// Linear; of a distant light the irradiance of a surface that faces it.
+    /// Linear radiance; for a distant light, the irradiance of a surface that faces it.
     pub(super) radiance: Vec3,
 }
 
@@ -37,7 +37,7 @@ pub(super) enum Shape {
 }
 
 impl Shape {
-    /// Light from the unit vector `towards`, from a disk `angle` radians wide.
+    /// Creates a distant light in the direction `towards`, a unit vector, with a diameter of `angle` radians.
     pub(super) fn distant(towards: DVec3, angle: f64) -> Self {
         let (u, v) = towards.any_orthonormal_pair();
         let half = (angle.clamp(0.0, 3.0) / 2.0).tan();
@@ -48,7 +48,7 @@ impl Shape {
         }
     }
 
-    /// The area that shines, m²; `None` for what is infinitely far away.
+    /// Returns the emitting area in m²; `None` for distant lights.
     pub(super) fn surface(&self) -> Option<f64> {
         use std::f64::consts::PI;
         Some(match self {
@@ -58,8 +58,8 @@ impl Shape {
         })
     }
 
-    /// From a point to a place on the lamp, `(a, b)` from −1 to 1 across it, and whether it ends there rather than
-    /// going on for ever.
+    /// Returns the vector from a point to a spot on the lamp, `(a, b)` from −1 to 1 across it, and whether the lamp is at a
+    /// finite distance.
     pub(super) fn towards(&self, point: DVec3, [a, b]: [f64; 2]) -> (DVec3, bool) {
         match self {
             Self::Distant { towards, u, v } => {
@@ -70,7 +70,7 @@ impl Shape {
                 let way = *centre - point;
                 let (u, v) = way.normalize_or(DVec3::Z).any_orthonormal_pair();
                 let [a, b] = on_disk([a, b]);
-                // Not into the ball, whose own mesh may stand there.
+                // Ends at the surface of the sphere, which may have a mesh of its own.
                 let near = (way.length() - radius).max(0.0) / way.length().max(f64::MIN_POSITIVE);
                 ((way + (u * a + v * b) * *radius) * near, true)
             }
@@ -84,7 +84,7 @@ impl Shape {
     }
 }
 
-/// From the square onto the disk: each square around the middle becomes a circle.
+/// Maps the square onto the disk: concentric squares become circles.
 fn on_disk([a, b]: [f64; 2]) -> [f64; 2] {
     let (radius, length) = (a.abs().max(b.abs()), a.hypot(b));
     if length > 0.0 {
@@ -94,11 +94,11 @@ fn on_disk([a, b]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The tangent of half the angle below which a lamp's shadows have no soft borders.
+/// The tangent of the angular radius below which a lamp casts sharp shadows.
 const SMALL: f64 = 0.02;
 
 impl Lamp {
-    /// Whether it is about as large as a point, seen from here.
+    /// Whether the lamp has a small angular size seen from a point.
     pub(super) fn looks_small_from(&self, point: DVec3) -> bool {
         let (size, d2) = match self.shape {
             Shape::Distant { u, .. } => (u.length(), 1.0),
@@ -110,7 +110,7 @@ impl Lamp {
         size * size < SMALL * SMALL * d2
     }
 
-    /// What falls on a surface that faces it, without shadows.
+    /// Returns the irradiance of a surface that faces the lamp, without shadows.
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub(super) fn irradiance_at(&self, point: DVec3) -> Vec3 {
         let share = match self.shape {
@@ -123,14 +123,14 @@ impl Lamp {
                 let way = point - centre;
                 let (d2, area) = (way.length_squared(), self.shape.surface().unwrap_or(0.0));
                 let cosine = (way.dot(normal) / d2.sqrt().max(f64::MIN_POSITIVE)).max(0.0);
-                // Close to it a large lamp is half of the world.
+                // The irradiance saturates close to a large lamp, which then fills a hemisphere.
                 area * cosine / d2.max(area / std::f64::consts::PI)
             }
         };
         self.radiance * share as f32
     }
 
-    /// The lamp as seen from a view: points of light around its eye.
+    /// Returns the lamp relative to the eye of a view.
     #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
     pub(super) fn seen_from(&self, eye: DVec3) -> Emitter {
         let area = self.shape.surface().unwrap_or(0.0) as f32;
@@ -148,7 +148,7 @@ impl Lamp {
             Shape::Area {
                 centre, u, v, normal, ..
             } => {
-                // The middles of a rectangle's quarters; a disk's are near there too.
+                // The centres of a rectangle's quarters, which suit a disk too.
                 let (u, v) = ((u * 0.5).as_vec3(), (v * 0.5).as_vec3());
                 let centre = (centre - eye).as_vec3();
                 Emitter::Area {
@@ -162,7 +162,7 @@ impl Lamp {
     }
 }
 
-/// A lamp in single precision, relative to the eye, in the world's axes.
+/// A lamp in single precision, relative to the eye, in world axes.
 #[derive(Clone, Debug)]
 pub(super) enum Emitter {
     Distant {
@@ -184,7 +184,7 @@ pub(super) enum Emitter {
 }
 
 impl Emitter {
-    /// Calls `with` for each of its points: the unit vector to it, and the irradiance of a surface that faces it.
+    /// Calls `with` for each sample of the lamp: the unit vector to it and the irradiance of a surface that faces it.
     #[inline]
     pub(super) fn each(&self, point: Vec3, mut with: impl FnMut(Vec3, Vec3)) {
         match self {

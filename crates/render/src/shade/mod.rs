@@ -1,8 +1,8 @@
-//! Colour: what a camera with a film sees, good enough for stereo matching and for people to recognise the scene.
+//! Shading: colour images for stereo matching and for people. It is not a path tracer.
 //!
-//! Textures are filtered over what a pixel covers; lamps have soft shadows; surroundings darken what is close to them;
-//! light that bounces is a constant. It is no path tracer. There is no randomness in it: which part of a lamp a place
-//! looks at follows from its place in the image, and smoothing over the pattern's period makes all pixels alike.
+//! Textures are filtered over the footprint of a pixel, lamps cast soft shadows, nearby surfaces occlude ambient light, and
+//! indirect light is a constant. Sampling is deterministic: the position in the image selects the samples of lamps and
+//! surroundings from a periodic pattern, and a filter over the pattern's period removes the pattern.
 
 mod beam;
 mod coarse;
@@ -27,6 +27,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_scene::Scene;
+use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 pub use self::beam::{Beam, BeamPattern};
@@ -35,39 +36,39 @@ pub(crate) use self::edges::{Corners, corners_of};
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
-use self::paint::{Coat, Paint, paints};
+use self::paint::{Layer, Paint, paints};
 use self::pattern::Pattern;
 use self::reflect::{Facet, Facets, Radiance};
-use self::rig::{Rig, WHITE, luminance};
+use self::rig::{LightRig, WHITE, luminance};
 use self::textures::Textures;
 use crate::annotate::{Surface, SurfaceFinder};
-use crate::ray::{Instructions, RayCaster, Stack};
+use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
-/// What colour needs of a scene, beside its triangles.
+/// The data that shading needs of a scene beside its triangles.
 #[derive(Debug)]
 pub(crate) struct Shader {
     textures: Textures,
-    rig: Rig,
+    rig: LightRig,
     pattern: Pattern,
 }
 
-/// All that a pixel is shaded with.
-struct Studio<'a> {
+/// The data that all pixels of an image are shaded with.
+struct ShadingContext<'a> {
     scene: &'a Scene,
     view: &'a View,
-    rig: &'a Rig,
-    instructions: Instructions,
+    rig: &'a LightRig,
+    level: Level,
     paints: Vec<Paint<'a>>,
     occlusion: Occlusion<'a>,
     coarse: Coarse,
     film: Film,
 }
 
-/// What colour is worked out of: a scene, its triangles' tree, a view and what that sees.
+/// The input of shading: a scene, its ray caster, a view and the visible surfaces.
 #[derive(Clone, Copy)]
-pub(crate) struct Sight<'a> {
+pub(crate) struct ShadingInput<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) caster: &'a RayCaster,
     pub(crate) view: &'a View,
@@ -75,8 +76,8 @@ pub(crate) struct Sight<'a> {
     pub(crate) seen: &'a Visibility,
 }
 
-/// Of the scene's light, and of a beam's.
-pub(crate) struct Greys {
+/// The luminance from the scene's lights and from a beam.
+pub(crate) struct LuminanceParts {
     pub(crate) scene: Image<f32>,
     pub(crate) beam: Option<Image<f32>>,
 }
@@ -86,28 +87,27 @@ impl Shader {
         let pattern = Pattern::new();
         Self {
             textures: Textures::new(scene),
-            rig: Rig::new(scene, caster, &pattern),
+            rig: LightRig::new(scene, caster, &pattern),
             pattern,
         }
     }
 
-    /// sRGB and coverage (255, or 0 for a miss, which has the colour of the sky) of what is seen; smooth at outlines if
-    /// it is known what the corners of pixels see. The findings name the textures that could not be shown, in the order
-    /// of the scene.
+    /// Returns sRGB and coverage: 255, or 0 for a miss, which has the colour of the sky. Outlines are antialiased if the
+    /// corners of pixels are given. The findings name the textures that cannot be shown, in the order of the scene.
     pub(crate) fn shade(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
     ) -> (Image<[u8; 4]>, Vec<Finding>) {
-        self.with_studio(sight, Film::Tones, |studio| {
-            let colors = studio.centres(sight.rays, sight.seen);
-            let mut rgb = film::developed(studio.film, &colors, sight.seen);
+        self.with_context(input, Film::Tones, |context| {
+            let colors = context.centres(input.rays, input.seen);
+            let mut rgb = film::developed(context.film, &colors, input.seen);
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
+                let outlines = edges::outlines_of(context.film, input.seen, &colors);
                 edges::smooth(
-                    studio,
+                    context,
                     corners,
-                    sight.seen,
+                    input.seen,
                     &colors,
                     &outlines,
                     &mut rgb,
@@ -121,24 +121,24 @@ impl Shader {
         })
     }
 
-    /// Linear luminance of what is seen, 1 being a white diffuse surface in typical light, with smooth outlines; and what
-    /// a beam adds to it. The findings are those of [`Shader::shade`].
+    /// Returns linear luminance, with antialiased outlines, and the luminance that a beam adds; 1 is a white diffuse surface in
+    /// typical light. The findings are those of [`Shader::shade`].
     pub(crate) fn luminance(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
         beam: Option<&Beam<'_>>,
-    ) -> (Greys, Vec<Finding>) {
-        self.with_studio(sight, Film::Linear, |studio| {
-            let colors = studio.centres(sight.rays, sight.seen);
+    ) -> (LuminanceParts, Vec<Finding>) {
+        self.with_context(input, Film::Linear, |context| {
+            let colors = context.centres(input.rays, input.seen);
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(studio.film, sight.seen, &colors);
+                let outlines = edges::outlines_of(context.film, input.seen, &colors);
                 edges::smooth(
-                    studio,
+                    context,
                     corners,
-                    sight.seen,
+                    input.seen,
                     &colors,
                     &outlines,
                     &mut grey,
@@ -147,26 +147,26 @@ impl Shader {
                     },
                 );
             }
-            Greys {
+            LuminanceParts {
                 scene: grey,
-                beam: beam.map(|beam| studio.beam(&sight, beam)),
+                beam: beam.map(|beam| context.beam(&input, beam)),
             }
         })
     }
 
-    fn with_studio<T>(
+    fn with_context<T>(
         &self,
-        sight: Sight<'_>,
+        input: ShadingInput<'_>,
         film: Film,
-        work: impl FnOnce(&Studio<'_>) -> T,
+        work: impl FnOnce(&ShadingContext<'_>) -> T,
     ) -> (T, Vec<Finding>) {
-        let Sight {
+        let ShadingInput {
             scene,
             caster,
             view,
             rays,
             seen,
-        } = sight;
+        } = input;
         let findings = self.decode(scene, &seen.hits);
         let emitters: Vec<Emitter> = (self.rig.lamps.iter())
             .map(|lamp| lamp.seen_from(view.world_from_camera.translation))
@@ -180,20 +180,20 @@ impl Shader {
             eye: view.world_from_camera.translation,
         };
         let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
-        let studio = Studio {
+        let context = ShadingContext {
             scene,
             view,
             rig: &self.rig,
-            instructions: Instructions::detect(),
+            level: Level::detect(),
             paints: paints(scene, &self.textures),
             occlusion,
             coarse,
             film,
         };
-        (work(&studio), findings)
+        (work(&context), findings)
     }
 
-    /// Decodes the textures of what is seen; says which it could not.
+    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
         let mut meshes = vec![false; scene.meshes.len()];
         let mut last = u32::MAX;
@@ -231,31 +231,31 @@ impl Shader {
     }
 }
 
-/// What a thread shades with, used again and again.
-struct Desk<'a> {
+/// The reused memory of a thread.
+struct Workspace<'a> {
     finder: SurfaceFinder<'a>,
     stack: Stack,
-    /// What the triangle that was seen last is painted with.
-    coat: Option<(Hit, Coat<'a>)>,
+    /// The layer of the last triangle.
+    layer: Option<(Hit, Layer<'a>)>,
 }
 
-/// What a pixel sees.
-enum Seen {
-    /// The sky, exposed.
+/// The target of a ray.
+enum Visible {
+    /// The exposed colour of the sky.
     Sky(Vec3),
     Facet(Facet),
 }
 
-impl Studio<'_> {
-    fn desk(&self) -> Desk<'_> {
-        Desk {
+impl ShadingContext<'_> {
+    fn workspace(&self) -> Workspace<'_> {
+        Workspace {
             finder: SurfaceFinder::new(self.scene, self.view),
             stack: Stack::new(),
-            coat: None,
+            layer: None,
         }
     }
 
-    /// The colour, on film, of what each pixel's centre sees; black where the lens sees nothing.
+    /// Returns the colour, on film, at the centre of each pixel; black where the lens has no ray.
     fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
         let mut colors = Image::filled(width, height, [0.0; 3]);
@@ -264,21 +264,21 @@ impl Studio<'_> {
         let seen_rows =
             (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (self.desk(), Facets::default()),
-            |(desk, facets), ((row, (depths, hits)), y)| {
+            || (self.workspace(), Facets::default()),
+            |(workspace, facets), ((row, (depths, hits)), y)| {
                 let (mut places, mut count) = ([0; 8], 0);
                 for ((z, hit), x) in depths.iter().zip(hits).zip(0..) {
                     let Some(ray) = rays.centre(x, y) else {
                         continue;
                     };
                     let next = || rays.next(x, y, ray);
-                    match self.seen([x, y], *hit, ray, next, *z, desk) {
-                        Seen::Sky(color) => {
+                    match self.seen([x, y], *hit, ray, next, *z, workspace) {
+                        Visible::Sky(color) => {
                             if let Some(pixel) = row.get_mut(x as usize) {
                                 *pixel = self.film.exposed(color).to_array();
                             }
                         }
-                        Seen::Facet(facet) => {
+                        Visible::Facet(facet) => {
                             facets.set(count, &facet);
                             places[count] = x as usize;
                             count += 1;
@@ -295,29 +295,30 @@ impl Studio<'_> {
         colors
     }
 
-    /// Puts what the first facets send into their places of a row.
+    /// Writes the colours of the first facets into their pixels of a row.
     fn expose(&self, facets: &Facets, places: &[usize], row: &mut [[f32; 3]]) {
         if places.is_empty() {
             return;
         }
-        let sent = self.sent(facets);
+        let radiance = self.radiance(facets);
         for (lane, place) in places.iter().enumerate() {
             if let Some(pixel) = row.get_mut(*place) {
-                let color = Vec3::from(sent.map(|channel| channel[lane & 7]));
+                let color = Vec3::from(radiance.map(|channel| channel[lane & 7]));
                 *pixel = self.film.exposed(color).to_array();
             }
         }
     }
 
-    fn sent(&self, facets: &Facets) -> [[f32; 8]; 3] {
-        self.instructions.run(Radiance {
+    fn radiance(&self, facets: &Facets) -> [[f32; 8]; 3] {
+        let kernel = Radiance {
             facets,
             emitters: self.occlusion.emitters,
             rig: self.rig,
-        })
+        };
+        run_lanes_at(self.level, kernel)
     }
 
-    /// The colour, on film, of what one ray sees; see [`seen`](Self::seen).
+    /// Returns the colour, on film, along one ray; see [`seen`](Self::seen).
     fn color<'a>(
         &'a self,
         at: [u32; 2],
@@ -325,20 +326,20 @@ impl Studio<'_> {
         ray: DVec3,
         next: impl Fn() -> [Option<DVec3>; 2],
         z: f32,
-        desk: &mut Desk<'a>,
+        workspace: &mut Workspace<'a>,
     ) -> Vec3 {
-        let color = match self.seen(at, hit, ray, next, z, desk) {
-            Seen::Sky(color) => color,
-            Seen::Facet(facet) => {
+        let color = match self.seen(at, hit, ray, next, z, workspace) {
+            Visible::Sky(color) => color,
+            Visible::Facet(facet) => {
                 let mut facets = Facets::default();
                 facets.set(0, &facet);
-                Vec3::from(self.sent(&facets).map(|channel| channel[0]))
+                Vec3::from(self.radiance(&facets).map(|channel| channel[0]))
             }
         };
         self.film.exposed(color)
     }
 
-    /// What a ray through pixel `(x, y)` hits; `next` are the rays a pixel to the right and a pixel below.
+    /// Returns the target of a ray through pixel `(x, y)`; `next` returns the rays of the pixels to the right and below.
     #[inline]
     fn seen<'a>(
         &'a self,
@@ -347,43 +348,48 @@ impl Studio<'_> {
         ray: DVec3,
         next: impl Fn() -> [Option<DVec3>; 2],
         z: f32,
-        desk: &mut Desk<'a>,
-    ) -> Seen {
+        workspace: &mut Workspace<'a>,
+    ) -> Visible {
         let surface = if hit.is_miss() {
             None
         } else {
-            desk.finder.find(hit, ray, z)
+            workspace.finder.find(hit, ray, z)
         };
         let Some(surface) = surface else {
             let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return Seen::Sky(self.rig.background(direction));
+            return Visible::Sky(self.rig.background(direction));
         };
         let place = place(&surface, self.view);
         let light = self
             .coarse
             .light(x, y, &place)
-            .unwrap_or_else(|| self.occlusion.look_alone(&place, &mut desk.stack).shares());
-        Seen::Facet(Facet {
+            .unwrap_or_else(|| self.occlusion.sample_alone(&place, &mut workspace.stack).shares());
+        Visible::Facet(Facet {
             point: place.from_eye,
             normal: surface.normal.as_vec3(),
-            finish: self.coat(&surface, hit, desk).at(&surface, next),
+            finish: self.layer(&surface, hit, workspace).at(&surface, next),
             direct: light.direct,
             ambient: light.ambient,
             sky: light.sky,
         })
     }
 
-    /// What a triangle is painted with.
+    /// Returns the layer of a triangle.
     #[inline]
-    fn coat<'a, 'd>(&'a self, surface: &Surface<'_>, hit: Hit, desk: &'d mut Desk<'a>) -> &'d Coat<'a> {
-        if desk.coat.as_ref().is_some_and(|(last, _)| *last != hit) {
-            desk.coat = None;
+    fn layer<'a, 'd>(
+        &'a self,
+        surface: &Surface<'_>,
+        hit: Hit,
+        workspace: &'d mut Workspace<'a>,
+    ) -> &'d Layer<'a> {
+        if workspace.layer.as_ref().is_some_and(|(last, _)| *last != hit) {
+            workspace.layer = None;
         }
-        let (_, coat) = desk.coat.get_or_insert_with(|| {
+        let (_, layer) = workspace.layer.get_or_insert_with(|| {
             let material = surface.mesh.material(hit.triangle);
             let paint = material.and_then(|index| self.paints.get(index as usize));
-            (hit, paint.unwrap_or(&Paint::BARE).coat(surface, hit.triangle))
+            (hit, paint.unwrap_or(&Paint::BARE).layer(surface, hit.triangle))
         });
-        coat
+        layer
     }
 }

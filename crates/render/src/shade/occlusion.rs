@@ -1,23 +1,23 @@
-//! What hides the lights from a place.
+//! Shadows and ambient occlusion.
 
 use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
 use super::lamp::{Emitter, Lamp};
-use super::pattern::{LOOKS, Pattern, Turn};
-use super::rig::{Rig, luminance};
+use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
+use super::rig::{LightRig, luminance};
 use crate::ray::{Ray, RayCaster, Stack};
 
-/// How many lamps, those that light a place most, are looked for; the rest is taken to be hidden as they are.
-const MOST_SHADOWS: usize = 4;
+/// The number of lamps, those that contribute most, for which shadow rays are cast; the others get the same shadow.
+const MAX_SHADOWS: usize = 4;
 
-/// Of lamps' light, as luminance.
+/// The luminance of lamp light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Arrived {
-    /// What arrives.
+    /// The part that arrives.
     pub(super) some: f32,
-    /// What would arrive without shadows.
+    /// The amount without shadows.
     pub(super) all: f32,
 }
 
@@ -31,19 +31,19 @@ impl Arrived {
     }
 }
 
-/// How much of its light reaches a place: of lamps that look small, whose shadows are sharp, of large ones, and of what
-/// is all around.
+/// The light that reaches a point: from lamps of small angular size, which cast sharp shadows, from large lamps, and from the
+/// surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Light {
     pub(super) small: Arrived,
     pub(super) large: Arrived,
-    /// The shares of the surroundings and of the sky that are open.
+    /// The unoccluded shares of the surroundings and the sky.
     pub(super) ambient: f32,
     pub(super) sky: f32,
 }
 
 impl Light {
-    /// All of it.
+    /// Unoccluded light.
     pub(super) const FULL: Self = Self {
         small: Arrived { some: 0.0, all: 0.0 },
         large: Arrived { some: 0.0, all: 0.0 },
@@ -51,7 +51,6 @@ impl Light {
         sky: 1.0,
     };
 
-    /// As shares.
     #[inline]
     pub(super) fn shares(&self) -> Shares {
         let (some, all) = (self.small.some + self.large.some, self.small.all + self.large.all);
@@ -62,7 +61,7 @@ impl Light {
         }
     }
 
-    /// Both, one of them weighted.
+    /// Returns the sum, with a weight for `other`.
     #[inline]
     pub(super) fn plus(self, other: Self, weight: f32) -> Self {
         Self {
@@ -73,7 +72,7 @@ impl Light {
         }
     }
 
-    /// All of `smooth` but the sharp shadows.
+    /// Returns `smooth` with the sharp shadows of `self`.
     pub(super) fn with_smooth(self, smooth: Self) -> Self {
         Self {
             small: self.small,
@@ -81,7 +80,7 @@ impl Light {
         }
     }
 
-    /// Only what is all around of `smooth`.
+    /// Returns `self` with the surroundings and the sky of `smooth`.
     pub(super) fn with_smooth_surroundings(self, smooth: Self) -> Self {
         Self {
             ambient: smooth.ambient,
@@ -96,7 +95,7 @@ impl Light {
     }
 }
 
-/// The shares of the lamps' light, of the surroundings' and of the sky's that reach a place.
+/// The shares of the light from lamps, surroundings and sky that reach a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shares {
     pub(super) direct: f32,
@@ -104,61 +103,60 @@ pub(super) struct Shares {
     pub(super) sky: f32,
 }
 
-/// A place on a surface.
+/// A point on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// In the world, metres.
+    /// The point in the world, metres.
     pub(super) point: DVec3,
-    /// The same, from the eye.
+    /// The point relative to the eye.
     pub(super) from_eye: Vec3,
     pub(super) normal: DVec3,
     pub(super) flat_normal: DVec3,
-    /// From the eye, metres.
+    /// The distance from the eye, metres.
     pub(super) range: f64,
 }
 
 impl Place {
-    /// As far off the surface as the point may be wrong by.
+    /// Returns the point offset from the surface by its rounding error.
     fn above(&self) -> DVec3 {
         self.point + self.flat_normal * (2e-5 + self.range * 1e-4)
     }
 }
 
-/// Looks for what hides the lights.
+/// Casts shadow rays.
 pub(super) struct Occlusion<'a> {
     pub(super) scene: &'a Scene,
     pub(super) caster: &'a RayCaster,
-    pub(super) rig: &'a Rig,
+    pub(super) rig: &'a LightRig,
     pub(super) emitters: &'a [Emitter],
     pub(super) pattern: &'a Pattern,
-    /// In the world, metres.
+    /// The eye in the world, metres.
     pub(super) eye: DVec3,
 }
 
-/// A lamp of the scene, by its number there, and whether a place sees what it looks at of it.
+/// The index of a lamp and whether its sampled point is visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Glimpse {
+pub(super) struct LampSample {
     pub(super) lamp: u32,
     pub(super) is_seen: bool,
 }
 
-/// Of the lamps that light a place most.
-pub(super) type Glimpses = [Option<Glimpse>; MOST_SHADOWS];
+/// The samples of the lamps that contribute most.
+pub(super) type LampSamples = [Option<LampSample>; MAX_SHADOWS];
 
 impl Occlusion<'_> {
-    /// What the lamps send to a place that is `from_eye` away from the eye. `sees` says whether it sees its place on a lamp,
-    /// −1 to 1.
+    /// Returns the lamp light at a point relative to the eye. `sees` tests whether a spot on a lamp, −1 to 1, is visible.
     pub(super) fn lamplight(
         &self,
         from_eye: Vec3,
         normal: Vec3,
-        turn: Turn,
+        cell: PatternCell,
         mut sees: impl FnMut(u32, &Lamp, [f64; 2]) -> bool,
-    ) -> (Light, Glimpses) {
+    ) -> (Light, LampSamples) {
         let mut light = Light::default();
-        let mut glimpses = Glimpses::default();
+        let mut lamp_samples = LampSamples::default();
         let strongest = self.strongest(from_eye, normal);
-        for (glimpse, (index, strength)) in glimpses.iter_mut().zip(strongest.into_iter().flatten()) {
+        for (lamp_sample, (index, strength)) in lamp_samples.iter_mut().zip(strongest.into_iter().flatten()) {
             let Some(lamp) = self.rig.lamps.get(index as usize) else {
                 continue;
             };
@@ -166,10 +164,10 @@ impl Occlusion<'_> {
             let spot = if is_small {
                 [0.0; 2]
             } else {
-                Pattern::place(turn.of_place)
+                Pattern::place(cell.of_place)
             };
             let is_seen = sees(index, lamp, spot);
-            *glimpse = Some(Glimpse { lamp: index, is_seen });
+            *lamp_sample = Some(LampSample { lamp: index, is_seen });
             let arrived = Arrived {
                 some: if is_seen { strength } else { 0.0 },
                 all: strength,
@@ -180,28 +178,33 @@ impl Occlusion<'_> {
                 light.large = light.large.plus(arrived, 1.0);
             }
         }
-        (light, glimpses)
+        (light, lamp_samples)
     }
 
-    /// [`lamplight`](Self::lamplight), by looking.
-    pub(super) fn look_at_lamps(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (Light, Glimpses) {
-        self.lamplight(place.from_eye, place.normal.as_vec3(), turn, |_, lamp, spot| {
+    /// Returns [`lamplight`](Self::lamplight) with shadow rays.
+    pub(super) fn sample_lamps(
+        &self,
+        place: &Place,
+        cell: PatternCell,
+        stack: &mut Stack,
+    ) -> (Light, LampSamples) {
+        self.lamplight(place.from_eye, place.normal.as_vec3(), cell, |_, lamp, spot| {
             self.sees(place, lamp, spot, stack)
         })
     }
 
-    /// What a few of the neighbours find at one and the same place.
-    pub(super) fn look_alone(&self, place: &Place, stack: &mut Stack) -> Light {
-        // One of each quarter of a lamp, and each about as far from straight up.
+    /// Averages several pattern cells at one point, for pixels without similar samples.
+    pub(super) fn sample_alone(&self, place: &Place, stack: &mut Stack) -> Light {
+        // One cell for each quarter of a lamp, at similar angles from the normal.
         [0usize, 6, 9, 15]
             .into_iter()
-            .map(|turn| {
-                let turn = Turn {
-                    of_place: turn,
-                    of_tile: turn,
+            .map(|cell| {
+                let cell = PatternCell {
+                    of_place: cell,
+                    of_tile: cell,
                 };
-                let (light, _) = self.look_at_lamps(place, turn, stack);
-                let (ambient, sky) = self.look_around(place, turn, stack);
+                let (light, _) = self.sample_lamps(place, cell, stack);
+                let (ambient, sky) = self.sample_surroundings(place, cell, stack);
                 Light {
                     ambient,
                     sky,
@@ -211,13 +214,18 @@ impl Occlusion<'_> {
             .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
     }
 
-    /// How open the surroundings and the sky are.
-    pub(super) fn look_around(&self, place: &Place, turn: Turn, stack: &mut Stack) -> (f32, f32) {
-        // Without a sky all tiles do the same, and none stands out.
-        let of_tile = if self.rig.has_sky { turn.of_tile } else { 7 };
-        let turn = Turn { of_tile, ..turn };
+    /// Returns the unoccluded shares of the surroundings and the sky.
+    pub(super) fn sample_surroundings(
+        &self,
+        place: &Place,
+        cell: PatternCell,
+        stack: &mut Stack,
+    ) -> (f32, f32) {
+        // Without a sky all tiles use the same directions, so no tile is visible.
+        let of_tile = if self.rig.has_sky { cell.of_tile } else { 7 };
+        let cell = PatternCell { of_tile, ..cell };
         let (mut ambient, mut sky) = (0.0, 0.0);
-        for direction in self.pattern.looks(turn, place.normal) {
+        for direction in self.pattern.directions(cell, place.normal) {
             if direction.dot(place.flat_normal) <= 0.0 {
                 continue;
             }
@@ -234,7 +242,7 @@ impl Occlusion<'_> {
                 continue;
             }
             ambient += 1.0;
-            // How far what hides the sky is does not matter.
+            // Anything hides the sky, however far it is.
             let far = Ray {
                 near: self.rig.reach,
                 far: f64::INFINITY,
@@ -245,11 +253,11 @@ impl Occlusion<'_> {
             }
         }
         #[expect(clippy::cast_precision_loss, reason = "a few")]
-        let share = 1.0 / LOOKS as f32;
+        let share = 1.0 / DIRECTIONS_PER_PLACE as f32;
         (ambient * share, sky * share)
     }
 
-    /// Whether a place sees one on a lamp, −1 to 1 across it.
+    /// Tests whether a spot on a lamp, −1 to 1 across it, is visible from a point.
     pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
         let origin = place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
@@ -257,15 +265,15 @@ impl Occlusion<'_> {
             origin,
             direction,
             near: 0.0,
-            // Just before the lamp, which may have a mesh to look at.
+            // The ray ends just before the lamp, which may have a mesh of its own.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
         direction.dot(place.flat_normal) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
     }
 
-    /// The lamps that light a place most, and how much, as luminance.
-    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MOST_SHADOWS] {
-        let mut strongest = [None; MOST_SHADOWS];
+    /// Returns the lamps that contribute most, with their luminance.
+    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MAX_SHADOWS] {
+        let mut strongest = [None; MAX_SHADOWS];
         for (index, emitter) in (0u32..).zip(self.emitters) {
             let mut strength = 0.0;
             emitter.each(from_eye, |towards, irradiance| {

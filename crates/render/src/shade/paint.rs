@@ -1,4 +1,4 @@
-//! What colour a surface has of itself.
+//! Materials and textures at a point of a surface.
 
 use glam::{DVec2, Vec2, Vec3};
 use oaktwin_camera::math::DVec3;
@@ -8,22 +8,21 @@ use super::pyramid::{Pyramid, Wraps};
 use super::textures::Textures;
 use crate::annotate::Surface;
 
-/// What stands for a colour that nobody knows, linear: a middle grey to the eye.
+/// The linear colour of surfaces without one: a perceptual middle grey.
 const GREY: Vec3 = Vec3::splat(0.4);
 
-/// A material with its textures at hand.
+/// A material with its decoded texture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint<'a> {
     base_color: Option<Vec3>,
     texture: Option<(TextureUse, &'a Pyramid)>,
-    /// It has a texture, which is not there.
-    is_torn: bool,
+    is_texture_missing: bool,
     emissive: Vec3,
     metallic: f32,
     roughness: f32,
 }
 
-/// A surface's own properties at a place.
+/// The material properties at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Finish {
     pub(super) color: Vec3,
@@ -33,11 +32,11 @@ pub(super) struct Finish {
 }
 
 impl<'a> Paint<'a> {
-    /// Of a surface without a material.
+    /// The paint of a surface without a material.
     pub(super) const BARE: Self = Self {
         base_color: None,
         texture: None,
-        is_torn: false,
+        is_texture_missing: false,
         emissive: Vec3::ZERO,
         metallic: 0.0,
         roughness: 0.6,
@@ -57,16 +56,16 @@ impl<'a> Paint<'a> {
         Self {
             base_color: material.base_color.map(sane),
             texture,
-            is_torn: material.base_color_texture.is_some() && texture.is_none(),
+            is_texture_missing: material.base_color_texture.is_some() && texture.is_none(),
             emissive: sane(material.emissive),
             metallic: number(material.metallic),
             roughness: number(material.roughness),
         }
     }
 
-    /// On a triangle that is seen.
-    pub(super) fn coat(&self, surface: &Surface<'_>, triangle: u32) -> Coat<'a> {
-        Coat {
+    /// Returns the layer of a visible triangle.
+    pub(super) fn layer(&self, surface: &Surface<'_>, triangle: u32) -> Layer<'a> {
+        Layer {
             fill: self.fill(surface, triangle),
             emissive: self.emissive,
             metallic: self.metallic,
@@ -85,7 +84,7 @@ impl<'a> Paint<'a> {
             let uvs = mesh.uvs.as_ref();
             let scale = Vec3::from(used.scale);
             let bias = Vec3::from(used.bias);
-            // A texture without coordinates shows its mean.
+            // Without texture coordinates the mean of the texture is used.
             return match uvs.and_then(|uvs| uvs.corners(triangle, vertices)) {
                 Some(corners) => Fill::Texture(Picture {
                     pyramid,
@@ -103,7 +102,7 @@ impl<'a> Paint<'a> {
                 )),
             };
         }
-        if self.is_torn {
+        if self.is_texture_missing {
             return Fill::Plain(factor * GREY);
         }
         let colors = mesh.colors.as_ref();
@@ -114,9 +113,9 @@ impl<'a> Paint<'a> {
     }
 }
 
-/// What a triangle is painted with.
+/// The paint of one triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Coat<'a> {
+pub(super) struct Layer<'a> {
     fill: Fill<'a>,
     emissive: Vec3,
     metallic: f32,
@@ -126,7 +125,7 @@ pub(super) struct Coat<'a> {
 #[derive(Clone, Copy, Debug)]
 enum Fill<'a> {
     Plain(Vec3),
-    /// Between the corners' colours.
+    /// Interpolated colours of the corners.
     Corners {
         corners: [[f32; 3]; 3],
         factor: Vec3,
@@ -134,7 +133,7 @@ enum Fill<'a> {
     Texture(Picture<'a>),
 }
 
-/// A triangle's part of a texture.
+/// The texture of a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Picture<'a> {
     pyramid: &'a Pyramid,
@@ -145,13 +144,12 @@ struct Picture<'a> {
     factor: Vec3,
 }
 
-/// Where a triangle's corners are in a texture; all but the first relative to it, so that large coordinates keep their
-/// fractions.
+/// The texture coordinates of a triangle's corners, relative to the first one so that large coordinates keep their fractions.
 #[derive(Clone, Copy, Debug)]
 struct Corners {
     first: DVec2,
     edges: [DVec2; 2],
-    /// Homogeneous: what a ray of the camera is multiplied with for its place.
+    /// The homogeneous transform from a camera ray to texture coordinates.
     from_ray: [DVec3; 3],
 }
 
@@ -170,20 +168,20 @@ impl Corners {
         }
     }
 
-    /// Of a place that has such shares of the corners.
+    /// Returns the offset from the first corner at barycentric coordinates.
     #[inline]
     fn offset(&self, weights: [f64; 3]) -> DVec2 {
         self.edges[0] * weights[1] + self.edges[1] * weights[2]
     }
 
-    /// Of where a ray meets the triangle's plane; NaN or infinite where it does not.
+    /// Returns the offset where a ray meets the triangle's plane; NaN or infinite where it does not.
     #[inline]
     fn offset_of(&self, ray: DVec3) -> DVec2 {
         let [u, v, whole] = &self.from_ray;
         DVec2::new(ray.dot(*u), ray.dot(*v)) * (1.0 / ray.dot(*whole))
     }
 
-    /// From a place to where a neighbour's ray meets the plane. One that does not says nothing.
+    /// Returns the difference to the point where a neighbour's ray meets the plane; 0 where it does not.
     #[inline]
     fn step(&self, here: DVec2, ray: Option<DVec3>) -> Vec2 {
         if let Some(ray) = ray {
@@ -196,8 +194,8 @@ impl Corners {
     }
 }
 
-impl Coat<'_> {
-    /// At a place of the triangle, `next` being the rays, in the camera's frame, of the pixels to the right and below.
+impl Layer<'_> {
+    /// Returns the properties at a point; `next` returns the rays, in the camera frame, of the pixels to the right and below.
     #[inline]
     pub(super) fn at(&self, surface: &Surface<'_>, next: impl Fn() -> [Option<DVec3>; 2]) -> Finish {
         let color = match &self.fill {
@@ -238,7 +236,7 @@ fn image_from_uv(used: &TextureUse, [u, v]: [f32; 2]) -> DVec2 {
     DVec2::new(x, y)
 }
 
-/// Neither negative nor endless.
+/// Clamps a colour to 0 to 1e4; NaN and infinity become 0.
 fn sane(color: [f32; 3]) -> Vec3 {
     Vec3::from(color.map(|value| {
         if value.is_finite() {
@@ -249,7 +247,7 @@ fn sane(color: [f32; 3]) -> Vec3 {
     }))
 }
 
-/// The materials of a scene, ready to paint with.
+/// Returns the paints of a scene's materials.
 pub(super) fn paints<'a>(scene: &Scene, textures: &'a Textures) -> Vec<Paint<'a>> {
     (scene.materials.iter())
         .map(|material| Paint::new(material, textures))

@@ -1,34 +1,34 @@
-//! Which part of a lamp or of the sky a place of the image looks at. Of 16 neighbours, a tile, each looks at another one,
-//! and their mean at all of them; each of 16 tiles looks into other directions, so that their mean sees even a small
-//! window as it is. Nothing is random.
+//! The deterministic sampling pattern of lamps and surroundings. The 16 places of a tile sample different parts of a lamp, so
+//! that their mean samples all of it; each of 16 tiles samples other directions, so that their mean resolves even a small
+//! window.
 
 use std::f64::consts::TAU;
 
 use oaktwin_camera::math::DVec3;
 
-/// Neighbours, in a row, that share the work; and tiles.
+/// The number of places in a row of a tile, and of tiles in a row of the pattern.
 pub(super) const PERIOD: u32 = 4;
 
-/// The order in which an ordered dither fills a square, so that near ones differ most.
+/// The order of an ordered dither, in which neighbours differ most.
 const ORDER: [u8; 16] = [0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5];
 
-/// How often each place looks into its surroundings.
-pub(super) const LOOKS: usize = 1;
+/// The number of rays that each place casts into its surroundings.
+pub(super) const DIRECTIONS_PER_PLACE: usize = 1;
 
-/// Directions of a tile.
-const OF_TILE: usize = 16 * LOOKS;
+/// The number of directions of a tile.
+const OF_TILE: usize = 16 * DIRECTIONS_PER_PLACE;
 
-/// Directions of all tiles.
+/// The number of directions of all tiles.
 const DIRECTIONS: usize = 16 * OF_TILE;
 
-/// Which of the 16 places of its tile a place is, and which of 16 tiles that is.
+/// The index of a place in its tile and of the tile in the pattern, each from 0 to 15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Turn {
+pub(super) struct PatternCell {
     pub(super) of_place: usize,
     pub(super) of_tile: usize,
 }
 
-/// What each place looks at.
+/// The directions of all cells.
 #[derive(Debug)]
 pub(super) struct Pattern {
     directions: Vec<DVec3>,
@@ -38,11 +38,11 @@ impl Pattern {
     pub(super) fn new() -> Self {
         #[expect(clippy::cast_precision_loss, reason = "a few")]
         let direction = |i: usize| {
-            let (tile, look) = (i / OF_TILE, i % OF_TILE);
-            // Equal parts of the disk under the hemisphere, as a diffuse surface sees it: a ring for each look, in it a
-            // thinner one for each tile; the golden angle from look to look, and steps between for the tiles.
-            let part = (look as f64 + (tile as f64 + 0.5) / 16.0) / OF_TILE as f64;
-            let turns = look as f64 * 0.618_033_988_75 + (tile * 7 % 16) as f64 / 16.0;
+            let (tile, ring) = (i / OF_TILE, i % OF_TILE);
+            // Equal areas of the disk below the hemisphere, for cosine weighting: a ring for each direction of a tile, in it a
+            // thinner ring for each tile; the golden angle between directions, with steps in between for the tiles.
+            let part = (ring as f64 + (tile as f64 + 0.5) / 16.0) / OF_TILE as f64;
+            let turns = ring as f64 * 0.618_033_988_75 + (tile * 7 % 16) as f64 / 16.0;
             let (sin, cos) = (turns * TAU).sin_cos();
             let radius = part.sqrt();
             DVec3::new(radius * cos, radius * sin, (1.0 - part).sqrt())
@@ -52,34 +52,34 @@ impl Pattern {
         }
     }
 
-    /// A place's turn.
-    pub(super) fn turn(x: u32, y: u32) -> Turn {
+    /// Returns the cell of a place.
+    pub(super) fn cell(x: u32, y: u32) -> PatternCell {
         let in_square = |x: u32, y: u32| {
             let at = (y % PERIOD) * PERIOD + x % PERIOD;
             ORDER.get(at as usize).copied().map_or(0, usize::from)
         };
-        Turn {
+        PatternCell {
             of_place: in_square(x, y),
             of_tile: in_square(x / PERIOD, y / PERIOD),
         }
     }
 
-    /// Its place on a lamp, −1 to 1. The first four turns have all rows and columns of it, so that what hides a part of
-    /// the lamp hides it from one of them.
-    pub(super) fn place(turn: usize) -> [f64; 2] {
+    /// Returns the spot of a cell on a lamp, −1 to 1. The first four cells cover all rows and columns, so that a partly hidden
+    /// lamp is hidden from at least one of them.
+    pub(super) fn place(cell: usize) -> [f64; 2] {
         const FIRST: [usize; 4] = [1, 3, 0, 2];
         const LATER: [usize; 4] = [0, 2, 3, 1];
-        let row = turn % 4;
+        let row = cell % 4;
         #[expect(clippy::cast_precision_loss, reason = "a few")]
-        [FIRST[row] ^ LATER[turn / 4 % 4], row].map(|i| (i as f64 + 0.5) / 2.0 - 1.0)
+        [FIRST[row] ^ LATER[cell / 4 % 4], row].map(|i| (i as f64 + 0.5) / 2.0 - 1.0)
     }
 
-    /// Its directions into the hemisphere around `normal`.
-    pub(super) fn looks(&self, turn: Turn, normal: DVec3) -> [DVec3; LOOKS] {
+    /// Returns the directions of a cell in the hemisphere around `normal`.
+    pub(super) fn directions(&self, cell: PatternCell, normal: DVec3) -> [DVec3; DIRECTIONS_PER_PLACE] {
         let (u, v) = normal.any_orthonormal_pair();
         std::array::from_fn(|i| {
-            // Only places on the black fields of a chessboard look around; they have the first eight turns.
-            let at = turn.of_tile * OF_TILE + turn.of_place * 2 % 16 + turn.of_place / 8 + i * 16;
+            // Only places on the black fields of a chessboard sample their surroundings; they have the first eight cells.
+            let at = cell.of_tile * OF_TILE + cell.of_place * 2 % 16 + cell.of_place / 8 + i * 16;
             let local = self.directions.get(at).copied().unwrap_or(DVec3::Z);
             u * local.x + v * local.y + normal * local.z
         })
@@ -91,9 +91,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn together_they_see_all() {
+    fn the_cells_cover_lamps_and_the_hemisphere() {
         let turns: std::collections::BTreeSet<_> = (0..16)
-            .flat_map(|y| (0..16).map(move |x| Pattern::turn(x + 32, y + 16)))
+            .flat_map(|y| (0..16).map(move |x| Pattern::cell(x + 32, y + 16)))
             .collect();
         assert_eq!(turns.len(), 256);
         let places: Vec<_> = (0..16).map(Pattern::place).collect();
@@ -105,26 +105,26 @@ mod tests {
         let pattern = Pattern::new();
         let of_tile = |of_tile| {
             (0..16)
-                .flat_map(|of_place| pattern.looks(Turn { of_place, of_tile }, normal))
+                .flat_map(|of_place| pattern.directions(PatternCell { of_place, of_tile }, normal))
                 .collect::<Vec<_>>()
         };
         let mut all = Vec::new();
         for tile in 0..16 {
-            let looks = of_tile(tile);
+            let directions = of_tile(tile);
             assert!(
-                looks
+                directions
                     .iter()
                     .all(|d| (d.length() - 1.0).abs() < 1e-9 && d.dot(normal) > 0.0)
             );
-            // The mean of the cosine by cosine is 2/3.
-            let mean = looks.iter().map(|d| d.dot(normal)).sum::<f64>() / looks.len() as f64;
+            // The cosine-weighted mean of the cosine is 2/3.
+            let mean = directions.iter().map(|d| d.dot(normal)).sum::<f64>() / directions.len() as f64;
             assert!((mean - 2.0 / 3.0).abs() < 0.04, "{mean}");
-            let drift =
-                looks.iter().fold(DVec3::ZERO, |sum, d| sum + *d) / looks.len() as f64 - normal * mean;
+            let drift = directions.iter().fold(DVec3::ZERO, |sum, d| sum + *d) / directions.len() as f64
+                - normal * mean;
             assert!(drift.length() < 0.12, "{drift}");
-            all.extend(looks);
+            all.extend(directions);
         }
-        // No direction twice.
+        // All directions are distinct.
         for (i, a) in all.iter().enumerate() {
             assert!(all[..i].iter().all(|b| (*a - *b).length() > 1e-3));
         }

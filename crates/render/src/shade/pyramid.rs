@@ -1,4 +1,4 @@
-//! A texture at every size, and what a pixel sees of it.
+//! Mipmaps with anisotropic filtering.
 
 use glam::{Vec2, Vec3A};
 use oaktwin_image::Image;
@@ -8,17 +8,17 @@ use rayon::prelude::*;
 
 use super::tone::Encoder;
 
-/// An image and its halves, quarters and so on, down to one pixel.
+/// An image and its reductions by powers of two, down to one pixel.
 #[derive(Debug)]
 pub(crate) struct Pyramid {
     levels: Vec<Image<[u8; 4]>>,
     linear: &'static [f32; 256],
 }
 
-/// The most places along a pixel's longer axis at which a texture is read.
-const MOST_PROBES: f32 = 4.0;
+/// The maximum number of samples along the longer axis of a pixel's footprint.
+const MAX_PROBES: f32 = 4.0;
 
-/// Numbers that are no colours: 0 to 1 in equal steps.
+/// The values of data textures: 0 to 1 in equal steps.
 static RAW: [f32; 256] = {
     let mut values = [0.0; 256];
     let mut i = 0;
@@ -29,7 +29,7 @@ static RAW: [f32; 256] = {
     values
 };
 
-/// How a texture goes on beyond its borders.
+/// The wrap modes of a texture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wraps {
     pub(super) s: Wrap,
@@ -37,7 +37,7 @@ pub(super) struct Wraps {
 }
 
 impl Pyramid {
-    /// Of an image of sRGB colours, or of bare numbers.
+    /// Creates a pyramid from an image of sRGB colours or of data.
     pub(super) fn new(image: Image<[u8; 4]>, is_srgb: bool) -> Self {
         let linear = if is_srgb { linear_from_srgb() } else { &RAW };
         let mut levels = vec![image];
@@ -50,8 +50,8 @@ impl Pyramid {
         Self { levels, linear }
     }
 
-    /// What a pixel sees that covers the parallelogram of `across` and `down` around `at`, all in the image's
-    /// coordinates: (0, 0) at its lower left, (1, 1) at its upper right.
+    /// Filters over the parallelogram of `across` and `down` around `at`, in texture coordinates: (0, 0) at the lower left,
+    /// (1, 1) at the upper right.
     pub(super) fn filtered(&self, at: Vec2, across: Vec2, down: Vec2, wraps: Wraps) -> [f32; 3] {
         let Some(base) = self.levels.first() else {
             return [0.0; 3];
@@ -68,11 +68,11 @@ impl Pyramid {
         if !(at.is_finite() && long.is_finite()) {
             return [0.0; 3];
         }
-        let short = short.max(long / MOST_PROBES).max(1.0);
+        let short = short.max(long / MAX_PROBES).max(1.0);
         let lod = log2(short);
-        // Halves of a probe are not missed.
+        // Rounded: half a probe makes no visible difference.
         let mut probes = 1.0;
-        while probes < MOST_PROBES && probes + 0.5 < long / short {
+        while probes < MAX_PROBES && probes + 0.5 < long / short {
             probes += 1.0;
         }
         if probes <= 1.0 {
@@ -87,7 +87,7 @@ impl Pyramid {
         (sum / probes).to_array()
     }
 
-    /// The mean of all of it.
+    /// Returns the mean of the image.
     pub(super) fn mean(&self) -> [f32; 3] {
         let pixel = self.levels.last().and_then(|level| level.pixels().first());
         pixel.map_or([0.0; 3], |[r, g, b, _]| {
@@ -95,7 +95,7 @@ impl Pyramid {
         })
     }
 
-    /// Between two levels.
+    /// Interpolates between two levels.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -108,7 +108,7 @@ impl Pyramid {
         let lod = lod.clamp(0.0, last as f32);
         let (level, part) = (lod as usize, lod.fract());
         let fine = self.bilinear(level, at, wraps);
-        // What is less than half of an sRGB step is not seen.
+        // A difference of less than half an sRGB step is invisible.
         if part < 1e-3 || level == last {
             return fine;
         }
@@ -116,7 +116,7 @@ impl Pyramid {
         fine + (coarse - fine) * part
     }
 
-    /// Between four pixels of a level.
+    /// Interpolates between four pixels of a level.
     #[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
     #[inline]
     fn bilinear(&self, level: usize, at: Vec2, wraps: Wraps) -> Vec3A {
@@ -157,7 +157,7 @@ impl Pyramid {
     }
 }
 
-/// The four pixels from one on that may lie beyond the border.
+/// Returns a square of four pixels, some of which may lie beyond the border.
 #[cold]
 fn across_border(image: &Image<[u8; 4]>, [left, top]: [i64; 2], wraps: Wraps) -> [[[u8; 4]; 2]; 2] {
     let (width, height) = (image.width(), image.height());
@@ -172,7 +172,7 @@ fn across_border(image: &Image<[u8; 4]>, [left, top]: [i64; 2], wraps: Wraps) ->
     })
 }
 
-/// The whole number at or below; far beyond a texture's size it is any.
+/// Rounds down; the result is arbitrary far beyond the size of a texture.
 #[inline]
 #[expect(
     clippy::cast_possible_truncation,
@@ -184,7 +184,7 @@ fn floor(x: f32) -> i64 {
     i64::from(whole) - i64::from(whole as f32 > x)
 }
 
-/// Where a coordinate beyond the border is; `None` for nowhere.
+/// Applies a wrap mode to a coordinate; `None` for black.
 #[inline]
 #[expect(
     clippy::cast_possible_truncation,
@@ -208,7 +208,7 @@ fn wrapped(at: i64, count: u32, wrap: Wrap) -> Option<u32> {
     Some(at as u32)
 }
 
-/// The binary logarithm of a number of at least 1, exact at powers of two and straight between them.
+/// Returns the binary logarithm of a number of at least 1, exact at powers of two and linear between them.
 #[expect(clippy::cast_precision_loss, reason = "an exponent")]
 fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
@@ -217,7 +217,7 @@ fn log2(x: f32) -> f32 {
     exponent + (mantissa - 1.0)
 }
 
-/// Half as large in both directions, at least one pixel: the mean of what each pixel covers, in linear light.
+/// Returns an image of half the size, at least one pixel, by averaging in linear light.
 fn halved(image: &Image<[u8; 4]>, linear: &[f32; 256], is_srgb: bool) -> Image<[u8; 4]> {
     let encoder = Encoder::new();
     let (width, height) = (image.width().div_ceil(2), image.height().div_ceil(2));
@@ -261,10 +261,10 @@ fn encoded(value: f32, is_srgb: bool, encoder: Encoder) -> u8 {
     }
 }
 
-/// Which of `fine` pixels the pixel `at` of `coarse` ones covers, and what share each is of it.
+/// Returns the pixels of `fine` that pixel `at` of `coarse` covers, with their weights.
 #[expect(clippy::cast_precision_loss, reason = "a texture has fewer than 2^24 columns")]
 fn covered(at: u32, coarse: u32, fine: u32) -> [(u32, f32); 3] {
-    // In units of 1 / coarse of a fine pixel, so that all is whole.
+    // In units of 1 / coarse of a fine pixel, which are integers.
     let (coarse, fine, at) = (u64::from(coarse), u64::from(fine), u64::from(at));
     let (start, end) = (at * fine, (at + 1) * fine);
     let first = start / coarse;
@@ -296,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn at_full_size_every_texel_is_itself() {
+    fn full_size_returns_the_texels() {
         let image = numbered();
         let pyramid = Pyramid::new(image.clone(), true);
         for y in 0..6u8 {
@@ -311,13 +311,13 @@ mod tests {
     }
 
     #[test]
-    fn from_afar_only_the_mean_is_left() {
-        // Seven columns are not halved without a rest; black and white by turns.
+    fn distant_textures_are_averaged() {
+        // Seven columns, which is not a multiple of two, alternately black and white.
         let pixels = (0..7 * 5).map(|i| if i % 7 % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] });
         let pyramid = Pyramid::new(Image::new(7, 5, pixels.collect()).unwrap(), true);
         let far = pyramid.filtered(Vec2::new(0.3, 0.3), Vec2::X * 2.0, Vec2::Y * 2.0, REPEAT);
         assert!((far[0] - 4.0 / 7.0).abs() < 0.01, "{far:?}");
-        // At a grazing angle only one direction is blurred.
+        // At a grazing angle only one direction is filtered.
         let pixels = (0..64 * 64).map(|i| if i / 64 % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] });
         let stripes = Pyramid::new(Image::new(64, 64, pixels.collect()).unwrap(), true);
         let row = Vec2::new(0.5, 1.0 - 10.5 / 64.0);
@@ -338,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_border() {
+    fn wrap_modes() {
         let at = |wrap, x| wrapped(x, 4, wrap);
         assert_eq!(
             [-1, 4, 9].map(|x| at(Wrap::Repeat, x)),
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn no_coordinates_are_too_odd() {
+    fn non_finite_coordinates_give_finite_colours() {
         let pyramid = Pyramid::new(numbered(), false);
         for odd in [f32::NAN, f32::INFINITY, 1e30, -1e30] {
             for wraps in [

@@ -1,21 +1,22 @@
-//! How much of the light surfaces send to the eye, eight places at a time.
+//! Reflection towards the eye, eight points at a time.
 
 use glam::Vec3;
+use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
 use super::harmonics::Harmonics;
 use super::lamp::Emitter;
 use super::paint::Finish;
-use super::rig::Rig;
-use crate::ray::{Kernel, Lanes, Vector};
+use super::rig::LightRig;
+use crate::ray::Vector;
 
-/// What dielectrics reflect of light that comes from straight above.
+/// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f32 = 0.04;
 
-/// From this roughness on a dielectric shows no lamps.
+/// The roughness from which on dielectrics have no specular highlights.
 const DULL: f32 = 0.75;
 
-/// A place on a surface, in single precision, relative to the eye, in the world's axes; what it is made of, and the
-/// shares of the lamps' light, the surroundings' and the sky's that arrive there.
+/// A point on a surface, in single precision, relative to the eye, in world axes; its material, and the shares of the light from
+/// lamps, surroundings and sky that arrive there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
     pub(super) point: Vec3,
@@ -26,7 +27,7 @@ pub(super) struct Facet {
     pub(super) sky: f32,
 }
 
-/// Eight of them.
+/// Eight facets.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Facets {
     point: [[f32; 8]; 3],
@@ -41,7 +42,7 @@ pub(super) struct Facets {
 }
 
 impl Facets {
-    /// Of a lane below eight.
+    /// Sets one of eight lanes.
     #[inline]
     pub(super) fn set(&mut self, lane: usize, facet: &Facet) {
         let Finish {
@@ -69,16 +70,15 @@ impl Facets {
     }
 }
 
-/// The exposed radiance that leaves places towards the eye, by channel: diffuse, and a glossy part with the distribution
-/// of Trowbridge and Reitz ("GGX") and Schlick's Fresnel term. What a surface gives off by itself is not exposed: 1 is
-/// white.
+/// The exposed radiance towards the eye, by channel: a diffuse part, and a glossy part with the distribution of Trowbridge and
+/// Reitz ("GGX") and Schlick's Fresnel term. Emission is not exposed: 1 is white.
 pub(super) struct Radiance<'a> {
     pub(super) facets: &'a Facets,
     pub(super) emitters: &'a [Emitter],
-    pub(super) rig: &'a Rig,
+    pub(super) rig: &'a LightRig,
 }
 
-impl Kernel for Radiance<'_> {
+impl LaneKernel for Radiance<'_> {
     type Output = [[f32; 8]; 3];
 
     #[inline(always)]
@@ -95,9 +95,9 @@ impl Kernel for Radiance<'_> {
         let (metallic, roughness) = (L::load(&facets.metallic), L::load(&facets.roughness));
         let ambient = L::load(&facets.ambient);
         let length = point.dot(point).sqrt().max(L::splat(f32::MIN_POSITIVE));
-        let eye = point.scale(L::splat(-1.0).div(length));
+        let eye = point * (L::splat(-1.0) / length);
         let dielectric = Vector::splat([DIELECTRIC; 3]);
-        let straight = dielectric.add(color.sub(dielectric).scale(metallic));
+        let straight = dielectric + (color - dielectric) * metallic;
         let to_eye = normal.dot(eye).max(L::splat(1e-3));
         let is_smooth = roughness.lt(L::splat(DULL));
         let mut shine = Shine {
@@ -105,8 +105,8 @@ impl Kernel for Radiance<'_> {
             eye,
             to_eye,
             straight,
-            alpha: roughness.mul(roughness).max(L::splat(0.02)),
-            is_glossy: is_smooth.select(is_smooth, zero.lt(metallic)),
+            alpha: (roughness * roughness).max(L::splat(0.02)),
+            is_glossy: is_smooth | zero.lt(metallic),
             diffuse: Vector::splat([0.0; 3]),
             glossy: Vector::splat([0.0; 3]),
         };
@@ -114,45 +114,41 @@ impl Kernel for Radiance<'_> {
             shine.add(emitter, point);
         }
         let direct = L::load(&facets.direct);
-        let mirrored = normal.scale(L::splat(2.0).mul(normal.dot(eye))).sub(eye);
-        let mut around = mean_by_cosine(&rig.ambient, normal).scale(ambient);
-        let mut reflected = mean_by_cosine(&rig.ambient, mirrored).scale(ambient);
+        let mirrored = normal * (L::splat(2.0) * normal.dot(eye)) - eye;
+        let mut around = mean_by_cosine(&rig.ambient, normal) * ambient;
+        let mut reflected = mean_by_cosine(&rig.ambient, mirrored) * ambient;
         if rig.has_sky {
             let sky = L::load(&facets.sky);
-            around = around.add(mean_by_cosine(&rig.sky, normal).scale(sky));
-            reflected = reflected.add(mean_by_cosine(&rig.sky, mirrored).scale(sky));
+            around = around + mean_by_cosine(&rig.sky, normal) * sky;
+            reflected = reflected + mean_by_cosine(&rig.sky, mirrored) * sky;
         }
-        let lambert = shine
-            .diffuse
-            .scale(direct.mul(L::splat(std::f32::consts::FRAC_1_PI)))
-            .add(around);
-        let even = one.sub(roughness);
+        let lambert = shine.diffuse * (direct * L::splat(std::f32::consts::FRAC_1_PI)) + around;
+        let even = one - roughness;
         let smooth = Vector {
             x: even.max(straight.x),
             y: even.max(straight.y),
             z: even.max(straight.z),
         };
-        let all_around = straight.add(smooth.sub(straight).scale(fifth_power(one.sub(to_eye))));
-        let sent = times(color.scale(one.sub(metallic)), lambert)
-            .add(shine.glossy.scale(direct))
-            .add(times(all_around, reflected))
-            .scale(L::splat(rig.exposure))
-            .add(load(&facets.emissive));
+        let all_around = straight + (smooth - straight) * fifth_power(one - to_eye);
+        let sent =
+            (times(color * (one - metallic), lambert) + shine.glossy * direct + times(all_around, reflected))
+                * L::splat(rig.exposure)
+                + load(&facets.emissive);
         let mut out = [[0.0; 8]; 3];
         sent.store(&mut out);
         out
     }
 }
 
-/// What lamps send, unhidden.
-struct Shine<L> {
+/// Reflected lamp light without shadows.
+struct Shine<L: Lanes> {
     normal: Vector<L>,
     eye: Vector<L>,
     to_eye: L,
     straight: Vector<L>,
     alpha: L,
-    /// All ones where lamps are reflected.
-    is_glossy: L,
+    /// The mask of lanes that reflect lamps.
+    is_glossy: L::I32,
     diffuse: Vector<L>,
     glossy: Vector<L>,
 }
@@ -178,16 +174,16 @@ impl<L: Lanes> Shine<L> {
                 radius,
                 radiance,
             } => {
-                let way = Vector::splat(centre.to_array()).sub(point);
+                let way = Vector::splat(centre.to_array()) - point;
                 let r2 = radius * radius;
                 let d2 = way.dot(way);
-                let share = L::splat(std::f32::consts::PI * r2).div(d2.max(L::splat(r2)).max(least));
+                let share = L::splat(std::f32::consts::PI * r2) / d2.max(L::splat(r2)).max(least);
                 let distance = d2.sqrt().max(least);
                 self.light(
-                    way.scale(one.div(distance)),
+                    way * (one / distance),
                     share,
                     *radiance,
-                    L::splat(*radius).div(distance.max(L::splat(*radius))),
+                    L::splat(*radius) / distance.max(L::splat(*radius)),
                 );
             }
             Emitter::Area {
@@ -199,78 +195,65 @@ impl<L: Lanes> Shine<L> {
                 let quarter = area / 4.0;
                 let back = Vector::splat((-*normal).to_array());
                 for place in points {
-                    let way = Vector::splat(place.to_array()).sub(point);
+                    let way = Vector::splat(place.to_array()) - point;
                     let d2 = way.dot(way).max(least);
-                    let towards = way.scale(one.div(d2.sqrt()));
+                    let towards = way * (one / d2.sqrt());
                     let cosine = towards.dot(back).max(zero);
                     let nearest = L::splat(quarter / std::f32::consts::PI);
-                    let share = L::splat(quarter).mul(cosine).div(d2.max(nearest));
-                    let width = L::splat(quarter).div(d2).sqrt().min(one);
+                    let share = L::splat(quarter) * cosine / d2.max(nearest);
+                    let width = (L::splat(quarter) / d2).sqrt().min(one);
                     self.light(towards, share, *radiance, width);
                 }
             }
         }
     }
 
-    /// Light from the unit vector `towards` that is `share` of `radiance` on a surface that faces it, from a lamp that
-    /// looks `width` wide (the tangent of half its angle).
+    /// Adds light from the unit vector `towards`, with an irradiance of `share` times `radiance` on a surface that faces it, from
+    /// a lamp of angular radius `width` (its tangent).
     #[inline(always)]
     fn light(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L) {
         let zero = L::splat(0.0);
         let to_light = self.normal.dot(towards).max(zero);
-        let share = share.mul(to_light);
+        let share = share * to_light;
         let is_lit = zero.lt(share);
         if is_lit.signs() == 0 {
             return;
         }
-        let received = Vector::splat(radiance.to_array()).scale(share);
-        self.diffuse = self.diffuse.add(received);
-        let is_lit = is_lit.and(self.is_glossy);
+        let received = Vector::splat(radiance.to_array()) * share;
+        self.diffuse = self.diffuse + received;
+        let is_lit = is_lit & self.is_glossy;
         if is_lit.signs() == 0 {
             return;
         }
-        // A wide lamp has a wide reflection.
+        // A large lamp has a large highlight.
         let one = L::splat(1.0);
-        let alpha = self.alpha.add(width.mul(L::splat(0.5))).min(one);
+        let alpha = (self.alpha + width * L::splat(0.5)).min(one);
         let (factor, fresnel) = self.lobe(towards, to_light, alpha);
-        let factor = is_lit.select(factor, zero);
-        self.glossy = self.glossy.add(times(received, fresnel).scale(factor));
+        let factor = L::select(is_lit, factor, zero);
+        self.glossy = self.glossy + times(received, fresnel) * factor;
     }
 
-    /// The glossy part of the reflectance, without the cosine: a factor, and Fresnel's.
+    /// Returns the glossy reflectance without the cosine: a factor and the Fresnel term.
     #[inline(always)]
     fn lobe(&self, towards: Vector<L>, to_light: L, alpha: L) -> (L, Vector<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let half = self.eye.add(towards);
+        let half = self.eye + towards;
         let length = half.dot(half).sqrt();
         let shortest = L::splat(1e-18);
-        let half = half.scale(shortest.lt(length).select(one.div(length.max(shortest)), zero));
+        let half = half * L::select(shortest.lt(length), one / length.max(shortest), zero);
         let to_half = self.normal.dot(half).max(zero);
         let eye_to_half = self.eye.dot(half).max(zero);
-        let a2 = alpha.mul(alpha);
-        let spread = to_half.mul(to_half).mul(a2.sub(one)).add(one);
-        // Schlick's masking, both ways, over the usual 4 cos cos.
-        let k = alpha.mul(L::splat(0.5));
-        let rest = one.sub(k);
-        let masking = self.to_eye.mul(rest).add(k).mul(to_light.mul(rest).add(k));
-        let below = L::splat(4.0 * std::f32::consts::PI)
-            .mul(spread.mul(spread))
-            .mul(masking);
-        let fresnel = Vector {
-            x: self
-                .straight
-                .x
-                .add(one.sub(self.straight.x).mul(fifth_power(one.sub(eye_to_half)))),
-            y: self
-                .straight
-                .y
-                .add(one.sub(self.straight.y).mul(fifth_power(one.sub(eye_to_half)))),
-            z: self
-                .straight
-                .z
-                .add(one.sub(self.straight.z).mul(fifth_power(one.sub(eye_to_half)))),
-        };
-        (a2.div(below), fresnel)
+        let a2 = alpha * alpha;
+        let spread = to_half * to_half * (a2 - one) + one;
+        // Schlick's masking for both directions, divided by the 4 cos cos of the specular term.
+        let k = alpha * L::splat(0.5);
+        let rest = one - k;
+        let masking = (self.to_eye * rest + k) * (to_light * rest + k);
+        let below = L::splat(4.0 * std::f32::consts::PI) * (spread * spread) * masking;
+        let grazing = fifth_power(one - eye_to_half);
+        let white = Vector::splat([1.0; 3]);
+        let fresnel = self.straight + (white - self.straight) * grazing;
+        (a2 / below, fresnel)
     }
 }
 
@@ -283,13 +266,13 @@ fn load<L: Lanes>([x, y, z]: &[[f32; 8]; 3]) -> Vector<L> {
     }
 }
 
-/// By channel.
+/// Multiplies by channel.
 #[inline(always)]
 fn times<L: Lanes>(a: Vector<L>, b: Vector<L>) -> Vector<L> {
     Vector {
-        x: a.x.mul(b.x),
-        y: a.y.mul(b.y),
-        z: a.z.mul(b.z),
+        x: a.x * b.x,
+        y: a.y * b.y,
+        z: a.z * b.z,
     }
 }
 
@@ -302,14 +285,14 @@ fn mean_by_cosine<L: Lanes>(of: &Harmonics, d: Vector<L>) -> Vector<L> {
     let mut sum = Vector::splat(uniform.to_array());
     if !of.is_uniform() {
         sum = sum
-            .add(Vector::splat(y.to_array()).scale(d.y))
-            .add(Vector::splat(z.to_array()).scale(d.z))
-            .add(Vector::splat(x.to_array()).scale(d.x))
-            .add(Vector::splat(xy.to_array()).scale(d.x.mul(d.y)))
-            .add(Vector::splat(yz.to_array()).scale(d.y.mul(d.z)))
-            .add(Vector::splat(zz.to_array()).scale(L::splat(3.0).mul(d.z.mul(d.z)).sub(one)))
-            .add(Vector::splat(xz.to_array()).scale(d.x.mul(d.z)))
-            .add(Vector::splat(xx_yy.to_array()).scale(d.x.mul(d.x).sub(d.y.mul(d.y))));
+            + Vector::splat(y.to_array()) * d.y
+            + Vector::splat(z.to_array()) * d.z
+            + Vector::splat(x.to_array()) * d.x
+            + Vector::splat(xy.to_array()) * (d.x * d.y)
+            + Vector::splat(yz.to_array()) * (d.y * d.z)
+            + Vector::splat(zz.to_array()) * (L::splat(3.0) * (d.z * d.z) - one)
+            + Vector::splat(xz.to_array()) * (d.x * d.z)
+            + Vector::splat(xx_yy.to_array()) * (d.x * d.x - d.y * d.y);
     }
     Vector {
         x: sum.x.max(zero),
@@ -320,6 +303,6 @@ fn mean_by_cosine<L: Lanes>(of: &Harmonics, d: Vector<L>) -> Vector<L> {
 
 #[inline(always)]
 fn fifth_power<L: Lanes>(x: L) -> L {
-    let x2 = x.mul(x);
-    x2.mul(x2).mul(x)
+    let x2 = x * x;
+    x2 * x2 * x
 }

@@ -1,4 +1,4 @@
-//! What lights a scene, and how bright a picture of it is.
+//! The lights of a scene and the exposure.
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DVec3};
@@ -9,52 +9,50 @@ use rayon::prelude::*;
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
 use super::lamp::{Lamp, Shape};
-use super::pattern::{LOOKS, Pattern, Turn};
+use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
 use crate::ray::{Ray, RayCaster, Stack};
 
-/// Light that comes back from what is lit, as a share of the light that falls on the scene's things: every surface
-/// receives it from everywhere.
+/// Indirect light, as a share of the typical irradiance; it is uniform over directions.
 const BOUNCE: f32 = 0.22;
 
-/// What a white surface in typical light has before the tone curve.
+/// The value of a white surface in typical light before the tone curve.
 pub(super) const WHITE: f32 = 0.8;
 
-/// At how many places the light is measured.
-const MOST_WITNESSES: usize = 1024;
+/// The maximum number of exposure probes.
+const MAX_PROBES: usize = 1024;
 
-/// The lights of a scene and what follows from them alone, never from a view: so both pictures of a stereo pair and all
-/// pictures of a trajectory are exposed alike.
+/// The lights of a scene, and an exposure that depends on them but not on the view, so that both images of a stereo pair and
+/// all images of a trajectory are exposed equally.
 ///
 /// # Exposure
-/// At the middles of at most 1024 triangles, evenly picked from the scene's things, the light of the lamps and of the sky
-/// is measured, shadows included, as a surface receives it that faces the lamps, on the brighter side. A white diffuse
-/// surface that receives as much as half of the lit places at most has the value 0.8 before the tone curve.
+/// Probes at the centroids of at most 1024 triangles, spread evenly over the instances, measure the irradiance from lamps and
+/// sky, including shadows, of a surface that faces the lamps, on the brighter side. A white diffuse surface with the median
+/// irradiance of the lit probes has the value 0.8 before the tone curve.
 ///
 /// # Lights
-/// The radiance of a distant light is taken as its irradiance, whatever its angle and normalization: Isaac Sim's own
-/// templates light a stage by a dome of 1000 and a distant light of 3000, which is balanced only in that reading.
+/// The radiance of a distant light is used as its irradiance, regardless of its angle and normalization: Isaac Sim's own
+/// templates light a stage with a dome of 1000 and a distant light of 3000, which is balanced only in that interpretation.
 ///
-/// A scene without a light that shines has a pale sky, brighter above, that only what is near hides, and a key light
-/// from above at one side of the world.
+/// A scene without lights gets a pale sky, brighter above, that only nearby surfaces occlude, and a key light from above at one
+/// side.
 #[derive(Debug)]
-pub(super) struct Rig {
-    /// All but domes.
+pub(super) struct LightRig {
+    /// All lights except domes.
     pub(super) lamps: Vec<Lamp>,
-    /// Light from infinitely far away: whatever is above a surface hides it.
+    /// Light from infinity, which any surface occludes.
     pub(super) sky: Harmonics,
-    /// Whether there is such light.
     pub(super) has_sky: bool,
-    /// Light from all around that only things nearby hide.
+    /// Ambient light, which only nearby surfaces occlude.
     pub(super) ambient: Harmonics,
-    /// How far such things are, metres.
+    /// The maximum distance of surfaces that occlude ambient light, metres.
     pub(super) reach: f64,
-    /// Multiplies radiance.
+    /// The factor of radiance.
     pub(super) exposure: f32,
     backdrop: Backdrop,
     pub(super) findings: Vec<Finding>,
 }
 
-/// What is behind everything.
+/// The background.
 #[derive(Debug)]
 struct Backdrop {
     plain: Vec3,
@@ -63,7 +61,7 @@ struct Backdrop {
     domes: Vec<DomeImage>,
 }
 
-impl Rig {
+impl LightRig {
     pub(super) fn new(scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> Self {
         let up = scene.up.direction().as_vec3();
         let mut rig = Self {
@@ -94,7 +92,7 @@ impl Rig {
         rig
     }
 
-    /// What is seen where nothing is, exposed.
+    /// Returns the exposed radiance of the background.
     pub(super) fn background(&self, direction: DVec3) -> Vec3 {
         let backdrop = &self.backdrop;
         let slope = backdrop.slope * backdrop.up.dot(direction.as_vec3());
@@ -126,9 +124,9 @@ impl Rig {
         self.lamps.extend(lamp(light, radiance, scene.meters_per_unit.0));
     }
 
-    /// What a surface of the scene receives, see [`Rig`].
+    /// Returns the median irradiance of the lit probes; see [`LightRig`].
     fn typical_irradiance(&self, scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> f32 {
-        let mut found: Vec<f32> = witnesses(scene)
+        let mut found: Vec<f32> = exposure_probes(scene)
             .into_par_iter()
             .map_init(Stack::new, |stack, sides| {
                 sides
@@ -148,30 +146,30 @@ impl Rig {
         scene: &Scene,
         caster: &RayCaster,
         pattern: &Pattern,
-        witness: &Witness,
+        probe: &ExposureProbe,
         stack: &mut Stack,
     ) -> f32 {
         let mut sum = 0.0;
         for lamp in &self.lamps {
-            let irradiance = luminance(lamp.irradiance_at(witness.point));
-            let (direction, ends) = lamp.shape.towards(witness.point, [0.0; 2]);
+            let irradiance = luminance(lamp.irradiance_at(probe.point));
+            let (direction, ends) = lamp.shape.towards(probe.point, [0.0; 2]);
             let ray = Ray {
-                origin: witness.point,
+                origin: probe.point,
                 direction,
                 near: 0.0,
                 far: if ends { 0.999 } else { f64::INFINITY },
             };
-            let faces = direction.dot(witness.normal) > 0.0;
+            let faces = direction.dot(probe.normal) > 0.0;
             if irradiance > 0.0 && faces && !caster.is_occluded(scene, ray, stack) {
                 sum += irradiance;
             }
         }
         if self.has_sky {
-            let turn = |of_place| Turn { of_place, of_tile: 0 };
-            let looks = [0, 5, 10, 15].map(|place| pattern.looks(turn(place), witness.normal));
-            let open = looks.iter().flatten().filter(|direction| {
+            let cell = |of_place| PatternCell { of_place, of_tile: 0 };
+            let directions = [0, 5, 10, 15].map(|place| pattern.directions(cell(place), probe.normal));
+            let open = directions.iter().flatten().filter(|direction| {
                 let ray = Ray {
-                    origin: witness.point,
+                    origin: probe.point,
                     direction: **direction,
                     near: 0.0,
                     far: f64::INFINITY,
@@ -179,8 +177,8 @@ impl Rig {
                 !caster.is_occluded(scene, ray, stack)
             });
             #[expect(clippy::cast_precision_loss, reason = "a few")]
-            let share = open.count() as f32 / (4 * LOOKS) as f32;
-            let radiance = luminance(self.sky.mean_by_cosine(witness.normal.as_vec3()));
+            let share = open.count() as f32 / (4 * DIRECTIONS_PER_PLACE) as f32;
+            let radiance = luminance(self.sky.mean_by_cosine(probe.normal.as_vec3()));
             sum += share * radiance * std::f32::consts::PI;
         }
         sum
@@ -205,7 +203,7 @@ impl Rig {
     }
 }
 
-/// Rec. 709.
+/// Returns the Rec. 709 luminance.
 #[inline]
 pub(super) fn luminance(rgb: Vec3) -> f32 {
     rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722))
@@ -253,16 +251,16 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
     (radiance.is_finite()).then_some(Lamp { shape, radiance })
 }
 
-/// A place where the light is measured.
-struct Witness {
+/// A point where irradiance is measured.
+struct ExposureProbe {
     point: DVec3,
     normal: DVec3,
 }
 
-/// The middles of some triangles, a little off them, on both sides.
-fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
-    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
-    let each = (MOST_WITNESSES / scene.instances.len().max(1)).clamp(1, 8);
+/// Returns probes at the centroids of some triangles, slightly offset to both sides.
+fn exposure_probes(scene: &Scene) -> Vec<[ExposureProbe; 2]> {
+    let step = scene.instances.len().div_ceil(MAX_PROBES).max(1);
+    let each = (MAX_PROBES / scene.instances.len().max(1)).clamp(1, 8);
     let mut found = Vec::new();
     for instance in scene.instances.iter().step_by(step) {
         let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
@@ -278,7 +276,7 @@ fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
             let across = (b - a).cross(c - a);
             if let Some(normal) = across.try_normalize() {
                 let off = 1e-3 * across.length().sqrt();
-                found.push([normal, -normal].map(|normal| Witness {
+                found.push([normal, -normal].map(|normal| ExposureProbe {
                     point: (a + b + c) / 3.0 + normal * off,
                     normal,
                 }));
@@ -288,9 +286,9 @@ fn witnesses(scene: &Scene) -> Vec<[Witness; 2]> {
     found
 }
 
-/// From one corner of a mesh to the other, in its own frame; `None` where it has no vertices.
+/// Returns the diagonal of a mesh's bounding box in its own frame; `None` if it has no vertices.
 fn diagonal(mesh: &Mesh) -> Option<DVec3> {
-    // Large meshes are as large when looked at here and there.
+    // A sample of the vertices suffices for large meshes.
     let step = mesh.positions.len().div_ceil(4096).max(1);
     (mesh.positions.iter().step_by(step))
         .map(|p| DVec3::from(p.map(f64::from)))
@@ -299,10 +297,9 @@ fn diagonal(mesh: &Mesh) -> Option<DVec3> {
         .map(|[low, high]| high - low)
 }
 
-/// How far away things darken their surroundings: half a metre, or half the size of the scene's larger things where that
-/// is less.
+/// Returns the range of ambient occlusion: half a metre, or half the 90th percentile of the instances' sizes if that is less.
 fn reach(scene: &Scene) -> f64 {
-    let step = scene.instances.len().div_ceil(MOST_WITNESSES).max(1);
+    let step = scene.instances.len().div_ceil(MAX_PROBES).max(1);
     let mut sizes: Vec<f64> = (scene.instances.iter().step_by(step))
         .filter_map(|instance| {
             let diagonal = diagonal(scene.meshes.get(instance.mesh as usize)?)?;

@@ -180,7 +180,7 @@ fn floor_and_box(lights: Vec<Light>) -> Scene {
 fn sun() -> Light {
     let from = DVec3::new(-1.0, -1.0, 0.0).normalize();
     // The light's z axis points back to where it comes from.
-    let turn = DAffine3::from_mat3(oaktwin_camera::math::DMat3::from_cols(
+    let cell = DAffine3::from_mat3(oaktwin_camera::math::DMat3::from_cols(
         DVec3::Z
             .cross(from)
             .normalize()
@@ -195,7 +195,7 @@ fn sun() -> Light {
         kind: LightKind::Distant { angle: 0.005 },
         radiance: [3000.0; 3],
         normalize: false,
-        world_from_light: turn,
+        world_from_light: cell,
     }
 }
 

@@ -1,4 +1,4 @@
-//! The images of a scene, decoded when they are first seen.
+//! The textures of a scene, decoded on first use.
 
 use std::fs::File;
 use std::io::Read;
@@ -11,10 +11,10 @@ use oaktwin_scene::{ColorSpace, Scene, TextureSource};
 
 use super::pyramid::Pyramid;
 
-/// No image file is larger.
-const MOST_BYTES: u64 = 1 << 30;
+/// The maximum size of an image file.
+const MAX_BYTES: u64 = 1 << 30;
 
-/// Why a texture is not there: where, what, and what to do.
+/// The reason why a texture cannot be shown.
 #[derive(Clone, Debug)]
 pub(super) struct Missing {
     place: String,
@@ -47,13 +47,13 @@ impl Textures {
         }
     }
 
-    /// A texture, decoded by whoever comes first; `None` where the scene has no such texture.
+    /// Returns a texture, decoding it on first use; `None` if the scene has no such texture.
     pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Result<Pyramid, Missing>> {
         let slot = self.pyramids.get(index as usize)?;
         let texture = scene.textures.get(index as usize)?;
         Some(slot.get_or_init(|| {
             let (image, is_high_range) = decoded(&texture.source)?;
-            // High dynamic range was brought into sRGB on the way.
+            // Images of high dynamic range have been converted to sRGB.
             Ok(Pyramid::new(
                 image,
                 is_high_range || texture.color_space != ColorSpace::Raw,
@@ -61,13 +61,13 @@ impl Textures {
         }))
     }
 
-    /// A texture that was decoded before.
+    /// Returns a texture that is already decoded.
     pub(super) fn ready(&self, index: u32) -> Option<&Pyramid> {
         self.pyramids.get(index as usize)?.get()?.as_ref().ok()
     }
 }
 
-/// The image of a dome in linear light.
+/// Decodes the texture of a dome into linear light.
 pub(super) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Missing> {
     if let TextureSource::Pixels(image) = source {
         let linear = oaktwin_image::srgb::linear_from_srgb();
@@ -77,7 +77,7 @@ pub(super) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Missing>
     texture::decode_linear(&bytes, extension(&name)).map_err(|error| broken(name, &error.to_string()))
 }
 
-/// An image in sRGB, and whether it had more range than that.
+/// Decodes an image into sRGB and returns whether it is of high dynamic range.
 fn decoded(source: &TextureSource) -> Result<(Image<[u8; 4]>, bool), Missing> {
     if let TextureSource::Pixels(image) = source {
         return Ok((Image::clone(image), false));
@@ -110,7 +110,7 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
 
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(MOST_BYTES).read_to_end(&mut bytes)?;
+    File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -118,7 +118,7 @@ fn extension(name: &str) -> Option<&str> {
     name.rsplit_once('.').map(|(_, extension)| extension)
 }
 
-/// The message of a codec ends with what to do.
+/// The message of a codec includes the remedy.
 fn broken(place: String, message: &str) -> Missing {
     Missing {
         place,

@@ -4,27 +4,27 @@ use std::sync::LazyLock;
 
 use oaktwin_image::srgb::srgb_from_linear;
 
-/// Up to here the tone curve is the identity.
+/// The value up to which the tone curve is the identity.
 const SHOULDER: f32 = 0.6;
 
-/// Buckets of the table that finds an sRGB value's neighbourhood.
+/// The number of buckets of the sRGB table.
 const BUCKETS: u16 = 16_384;
 
-/// Linear light, exposed, onto 0 to 1: as it is up to 0.6, then `0.6 + 0.4 t / (1 + t)` with `t = (x − 0.6) / 0.4`, which
-/// goes on with the same slope and never reaches 1. So most colours are the scene's own, and lights keep their shape.
+/// Maps exposed linear light to 0 to 1: the identity up to 0.6, then `0.6 + 0.4 t / (1 + t)` with `t = (x − 0.6) / 0.4`, which
+/// continues with the same slope and never reaches 1. Most colours remain the scene's own, and highlights keep detail.
 #[inline]
 pub(super) fn tone(x: f32) -> f32 {
-    // Also of a NaN.
+    // NaN becomes 0.
     let x = x.max(0.0);
     if x <= SHOULDER {
         return x;
     }
     let rest = 1.0 - SHOULDER;
-    // Written for infinity, too.
+    // This form also handles infinity.
     1.0 - rest / (1.0 + (x - SHOULDER) / rest)
 }
 
-/// The sRGB values between which each bucket lies.
+/// The sRGB values at the bounds of each bucket.
 static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
     (0..=BUCKETS)
         .map(|i| srgb_from_linear(f32::from(i) / f32::from(BUCKETS)))
@@ -42,7 +42,7 @@ impl Encoder {
         Self { table: &TABLE }
     }
 
-    /// The nearest sRGB value; [`srgb_from_linear`] but faster.
+    /// Returns the nearest sRGB value; a faster [`srgb_from_linear`].
     #[inline]
     #[expect(
         clippy::cast_possible_truncation,
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_rounds_as_the_formula() {
+    fn the_table_matches_the_formula() {
         let encoder = Encoder::new();
         for i in 0..=100_000u32 {
             let x = i as f32 / 99_000.0;

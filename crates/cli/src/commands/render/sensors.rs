@@ -28,12 +28,7 @@ impl Sensors {
         oak: Option<&Oak>,
     ) -> Result<Self> {
         let sweep = asked::sweep(args)?;
-        let of_sensor: Vec<Annotator> = annotators
-            .iter()
-            .copied()
-            .filter(|one| one.is_of_depth_sensor())
-            .collect();
-        if of_sensor.is_empty() && sweep.is_none() {
+        if !annotators.iter().any(|one| one.is_of_depth_sensor()) && sweep.is_none() {
             return Ok(Self::default());
         }
         let sensor = args.sensor.options()?;
@@ -47,7 +42,6 @@ impl Sensors {
         if sweep.is_some() || !asked::everything(args) {
             findings.extend(without_sensor(args, cameras, &own)?);
         }
-        findings.extend(without_output(&of_sensor, cameras, &own));
         let swept = sweep
             .map(|sweep| SweptSensors::new(sweep, cameras, &options))
             .transpose()
@@ -147,39 +141,4 @@ fn without_sensor(
             )
         })
         .collect())
-}
-
-/// The outputs of every depth sensor: its distance, and the points and colours of that.
-const DERIVED: [Annotator; 3] = [
-    Annotator::DepthSensorDistance,
-    Annotator::DepthSensorPointCloudPosition,
-    Annotator::DepthSensorPointCloudColor,
-];
-
-/// Reports requested outputs that an engine does not have.
-fn without_output(
-    of_sensor: &[Annotator],
-    cameras: &[PlacedCamera],
-    sensors: &[Option<Sensor>],
-) -> Vec<Finding> {
-    let other = |sensor: &Option<Sensor>| {
-        let engine = sensor.as_ref()?.engine();
-        let lacks = |one: &&Annotator| {
-            DERIVED.iter().all(|derived| derived != *one) && !engine.outputs().contains(one)
-        };
-        let missing: Vec<&str> = of_sensor.iter().filter(lacks).map(|one| one.name()).collect();
-        (!missing.is_empty()).then(|| (engine.kind(), missing))
-    };
-    let both = cameras.iter().zip(sensors);
-    both.filter_map(|(camera, sensor)| Some((camera, other(sensor)?)))
-        .map(|(camera, (kind, missing))| {
-            Finding::new(
-                "single-view-only",
-                Level::Note,
-                &camera.path,
-                format!("{kind} has no {}: left out", missing.join(" and no ")),
-                "",
-            )
-        })
-        .collect()
 }

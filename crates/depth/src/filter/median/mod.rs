@@ -1,12 +1,12 @@
 mod network;
 
 use oaktwin_image::Image;
+use oaktwin_simd::Level;
 use rayon::prelude::*;
 
 pub(crate) use network::{Network, Networks};
 
 use super::{Pixel, simd};
-use crate::simd::Level;
 
 /// `MedianFilter`: the median of a square around each pixel; outside the image its edge goes on. 0 counts as a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

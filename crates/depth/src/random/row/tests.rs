@@ -1,6 +1,7 @@
+use oaktwin_simd::Level;
+
 use super::*;
 use crate::random::{Stage, Stream};
-use crate::simd::Level;
 
 fn plane() -> Plane {
     Stream::new(7, "left").plane(Stage::Jitter, 3, 1)
@@ -42,7 +43,7 @@ fn the_layout_is_the_documented_one() {
 fn all_instructions_give_the_same_bits_for_any_length() {
     let plane = plane();
     let mut long = [0.0; 1281];
-    simd::run_at(Level::Baseline, plane.kernel::<_, Normals>(5, &mut long));
+    simd::run_at(Level::BASELINE, plane.kernel::<_, Normals>(5, &mut long));
     for level in Level::available() {
         for length in [0, 1, 15, 16, 63, 64, 65, 106, 1281] {
             let mut row = vec![0.0f32; length];
@@ -52,7 +53,7 @@ fn all_instructions_give_the_same_bits_for_any_length() {
         }
         let (mut bytes, mut expected) = ([0; 999], [0; 999]);
         simd::run_at(level, plane.kernel::<_, Bytes>(5, &mut bytes));
-        simd::run_at(Level::Baseline, plane.kernel::<_, Bytes>(5, &mut expected));
+        simd::run_at(Level::BASELINE, plane.kernel::<_, Bytes>(5, &mut expected));
         assert_eq!(bytes, expected);
     }
 }

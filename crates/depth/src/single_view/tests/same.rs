@@ -1,8 +1,8 @@
+use oaktwin_simd::{self as simd, Level};
 use proptest::prelude::*;
 
 use super::*;
 use crate::random::Stage;
-use crate::simd::{self, Level};
 
 fn bits(image: &Image<f32>) -> Vec<u32> {
     image.pixels().iter().map(|z| z.to_bits()).collect()
@@ -64,7 +64,7 @@ fn all_instructions_give_the_same_bytes() {
             all
         }
     }
-    let baseline = simd::run_at(Level::Baseline, Rows(&plan, &depth, &random));
+    let baseline = simd::run_at(Level::BASELINE, Rows(&plan, &depth, &random));
     for level in Level::available() {
         assert_eq!(
             simd::run_at(level, Rows(&plan, &depth, &random)),

@@ -1,8 +1,9 @@
 //! The median of what is not sure: [`AdaptiveMedian`](super::AdaptiveMedian).
 
+use oaktwin_simd::{self as simd, Kernel, Level};
+
 use super::{DISPARITY, around, each_row, three};
 use crate::filter::{Network, Networks};
-use crate::simd::{self, Kernel, Level};
 
 /// Filters what is less sure than `threshold`; `before` is what `disparity` is.
 pub(super) fn run(

@@ -1,9 +1,9 @@
 //! How sure a winner is: [`ConfidenceMetrics`].
 
+use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use super::{BAND, ConfidenceMetrics, DISPARITY, OCCLUDED, around, three};
-use crate::simd::{self, Kernel, Level};
 
 /// Puts the confidence in place of the share by which the least sum is below the least of those not beside it, of 255.
 pub(super) fn run(

@@ -11,13 +11,13 @@ mod superpixels;
 
 pub use parameters::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 
+use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use self::superpixels::Superpixels;
 use super::census::Census;
 use super::parameters::Parameters;
 use crate::preset::Platform;
-use crate::simd::{self, Kernel, Level};
 
 /// A bit of a winner's disparity: it does not pass the left-right check, or is beyond an image.
 pub(super) const LOST: u16 = 1 << 15;

@@ -1,10 +1,10 @@
 //! Superpixels by simple linear iterative clustering (Achanta et al. 2012), of one channel: each pixel belongs to the
 //! nearest in place and grey level of the nine centres around, and centres are the means of what belongs to them.
 
+use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use super::super::census::Census;
-use crate::simd::{self, Kernel, Level};
 
 /// Pixels between neighbouring centres at first.
 pub(super) const SIDE: usize = 8;

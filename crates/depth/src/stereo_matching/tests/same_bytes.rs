@@ -1,5 +1,6 @@
+use oaktwin_simd::Level;
+
 use super::{changed, pair, step};
-use crate::simd::Level;
 use crate::stereo_matching::StereoMatching;
 
 const SETTINGS: [&[(&str, &str)]; 10] = [

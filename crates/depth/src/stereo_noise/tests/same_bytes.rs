@@ -1,7 +1,7 @@
 use super::*;
 use crate::random::Stream;
-use crate::simd::Level;
 use crate::stereo_noise::sense::{Job, Scratch};
+use oaktwin_simd::Level;
 use proptest::prelude::*;
 
 /// Every loop in it.

@@ -1,7 +1,8 @@
 //! All patches' light at some receivers.
 
+use oaktwin_simd::Kernel;
+
 use super::patches::{Found, Patch};
-use crate::simd::Kernel;
 use crate::time_of_flight::light::{CHANNELS, phasor};
 
 /// Receivers that are lit together.

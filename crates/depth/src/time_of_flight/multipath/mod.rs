@@ -28,6 +28,7 @@ mod gather;
 mod patches;
 mod spread;
 
+use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use self::gather::{Gather, LANES, Lit};
@@ -36,7 +37,6 @@ pub(super) use self::spread::{Add, Normals, Surfaces};
 use self::spread::{Receiver, Spread};
 use super::light::Lamp;
 use super::optics::Optics;
-use crate::simd::{self, Level};
 use oaktwin_image::ImageView;
 
 /// Cells in a row and in a column, at most.

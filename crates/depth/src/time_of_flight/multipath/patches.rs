@@ -1,8 +1,9 @@
 //! The image's surfaces: one patch of each cell, and the points where light is gathered.
 
+use oaktwin_simd as simd;
+
 use super::spread::{Normals, Surfaces};
 use super::{Grid, View};
-use crate::simd;
 use crate::time_of_flight::light::{Albedos, InverseDepth};
 
 /// What a cell shows, as one surface. Metres, the camera's frame.

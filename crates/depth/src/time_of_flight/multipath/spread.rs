@@ -1,8 +1,9 @@
 //! From receivers to pixels.
 
+use oaktwin_simd::Kernel;
+
 use super::between;
 use super::patches::Found;
-use crate::simd::Kernel;
 use crate::time_of_flight::light::{CHANNELS, Lamp, LightRow, phasor, plane};
 
 /// The unlikeness at which a receiver counts a quarter.

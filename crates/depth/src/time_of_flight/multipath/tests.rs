@@ -41,7 +41,7 @@ fn two_patches_are_lamberts() {
             };
             simd::run_at(level, kernel).map(|channel| channel[1])
         };
-        let all = gather(Level::Baseline);
+        let all = gather(Level::BASELINE);
         let dot = |a: [f32; 3], b: [f32; 3]| (0..3).map(|k| f64::from(a[k]) * f64::from(b[k])).sum::<f64>();
         let way = [0, 1, 2].map(|k| patch.point[k] - found.point[k]);
         let distance = dot(way, way).sqrt();

@@ -1,5 +1,6 @@
+use oaktwin_simd::Level;
+
 use super::*;
-use crate::simd::Level;
 use crate::time_of_flight::sense::{Job, Scratch};
 
 /// Every loop in it.

@@ -2,7 +2,7 @@
 
 use super::super::points::Point;
 use super::errors::{Errors, Systematic};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
 /// The vendor's published accuracy is within 0.35 px.
 const MOST_BIAS_PX: f64 = 1.0;
@@ -24,16 +24,19 @@ pub(super) fn not_identifiable(
     found: Option<&Systematic>,
     wanted: usize,
     is_known: bool,
-) -> Option<(String, &'static str)> {
+) -> Option<(String, Message)> {
     let mut distances: Vec<f64> = points.iter().map(|point| point.depth_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs());
-    let more = "record more distances, on all phases of a pixel of disparity";
+    let more = Message::from("record more distances, on all phases of a pixel of disparity");
     match distances.len() {
         0 => {
             return Some((
                 "no true distance is known".to_owned(),
-                "give a distances.csv of file,distance_m, or an earlier --from",
+                message![
+                    "give a distances.csv with columns file,distance_m, or an earlier ",
+                    opt("from")
+                ],
             ));
         }
         1 => {
@@ -72,7 +75,7 @@ pub(super) fn not_identifiable(
 /// Doubts about the distances, the optics or the images.
 pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let mut add = |code, place, message: String, remedy| {
+    let mut add = |code, place, message: String, remedy: Message| {
         findings.push(Finding::new(code, Level::Warning, place, message, remedy));
     };
     let bias = found.solution.parameters[0];
@@ -85,7 +88,8 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
                 "depth is {:+.1} % off at every distance, which no bias of disparity makes",
                 100.0 * share
             ),
-            "check the distances, and the focal length and baseline that the device computed depth with",
+            "check the distances, and the focal length and baseline that the device computed depth with"
+                .into(),
         );
     }
     if bias.abs() > MOST_BIAS_PX && share.is_none() {
@@ -93,7 +97,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
             "implausible-bias",
             "bias",
             format!("{bias:.2} px is more than any calibration is off"),
-            "check the distances, the model and --focal-px",
+            message!["check the distances, the model and ", opt("focal-px")],
         );
     }
     if !is_focal_free
@@ -113,7 +117,14 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
                 100.0 * (focal - 1.0),
                 100.0 * other.solution.squares / found.solution.squares
             ),
-            "give the unit's own by --focal-px or --calibration, or fit it by --fit focal",
+            message![
+                "set the unit's own ",
+                opt("focal-px"),
+                " or ",
+                opt("calibration"),
+                ", or fit it with ",
+                opt("fit").with("focal")
+            ],
         );
     }
     findings

@@ -145,10 +145,10 @@ impl Method for Stereo {
         let is_known = used.iter().all(|point| point.sigma.is_some());
         let found = errors.fit(is_free);
         if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref(), wanted, is_known) {
-            work.not_found("bias", &why, remedy);
-            work.not_found("pixelLocking", &why, remedy);
+            work.not_found("bias", &why, &remedy);
+            work.not_found("pixelLocking", &why, &remedy);
             if is_free {
-                work.not_found("focalLength", &why, remedy);
+                work.not_found("focalLength", &why, &remedy);
             }
             return None;
         }

@@ -3,7 +3,7 @@
 use super::super::points::Point;
 use super::errors::Found;
 use super::light::Light;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
 /// Bias and amplitude that stand for one another more than this are not told apart.
 const MOST_CORRELATION: f64 = 0.98;
@@ -18,11 +18,13 @@ const MOST_SCATTER: f64 = 4.0;
 const FEWEST_MORE: usize = 3;
 
 /// Why bias and wiggling cannot be found, and what to do.
-pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Option<(String, &'static str)> {
+pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Option<(String, Message)> {
     let mut distances: Vec<f64> = points.iter().map(|point| point.depth_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs());
-    let more = "record more distances, a few centimetres apart too: the error repeats every 0.4 m or so";
+    let more = Message::from(
+        "record more distances, a few centimetres apart too: the error repeats every 0.4 m or so",
+    );
     let least = match points.iter().all(|point| point.sigma.is_some()) {
         true => 3,
         false => 2 + FEWEST_MORE,
@@ -31,7 +33,10 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
         0 => {
             return Some((
                 "no true distance within range is known".to_owned(),
-                "give a distances.csv of file,distance_m, or an earlier --from",
+                message![
+                    "give a distances.csv with columns file,distance_m, or an earlier ",
+                    opt("from")
+                ],
             ));
         }
         1 => {
@@ -54,7 +59,7 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
     let [a, b] = [&found.solution.parameters, rival].map(|p| 1e3 * p[0]);
     Some((
         format!("without signs of the errors a bias of {a:.2} mm fits, and so does {b:.2} mm"),
-        "give errors with their signs",
+        "give errors with their signs".into(),
     ))
 }
 

@@ -19,7 +19,7 @@ use super::work::Work;
 use super::{FitError, Options};
 use errors::{Found, Shape};
 use light::Noise;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 
 /// What is nearer to the median than so many millimetres' steps is no wrong period.
 const STEP_M: f64 = 0.001;
@@ -49,11 +49,12 @@ impl Tof {
     /// Of what is known of it.
     pub(super) fn new(engine: &TimeOfFlight, options: &Options) -> Result<Self, FitError> {
         let p = *engine.parameters();
-        let refused = |text: &str| Err(FitError::Option(text.to_owned()));
+        let refused = |text: &str| Err(FitError::Option(text.into()));
         if options.fits_focal_length {
-            return refused(
-                "fit: a time-of-flight camera's distances do not depend on its focal length; leave --fit focal out",
-            );
+            return Err(FitError::Option(message![
+                "fit: time-of-flight distances do not depend on the focal length; remove ",
+                opt("fit").with("focal")
+            ]));
         }
         if !p.enable_optical_correction {
             return refused(
@@ -206,7 +207,10 @@ impl Method for Tof {
                 work.not_found(
                     "ambient",
                     &why,
-                    "record near and far targets, or give --param ambient",
+                    message![
+                        "record near and far targets, or set ",
+                        opt("param").with("ambient=VALUE")
+                    ],
                 );
             }
         }
@@ -247,7 +251,11 @@ impl Method for Tof {
                     "{depth_m:.3} m is farther than the {:.3} m that can be told: left out",
                     self.range_m
                 ),
-                "give the recording's --param phaseUnwrappingLevel, or nearer targets",
+                message![
+                    "set the recording's ",
+                    opt("param").with("phaseUnwrappingLevel=N"),
+                    ", or use nearer targets"
+                ],
             ));
             return false;
         }
@@ -278,8 +286,8 @@ impl Method for Tof {
         let found = shape.fit(used);
         let (wiggling, what) = self.wiggling();
         if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref()) {
-            work.not_found("bias", &why, remedy);
-            work.not_found(wiggling, &why, remedy);
+            work.not_found("bias", &why, &remedy);
+            work.not_found(wiggling, &why, &remedy);
             return None;
         }
         let found: Found = found?;

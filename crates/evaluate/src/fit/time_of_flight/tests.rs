@@ -259,7 +259,7 @@ fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
     let folder = tempfile::tempdir().unwrap();
     recorded(12.0).write(folder.path(), |z| z);
     let error = fitted(folder.path(), &options()).unwrap_err();
-    assert!(error.contains("the target is turned by 1"), "{error}");
+    assert!(error.contains("the target is tilted by 1"), "{error}");
 }
 
 /// Errors alone, with their signs and without.
@@ -302,7 +302,7 @@ fn options_that_make_no_sense_are_refused() {
         ..options()
     };
     for (options, expected) in [
-        (focal, "do not depend on its focal length"),
+        (focal, "do not depend on the focal length"),
         (
             with(options(), ("enableOpticalCorrection", "false")),
             "along the rays",

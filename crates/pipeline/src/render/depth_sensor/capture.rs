@@ -56,9 +56,29 @@ fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
 }
 
 /// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
-/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. What cannot be made
-/// of them is left out.
+/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. Returns the annotators that
+/// cannot be produced.
 pub fn sense_frame(
+    sensor: &mut Sensor,
+    camera: &Camera,
+    number: u64,
+    pair: Option<&Pair>,
+    asked: &[Annotator],
+    frame: &mut Frame,
+) -> Vec<Annotator> {
+    fill(sensor, camera, number, pair, asked, frame);
+    let is_missing = |annotator: &Annotator| match annotator {
+        Annotator::DepthSensorDistance => frame.depth_sensor_distance.is_none(),
+        Annotator::DepthSensorPointCloudPosition => frame.depth_sensor_point_cloud_position.is_none(),
+        Annotator::DepthSensorPointCloudColor => frame.depth_sensor_point_cloud_color.is_none(),
+        Annotator::DepthSensorImager => frame.depth_sensor_imager.is_none(),
+        Annotator::DepthSensorOutputVisualization => frame.depth_sensor_output_visualization.is_none(),
+        _ => false,
+    };
+    asked.iter().copied().filter(is_missing).collect()
+}
+
+fn fill(
     sensor: &mut Sensor,
     camera: &Camera,
     number: u64,

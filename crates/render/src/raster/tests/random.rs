@@ -1,6 +1,7 @@
+use oaktwin_simd::Level;
+
 use super::*;
 use crate::raster::cluster::{ClusteredMesh, MAX_TRIANGLES, MAX_VERTICES};
-use crate::raster::simd::Level;
 
 /// Triangles of all sizes in front of the camera, behind it and through it, in meshes that stand several times.
 fn random_scene(seed: u64) -> Scene {
@@ -90,7 +91,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
-fn any_instructions_give_the_same_bytes() {
+fn any_level_gives_the_same_bytes() {
     for view in [view(640, 400, 77.0), odd_view(333, 222)] {
         let scene = random_scene(7);
         let renders: Vec<_> = Level::available()

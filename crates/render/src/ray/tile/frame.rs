@@ -1,8 +1,8 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
+use oaktwin_simd::Lanes;
 
 use super::rays::Range;
 use crate::ray::bvh::{Bounds, Node};
-use crate::ray::simd::Lanes;
 use crate::ray::vector::Vector;
 
 /// How the frame of a mesh (or the world) is seen from a tile: its points come into the tile's frame by
@@ -66,12 +66,12 @@ impl Frame {
 
     /// Which children of a node the tile may see in front of `limit`, and where in z each begins.
     #[inline(always)]
-    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (L, L) {
+    pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (L::I32, L) {
         let zero = L::splat(0.0);
-        let nearest = zero.sub(self.depth.farthest::<L>(node));
+        let nearest = zero - self.depth.farthest::<L>(node);
         let mut seen = nearest.le(L::splat(limit));
         for side in &self.sides {
-            seen = seen.and(zero.le(side.farthest::<L>(node)));
+            seen = seen & zero.le(side.farthest::<L>(node));
         }
         (seen, nearest)
     }
@@ -85,9 +85,7 @@ impl Frame {
     /// Eight points of the frame in the tile's.
     #[inline(always)]
     pub(super) fn see<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
-        let from_origin = point
-            .sub(Vector::splat(self.coarse))
-            .sub(Vector::splat(self.fine));
+        let from_origin = point - Vector::splat(self.coarse) - Vector::splat(self.fine);
         let [x, y, z] = self.tile_from_frame;
         Vector {
             x: from_origin.dot(Vector::splat(x)),
@@ -120,6 +118,6 @@ impl Plane {
             y: L::load(&node.bounds[y]),
             z: L::load(&node.bounds[z]),
         };
-        corner.dot(Vector::splat(self.normal)).sub(L::splat(self.offset))
+        corner.dot(Vector::splat(self.normal)) - L::splat(self.offset)
     }
 }

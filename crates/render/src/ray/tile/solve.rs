@@ -1,13 +1,13 @@
 //! Double precision for what single precision found.
 
 use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_simd::{F64Lanes, LaneKernel, Lanes};
 
 use super::rays::{PACKETS, PerRay};
-use super::state::Seen;
+use super::state::TileHits;
 use crate::ray::Prepared;
 use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
-use crate::ray::simd::{Kernel, Lanes, Wide};
 
 /// Where rays meet the planes of the triangles that they see.
 pub(crate) struct Solve<'a> {
@@ -15,7 +15,7 @@ pub(crate) struct Solve<'a> {
     /// Where the rays start, in the world.
     pub(crate) origin: DVec3,
     pub(crate) world_from_camera: DMat3,
-    pub(crate) seen: &'a Seen,
+    pub(crate) seen: &'a TileHits,
     /// In the camera's frame.
     pub(crate) directions: &'a PerRay<DVec3>,
     /// Gets the distance of each ray that sees something, in lengths of its direction.
@@ -30,7 +30,7 @@ struct Place<'a> {
     mesh_from_camera: DMat3,
 }
 
-impl Kernel for Solve<'_> {
+impl LaneKernel for Solve<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -78,7 +78,7 @@ impl<'a> Solve<'a> {
 
     /// Of a packet's rays that see an instance; `lanes` is not empty.
     #[inline(always)]
-    fn packet<L: Lanes>(&self, place: &Place, packet: usize, lanes: u32) -> L::Wide {
+    fn packet<L: Lanes>(&self, place: &Place, packet: usize, lanes: u32) -> L::F64 {
         let slots = &self.seen.triangle[packet];
         // The other lanes repeat a triangle.
         let first = slots[lanes.trailing_zeros() as usize & 7];
@@ -94,17 +94,14 @@ impl<'a> Solve<'a> {
         let [a, b, c] = corners::<L>(place.positions, &triangles);
         // Differences and products of single-precision numbers are all but exact here.
         let (ax, ay, az) = (a.x.widen(), a.y.widen(), a.z.widen());
-        let (bx, by, bz) = (b.x.widen().sub(ax), b.y.widen().sub(ay), b.z.widen().sub(az));
-        let (cx, cy, cz) = (c.x.widen().sub(ax), c.y.widen().sub(ay), c.z.widen().sub(az));
-        let nx = by.mul(cz).sub(bz.mul(cy));
-        let ny = bz.mul(cx).sub(bx.mul(cz));
-        let nz = bx.mul(cy).sub(by.mul(cx));
+        let (bx, by, bz) = (b.x.widen() - ax, b.y.widen() - ay, b.z.widen() - az);
+        let (cx, cy, cz) = (c.x.widen() - ax, c.y.widen() - ay, c.z.widen() - az);
+        let nx = by * cz - bz * cy;
+        let ny = bz * cx - bx * cz;
+        let nz = bx * cy - by * cx;
         let o = place.origin;
-        let height = ax
-            .sub(L::Wide::splat(o.x))
-            .mul(nx)
-            .add(ay.sub(L::Wide::splat(o.y)).mul(ny))
-            .add(az.sub(L::Wide::splat(o.z)).mul(nz));
+        let height =
+            (ax - L::F64::splat(o.x)) * nx + (ay - L::F64::splat(o.y)) * ny + (az - L::F64::splat(o.z)) * nz;
         let mut direction = [[0.0; 8]; 3];
         for (lane, d) in self.directions[packet].iter().enumerate() {
             direction[0][lane] = d.x;
@@ -113,22 +110,17 @@ impl<'a> Solve<'a> {
         }
         let m = place.mesh_from_camera;
         let (dx, dy, dz) = (
-            L::Wide::load(&direction[0]),
-            L::Wide::load(&direction[1]),
-            L::Wide::load(&direction[2]),
+            L::F64::load(&direction[0]),
+            L::F64::load(&direction[1]),
+            L::F64::load(&direction[2]),
         );
-        let fall = nx
-            .mul(row::<L>(m.row(0), dx, dy, dz))
-            .add(ny.mul(row::<L>(m.row(1), dx, dy, dz)))
-            .add(nz.mul(row::<L>(m.row(2), dx, dy, dz)));
-        height.div(fall)
+        let fall =
+            nx * row(m.row(0), dx, dy, dz) + ny * row(m.row(1), dx, dy, dz) + nz * row(m.row(2), dx, dy, dz);
+        height / fall
     }
 }
 
 #[inline(always)]
-fn row<L: Lanes>(row: DVec3, x: L::Wide, y: L::Wide, z: L::Wide) -> L::Wide {
-    L::Wide::splat(row.x)
-        .mul(x)
-        .add(L::Wide::splat(row.y).mul(y))
-        .add(L::Wide::splat(row.z).mul(z))
+fn row<D: F64Lanes>(row: DVec3, x: D, y: D, z: D) -> D {
+    D::splat(row.x) * x + D::splat(row.y) * y + D::splat(row.z) * z
 }

@@ -1,13 +1,14 @@
+use oaktwin_simd::{I32Lanes, Lanes};
+
 use super::rays::{PACKETS, PerRay, TileRays};
 use super::triangles::Triangles;
 use crate::Clip;
 use crate::ray::mesh_tree::MeshTree;
-use crate::ray::simd::Lanes;
 use crate::ray::vector::Vector;
 
 /// What the rays of a tile see.
 #[derive(Clone, Debug)]
-pub(crate) struct Seen {
+pub(crate) struct TileHits {
     /// 1/z in the tile's frame, scaled; where nothing is seen, of the far end.
     pub(crate) inverse_z: PerRay<f32>,
     /// `u32::MAX` where nothing is seen.
@@ -27,7 +28,7 @@ pub(super) struct Leaf<'a> {
 
 /// What is known of a tile's rays so far.
 pub(crate) struct State {
-    pub(crate) seen: Seen,
+    pub(crate) seen: TileHits,
     /// The greatest 1/z that is not before the near end.
     nearest: PerRay<f32>,
     /// The least 1/z in each packet, and of all.
@@ -39,7 +40,7 @@ pub(crate) struct State {
 
 impl State {
     pub(crate) const NONE: Self = Self {
-        seen: Seen {
+        seen: TileHits {
             inverse_z: [[0.0; 8]; PACKETS],
             instance: [[u32::MAX; 8]; PACKETS],
             triangle: [[u32::MAX; 8]; PACKETS],
@@ -65,11 +66,11 @@ impl State {
             let z_per_length = L::load(&rays.z_per_length[packet]);
             let is_there = L::splat(0.0).lt(z_per_length);
             // Where there is no ray, nothing is near enough.
-            let least = is_there.select(far.div(z_per_length), L::splat(f32::INFINITY));
-            let nearest = is_there.select(near.div(z_per_length), L::splat(-1.0));
+            let least = L::select(is_there, far / z_per_length, L::splat(f32::INFINITY));
+            let nearest = L::select(is_there, near / z_per_length, L::splat(-1.0));
             least.store(&mut self.seen.inverse_z[packet]);
             nearest.store(&mut self.nearest[packet]);
-            self.packet_least[packet] = least.least();
+            self.packet_least[packet] = least.reduce_min();
         }
         self.update_least();
     }
@@ -89,12 +90,11 @@ impl State {
             let index = triangles.trailing_zeros() as usize & 7;
             triangles &= triangles - 1;
             let greatest = L::splat(ready.greatest[index]);
-            let touched = L::load(&rays.packets.u[0])
-                .le(L::splat(ready.u[1][index]))
-                .and(L::splat(ready.u[0][index]).le(L::load(&rays.packets.u[1])))
-                .and(L::load(&rays.packets.v[0]).le(L::splat(ready.v[1][index])))
-                .and(L::splat(ready.v[0][index]).le(L::load(&rays.packets.v[1])))
-                .and(L::load(&self.packet_least).le(greatest));
+            let touched = L::load(&rays.packets.u[0]).le(L::splat(ready.u[1][index]))
+                & L::splat(ready.u[0][index]).le(L::load(&rays.packets.u[1]))
+                & L::load(&rays.packets.v[0]).le(L::splat(ready.v[1][index]))
+                & L::splat(ready.v[0][index]).le(L::load(&rays.packets.v[1]))
+                & L::load(&self.packet_least).le(greatest);
             let mut packets = touched.signs();
             if packets == 0 {
                 continue;
@@ -111,10 +111,7 @@ impl State {
                 let inside = at(ab, u, v).min(at(bc, u, v)).min(at(ca, u, v));
                 let w = at(plane, u, v).max(least).min(greatest);
                 let best = L::load(&self.seen.inverse_z[packet]);
-                let mut met = L::splat(0.0)
-                    .le(inside)
-                    .and(best.le(w))
-                    .and(w.le(L::load(&self.nearest[packet])));
+                let mut met = L::splat(0.0).le(inside) & best.le(w) & w.le(L::load(&self.nearest[packet]));
                 let met_bits = met.signs();
                 if met_bits == 0 {
                     continue;
@@ -122,13 +119,13 @@ impl State {
                 is_nearer = true;
                 let equal = met_bits & w.le(best).signs();
                 if equal != 0 {
-                    met = L::load_bits(&self.first_of_equals(met_bits, equal, packet, index, leaf));
+                    met = L::I32::load(&self.first_of_equals(met_bits, equal, packet, index, leaf));
                 }
-                let nearer = met.select(w, best);
+                let nearer = L::select(met, w, best);
                 nearer.store(&mut self.seen.inverse_z[packet]);
-                replace(met, leaf.instance, &mut self.seen.instance[packet]);
-                replace(met, slot, &mut self.seen.triangle[packet]);
-                self.packet_least[packet] = nearer.least();
+                replace::<L::I32>(met, leaf.instance, &mut self.seen.instance[packet]);
+                replace::<L::I32>(met, slot, &mut self.seen.triangle[packet]);
+                self.packet_least[packet] = nearer.reduce_min();
             }
         }
         if is_nearer {
@@ -138,7 +135,7 @@ impl State {
 
     /// `met` as lanes, without those of `equal` that saw an earlier instance or triangle equally near.
     #[cold]
-    fn first_of_equals(&self, met: u32, equal: u32, packet: usize, index: usize, leaf: &Leaf) -> [u32; 8] {
+    fn first_of_equals(&self, met: u32, equal: u32, packet: usize, index: usize, leaf: &Leaf) -> [i32; 8] {
         std::array::from_fn(|lane| {
             let known = self.seen.instance[packet][lane];
             let is_later = || {
@@ -147,21 +144,19 @@ impl State {
                     || (known == leaf.instance && leaf.tree.triangles[slot][3] < leaf.triangles[index][3])
             };
             let is_met = met >> lane & 1 == 1 && !(equal >> lane & 1 == 1 && is_later());
-            if is_met { u32::MAX } else { 0 }
+            -i32::from(is_met)
         })
     }
 }
 
 /// Puts a number where the lane is all ones.
 #[inline(always)]
-fn replace<L: Lanes>(place: L, number: u32, numbers: &mut [u32; 8]) {
-    place
-        .select(L::splat(f32::from_bits(number)), L::load_bits(numbers))
-        .store_bits(numbers);
+fn replace<I: I32Lanes>(mask: I, number: u32, numbers: &mut [u32; 8]) {
+    I::select(mask, I::splat(number.cast_signed()), I::load_unsigned(numbers)).store_unsigned(numbers);
 }
 
 /// `(u, v, 1) · n`.
 #[inline(always)]
 fn at<L: Lanes>(n: Vector<L>, u: L, v: L) -> L {
-    n.x.mul(u).add(n.y.mul(v)).add(n.z)
+    n.x * u + n.y * v + n.z
 }

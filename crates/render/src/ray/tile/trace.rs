@@ -1,5 +1,6 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::Mesh;
+use oaktwin_simd::{LaneKernel, Lanes};
 
 use super::frame::Frame;
 use super::rays::TileRays;
@@ -10,7 +11,6 @@ use crate::ray::Prepared;
 use crate::ray::bvh::Node;
 use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
-use crate::ray::simd::{Kernel, Lanes};
 use crate::ray::stack::{Entry, Stack, push_children};
 
 /// Where all rays start.
@@ -33,7 +33,7 @@ pub(crate) struct Trace<'a> {
     pub(crate) stack: &'a mut Stack,
 }
 
-impl Kernel for Trace<'_> {
+impl LaneKernel for Trace<'_> {
     type Output = ();
 
     #[inline(always)]

@@ -1,12 +1,12 @@
 use oaktwin_camera::math::DVec3;
+use oaktwin_simd::{I32Lanes, Lanes};
 
 use super::frame::Frame;
 use super::rays::Range;
 use crate::ray::corners::Corners;
-use crate::ray::simd::Lanes;
 
 /// How much farther away a triangle's corner may be than its plane, before single precision is not enough for the plane.
-const MOST_OBLIQUE: f32 = 16.0;
+const MAX_OBLIQUENESS: f32 = 16.0;
 
 /// Up to eight triangles made ready for rays of one origin.
 #[derive(Clone, Debug)]
@@ -58,41 +58,41 @@ impl Triangles {
         let farthest = a.z.max(b.z).max(c.z);
         // Where a corner is behind, the triangle may be anywhere.
         let in_front = zero.lt(nearest);
-        let (wa, wb, wc) = (one.div(a.z), one.div(b.z), one.div(c.z));
-        let u = range(in_front, a.x.mul(wa), b.x.mul(wb), c.x.mul(wc));
-        let v = range(in_front, a.y.mul(wa), b.y.mul(wb), c.y.mul(wc));
-        let greatest = in_front.select(
-            wa.max(wb).max(wc).mul(L::splat(1.0 + 1e-6)),
+        let (wa, wb, wc) = (one / a.z, one / b.z, one / c.z);
+        let u = range(in_front, a.x * wa, b.x * wb, c.x * wc);
+        let v = range(in_front, a.y * wa, b.y * wb, c.y * wc);
+        let greatest = L::select(
+            in_front,
+            wa.max(wb).max(wc) * L::splat(1.0 + 1e-6),
             L::splat(f32::INFINITY),
         );
 
         // From the back all signs are the other ones.
-        let normal = b.sub(a).cross(c.sub(a));
+        let normal = (b - a).cross(c - a);
         let volume = a.dot(normal);
-        let sign = volume.and(L::splat(-0.0));
+        let sign = volume.to_bits() & L::I32::splat(i32::MIN);
         // Seen exactly from the side, it is nothing.
-        let seen = zero
-            .lt(volume.xor(sign))
-            .and(zero.lt(farthest))
-            .and(L::splat(least).le(greatest))
-            .and(u[0].le(L::splat(extent.u[1])))
-            .and(L::splat(extent.u[0]).le(u[1]))
-            .and(v[0].le(L::splat(extent.v[1])))
-            .and(L::splat(extent.v[0]).le(v[1]));
+        let seen = zero.lt(L::from_bits(volume.to_bits() ^ sign))
+            & zero.lt(farthest)
+            & L::splat(least).le(greatest)
+            & u[0].le(L::splat(extent.u[1]))
+            & L::splat(extent.u[0]).le(u[1])
+            & v[0].le(L::splat(extent.v[1]))
+            & L::splat(extent.v[0]).le(v[1]);
         self.seen = seen.signs();
         self.vast = 0;
         if self.seen == 0 {
             return;
         }
-        let most = volume.mul(L::splat(MOST_OBLIQUE));
-        let is_oblique = most.mul(most).lt(a.dot(a).mul(normal.dot(normal)));
-        let is_deep = farthest.mul(L::splat(0.95)).mul(greatest);
-        self.vast = seen.and(is_oblique).and(one.lt(is_deep)).signs();
-        a.side(b).turned(sign).store(&mut self.sides[0]);
-        b.side(c).turned(sign).store(&mut self.sides[1]);
-        c.side(a).turned(sign).store(&mut self.sides[2]);
-        normal.scale(one.div(volume)).store(&mut self.plane);
-        L::splat(1.0 - 1e-6).div(farthest).store(&mut self.least);
+        let most = volume * L::splat(MAX_OBLIQUENESS);
+        let is_oblique = (most * most).lt(a.dot(a) * normal.dot(normal));
+        let is_deep = farthest * L::splat(0.95) * greatest;
+        self.vast = (seen & is_oblique & one.lt(is_deep)).signs();
+        a.side(b).flip(sign).store(&mut self.sides[0]);
+        b.side(c).flip(sign).store(&mut self.sides[1]);
+        c.side(a).flip(sign).store(&mut self.sides[2]);
+        (normal * (one / volume)).store(&mut self.plane);
+        (L::splat(1.0 - 1e-6) / farthest).store(&mut self.least);
         greatest.store(&mut self.greatest);
         u[0].store(&mut self.u[0]);
         u[1].store(&mut self.u[1]);
@@ -124,11 +124,11 @@ impl Triangles {
 
 /// From the least to the greatest of three, and a little more for rounding; everything if not `known`.
 #[inline(always)]
-fn range<L: Lanes>(known: L, p: L, q: L, r: L) -> [L; 2] {
+fn range<L: Lanes>(known: L::I32, p: L, q: L, r: L) -> [L; 2] {
     let (low, high) = (p.min(q).min(r), p.max(q).max(r));
-    let slack = high.max(L::splat(0.0).sub(low)).mul(L::splat(1e-6));
+    let slack = high.max(L::splat(0.0) - low) * L::splat(1e-6);
     [
-        known.select(low.sub(slack), L::splat(f32::NEG_INFINITY)),
-        known.select(high.add(slack), L::splat(f32::INFINITY)),
+        L::select(known, low - slack, L::splat(f32::NEG_INFINITY)),
+        L::select(known, high + slack, L::splat(f32::INFINITY)),
     ]
 }
