@@ -304,7 +304,7 @@ def test_matchers_that_cannot_be(options, said):
 
 
 def test_depth_is_no_pair(device, room):
-    with pytest.raises(oaktwin.Error, match="engine: stereo-matching needs a pair of images.*use StereoMatcher"):
+    with pytest.raises(oaktwin.Error, match="engine: stereo-matching requires a stereo pair.*use StereoMatcher"):
         oaktwin.DepthSensor(device, engine="stereo-matching")
 
 
