@@ -4,7 +4,24 @@ use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::usd::optics;
 use oaktwin::{render, scene};
 
+use super::annotators::annotators;
 use super::{PairArgs, SensorArgs, ThreadArgs, UnitArgs};
+
+fn after_help() -> String {
+    format!(
+        "Files, names and units follow Replicator's BasicWriter; a miss is +inf. The files of a single camera are written \
+        into the output folder, those of several cameras into a folder for each.\n\n\
+        Annotators:{}\n\n\
+        Annotators of cameras with a depth sensor:{}\n\n\
+        The sensor's parameters come from the scene's render product or from the model; --param overrides them and \
+        --sweep compares several values.\n\n\
+        A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {{\"time\": t, \"position\": [x, y, z], \
+        \"orientation\": [qx, qy, qz, qw]}}. Its poses are those of the model's body (x forward, y left, z up) or of the \
+        scene's camera (x right, y down, z forward), in metres.",
+        annotators(false),
+        annotators(true),
+    )
+}
 
 #[derive(Args, Debug)]
 #[command(
@@ -16,17 +33,7 @@ use super::{PairArgs, SensorArgs, ThreadArgs, UnitArgs};
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
     )),
-    after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. One camera writes \
-    flat into the folder, several into a folder each.\n\n\
-    Annotators: rgb, distance_to_image_plane, distance_to_camera, normals, instance_id_segmentation, \
-    semantic_segmentation, bounding_box_2d_tight, bounding_box_2d_loose, pointcloud, camera_params.\n\n\
-    Of a depth sensor's camera also what the sensor reports: depth_sensor_distance (metres, 0 where nothing was \
-    measured), depth_sensor_point_cloud_position (camera's frame, USD's axes, metres), depth_sensor_point_cloud_color, \
-    depth_sensor_imager, depth_sensor_output_visualization (the view that rgbDepthOutputMode chooses). Its parameters \
-    are those of the scene's render product or of the model; --param sets others, --sweep tries several.\n\n\
-    A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {\"time\": t, \"position\": [x, y, z], \
-    \"orientation\": [qx, qy, qz, qw]}; its poses are those of the model's body (x forward, y left, z up), or of the \
-    scene's own camera (x right, y down, z forward), metres."
+    after_help = after_help()
 )]
 pub(crate) struct RenderArgs {
     /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), OBJ, STL or PLY

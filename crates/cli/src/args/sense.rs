@@ -5,6 +5,7 @@ use oaktwin::catalog::{DepthKind, Role};
 use oaktwin::depth::align;
 use oaktwin::sense;
 
+use super::annotators::sensor_outputs;
 use super::{DepthFileArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
@@ -106,9 +107,7 @@ pub(crate) struct SenseArgs {
     #[arg(
         long,
         value_name = "NAMES",
-        help = "More that the sensor reports, apart by commas: depth_sensor_point_cloud_position, \
-                depth_sensor_point_cloud_color, depth_sensor_imager, depth_sensor_output_visualization (the view of \
-                rgbDepthOutputMode)",
+        help = format!("Additional outputs of the sensor, comma-separated: {}", sensor_outputs()),
         value_delimiter = ',',
         help_heading = "More files"
     )]

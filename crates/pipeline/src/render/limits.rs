@@ -1,7 +1,7 @@
 //! Images that are too large, told before they are made.
 
 use oaktwin_camera::ImageSize;
-use oaktwin_image::annotation::Annotator;
+use oaktwin_image::annotation::{AnnotationKind, Annotator};
 
 /// The most pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 31;
@@ -63,35 +63,12 @@ pub fn record_bytes(size: ImageSize) -> u64 {
     40 * u64::from(size.width) * u64::from(size.height)
 }
 
-/// How much memory what these annotators say of a frame takes, bytes.
+/// Returns the memory of a frame's annotations, bytes.
 #[must_use]
 pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
-    let pixels = u64::from(size.width) * u64::from(size.height);
-    pixels
-        * annotators
-            .iter()
-            .map(|annotator| pixel_bytes(*annotator))
-            .sum::<u64>()
-}
-
-fn pixel_bytes(annotator: Annotator) -> u64 {
-    match annotator {
-        Annotator::Rgb
-        | Annotator::DistanceToImagePlane
-        | Annotator::DistanceToCamera
-        | Annotator::InstanceIdSegmentation
-        | Annotator::SemanticSegmentation => 4,
-        Annotator::Confidence => 1,
-        Annotator::Disparity
-        | Annotator::DepthSensorDistance
-        | Annotator::DepthSensorPointCloudColor
-        | Annotator::DepthSensorImager
-        | Annotator::DepthSensorOutputVisualization => 4,
-        Annotator::Normals => 12,
-        Annotator::DepthSensorPointCloudPosition => 16,
-        Annotator::Pointcloud => 36,
-        Annotator::BoundingBox2dTight | Annotator::BoundingBox2dLoose | Annotator::CameraParams => 0,
-    }
+    let kinds = annotators.iter().filter_map(|annotator| annotator.kind());
+    let per_pixel: u64 = kinds.map(AnnotationKind::bytes_per_pixel).sum();
+    u64::from(size.width) * u64::from(size.height) * per_pixel
 }
 
 /// The memory that this machine could give now, bytes; `None` where it does not say.
@@ -120,7 +97,10 @@ mod tests {
         assert!(check_size(ImageSize::new((1 << 16) + 1, 1 << 15)).is_err());
         assert!(check_size(ImageSize::new(u32::MAX, u32::MAX)).is_err());
         assert!(check_size(ImageSize::new(0, 5)).is_err());
-        let bytes = frame_bytes(ImageSize::new(1 << 16, 1 << 15), &Annotator::ALL);
+        let bytes = frame_bytes(
+            ImageSize::new(1 << 16, 1 << 15),
+            &Annotator::all().collect::<Vec<_>>(),
+        );
         assert_eq!(gib(bytes), "824.0 GiB");
     }
 

@@ -54,7 +54,7 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     }
     for name in &args.annotators {
         match name.trim() {
-            "all" => chosen.extend(Annotator::ALL),
+            "all" => chosen.extend(Annotator::all()),
             name => chosen.push(render::annotator(name)?),
         }
     }
@@ -87,7 +87,7 @@ fn senses(args: &RenderArgs) -> bool {
 /// An option of the depth sensor of which nothing comes.
 pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
     let option = args.sensor.given().filter(|_| args.sweep.is_empty())?;
-    let is_used = annotators.iter().any(|one| one.is_of_depth_sensor());
+    let is_used = annotators.iter().any(|one| one.is_depth_sensor());
     (!is_used).then(|| {
         Finding::new(
             "sensor-unused",
@@ -108,7 +108,7 @@ pub(super) fn everything(args: &RenderArgs) -> bool {
         .annotators
         .iter()
         .filter_map(|name| render::annotator(name.trim()).ok());
-    !named.into_iter().any(Annotator::is_of_depth_sensor)
+    !named.into_iter().any(Annotator::is_depth_sensor)
 }
 
 /// The values that are tried; `None` where nobody asked for it.

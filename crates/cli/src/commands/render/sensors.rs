@@ -28,7 +28,7 @@ impl Sensors {
         oak: Option<&Oak>,
     ) -> Result<Self> {
         let sweep = asked::sweep(args)?;
-        if !annotators.iter().any(|one| one.is_of_depth_sensor()) && sweep.is_none() {
+        if !annotators.iter().any(|one| one.is_depth_sensor()) && sweep.is_none() {
             return Ok(Self::default());
         }
         let sensor = args.sensor.options()?;

@@ -41,7 +41,7 @@ fn annotators(args: &SenseArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
     for name in &args.outputs {
         let annotator = render::annotator(name.trim())?;
-        if !annotator.is_of_depth_sensor() {
+        if !annotator.is_depth_sensor() {
             return Err(format!(
                 "--outputs {}: is ground truth, not what a depth sensor reports; leave it out",
                 annotator.name()
