@@ -9,7 +9,8 @@ use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::stereo_noise::{Parameters, StereoNoise};
 use crate::{
-    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup, Technology,
+    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
+    Technology,
 };
 
 /// The parametric stereo error model: [`crate::stereo_noise`].

@@ -8,7 +8,8 @@ use crate::filter::Chain;
 use crate::random::Stream;
 use crate::time_of_flight::{Parameters, TimeOfFlight};
 use crate::{
-    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup, Technology,
+    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
+    Technology,
 };
 
 /// The phase model of a time-of-flight camera: [`crate::time_of_flight`].

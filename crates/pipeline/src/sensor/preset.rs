@@ -59,7 +59,12 @@ fn unknown(error: PresetError) -> ParameterError {
 }
 
 /// Reports what a preset changes.
-pub(super) fn finding(preset: &PresetConfig, options: &SensorOptions, kind: &EngineKind, prim: &str) -> Finding {
+pub(super) fn finding(
+    preset: &PresetConfig,
+    options: &SensorOptions,
+    kind: &EngineKind,
+    prim: &str,
+) -> Finding {
     let mut changes = Vec::new();
     let is_modelled = kind.models == Some(preset.technology());
     match preset {

@@ -78,7 +78,10 @@ pub(super) fn setup(
             }
         }
     };
-    let preset_extends = setup.preset.as_ref().is_some_and(PresetConfig::extended_disparity);
+    let preset_extends = setup
+        .preset
+        .as_ref()
+        .is_some_and(PresetConfig::extended_disparity);
     setup.extended_disparity = options.extended_disparity || preset_extends;
     if let Source::Twin { sensor, own, .. } = source {
         setup.attributes = single_view_parameters(sensor, setup.extended_disparity, options.isaac);

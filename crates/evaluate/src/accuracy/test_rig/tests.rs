@@ -55,8 +55,7 @@ fn a_part_measures_the_same_as_the_whole_image() {
                 let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
                 engines.map(|engine| {
                     engine.map(|engine| {
-                        rig
-                            .measure_unit(&engine, unit, 0, &scenery, &part, effort)
+                        rig.measure_unit(&engine, unit, 0, &scenery, &part, effort)
                             .unwrap()
                             .vendor
                     })
