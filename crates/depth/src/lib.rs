@@ -13,7 +13,6 @@
 pub mod align;
 mod batch;
 mod capture;
-mod choice;
 mod disparity;
 pub mod dots;
 mod engine;
@@ -23,7 +22,6 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
-mod named;
 pub mod preset;
 pub mod random;
 pub mod rectify;

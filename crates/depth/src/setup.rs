@@ -39,7 +39,7 @@ impl Setup {
             width_px,
             baseline_m,
             principal_point_px: None,
-            attributes: single_view::Parameters::ISAAC_5_1,
+            attributes: single_view::Parameters::isaac_5_1(),
             preset: None,
             extended_disparity: false,
             device_seed: None,

@@ -12,7 +12,7 @@ use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
     next_line_help = true,
     mut_arg("parameters", |arg| arg.long_help(format!(
         "Set a parameter of the matcher by its name, DepthAI's where it has one; repeatable: {}",
-        stereo_matching::NAMES.join(", ")
+        stereo_matching::Parameters::names().join(", ")
     ))),
     after_help = "Images are PNG, JPEG or NPY; grey of 8 bits, or of 16, which are those of a camera of 10; colours become \
     grey. In two folders those with the same names but for the words left and right are a pair, and one folder may hold \

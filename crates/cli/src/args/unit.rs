@@ -4,44 +4,44 @@ use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::accuracy::MeasuredOptics;
 use oaktwin::usd::asset;
 
-/// A model, and the calibration that makes it one unit's twin.
+/// The calibration and lens of one unit.
 #[derive(Args, Debug)]
 pub(crate) struct UnitArgs {
-    /// The DepthAI calibration (JSON) of one unit
+    /// DepthAI calibration (JSON) of one unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
-    /// Use a calibration in spite of the errors found in it
+    /// Ignore calibration errors
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// The lens of the left and right cameras of the wide models
+    /// Lens of the left and right cameras of wide models
     #[arg(long, value_enum, default_value_t = Lens::Pinhole)]
     pub(crate) lens: Lens,
 }
 
-/// What is known of one unit whose errors are measured.
+/// The optics of one unit whose errors are measured.
 #[derive(Args, Debug)]
 pub(crate) struct MeasuredUnitArgs {
-    /// The DepthAI calibration (JSON) of one unit: its optics
+    /// DepthAI calibration (JSON) of one unit, which provides its optics
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
-    /// Use a calibration in spite of the errors found in it
+    /// Ignore calibration errors
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// Its focal length, pixels of the width below
+    /// Focal length of the unit, in pixels at --stereo-width
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     pub(crate) focal_px: Option<f64>,
 
-    /// The width of its images: 1280 at 800P, 640 at 480P and 400P
+    /// Image width of the unit: 1280 at 800P, 640 at 480P and 400P
     #[arg(long, value_name = "W")]
     pub(crate) stereo_width: Option<u32>,
 }
 
 impl MeasuredUnitArgs {
-    /// Its depth images are rectified, whatever its lenses.
+    /// Returns the unit with pinhole lenses, since depth images are rectified.
     pub(crate) fn unit(&self) -> UnitArgs {
         UnitArgs {
             calibration: self.calibration.clone(),

@@ -1,4 +1,4 @@
-//! Recordings as MCAP files of ROS 2's messages.
+//! Recordings as MCAP files of ROS 2 messages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -20,50 +20,50 @@ use super::{
     names,
 };
 
-/// Bytes of messages that are compressed at once, so that a reader finds its way; a longer message is a chunk of its own.
+/// The size of a chunk of messages, which are compressed together, bytes. Longer messages are chunks of their own.
 const CHUNK: u64 = 4 << 20;
 
 /// The root of all frames.
 const WORLD: &str = "world";
 
-/// Writes MCAP, profile `ros2`: the same moments give the same bytes.
+/// Writes MCAP with the profile `ros2`. The same moments result in the same bytes.
 ///
 /// | topic | message |
 /// |---|---|
 /// | `/NAME/rgb` | `sensor_msgs/msg/Image`, `rgb8` |
 /// | `/NAME/depth`, `/NAME/measured` | `sensor_msgs/msg/Image`, `32FC1` metres or `16UC1` millimetres |
 /// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
-/// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, a point a pixel, NaN where there is none |
+/// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
-/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, in which images and clouds are; a camera without a body is
-/// `world` → `NAME` itself. Chunks are compressed with zstd, on one thread.
+/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A camera without a body
+/// has `world` → `NAME`. Chunks are compressed with zstd, on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
-    /// A message, whose memory all share.
+    /// The current message, whose memory is reused.
     cdr: Cdr,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
     bodies: Vec<Carrier>,
     channels: BTreeMap<String, Channel>,
-    /// Whether a camera has come since the static transforms were last written.
+    /// Whether a camera was added since the static transforms were last written.
     statics_are_due: bool,
 }
 
-/// A camera, and what its messages need.
+/// A camera and the state of its messages.
 struct Station {
     camera: RecordedCamera,
     optical_frame: String,
-    /// Its own axes' frame, on a carrier or moving itself.
+    /// The name of the camera's frame.
     frame: String,
-    /// Into the bodies; `None` where the camera moves itself.
+    /// The index of its body; `None` if it has none.
     carrier: Option<usize>,
-    /// Made for the first cloud.
+    /// The rays of the pixels, computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
     last: Option<(Time, RigidTransform)>,
 }
 
-/// A body of cameras.
+/// A body with cameras.
 struct Carrier {
     name: String,
     frame: String,
@@ -77,19 +77,19 @@ struct Channel {
 }
 
 impl<W: Write> Mcap<W> {
-    /// Begins a recording.
+    /// Starts a recording.
     ///
     /// # Errors
-    /// The output cannot be written.
+    /// Returns an error if the output cannot be written.
     pub fn new(output: W) -> Result<Self, RecordingError> {
         let options = WriteOptions::new()
             .profile("ros2")
             .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
             .chunk_size(Some(CHUNK))
-            // The fastest: noise does not compress, whatever the effort.
+            // The fastest level, since noise does not compress at any level.
             .compression(Some(Compression::Zstd))
             .compression_level(1)
-            // Where several compress, the bytes depend on how many.
+            // With several threads, the bytes depend on their number.
             .compression_threads(0)
             .disable_seeking(true);
         Ok(Self {
@@ -103,7 +103,7 @@ impl<W: Write> Mcap<W> {
         })
     }
 
-    /// Writes the message that `self.cdr` holds.
+    /// Writes the message in `self.cdr`.
     fn put(&mut self, topic: &str, schema: Schema, time: Time) -> Result<(), RecordingError> {
         let channel = match self.channels.get_mut(topic) {
             Some(channel) => channel,
@@ -132,7 +132,7 @@ impl<W: Write> Mcap<W> {
             .map_err(failed)
     }
 
-    /// All transforms that never change, in one message: who subscribes late gets the last message only.
+    /// Writes all static transforms in one message, since late subscribers receive only the last one.
     fn put_statics(&mut self, time: Time) -> Result<(), RecordingError> {
         let header = |frame| Header { time, frame };
         let mut all = Vec::new();
@@ -155,7 +155,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf_static", Schema::Tf, time)
     }
 
-    /// Where the camera or its body stands, unless another camera has said so.
+    /// Writes the pose of the camera or its body, unless another camera of the body has written it.
     fn put_pose(&mut self, at: usize, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let Some(station) = self.cameras.get_mut(at) else {
             return Err(RecordingError::NoCamera);
@@ -180,7 +180,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf", Schema::Tf, moment.time)
     }
 
-    /// What is seen: `station` is on loan from `self.cameras`.
+    /// Writes the images; `station` is borrowed from `self.cameras`.
     fn put_images(&mut self, station: &mut Station, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let time = moment.time;
         let head = Header {
@@ -257,7 +257,7 @@ impl<W: Write> Recorder for Mcap<W> {
             self.put_statics(moment.time)?;
         }
         self.put_pose(camera.0, moment)?;
-        // Out of the list while its images are written.
+        // Taken out of the list while its images are written.
         let mut cameras = std::mem::take(&mut self.cameras);
         let written = match cameras.get_mut(camera.0) {
             Some(station) => self.put_images(station, moment),
@@ -282,13 +282,13 @@ impl<W: Write> fmt::Debug for Mcap<W> {
     }
 }
 
-/// From a camera's own axes, a body's, to those of its optical frame.
+/// Returns the transform from a camera's frame, with the axes of a body, to its optical frame.
 fn optical_from_camera() -> RigidTransform {
     RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Ros), DVec3::ZERO)
 }
 
-/// What a player has to know: that static transforms are kept for who comes late (the numbers are those of `rmw`: keep the
-/// last one, reliable, transient local, automatic, no limits).
+/// Returns the quality-of-service profile of a topic for players, by which static transforms are kept for late subscribers (with the numbers of
+/// `rmw`: keep last one, reliable, transient local, automatic, no limits).
 fn metadata(topic: &str) -> BTreeMap<String, String> {
     let forever = "{sec: 9223372036, nsec: 854775807}";
     let qos = format!(

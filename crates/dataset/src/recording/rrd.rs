@@ -1,4 +1,4 @@
-//! Recordings that Rerun's viewer opens.
+//! Recordings in Rerun's format.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,47 +16,47 @@ use super::{
     names,
 };
 
-/// The timeline that everything is on.
+/// The name of the timeline.
 const TIMELINE: &str = "time";
 
-/// Writes Rerun's own format.
+/// Writes Rerun's format.
 ///
-/// | entity | what |
+/// | entity | content |
 /// |---|---|
-/// | `world` | `ViewCoordinates`: which way is up |
+/// | `world` | `ViewCoordinates`: the up axis |
 /// | `world/BODY`, `world/BODY/NAME` | `Transform3D`; an entity's axes are the camera's optical frame |
 /// | `world/BODY/NAME/image` | `Pinhole`: the frustum |
 /// | `world/BODY/NAME/image/rgb` | `Image` |
 /// | `world/BODY/NAME/image/depth`, `…/measured` | `DepthImage`, with its `meter` |
 /// | `world/BODY/NAME/depth_points`, `…/measured_points` | `Points3D` |
 ///
-/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is as it comes: the viewer
-/// leaves out what is 0 or infinite. The file has ids and clock times of Rerun's, so that no two have the same bytes.
+/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is not changed: the viewer
+/// ignores 0 and infinity. The file contains ids and clock times of Rerun, so that its bytes are not reproducible.
 pub struct Rrd<W: Write> {
     stream: RecordingStream,
-    /// What the stream says, until it is written.
+    /// The messages of the stream that are not written yet.
     said: MemorySinkStorage,
     encoder: Encoder<W>,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
-    /// Names and entities.
+    /// The names of entities in use.
     bodies: Vec<(String, String)>,
 }
 
 struct Station {
     camera: RecordedCamera,
     entity: String,
-    /// What moves.
+    /// The entity that moves.
     mount: String,
-    /// Made for the first cloud.
+    /// The rays of the pixels, computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
 }
 
 impl<W: Write> Rrd<W> {
-    /// Begins a recording in a world whose z axis is up, or else its y axis.
+    /// Starts a recording in a world whose z axis is up, otherwise its y axis.
     ///
     /// # Errors
-    /// The output cannot be written.
+    /// Returns an error if the output cannot be written.
     pub fn new(output: W, is_z_up: bool) -> Result<Self, RecordingError> {
         let (stream, said) = RecordingStreamBuilder::new("oaktwin").memory().map_err(failed)?;
         let version = rerun::build_info().version;
@@ -77,7 +77,7 @@ impl<W: Write> Rrd<W> {
         })
     }
 
-    /// Writes what was said since the last time.
+    /// Writes the messages since the last call.
     fn write(&mut self) -> Result<(), RecordingError> {
         for message in self.said.take() {
             self.encoder.append(&message).map_err(not_written)?;
@@ -130,7 +130,7 @@ impl<W: Write> Recorder for Rrd<W> {
         let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
         check_moment(&station.camera, moment)?;
         let stream = &self.stream;
-        // Of the calling thread, which may be another one each time.
+        // The time is that of the calling thread, which may differ between calls.
         stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
         stream
             .log(station.mount.as_str(), &transform(&moment.world_from_mount))
@@ -193,7 +193,7 @@ fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     rerun::Transform3D::from_translation_rotation(translation, rotation)
 }
 
-/// Its depth clouds have pixel (0, 0) at 0, as OpenCV has.
+/// Rerun's depth clouds use OpenCV's pixel convention, with pixel (0, 0) at 0.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "Rerun's numbers are in single precision"
@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_is_one() {
+    fn writes_a_recording() {
         let file = recorded(Vec::new()).unwrap();
         assert!(file.starts_with(b"RRF2"));
         let text = String::from_utf8_lossy(&file);
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_disk_is_an_error() {
+    fn reports_full_disks() {
         struct Full;
         impl Write for Full {
             fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {

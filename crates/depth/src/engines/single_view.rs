@@ -17,13 +17,13 @@ pub static SINGLE_VIEW: EngineKind = EngineKind {
     models: None,
     is_default: false,
     parameters: || {
-        let alias = ["outlierRemovalRange"];
-        [Parameters::NAMES, &alias, Assumptions::NAMES].concat()
+        let alias = vec!["outlierRemovalRange"];
+        [Parameters::names(), alias, Assumptions::names()].concat()
     },
     create: |setup: &Setup| {
         let (mut parameters, mut assumptions) = (setup.attributes, Assumptions::default());
         for (name, value) in &setup.parameters {
-            if Assumptions::NAMES.contains(&name.as_str()) {
+            if Assumptions::names().contains(&name.as_str()) {
                 assumptions.set(name, value)?;
             } else {
                 parameters.set(name, value)?;
@@ -39,13 +39,13 @@ impl Engine for SingleView {
     }
 
     fn parameters(&self) -> Vec<(&'static str, String)> {
-        let value = |name: &&'static str| Some((*name, self.parameters().get(name)?));
-        Parameters::NAMES.iter().filter_map(value).collect()
+        let mut parameters: Vec<_> = self.parameters().by_name().collect();
+        parameters.sort_unstable();
+        parameters
     }
 
     fn assumptions(&self) -> Vec<(&'static str, String)> {
-        let value = |name: &&'static str| Some((*name, self.assumptions().get(name)?));
-        Assumptions::NAMES.iter().filter_map(value).collect()
+        self.assumptions().by_name().collect()
     }
 
     fn outputs(&self) -> &'static [Annotator] {

@@ -9,7 +9,7 @@ use super::filters::{run_on_disparity, run_on_metres};
 use crate::disparity::Subpixel;
 use crate::filter::{Chain, Filter};
 use crate::random::Stream;
-use crate::stereo_matching::{NAMES, Parameters, StereoMatching, inspect, platform_of};
+use crate::stereo_matching::{Parameters, StereoMatching, inspect, platform_of};
 use crate::{
     Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, ParameterError, PresetConfig, Setup,
     Technology, stereo_noise,
@@ -22,7 +22,7 @@ pub static STEREO_MATCHING: EngineKind = EngineKind {
     input: EngineInput::Pair,
     models: Some(Technology::Stereo),
     is_default: false,
-    parameters: || [NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
+    parameters: || [Parameters::names(), vec![CALIBRATION_ERROR]].concat(),
     create: |setup: &Setup| {
         let mut parameters = Parameters::new(setup.platform, setup.stereo(), setup.width_px);
         if let Some(PresetConfig::Stereo(config)) = &setup.preset {

@@ -1,6 +1,6 @@
 //! Visualizations of depth, disparity and confidence.
 
-use super::parameters::OutputMode;
+use super::OutputMode;
 use super::plan::Plan;
 
 /// The colour of pixels without measurement.

@@ -2,9 +2,8 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
-use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
-use crate::depth_sensor::ATTRIBUTES;
-use crate::nvidia::OUTLIER_REMOVAL;
+use crate::depth_sensor::attribute_types;
+use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
 use crate::stage::Value;
 
 pub(super) const CAMERA_TYPE: Rule = Rule {
@@ -74,7 +73,7 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
 
 pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
     let path = &sensor.prim.path;
-    let namespace = namespace(sensor.generation);
+    let namespace = sensor.generation.namespace();
     for (name, attribute) in sensor.prim.in_namespace(namespace) {
         let full = format!("{namespace}{name}");
         if name == "outlierRemovalRange" {
@@ -86,7 +85,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             ));
             continue;
         }
-        let Some((_, expected)) = ATTRIBUTES.iter().find(|(known, _)| *known == name) else {
+        let Some((_, expected)) = attribute_types().into_iter().find(|(known, _)| *known == name) else {
             findings.push(unknown(sensor.generation, path, &full, name));
             continue;
         };
@@ -111,13 +110,6 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
     }
 }
 
-pub(super) const fn namespace(generation: Generation) -> &'static str {
-    match generation {
-        Generation::Product => PRODUCT_NAMESPACE,
-        Generation::Camera => CAMERA_NAMESPACE,
-    }
-}
-
 fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Finding {
     if generation == Generation::Camera {
         return DEPTH_ATTRIBUTE_UNKNOWN.note(
@@ -127,7 +119,7 @@ fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Findin
             ),
         );
     }
-    let near = nearest(name, ATTRIBUTES.iter().map(|(known, _)| *known));
+    let near = nearest(name, attribute_types().into_iter().map(|(known, _)| known));
     let remedy = match near.first() {
         Some(near) => format!("rename it to {PRODUCT_NAMESPACE}{near}, or remove it"),
         None => "remove it".to_owned(),

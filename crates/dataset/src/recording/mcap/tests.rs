@@ -26,7 +26,7 @@ fn at(seconds: f64) -> Moment<'static> {
     Moment::new(Time::from_seconds(seconds).unwrap(), pose)
 }
 
-/// Two cameras of a body, one of its own, two frames.
+/// Two cameras on a body, one without a body, two frames.
 fn recording() -> Vec<u8> {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let cameras = [
@@ -52,7 +52,7 @@ fn recording() -> Vec<u8> {
 }
 
 #[test]
-fn the_reference_library_reads_it() {
+fn the_reference_library_reads_recordings() {
     let file = recording();
     let messages: Vec<_> = ::mcap::MessageStream::new(&file)
         .unwrap()
@@ -109,12 +109,12 @@ fn the_reference_library_reads_it() {
 }
 
 #[test]
-fn the_same_moments_give_the_same_bytes() {
+fn recordings_are_reproducible() {
     assert_eq!(recording(), recording());
 }
 
 #[test]
-fn a_lens_that_ros_has_not_has_no_camera_info() {
+fn unsupported_lenses_have_no_camera_info() {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let mut fisheye = camera("left", None);
     let lens = FTheta::new(&[0.0, 0.3], ImageSize::new(4, 3), PixelPoint::new(2.0, 1.5), 3.0);
@@ -137,7 +137,7 @@ fn a_lens_that_ros_has_not_has_no_camera_info() {
 }
 
 #[test]
-fn what_is_refused() {
+fn rejects_invalid_moments() {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let id = recorder.add_camera(&camera("left", None)).unwrap();
     let other = Image::filled(3, 4, 1.5f32);
@@ -161,7 +161,7 @@ fn what_is_refused() {
     ));
 }
 
-/// A disk with room for so much.
+/// A disk with limited capacity.
 struct Disk(usize);
 
 impl Write for Disk {
@@ -179,7 +179,7 @@ impl Write for Disk {
 }
 
 #[test]
-fn a_full_disk_is_an_error_wherever_it_ends() {
+fn reports_full_disks_at_any_position() {
     let whole = recording().len();
     for room in [0, 5, 40, 3000, whole, 200_000] {
         let filled = || -> Result<(), RecordingError> {
@@ -187,7 +187,7 @@ fn a_full_disk_is_an_error_wherever_it_ends() {
             let mut large = camera("left", None);
             large.camera.intrinsics = Intrinsics::from_hfov(ImageSize::new(128, 128), 1.2);
             let id = recorder.add_camera(&large)?;
-            // More than a chunk.
+            // More than one chunk.
             for frame in 0u8..100 {
                 let random: Vec<[u8; 4]> = (0..128u32 * 128)
                     .map(|at| {
