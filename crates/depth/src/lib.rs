@@ -22,6 +22,7 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
+pub mod parameters;
 pub mod preset;
 pub mod random;
 pub mod rectify;

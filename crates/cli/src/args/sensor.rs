@@ -49,8 +49,8 @@ pub(crate) struct SettingsArgs {
     #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
     pub(crate) filters: Vec<String>,
 
-    /// Set a parameter of the engine by its name; repeatable
-    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
+    /// Set a parameter of the engine, listed by `oaktwin params ENGINE`; repeatable
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) parameters: Vec<(String, String)>,
 
     /// Find disparities up to 190 px instead of 95: nearer things, the same step
@@ -128,14 +128,6 @@ fn filter_help() -> String {
     format!(
         "A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's: {}",
         filter::NAMES.join(", ")
-    )
-}
-
-fn parameter_help() -> String {
-    let names = ENGINES.map(|kind| format!("{}: {}", kind.name, (kind.parameters)().join(", ")));
-    format!(
-        "Set a parameter of the engine by its name; repeatable.\n{}",
-        names.join("\n")
     )
 }
 

@@ -3,17 +3,15 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
-use oaktwin::depth::stereo_matching;
 
 use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("parameters", |arg| arg.long_help(format!(
-        "Set a parameter of the matcher by its name, DepthAI's where it has one; repeatable: {}",
-        stereo_matching::Parameters::names().join(", ")
-    ))),
+    mut_arg("parameters", |arg| arg.help(
+        "Set a parameter of the matcher, listed by `oaktwin params stereo-matching`; repeatable"
+    )),
     after_help = "Images are PNG, JPEG or NPY; grey of 8 bits, or of 16, which are those of a camera of 10; colours become \
     grey. In two folders those with the same names but for the words left and right are a pair, and one folder may hold \
     both; pairs whose names differ in their number alone are a sequence, seen in its order by filters that remember.\n\n\
