@@ -24,7 +24,7 @@ mod optics;
 mod options;
 mod plot;
 mod report;
-mod stand;
+mod test_rig;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -40,7 +40,6 @@ pub use measurement::Measurement;
 pub use optics::MeasuredOptics;
 pub use options::Options;
 pub use report::{ComparedPoint, Comparison, Devices, Reading, Report, Row, Verdict};
-pub(crate) use units::depth_sensor;
 
 /// Hears how many of how many distances are done, on any thread, before each device too; to break ends the measurement.
 pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);

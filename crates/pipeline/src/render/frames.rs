@@ -16,7 +16,7 @@ use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
 use crate::recording::RecordingFileError;
-use crate::sensor::{Engine, EngineKind, Sensor};
+use crate::sensor::{EngineInput, Sensor};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, BasicWriter, CameraParams, DatasetError, Extras, Shot};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
@@ -246,7 +246,7 @@ impl<'a> Station<'a> {
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
-        let is_matching = (sensor.iter()).any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)));
+        let is_matching = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair);
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
         Self {
             camera,
@@ -306,7 +306,7 @@ impl<'a> Station<'a> {
 fn not_produced(place: &str, sensor: &Sensor, missing: &[Annotator]) -> Option<Finding> {
     let names: Vec<&str> = missing.iter().map(|annotator| annotator.name()).collect();
     (!names.is_empty()).then(|| {
-        let engine = EngineKind::of(sensor.engine()).as_str();
+        let engine = sensor.engine().kind();
         let filters = match sensor.filters().is_empty() {
             true => "",
             false => " with its filters",

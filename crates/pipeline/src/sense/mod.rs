@@ -26,7 +26,7 @@ pub use crate::input::InputKind;
 pub use camera::image_camera;
 pub(crate) use geometry::positions;
 pub use options::{AlignTo, CloudFrame, FieldOfView, SenseOptions};
-pub use plan::{STANDARD_INPUT, depth_sensor};
+pub use plan::STANDARD_INPUT;
 pub use rig::align_to;
 pub use run::{Done, Output, Sensed, sense};
 

@@ -1,5 +1,6 @@
 //! Which files belong together, and what their results are called.
 
+use crate::sensor::depth_sensor;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -58,37 +59,6 @@ pub(super) struct Sequence<'a> {
     pub(super) files: Vec<DepthFile>,
 }
 
-/// The depth sensor of a kind; by default that of time of flight where there is one.
-///
-/// # Errors
-/// The device has none such.
-pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSensor, SenseError> {
-    let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
-    let model = &twin.device.name;
-    let chosen = match kind {
-        Some(kind) => of(kind).ok_or_else(|| {
-            let has: Vec<&str> = twin
-                .depth_sensors
-                .iter()
-                .map(|sensor| sensor.spec.kind.as_str())
-                .collect();
-            SenseError::option(message![
-                opt("sensor").with(kind),
-                format!(
-                    ": {model} has no such depth sensor; expected {}",
-                    has.join(" or ")
-                )
-            ])
-        })?,
-        None => of(DepthKind::Tof)
-            .or_else(|| twin.depth_sensors.first())
-            .ok_or_else(|| {
-                SenseError::option(format!("{model} has no depth sensor; choose another model"))
-            })?,
-    };
-    Ok(chosen)
-}
-
 /// Puts inputs in order.
 pub(super) fn sequences<'a>(
     twin: &'a Twin,
@@ -96,7 +66,7 @@ pub(super) fn sequences<'a>(
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
-    let chosen = depth_sensor(twin, options.kind)?;
+    let chosen = depth_sensor(twin, options.kind.map(DepthKind::as_str))?;
     let mut sequences = Vec::new();
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {

@@ -2,7 +2,7 @@
 
 use super::geometry::positions;
 use super::{CloudFrame, SenseOptions};
-use crate::sensor::{Capture, single_view};
+use crate::sensor::{Capture, Engine};
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_depth::align::Align;
 use oaktwin_image::annotation::Annotator;
@@ -47,20 +47,20 @@ pub(super) struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// Which of [`single_view`]'s outputs are needed.
-    pub(super) fn wanted(&self) -> single_view::Wanted {
-        let wants = |annotator| self.options.annotators.contains(&annotator);
-        single_view::Wanted {
-            positions: wants(Annotator::DepthSensorPointCloudPosition) || self.options.cloud.is_some(),
-            colors: wants(Annotator::DepthSensorPointCloudColor) || self.options.cloud.is_some(),
-            imager: wants(Annotator::DepthSensorImager),
-            view: wants(Annotator::DepthSensorOutputVisualization),
+    /// The outputs that are needed.
+    pub(super) fn request(&self) -> Vec<Annotator> {
+        let mut request = self.options.annotators.clone();
+        if self.options.cloud.is_some() {
+            request.push(Annotator::DepthSensorPointCloudPosition);
+            request.push(Annotator::DepthSensorPointCloudColor);
         }
+        request
     }
 
     /// The results of an image, the distance first.
     pub(super) fn products(
         &self,
+        engine: &dyn Engine,
         capture: &Capture,
         rgb: Option<&Image<[u8; 4]>>,
     ) -> Result<Vec<Product>, CodecError> {
@@ -78,7 +78,7 @@ impl Look<'_> {
                 )?);
             }
         }
-        let Cloud { positions, colors } = self.cloud(capture, rgb);
+        let Cloud { positions, colors } = self.cloud(engine, capture, rgb);
         if let (Some(positions), Some(frame)) = (&positions, options.cloud) {
             products.push(ply_file(positions, colors.as_ref(), frame)?);
         }
@@ -89,36 +89,37 @@ impl Look<'_> {
         if let (Some(name), Some(colors)) = (asked(Annotator::DepthSensorPointCloudColor), &colors) {
             products.push(many(name, colors));
         }
-        let sisters = capture.single_view.as_ref();
-        let imager = sisters.and_then(|sisters| sisters.imager.as_ref());
-        if let (Some(name), Some(imager)) = (asked(Annotator::DepthSensorImager), imager) {
+        if let Some(imager) = capture.extra::<Image<f32>>(Annotator::DepthSensorImager) {
+            let name = Annotator::DepthSensorImager.name();
             products.push(one(name, name, imager));
         }
-        let view = sisters.and_then(|sisters| sisters.view.as_ref());
-        if let (Some(name), Some(view)) = (asked(Annotator::DepthSensorOutputVisualization), view) {
+        if let Some(view) = capture.extra::<Image<[u8; 4]>>(Annotator::DepthSensorOutputVisualization) {
+            let name = Annotator::DepthSensorOutputVisualization.name();
             products.push(picture(name, name.to_owned(), png::encode(view)?));
         }
         Ok(products)
     }
 
     /// The points that were measured and their colours, where those are needed.
-    fn cloud(&self, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
-        let wanted = self.wanted();
+    fn cloud(&self, engine: &dyn Engine, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
+        let request = self.request();
+        let wants = |annotator| request.contains(&annotator);
         let ZDepth(metres) = &capture.distance;
-        let sisters = capture.single_view.as_ref();
-        // Filters may have changed what was measured; only they make another image of it.
-        let moved = sisters.filter(|sisters| sisters.distance == capture.distance);
-        let positions = wanted
-            .positions
-            .then(|| match moved.and_then(|moved| moved.positions.clone()) {
-                Some(positions) => positions,
+        let positions = wants(Annotator::DepthSensorPointCloudPosition).then(|| {
+            let moved = capture.extra::<Image<[f32; 4]>>(Annotator::DepthSensorPointCloudPosition);
+            match moved.filter(|_| !capture.is_filtered) {
+                Some(positions) => positions.clone(),
                 None => self.seen(metres),
-            });
+            }
+        });
         let is_whole =
             |image: &Image<[u8; 4]>| (image.width(), image.height()) == (metres.width(), metres.height());
-        let colors = match sisters {
-            Some(sisters) => sisters.colors.clone().filter(is_whole),
-            None => rgb.filter(|rgb| wanted.colors && is_whole(rgb)).map(|rgb| {
+        let color = Annotator::DepthSensorPointCloudColor;
+        let colors = if engine.outputs().contains(&color) {
+            let colors = capture.extra::<Image<[u8; 4]>>(color);
+            colors.cloned().filter(is_whole)
+        } else {
+            rgb.filter(|rgb| wants(color) && is_whole(rgb)).map(|rgb| {
                 let mut colors = rgb.clone();
                 for (color, z) in colors.pixels_mut().iter_mut().zip(metres.pixels()) {
                     if *z <= 0.0 {
@@ -126,7 +127,7 @@ impl Look<'_> {
                     }
                 }
                 colors
-            }),
+            })
         };
         Cloud { positions, colors }
     }

@@ -12,7 +12,7 @@ use super::product::{Look, Product, reported};
 use super::writer::{Place, Writer};
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
 use crate::input::source::Source;
-use crate::sensor::{Engine, EngineKind, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
+use crate::sensor::{Engine, EngineInput, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
 use oaktwin_camera::{Camera, ImageSize, LensModel};
 use oaktwin_catalog::Twin;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
@@ -79,8 +79,12 @@ pub fn sense(
             )
         ]));
     }
-    if options.sensor.engine == Some(EngineKind::StereoMatching) {
-        return Err(needs_a_pair("a depth image is none").into());
+    if let Some(engine) = options
+        .sensor
+        .engine
+        .filter(|kind| kind.input == EngineInput::Pair)
+    {
+        return Err(needs_a_pair(engine, "the input is a depth image").into());
     }
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
@@ -185,7 +189,7 @@ impl<'a> Run<'a, '_, '_> {
                 }
                 None => seeing.insert(self.eye(sequence, file, source.size)?),
             };
-            check_outputs(self.options, sensor.engine(), has_pictures, file)?;
+            check_outputs(self.options, &**sensor.engine(), has_pictures, file)?;
             if self.file(eye, sensor, file, source, pictures)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -239,12 +243,12 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
         self.findings.extend(findings);
-        let engine = EngineKind::of(sensor.engine()).as_str();
+        let engine = sensor.engine().kind().name;
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
         }
-        let shift_m = rig::shift_m(sensor.engine(), &looked);
+        let shift_m = sensor.engine().lateral_shift_m(&looked.intrinsics);
         let looked_size = looked.intrinsics.size;
         let (width, height) = sensor.filters().size(looked_size.width, looked_size.height);
         let smaller = reported(&looked, ImageSize::new(width, height));
@@ -373,9 +377,10 @@ impl Eye<'_> {
             z = resample(&z, places, size, f32::INFINITY);
             rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
         }
-        let wanted = self.look.wanted();
-        let is_single_view = matches!(sensor.engine(), Engine::SingleView(_));
-        let seen = (wanted.positions && is_single_view).then(|| positions(&self.look.camera, &z));
+        let request = self.look.request();
+        let position = Annotator::DepthSensorPointCloudPosition;
+        let needs_positions = request.contains(&position) && sensor.engine().outputs().contains(&position);
+        let seen = needs_positions.then(|| positions(&self.look.camera, &z));
         let mut shot = Shot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
@@ -388,8 +393,8 @@ impl Eye<'_> {
         if let Some(seen) = &seen {
             shot = shot.with_positions(seen.into()).map_err(of_one_size)?;
         }
-        let capture = sensor.capture(&shot, wanted);
-        let products = self.look.products(&capture, rgb.as_ref());
+        let capture = sensor.capture(shot, &request)?;
+        let products = self.look.products(&**sensor.engine(), &capture, rgb.as_ref());
         products.map_err(|error| FileError::codec(&file.path, &error).into())
     }
 }
@@ -397,36 +402,24 @@ impl Eye<'_> {
 /// Refuses what an engine does not make, or makes of a picture that is not there.
 fn check_outputs(
     options: &SenseOptions,
-    engine: &Engine,
+    engine: &dyn Engine,
     has_pictures: bool,
     file: &DepthFile,
 ) -> Result<(), SenseError> {
-    let is_single_view = matches!(engine, Engine::SingleView(_));
-    let needs_picture = |annotator: &Annotator| match annotator {
-        Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
-        Annotator::DepthSensorOutputVisualization => match engine {
-            Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => false,
-        },
-        _ => false,
-    };
     for annotator in &options.annotators {
         let name = annotator.name();
         let is_isaacs = matches!(
             annotator,
             Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
         );
-        if is_isaacs && !is_single_view {
+        if is_isaacs && !engine.outputs().contains(annotator) {
             return Err(SenseError::option(message![
                 opt("annotators").with(name),
-                format!(
-                    ": not supported by {}; remove it, or set ",
-                    EngineKind::of(engine).as_str()
-                ),
+                format!(": not supported by {}; remove it, or set ", engine.kind()),
                 opt("engine").with("single-view")
             ]));
         }
-        if needs_picture(annotator) && !has_pictures {
+        if engine.needs_rgb(*annotator) && !has_pictures {
             let remedy = message!["give it as ", opt("rgb"), ", or remove the annotator"];
             let message = format!("no colour image, which {name} requires");
             return Err(FileError::new(&file.path, message, remedy).into());

@@ -10,11 +10,12 @@ use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::render::OutputFolder;
 use crate::sense::positions;
-use crate::sensor::SensorOptions;
+use crate::sensor::{FixedDisparity, SensorOptions};
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_depth::rectify::Method;
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{FileError, WrittenFile};
+use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{CodecError, Image, ZDepth, millimetres, npy, ply, png, preview};
 
 /// What to make of pairs.
@@ -168,10 +169,12 @@ fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec
         let bytes = png::encode(&preview::depth(metres, &preview::Options::default()))?;
         products.push(("depth_sensor_distance_preview", "png", bytes));
     }
-    if let Some(disparity) = seen.capture.disparity.as_ref().filter(|_| options.disparity) {
+    let disparity = seen.capture.extra::<FixedDisparity>(Annotator::Disparity);
+    if let Some(disparity) = disparity.filter(|_| options.disparity) {
         products.push(("disparity", "npy", array(&disparity.to_px())?));
     }
-    if let Some(confidence) = seen.capture.confidence.as_ref().filter(|_| options.confidence) {
+    let confidence = seen.capture.extra::<Image<u8>>(Annotator::Confidence);
+    if let Some(confidence) = confidence.filter(|_| options.confidence) {
         products.push(("confidence", "npy", array(confidence)?));
     }
     if options.rectified {

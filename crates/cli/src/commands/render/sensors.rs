@@ -5,7 +5,7 @@ use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
-use oaktwin::sensor::{EngineKind, Sensor, calibration_error_px};
+use oaktwin::sensor::{EngineInput, Sensor};
 
 use super::{Oak, asked};
 use crate::args::RenderArgs;
@@ -65,7 +65,7 @@ pub(super) fn pair(
         .map_err(|error| format!("--sweep: {error}"))?
         .unwrap_or_default();
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
-    if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
+    if !engines.any(|engine| engine.is_some_and(|kind| kind.input == EngineInput::Pair)) {
         return match args.pair.given() {
             Some(option) => Err(format!(
                 "{option} is about the pair of stereo-matching: say --engine stereo-matching too, or leave it out"
@@ -79,9 +79,9 @@ pub(super) fn pair(
                     into the scene with --model, or use stereo-noise"
             .into());
     };
-    let bias_px = calibration_error_px(&options)?;
+    let bias_px = options.calibration_error_px()?;
     for swept in &all {
-        if calibration_error_px(swept)?.to_bits() != bias_px.to_bits() {
+        if swept.calibration_error_px()?.to_bits() != bias_px.to_bits() {
             return Err(
                 "--sweep bias: it is of the pair, which is rendered once; render with each --param bias="
                     .into(),
