@@ -141,7 +141,7 @@ fn json_and_plots_beside_measurements() {
     }
     let svg = std::fs::read_to_string(program.path("a.svg")).unwrap();
     assert!(
-        svg.contains("true distance [m]") && svg.contains("the vendor's accuracy"),
+        svg.contains("true distance [m]") && svg.contains("the vendor&apos;s accuracy"),
         "{svg}"
     );
     assert!(

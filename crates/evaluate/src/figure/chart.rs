@@ -6,6 +6,7 @@ use plotters::prelude::{
     Cartesian2d, ChartBuilder, ChartContext, Circle, DrawingArea, DrawingBackend, IntoFont, PathElement,
     Polygon, Rectangle, Text,
 };
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle, TextStyle, WHITE};
 
 use super::clip::{Frame, runs};
@@ -16,13 +17,15 @@ const PALE_INK: RGBColor = RGBColor(95, 100, 108);
 const GRID: RGBColor = RGBColor(226, 229, 233);
 
 /// Font sizes, px.
-const TITLE: u32 = 19;
-const TEXT: u32 = 14;
+const TITLE: u32 = 24;
+const TEXT: u32 = 17;
 
 /// Margins of the plot, px.
 const LEFT: u32 = 76;
 const RIGHT: u32 = 26;
-const BOTTOM: u32 = 56;
+const BOTTOM: u32 = 58;
+/// Space outside the labels of the axes, px.
+const EDGE_SPACE: u32 = 10;
 
 /// The legend: the height of a row, the length of a sample, the gap after it, and that between entries, px.
 const ROW: u32 = 22;
@@ -66,8 +69,8 @@ struct Page<'a, DB: DrawingBackend> {
 
 impl<DB: DrawingBackend> Page<'_, DB> {
     fn draw(&self, figure: &Figure) -> Result<(), FigureError> {
-        self.text([LEFT, 20], TITLE, INK, &figure.title)?;
-        self.text([LEFT, 48], TEXT, PALE_INK, &figure.subtitle)?;
+        self.text([LEFT, 28], TITLE, INK, &figure.title)?;
+        self.text([LEFT, 57], TEXT, PALE_INK, &figure.subtitle)?;
         let heading = if figure.subtitle.is_empty() { 50 } else { 74 };
         let rows = self.legend_rows(figure)?;
         for (number, row) in (0..).zip(&rows) {
@@ -90,12 +93,14 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         ("sans-serif", size * self.scale).into_font().color(&color)
     }
 
+    /// Writes a line of text; `y` is the middle of its height.
     fn text(&self, [x, y]: [u32; 2], size: u32, color: RGBColor, text: &str) -> Result<(), FigureError> {
         if text.is_empty() {
             return Ok(());
         }
         let at = (self.units(x), self.units(y));
-        let text = Text::new(text.replace(char::is_control, " "), at, self.style(size, color));
+        let style = self.style(size, color).pos(Pos::new(HPos::Left, VPos::Center));
+        let text = Text::new(text.replace(char::is_control, " "), at, style);
         self.area.draw(&text).map_err(failed)
     }
 
@@ -104,8 +109,10 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         let mut chart = ChartBuilder::on(self.area)
             .margin_top(self.units(top))
             .margin_right(self.units(RIGHT))
-            .x_label_area_size(self.units(BOTTOM))
-            .y_label_area_size(self.units(LEFT))
+            .margin_bottom(self.units(EDGE_SPACE))
+            .margin_left(self.units(EDGE_SPACE))
+            .x_label_area_size(self.units(BOTTOM - EDGE_SPACE))
+            .y_label_area_size(self.units(LEFT - EDGE_SPACE))
             .build_cartesian_2d(frame.low[0]..frame.high[0], frame.low[1]..frame.high[1])
             .map_err(failed)?;
         chart
@@ -193,7 +200,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         for (layer, offset) in row {
             let x = LEFT + offset;
             self.sample(layer, [x, y])?;
-            self.text([x + SAMPLE + GAP, y - TEXT / 2 - 1], TEXT, INK, &layer.label)?;
+            self.text([x + SAMPLE + GAP, y], TEXT, INK, &layer.label)?;
         }
         Ok(())
     }

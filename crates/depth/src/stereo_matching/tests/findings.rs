@@ -93,7 +93,7 @@ fn images_that_make_no_pair() {
     let error = |left: Luminance<'_>, right: Luminance<'_>| Pair::new(left, right).unwrap_err().to_string();
     assert_eq!(
         error(ImageView::from(&a).into(), ImageView::from(&b).into()),
-        "stereo pair: the left image is 4x3, the right one 4x2; rectify both into one size"
+        "stereo pair: the left image is 4x3, the right one 4x2; rectify both to one size"
     );
     assert!(
         error(ImageView::from(&a).into(), ImageView::from(&ten).into()).contains("8 bits, the right one 10")
