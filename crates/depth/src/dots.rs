@@ -1,45 +1,47 @@
-//! The pattern of a dot projector: how bright each direction is. Directions in, light out; it knows no scene.
+//! The pattern of a dot projector: its luminance in each direction, independent of any scene.
 
 use crate::random::{Plane, Stage, Stream};
 
-/// Cells across a dot: as many places of the dark are known at once as lie in cells that no dot touches.
+/// The number of grid cells across a dot: more cells leave more of them without dots, which are known to be dark.
 const CELLS: f64 = 2.0;
 
-/// Where a dot's profile (1 − s²/r²)⁴ is a half, in units of r.
+/// The radius at which a dot's profile (1 − s²/r²)⁴ is one half, in units of r.
 const HALF_AT: f64 = 0.398_9;
 
-/// How near dots come to each other, in units of the side of the square that each has to itself.
+/// The minimum distance between dots, in units of the side of the square that each dot has on average.
 const APART: f64 = 0.7;
 
-/// A projector, as its maker describes it.
+/// A dot projector, as its manufacturer specifies it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projector {
-    /// Its model: projectors of one model have one pattern.
+    /// The model; all projectors of a model have the same pattern.
     pub model: String,
-    /// How many dots it projects.
+    /// The number of dots.
     pub dots: u32,
-    /// The horizontal and the vertical field of illumination, at whose border light is half as strong, radians.
+    /// The horizontal and the vertical field of illumination, radians; at its border the luminance is half of that on
+    /// the axis.
     pub field_rad: [f64; 2],
-    /// The angle across a dot where it is half as bright as in its middle, radians.
+    /// The angular full width of a dot at half its maximum, radians.
     pub dot_width_rad: f64,
-    /// The luminance of the middle of a dot on a white surface that faces it 1 m away.
+    /// The luminance of the centre of a dot on a white surface that faces the projector at a distance of 1 m.
     pub brightness: f64,
 }
 
 /// The dots of a projector.
 ///
-/// The vendor's pattern is not published. This one, an estimate, has as many dots over the field of illumination, at
-/// random places that are apart from each other, the same for all units of a model. A dot is round, (1 − s²/r²)⁴ with s
-/// the sine of the angle from its middle, and as bright as 1/(1 + (x/X)⁴ + (y/Y)⁴) at the place (x, y) of the plane
-/// z = 1, (X, Y) being the border of the field: half at the middles of its sides.
+/// The vendor's pattern is not published. This one is an estimate: it has the specified number of dots over the field
+/// of illumination, at random positions with a minimum distance, the same for all units of a model. A dot is round with
+/// the profile (1 − s²/r²)⁴, where s is the sine of the angle from its centre. Its brightness is 1/(1 + (x/X)⁴ +
+/// (y/Y)⁴) at the point (x, y) on the plane z = 1, with (X, Y) the border of the field: half at the middles of its
+/// sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
     dots: Vec<Dot>,
-    /// Of a dot's edge, as a sine, squared; and one over it.
+    /// The reciprocal of the squared sine of a dot's radius.
     inverse_radius2: f32,
     brightness: f32,
     grid: Grid,
-    /// The dots of cell `i` are `of_cells[starts[i]..starts[i + 1]]`.
+    /// The start of each cell: the dots of cell `i` are `of_cells[starts[i]..starts[i + 1]]`.
     starts: Vec<u32>,
     of_cells: Vec<u32>,
 }
@@ -47,16 +49,16 @@ pub struct Dots {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Dot {
     at: [f32; 2],
-    /// 1/(1 + x² + y²)
+    /// 1/(1 + x² + y²).
     inverse_length2: f32,
     strength: f32,
 }
 
-/// Cells around the middle of the plane.
+/// A grid of square cells, centred on the plane z = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Grid {
     per_unit: f32,
-    /// From the middle to a border, in cells.
+    /// The distance from the centre to a border, in cells.
     half: [f32; 2],
     size: [usize; 2],
 }
@@ -76,7 +78,7 @@ impl Grid {
         }
     }
 
-    /// The column or row, if there is one.
+    /// Returns the column or the row of a coordinate, if it is inside the grid.
     #[inline]
     fn cell(&self, at: f32, axis: usize) -> Option<usize> {
         let place = at * self.per_unit + self.half[axis];
@@ -84,7 +86,7 @@ impl Grid {
         (place >= 0.0 && place < 2.0 * self.half[axis]).then_some(place as usize)
     }
 
-    /// The columns or rows around a place.
+    /// Returns the columns or the rows within a radius of a coordinate.
     #[inline]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
     fn cells(&self, at: f32, radius: f32, axis: usize) -> std::ops::Range<usize> {
@@ -95,7 +97,7 @@ impl Grid {
 }
 
 impl Grid {
-    /// The cells that a circle touches.
+    /// Returns the cells that a circle touches.
     fn cells_within(&self, at: [f32; 2], radius: f32) -> impl Iterator<Item = usize> {
         let grid = *self;
         let side = 1.0 / grid.per_unit;
@@ -114,7 +116,7 @@ impl Grid {
 }
 
 impl Dots {
-    /// Of a projector.
+    /// Creates the pattern of a projector.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub fn new(projector: &Projector) -> Self {
@@ -138,12 +140,12 @@ impl Dots {
         let touched: Vec<Vec<usize>> = dots
             .iter()
             .map(|dot| {
-                // A dot is widest along the radius, by 1/cos².
+                // The projection of a dot is widest along the radius, by 1/cos².
                 let reach = 1.02 * radius as f32 / dot.inverse_length2;
                 grid.cells_within(dot.at, reach).collect()
             })
             .collect();
-        // The dots of a cell, one cell after the other.
+        // Counting sort of the dots by cell.
         let mut starts = vec![0u32; grid.size[0] * grid.size[1] + 1];
         for &cell in touched.iter().flatten() {
             starts[cell + 1] += 1;
@@ -171,24 +173,25 @@ impl Dots {
         }
     }
 
-    /// How many there are.
+    /// The number of dots.
     #[must_use]
     pub fn len(&self) -> usize {
         self.dots.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no dots.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.dots.is_empty()
     }
 
-    /// Their middles, as places (x/z, y/z) on the plane z = 1 of the projector's frame (x right, y down).
+    /// The centres of the dots as points (x/z, y/z) on the plane z = 1 of the projector's frame (x right, y down).
     pub fn places(&self) -> impl Iterator<Item = [f32; 2]> {
         self.dots.iter().map(|dot| dot.at)
     }
 
-    /// The luminance of a white surface that faces the projector 1 m away, in the direction of a place (x/z, y/z).
+    /// Returns the luminance of a white surface that faces the projector at a distance of 1 m, in the direction (x/z,
+    /// y/z).
     #[must_use]
     pub fn luminance(&self, at: [f32; 2]) -> f32 {
         let (Some(column), Some(row)) = (self.grid.cell(at[0], 0), self.grid.cell(at[1], 1)) else {
@@ -202,7 +205,7 @@ impl Dots {
             let Some(dot) = self.dots.get(index as usize) else {
                 continue;
             };
-            // The sine of the angle between two directions, from their cross product.
+            // The squared sine of the angle between two directions follows from their cross product.
             let [dx, dy] = [x - dot.at[0], y - dot.at[1]];
             let twist = x * dot.at[1] - y * dot.at[0];
             let s2 = (dx * dx + dy * dy + twist * twist) * dot.inverse_length2 * scale;
@@ -213,7 +216,8 @@ impl Dots {
         sum * self.brightness
     }
 
-    /// Whether there is no light within a radius of a place. It may say no where it could say yes.
+    /// Whether there is no light within a radius of a point. It may return false for a dark area, but never true for a
+    /// lit one.
     #[must_use]
     pub fn is_dark_around(&self, at: [f32; 2], radius: f32) -> bool {
         let columns = self.grid.cells(at[0], radius, 0);
@@ -236,14 +240,13 @@ impl Dots {
     }
 }
 
-/// Random places in the field, one after the other, each apart from those before; where there is no room left, nearer
-/// ones will do.
+/// Returns random points in the field with a minimum distance between them, which shrinks if there is no room left.
 fn places(projector: &Projector, border: [f64; 2]) -> Vec<[f64; 2]> {
     let wanted = projector.dots as usize;
     let random = Stream::new(0, &projector.model).plane(Stage::Dots, 0, 0);
     let own_square = (4.0 * border[0] * border[1] / f64::from(projector.dots.max(1))).sqrt();
     let mut apart = APART * own_square;
-    // At most a few dots lie in a cell and in its neighbours.
+    // The cell size limits the number of dots in a cell and in its neighbours to a few.
     let grid = Grid::new(border, own_square.max(border[0].max(border[1]) / 2000.0));
     let mut cells: Vec<Vec<[f64; 2]>> = vec![Vec::new(); grid.size[0] * grid.size[1]];
     let mut found: Vec<[f64; 2]> = Vec::with_capacity(wanted);
@@ -300,7 +303,7 @@ mod tests {
 
     #[test]
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
-    fn dots_are_as_many_as_they_should_be_apart_and_within_the_field() {
+    fn dots_have_the_specified_number_spacing_and_field() {
         let spec = belago();
         let dots = Dots::new(&spec);
         let places: Vec<[f32; 2]> = dots.places().collect();
@@ -319,7 +322,7 @@ mod tests {
         }
         let own = (4.0 * border[0] * border[1] / 4700.0).sqrt();
         assert!(nearest > 0.65 * own, "{nearest} {own}");
-        // All of the field has some.
+        // The dots cover the whole field.
         let full = |x: f32, y: f32| {
             places
                 .iter()
@@ -337,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dot_is_half_as_bright_at_half_its_width_and_the_dark_is_known() {
+    fn dots_have_the_specified_width_and_dark_gaps() {
         let spec = belago();
         let dots = Dots::new(&spec);
         let mut near_axis = 0;

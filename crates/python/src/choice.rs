@@ -4,7 +4,7 @@ use pyo3::PyResult;
 
 use crate::error::{error, wrong};
 
-/// The value that a name of an option stands for; case, hyphens and underscores do not matter.
+/// Returns the value for a name of an option, ignoring case, hyphens and underscores.
 pub(crate) fn choose<T: Copy>(option: &str, name: &str, all: &[(&str, T)]) -> PyResult<T> {
     let found = all.iter().find(|(known, _)| fold_name(known) == fold_name(name));
     found.map(|(_, value)| *value).ok_or_else(|| {
@@ -17,7 +17,7 @@ pub(crate) fn choose<T: Copy>(option: &str, name: &str, all: &[(&str, T)]) -> Py
     })
 }
 
-/// The variant of this name of any enumeration; case, hyphens and underscores do not matter.
+/// Returns the variant of an enumeration with a name, ignoring case, hyphens and underscores.
 pub(crate) fn named<C: Choice>(option: &str, name: &str) -> PyResult<C> {
     oaktwin::depth::parameters::choose(option, name).map_err(error)
 }

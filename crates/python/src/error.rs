@@ -57,18 +57,18 @@ pub(crate) fn text(value: &impl ToString) -> String {
     with_arguments(|| value.to_string())
 }
 
-/// An exception of an error.
+/// Converts an error to an exception.
 #[expect(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
 pub(crate) fn error(error: impl ToString) -> PyErr {
     Error::new_err(text(&error))
 }
 
-/// An exception that says where, what is wrong and what to do.
+/// Returns an exception that names the place, the problem and the remedy.
 pub(crate) fn wrong(what: impl Display, is: impl Display, remedy: impl Display) -> PyErr {
     Error::new_err(with_arguments(|| format!("{what}: {is}; {remedy}")))
 }
 
-/// An error about a file that was to be read: an `OSError` where the file system is the reason.
+/// Returns an exception for a file that could not be read: an `OSError` if the file system is the cause.
 pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
     let text = text(error);
     if path.is_dir() {
@@ -80,7 +80,7 @@ pub(crate) fn reading(path: &Path, error: &impl ToString) -> PyErr {
     }
 }
 
-/// An error about a file that was to be written.
+/// Returns an exception for a file that could not be written.
 pub(crate) fn writing(path: &Path, error: &impl ToString) -> PyErr {
     let text = text(error);
     if path.is_dir() {

@@ -1,4 +1,4 @@
-//! How a depth sensor is to be, from Python's options.
+//! Conversion of Python arguments to sensor options.
 
 use oaktwin::catalog::DepthKind;
 use oaktwin::sensor::{ENGINES, SensorOptions};
@@ -11,13 +11,13 @@ use crate::error::wrong;
 
 pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
 
-/// As `isaac=` takes it.
+/// Returns the value of `isaac=` for a version.
 pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
     let found = ISAAC.iter().find(|(_, version)| *version == isaac);
     found.map_or("5.1", |(name, _)| *name)
 }
 
-/// The options that sensors and their measurements share.
+/// The options of a depth sensor.
 pub(crate) struct Settings<'py> {
     pub(crate) engine: Option<&'py str>,
     pub(crate) preset: Option<String>,
@@ -53,7 +53,7 @@ impl Settings<'_> {
     }
 }
 
-/// A mapping from names to numbers, strings or booleans, as it is written on a command line.
+/// Converts a mapping from names to numbers, strings or booleans to the assignments of a command line.
 pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
     let items = parameters
         .call_method0("items")
@@ -67,7 +67,7 @@ pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResu
     items.try_iter()?.map(assignment).collect()
 }
 
-/// Which of a device's depth sensors.
+/// Parses the kind of a device's depth sensor.
 pub(crate) fn kind(name: Option<&str>) -> PyResult<Option<DepthKind>> {
     let all = [DepthKind::Stereo, DepthKind::Tof].map(|kind| (kind.as_str(), kind));
     name.map(|name| choose("sensor", name, &all)).transpose()

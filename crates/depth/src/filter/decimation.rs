@@ -74,7 +74,7 @@ pub(super) fn row<P: Pixel>(factor: usize, mode: DecimationMode, rows: &[&[P]], 
 #[inline(always)]
 fn blocks<P: Pixel, const F: usize>(mode: DecimationMode, rows: &[&[P]], out: &mut [P]) {
     for (x, out) in (0..).step_by(LANES).zip(out.chunks_mut(LANES)) {
-        // Pixels outside the image have no value.
+        // Pixels outside the image are invalid.
         let mut values = [[[P::default(); LANES]; F]; F];
         for (values, row) in values.iter_mut().zip(rows) {
             let mut near = [[P::default(); F]; LANES];
@@ -97,7 +97,7 @@ fn blocks<P: Pixel, const F: usize>(mode: DecimationMode, rows: &[&[P]], out: &m
     }
 }
 
-/// How many in each lane have a value.
+/// Counts the valid pixels in each lane.
 #[inline(always)]
 fn counts<P: Pixel>(values: &[[P; LANES]]) -> [u16; LANES] {
     let mut counts = [0; LANES];
@@ -112,7 +112,7 @@ fn counts<P: Pixel>(values: &[[P; LANES]]) -> [u16; LANES] {
 #[inline(always)]
 fn median<P: Pixel>(values: &mut [[P; LANES]]) -> [P; LANES] {
     let counts = counts(values);
-    // Odd and even pairs in turns sort any order; what has no value comes first.
+    // Odd-even transposition sort; invalid pixels come first.
     for turn in 0..values.len() {
         for [low, high] in values[turn % 2..].as_chunks_mut().0 {
             for (low, high) in low.iter_mut().zip(high) {
@@ -136,7 +136,7 @@ fn mean<P: Pixel>(values: &[[P; LANES]]) -> [P; LANES] {
     let mut means = [P::default(); LANES];
     for lane in 0..LANES {
         let sum: f32 = values.iter().map(|lanes| Into::<f32>::into(lanes[lane])).sum();
-        // Up to 16 values: the sum is exact, and the quotient no nearer to a whole number than it must be.
+        // With up to 16 values the sum is exact, and a quotient that is not whole does not round to a whole number.
         let mean = sum / f32::from(counts[lane].max(1));
         means[lane] = P::cut(saturating_trunc(mean.floor()));
     }

@@ -86,7 +86,7 @@ fn strips<P>(pixels: &mut [P], width: usize) -> Vec<Vec<&mut [P]>> {
     strips
 }
 
-/// Both ways along up to [`LANES`] rows, with a tile of [`LANES`] whole rows to work in.
+/// Filters up to [`LANES`] rows in both directions; `tile` is a buffer of [`LANES`] rows.
 #[inline(always)]
 pub(super) fn along<P: Pixel>(settings: &Settings<P>, rows: &mut [P], tile: &mut [P]) {
     let width = tile.len() / LANES;
@@ -118,7 +118,7 @@ pub(super) fn along<P: Pixel>(settings: &Settings<P>, rows: &mut [P], tile: &mut
     }
 }
 
-/// One step along the rows. A pixel up to `hole` is one; a difference of less than `least` mixes nothing.
+/// Filters one step along the rows. Pixels up to `hole` are holes; differences below `least` have no effect.
 #[inline(always)]
 fn step<P: Pixel>(
     settings: &Settings<P>,
@@ -144,7 +144,7 @@ fn step<P: Pixel>(
     }
 }
 
-/// Downwards, from one row to the next.
+/// Filters a row downwards, from the row above.
 #[inline(always)]
 pub(super) fn down<P: Pixel>(settings: &Settings<P>, above: &[P], row: &mut [P]) {
     for (&above, pixel) in above.iter().zip(row) {
@@ -157,7 +157,7 @@ pub(super) fn down<P: Pixel>(settings: &Settings<P>, above: &[P], row: &mut [P])
     }
 }
 
-/// Upwards, from one row to the next.
+/// Filters a row upwards, from the row below.
 #[inline(always)]
 pub(super) fn up<P: Pixel>(settings: &Settings<P>, below: &[P], row: &mut [P]) {
     let zero = P::default();

@@ -18,21 +18,21 @@ parameters! {
     }
 }
 
-/// Which pixels of a row belong together with their neighbours: 1 or 0.
+/// The connections of a row's pixels with their neighbours, 1 or 0.
 #[derive(Debug)]
 pub(super) struct Links<'a> {
-    /// With the one on the left; two of no value do.
+    /// The connections with the pixel on the left; two invalid pixels are connected.
     pub left: &'a mut [u8],
-    /// Of the row above, with the one on the left.
+    /// The connections of the row above with the pixel on the left.
     pub left_above: &'a [u8],
-    /// With the one above.
+    /// The connections with the pixel above.
     pub up: &'a mut [u8],
-    /// With the one above, where the pixels on the left do not say so already.
+    /// The connections with the pixel above that do not follow from those of the pixel on the left.
     pub joins: &'a mut [u8],
 }
 
 impl Speckle {
-    /// The same in pixel values, of which an integer level is so many.
+    /// Returns the filter for pixel values, with `integer_level` pixel values per pixel of disparity.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -45,7 +45,7 @@ impl Speckle {
         }
     }
 
-    /// An image of 2³¹ pixels or more stays as it is.
+    /// Runs the filter; an image of 2³¹ pixels or more remains unchanged.
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
         let width = image.width() as usize;
         if width == 0 || self.speckle_range == 0 || i32::try_from(image.pixels().len()).is_err() {
@@ -65,7 +65,7 @@ impl Speckle {
         }
     }
 
-    /// Joins the runs of alike pixels to patches.
+    /// Joins the runs of similar pixels to regions.
     fn runs<P: Pixel>(&self, level: Level, image: &Image<P>, threshold: P) -> Runs {
         let width = image.width() as usize;
         let empty = (vec![P::default(); width], vec![0; width]);
@@ -76,7 +76,8 @@ impl Speckle {
             nodes: vec![i32::MIN],
             range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
         };
-        // Of each column: the run in this row and in the row above; of this row: where runs begin, where two join.
+        // For each column, the runs in this row and in the row above; for this row, the starts of runs and the columns
+        // of joins.
         let (mut run_of, mut run_above) = (vec![0usize; width], vec![0usize; width]);
         let (mut begins, mut joined) = (vec![0u32; width + 1], vec![0u32; width + 1]);
         for (row, left) in image.rows().zip(left.chunks_exact_mut(width)) {
@@ -115,7 +116,7 @@ impl Speckle {
     }
 }
 
-/// Makes pixels 0 that are like none of their neighbours: noise is full of them, and they need no runs.
+/// Drops pixels without a similar neighbour: noise has many of them, and they need no runs.
 fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, threshold: P) {
     let width = image.width() as usize;
     let nothing = vec![P::default(); width];
@@ -131,23 +132,23 @@ fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, threshold: P) {
     }
 }
 
-/// Runs of alike pixels, from 1 on.
+/// The runs of similar pixels, numbered from 1.
 struct Runs {
-    /// 0 where one begins.
+    /// 0 where a run begins, else 1.
     left: Vec<u8>,
     patches: Patches,
 }
 
-/// A forest over runs: the trees are patches. Parents have lower numbers than their children.
+/// A forest of runs whose trees are regions. Parents have smaller numbers than their children.
 struct Patches {
-    /// Below 0: a root, less the number of pixels. Else the parent. 0 is the root of all patches that stay.
+    /// The negative number of pixels for a root, else the parent. 0 is the root of all regions that are kept.
     nodes: Vec<i32>,
-    /// Larger patches stay.
+    /// The maximum size of a region that is dropped.
     range: i32,
 }
 
 impl Patches {
-    /// The root of a run's tree; half of what is on the way is hung to what is above it.
+    /// Returns the root of a run's tree, and halves the path to it.
     #[inline]
     fn find(&mut self, mut run: usize) -> usize {
         while let Ok(parent) = usize::try_from(self.nodes[run]) {
@@ -180,11 +181,11 @@ impl Patches {
         }
     }
 
-    /// Makes every run's node 0 where it stays, and nothing else.
+    /// Sets the nodes of the runs that are kept to 0, and only those.
     fn settle(&mut self) {
         self.nodes[0] = 0;
         for run in 1..self.nodes.len() {
-            // A parent has been here before its children. No branch: noise would mislead it.
+            // Parents precede their children. The loop is branchless, because noise is unpredictable.
             let node = self.nodes[run];
             let parent = self.nodes[usize::try_from(node.max(0)).unwrap_or_default()];
             self.nodes[run] = parent | (node & (node >> 31));
@@ -192,15 +193,15 @@ impl Patches {
     }
 }
 
-/// Whether two pixels are alike: 1 or 0. What has no value is like nothing.
+/// Returns 1 if two pixels are similar, else 0. An invalid pixel is similar to none.
 #[inline(always)]
 fn linked<P: Pixel>(threshold: P, a: P, b: P) -> u8 {
     let zero = P::default();
     u8::from((a != zero) & (b != zero) & (a.speckle_distance(b) <= threshold))
 }
 
-/// Makes a row's pixels 0 that are like none of their neighbours in it and in the rows above and below. `left` has one
-/// more than the row and is 0 at both ends.
+/// Drops the pixels of a row without a similar neighbour in the row and in those above and below. `left` is one longer
+/// than the row and 0 at both ends.
 #[inline(always)]
 pub(super) fn lone<P: Pixel>(threshold: P, [above, below]: [&[P]; 2], left: &mut [u8], row: &mut [P]) {
     let zero = P::default();
@@ -215,7 +216,7 @@ pub(super) fn lone<P: Pixel>(threshold: P, [above, below]: [&[P]; 2], left: &mut
     }
 }
 
-/// The links of a row, the second, with itself and the row above it.
+/// Finds the connections of a row with itself and the row above it.
 #[inline(always)]
 pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut Links<'_>) {
     let zero = P::default();

@@ -60,32 +60,32 @@ impl PersistencyMode {
     }
 }
 
-/// Pixels that a thread takes at a time.
+/// The number of pixels in a unit of work.
 const PART: usize = 1 << 14;
 
-/// What a temporal filter remembers.
+/// The memory of a temporal filter.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Memory<P> {
     width: u32,
     height: u32,
     /// The last value of each pixel.
     last: Vec<P>,
-    /// In which of the last 8 frames it had one: bit n is that of frames 8·k + n.
+    /// The frames, of the last 8, in which the pixel was valid: bit n is frame 8·k + n.
     history: Vec<u8>,
     /// The number of the frame, modulo 8.
     phase: u32,
 }
 
-/// What the loop needs.
+/// The settings of the loop.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settings<P> {
     weight: Weight,
     delta: P,
-    /// Of the frame.
+    /// The bit of the current frame.
     bit: u8,
-    /// Of the frames that count.
+    /// The bits of the recent frames.
     recent: u8,
-    /// How many of them must have had a value.
+    /// The minimum number of recent frames in which the pixel was valid.
     wanted: u32,
 }
 
@@ -101,7 +101,8 @@ impl Temporal {
             };
         }
         let (frames, wanted) = self.persistency_mode.rule();
-        // Behind the phase's own bit, which is still that of eight frames ago, lies the frame before this one.
+        // The bit of the current phase still belongs to the frame eight frames ago; the bit below it is the previous
+        // frame.
         let recent = u8::try_from(0xff00u32 >> frames & 0xff).unwrap_or_default();
         let settings = Settings {
             weight: Weight::new(self.alpha),
@@ -122,7 +123,7 @@ impl Temporal {
     }
 }
 
-/// One frame.
+/// Filters one frame.
 #[inline(always)]
 pub(super) fn update<P: Pixel>(settings: Settings<P>, pixels: &mut [P], last: &mut [P], history: &mut [u8]) {
     let zero = P::default();
@@ -134,7 +135,7 @@ pub(super) fn update<P: Pixel>(settings: Settings<P>, pixels: &mut [P], last: &m
         let mixed = P::cut(settings.weight.mix_truncated(new.into(), old.into()));
         let value = if is_mixed { mixed } else { new };
         *last = if is_new { value } else { old };
-        // Where there was none, what is kept is 0.
+        // A missing value that is not kept stays 0.
         *pixel = if is_kept { old } else { value };
         let begun = if is_mixed {
             past | settings.bit

@@ -13,7 +13,7 @@ fn image<P: Pixel>(width: u32, pixels: &[P]) -> Image<P> {
     Image::new(width, height, pixels).unwrap()
 }
 
-/// Values near to each other, near to the ends and between, and holes.
+/// Images of similar values, extreme values, arbitrary values and holes.
 fn pixels() -> impl Strategy<Value = Vec<u16>> {
     let pixel = prop_oneof![
         3 => 900u16..912,
@@ -24,7 +24,7 @@ fn pixels() -> impl Strategy<Value = Vec<u16>> {
     proptest::collection::vec(pixel, 1..2600)
 }
 
-/// Patches by walking from pixel to pixel.
+/// A reference implementation of the speckle filter by flood filling.
 fn without_speckles(image: &Image<u16>, speckle: Speckle) -> Image<u16> {
     let (width, mut out) = (image.width() as usize, image.clone());
     let before = image.pixels();
@@ -57,7 +57,7 @@ fn without_speckles(image: &Image<u16>, speckle: Speckle) -> Image<u16> {
     out
 }
 
-/// Block by block.
+/// A reference implementation of decimation, block by block.
 fn decimated(image: &Image<u16>, decimation: Decimation) -> Image<u16> {
     let (width, height) = decimation.size(image.width(), image.height());
     let factor = decimation.factor;
@@ -99,7 +99,7 @@ fn median_of(image: &Image<u16>, size: u32) -> Image<u16> {
 
 proptest! {
     #[test]
-    fn every_level_of_instructions_gives_the_same(
+    fn results_do_not_depend_on_instructions(
         pixels in pixels(), width in 1u32..200, alpha in 0f32..=1.0, delta: u8, radius in 0u8..6,
     ) {
         prop_assume!(pixels.len() >= width as usize);
@@ -137,7 +137,7 @@ proptest! {
     }
 
     #[test]
-    fn medians_are_those_of_sorting(pixels in pixels(), width in 1u32..150) {
+    fn medians_match_sorting(pixels in pixels(), width in 1u32..150) {
         prop_assume!(pixels.len() >= width as usize);
         let before = image(width, &pixels);
         for median in MEDIANS {
@@ -147,7 +147,7 @@ proptest! {
     }
 
     #[test]
-    fn blocks_become_their_median_or_mean(pixels in pixels(), width in 1u32..300, factor in 1u32..=4) {
+    fn decimation_matches_the_reference(pixels in pixels(), width in 1u32..300, factor in 1u32..=4) {
         prop_assume!(pixels.len() >= width as usize);
         let before = image(width, &pixels);
         for mode in [DecimationMode::NonZeroMedian, DecimationMode::NonZeroMean] {
@@ -158,7 +158,7 @@ proptest! {
     }
 
     #[test]
-    fn speckles_are_those_of_walking(
+    fn speckles_match_flood_filling(
         pixels in pixels(), width in 1u32..150, range in 0u32..300, threshold in prop_oneof![0u32..20, 0u32..70_000],
     ) {
         prop_assume!(pixels.len() >= width as usize);
@@ -167,12 +167,12 @@ proptest! {
         let mut chain = Chain::new(vec![Filter::Speckle(speckle)]);
         let after = chain.run(before.clone());
         prop_assert_eq!(&after, &without_speckles(&before, speckle));
-        // What stays stays.
+        // The filter is idempotent.
         prop_assert_eq!(&chain.run(after.clone()), &after);
     }
 
     #[test]
-    fn the_number_of_threads_does_not_matter(pixels in pixels(), width in 1u32..80) {
+    fn results_do_not_depend_on_threads(pixels in pixels(), width in 1u32..80) {
         prop_assume!(pixels.len() >= width as usize);
         let before = image(width, &pixels);
         let run = |threads: usize| {
@@ -185,7 +185,7 @@ proptest! {
     }
 
     #[test]
-    fn bytes_are_as_words_where_nothing_wraps(pixels in proptest::collection::vec(any::<u8>(), 1..900), width in 1u32..60) {
+    fn filters_of_bytes_match_those_of_words(pixels in proptest::collection::vec(any::<u8>(), 1..900), width in 1u32..60) {
         prop_assume!(pixels.len() >= width as usize);
         let words: Vec<u16> = pixels.iter().map(|&pixel| pixel.into()).collect();
         for text in ["median:size=3", "median:size=7", "spatial:delta=20", "temporal:delta=20", "speckle:difference=9"] {
@@ -198,7 +198,7 @@ proptest! {
     }
 
     #[test]
-    fn text_comes_back(alpha in 0f32..=1.0, delta: u8, n in 0u32..=100, mode in 0usize..9, a: u16, b: u16) {
+    fn text_round_trips(alpha in 0f32..=1.0, delta: u8, n in 0u32..=100, mode in 0usize..9, a: u16, b: u16) {
         let (low, high) = (a.min(b), a.max(b));
         for filter in [
             Filter::Median(Median::Kernel7x7),
@@ -215,7 +215,7 @@ proptest! {
 }
 
 #[test]
-fn a_change_of_size_or_a_reset_forgets() {
+fn resizing_or_resetting_clears_the_memory() {
     let temporal = Filter::Temporal(Temporal {
         persistency_mode: PersistencyMode::Indefinitely,
         ..Temporal::default()
@@ -232,7 +232,7 @@ fn a_change_of_size_or_a_reset_forgets() {
 }
 
 #[test]
-fn no_pixels_stay_none() {
+fn filters_accept_empty_images() {
     for text in NAMES {
         for (width, height) in [(0, 0), (0, 3), (3, 0)] {
             let none = Image::filled(width, height, 0u16);

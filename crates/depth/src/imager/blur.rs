@@ -124,7 +124,7 @@ mod tests {
 
     /// A point becomes a spot with all its light and the requested variance along both axes.
     #[test]
-    fn a_point_becomes_a_spot() {
+    fn blurs_a_point_with_the_requested_variance() {
         for sigma in [0.2, 0.6, 1.5, MAX_SIGMA_PX] {
             let mut light = Image::filled(141, 133, 0.0);
             light.pixels_mut()[66 * 141 + 70] = 900.0;

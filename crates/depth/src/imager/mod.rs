@@ -80,9 +80,9 @@ impl Imager {
         &self.parameters
     }
 
-    /// What is recorded of `light`, linear; what is no number or below 0 is dark. `intrinsics` are those of the image,
-    /// for vignetting. `random` is the image's own: of its camera, [`Stage::Exposure`](crate::random::Stage::Exposure)
-    /// and frame.
+    /// Returns the image that the sensor records of linear `light`; NaN and negative values are dark. `intrinsics` are
+    /// those of the image, for vignetting. `random` must be the image's own stream: of its camera,
+    /// [`Stage::Exposure`](crate::random::Stage::Exposure) and frame.
     #[must_use]
     pub fn record(
         &self,

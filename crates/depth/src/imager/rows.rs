@@ -1,4 +1,4 @@
-//! Row by row, from light to numbers.
+//! Converts light to recorded values, row by row.
 
 use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::ImageView;
@@ -9,12 +9,12 @@ use super::blur::Blur;
 use super::{Exposure, Parameters};
 use crate::random::Plane;
 
-/// Rows that a thread takes at a time.
+/// The number of rows in a unit of work.
 const ROWS: usize = 16;
 
-/// A recorded number.
+/// The type of a recorded value.
 pub(super) trait Number: Copy + Default + Send {
-    /// Of a whole number that it can be.
+    /// Converts a value that is in range.
     fn of(value: i32) -> Self;
 }
 
@@ -38,10 +38,10 @@ impl Number for u16 {
     }
 }
 
-/// How light falls off from the middle of an image.
+/// The light falloff from the centre of an image.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Falloff {
-    /// The share of cos⁴.
+    /// The weight of cos⁴.
     share: f32,
     per_pixel: [f32; 2],
     centre: [f32; 2],
@@ -58,7 +58,8 @@ impl Falloff {
         }
     }
 
-    /// cos⁴ of the angle from the axis is 1/(1 + x² + y²)², (x, y) being the place on the plane z = 1.
+    /// Returns the relative light of a pixel. cos⁴ of the angle from the axis is 1/(1 + x² + y²)² at (x, y) on the
+    /// plane z = 1.
     #[inline(always)]
     pub(super) fn at(&self, x: u32, y: u32) -> f32 {
         let [x, y] = [(x, 0), (y, 1)].map(|(place, axis): (u32, usize)| {
@@ -69,14 +70,14 @@ impl Falloff {
     }
 }
 
-/// All that rows have in common.
+/// The constants of an image.
 pub(super) struct Rows<'a> {
     random: &'a Plane,
     blur: Blur,
     falloff: Falloff,
-    /// Electrons of light 1.
+    /// The number of electrons of light 1.
     electrons: f32,
-    /// More than these change nothing.
+    /// The limit of electrons, far above saturation.
     most_electrons: f32,
     read_variance: f32,
     per_electron: f32,
@@ -127,9 +128,9 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// What a row is made in.
+/// The buffers of a thread.
 struct Scratch {
-    /// Without noise they stay 0.
+    /// Standard normal numbers; 0 without noise.
     normals: Vec<f32>,
     padded: Vec<f32>,
     blurred: Vec<f32>,
@@ -216,7 +217,7 @@ mod tests {
     use oaktwin_simd::{Level, run_at};
 
     #[test]
-    fn all_instructions_make_the_same() {
+    fn does_not_depend_on_instructions() {
         let parameters = Parameters {
             vignetting: 0.6,
             lens_blur_px: 0.9,

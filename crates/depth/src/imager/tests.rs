@@ -38,9 +38,9 @@ fn mean_and_variance(image: &Image<u16>) -> (f64, f64) {
     (mean, squares.sum::<f64>() / n)
 }
 
-/// Of λ electrons the variance is λ + r², at any gain.
+/// The variance of λ electrons is λ + r² at any gain.
 #[test]
-fn noise_has_the_variance_of_shots_and_reading() {
+fn noise_has_the_variance_of_shot_and_read_noise() {
     for (exposure, light) in [(0.8, 0.5), (0.8, 0.02), (8.0, 0.08), (2.0, 0.3)] {
         let p = fixed(exposure);
         let image = record(p, &Image::filled(640, 480, light), 0);
@@ -48,7 +48,7 @@ fn noise_has_the_variance_of_shots_and_reading() {
         let (electrons, gain) = (f64::from(light) * time * p.full_well_e, exposure / time);
         let number = 1023.0 * gain / p.full_well_e;
         let (mean, variance) = mean_and_variance(&image);
-        // Rounding to whole numbers adds a twelfth.
+        // Rounding to whole numbers adds 1/12.
         let expected = (electrons + p.read_noise_e.powi(2)) * number * number + 1.0 / 12.0;
         assert!(
             (mean / (electrons * number) - 1.0).abs() < 2e-3,
@@ -62,7 +62,7 @@ fn noise_has_the_variance_of_shots_and_reading() {
 }
 
 #[test]
-fn exposure_aims_at_the_mean_until_it_is_too_dark() {
+fn automatic_exposure_reaches_the_target_mean() {
     let p = Parameters {
         noise: false,
         bits: Bits::Ten,
@@ -86,14 +86,14 @@ fn exposure_aims_at_the_mean_until_it_is_too_dark() {
     let dark = Image::filled(640, 400, 1e-4);
     let exposure = imager.expose(&[(ImageView::from(&dark), &k)]);
     assert_eq!((exposure.time, exposure.gain), (2.0, 16.0));
-    // Both images decide together.
+    // All images share one exposure.
     let bright = Image::filled(640, 400, 0.5);
     let both = imager.expose(&[(ImageView::from(&dark), &k), (ImageView::from(&bright), &k)]);
     assert!((both.total() - 1.4).abs() < 1e-2, "{both:?}");
 }
 
 #[test]
-fn light_falls_off_by_the_fourth_power_of_the_cosine() {
+fn vignetting_follows_cos4() {
     let p = Parameters {
         vignetting: 1.0,
         noise: false,
@@ -112,7 +112,7 @@ fn light_falls_off_by_the_fourth_power_of_the_cosine() {
 }
 
 #[test]
-fn numbers_end_at_the_largest_and_nonsense_is_dark() {
+fn clamps_values_and_invalid_light() {
     let p = Parameters {
         noise: false,
         bits: Bits::Eight,
@@ -142,7 +142,7 @@ fn numbers_end_at_the_largest_and_nonsense_is_dark() {
 }
 
 #[test]
-fn the_same_on_any_number_of_threads_and_another_in_every_frame() {
+fn noise_depends_on_the_frame_but_not_on_threads() {
     let light = Image::filled(333, 77, 0.4);
     let with = |threads, frame| {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -153,14 +153,14 @@ fn the_same_on_any_number_of_threads_and_another_in_every_frame() {
     };
     assert_eq!(with(1, 0), with(3, 0));
     assert_ne!(with(1, 0), with(1, 1));
-    // Nor does a pixel depend on how wide the image is.
+    // A pixel does not depend on the width of the image.
     let narrow = record(fixed(0.8), &Image::filled(100, 77, 0.4), 0);
     let wide = with(2, 0);
     assert_eq!(narrow.get(99, 76), wide.get(99, 76));
 }
 
 #[test]
-fn parameters_by_name() {
+fn sets_and_reads_every_parameter() {
     let values = [
         "false", "0.2", "3", "4", "8", "9000", "3.5", "false", "1.5", "0.5", "10",
     ];

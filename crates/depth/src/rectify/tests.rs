@@ -31,7 +31,7 @@ fn pair(size: ImageSize, f: f64) -> (Camera, Camera, RigidTransform) {
 
 const SIZE: ImageSize = ImageSize::new(640, 400);
 
-/// A smooth spot around a place, bright enough to find its middle again.
+/// An image of a smooth spot, bright enough to measure its centre.
 fn spot(size: ImageSize, at: PixelPoint<OpenCv>) -> Image<u16> {
     let pixels = (0..size.height).flat_map(|y| (0..size.width).map(move |x| (f64::from(x), f64::from(y))));
     #[expect(
@@ -61,7 +61,7 @@ fn middle(image: &Image<u16>) -> [f64; 2] {
     [sums[0] / sums[2], sums[1] / sums[2]]
 }
 
-/// Where points of the world are found in the rectified images, and where the rectified cameras should see them.
+/// The errors of points in the rectified images relative to the projections of the rectified cameras, px.
 fn errors(f: f64, options: &RectifyOptions) -> Vec<[[f64; 2]; 2]> {
     let (left, right, right_from_left) = pair(SIZE, f);
     let both = StereoRectify::new(&left, &right, &right_from_left, options).unwrap();
@@ -99,7 +99,7 @@ fn errors(f: f64, options: &RectifyOptions) -> Vec<[[f64; 2]; 2]> {
 }
 
 #[test]
-fn points_are_in_the_same_row_and_where_the_rectified_cameras_see_them() {
+fn rectified_points_match_the_rectified_cameras() {
     let rvc4 = RectifyOptions::of(Platform::Rvc4);
     let mesh = RectifyOptions {
         method: Method::Mesh,
@@ -116,7 +116,7 @@ fn points_are_in_the_same_row_and_where_the_rectified_cameras_see_them() {
 }
 
 #[test]
-fn a_homography_leaves_the_distortion() {
+fn a_homography_keeps_the_lens_distortion() {
     let worst = errors(794.0, &RectifyOptions::default())
         .iter()
         .flatten()
@@ -126,7 +126,7 @@ fn a_homography_leaves_the_distortion() {
 }
 
 #[test]
-fn the_device_decides_by_the_field_of_view() {
+fn chooses_the_method_by_field_of_view() {
     let options = RectifyOptions::default();
     let method = |f| {
         let (left, right, transform) = pair(SIZE, f);
@@ -145,7 +145,7 @@ fn the_device_decides_by_the_field_of_view() {
 }
 
 #[test]
-fn borders_are_black_or_what_is_asked_for() {
+fn fills_borders_with_the_edge_fill() {
     let (left, right, transform) = pair(SIZE, 794.0);
     let white = Image::filled(640, 400, 200u8);
     let image = |edge_fill| {
@@ -166,7 +166,7 @@ fn borders_are_black_or_what_is_asked_for() {
 }
 
 #[test]
-fn an_ideal_pair_stays_as_it_is() {
+fn leaves_an_ideal_pair_unchanged() {
     let ideal = Camera::new(Intrinsics::from_hfov(SIZE, 1.3), LensModel::Pinhole);
     let shift = RigidTransform::new(DMat3::IDENTITY, DVec3::new(-0.075, 0.0, 0.0));
     let pixels: Vec<u8> = (0..640 * 400u32)
@@ -181,7 +181,7 @@ fn an_ideal_pair_stays_as_it_is() {
 }
 
 #[test]
-fn positions_between_and_beyond_pixels() {
+fn interpolates_and_handles_positions_outside() {
     let raw = Image::new(3, 2, vec![0u8, 100, 200, 40, 80, 120]).unwrap();
     let at = [
         [0.5, 0.0],
@@ -202,14 +202,14 @@ fn positions_between_and_beyond_pixels() {
     };
     assert_eq!(of(EdgeFill::default()), [50, 20, 99, 0, 60, 60, 0, 0, 0, 120]);
     assert_eq!(of(EdgeFill::Replicate), [50, 20, 99, 0, 120, 120, 0, 0, 200, 120]);
-    // Missing positions are outside; images of another size are refused.
+    // Missing positions are outside; images of another size are rejected.
     let short = Rectify::from_positions(raw_size, size, &at[..1], EdgeFill::Value(9));
     assert_eq!(short.rectify((&raw).into()).unwrap().pixels()[1..], [9; 9]);
     assert!(short.rectify((&Image::filled(2, 3, 0u8)).into()).is_none());
 }
 
 #[test]
-fn all_instructions_and_threads_make_the_same() {
+fn does_not_depend_on_instructions_or_threads() {
     use oaktwin_simd::{Level, run_at};
     let raw: Vec<u16> = (0..5000u32)
         .map(|i| (i.wrapping_mul(2_654_435_761) >> 16) as u16)

@@ -214,7 +214,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_name_is_set_and_read() {
+    fn sets_and_reads_every_assumption() {
         let mut assumptions = Assumptions::default();
         for (name, value) in Assumptions::default().by_name() {
             assumptions.set(name, &value).unwrap();
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_name_what_is_expected() {
+    fn errors_list_the_expected_values() {
         let mut assumptions = Assumptions::default();
         let mut error = |name, value| assumptions.set(name, value).unwrap_err().to_string();
         assert_eq!(

@@ -1,8 +1,8 @@
-//! Sums of costs over blocks of pixels, in the narrowest numbers that hold them, and their means.
+//! Sums of costs over blocks of pixels, in the narrowest integers that hold them, and their means.
 
 use oaktwin_simd as simd;
 
-/// Sums over the block's rows, candidates innermost, in the width that one matcher needs.
+/// The sums over the block's rows, candidates innermost, in the width that the matcher needs.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Columns {
     bytes: Vec<u8>,
@@ -10,13 +10,13 @@ pub(super) struct Columns {
     equations: Vec<u32>,
 }
 
-/// How the mean of a block comes of its sum: multiplied by the reciprocal of its area, which is exact for what there is.
+/// The mean of a block: its sum times the reciprocal of its area, exact for all possible sums.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mean {
     area: u32,
-    /// In units of 2⁻¹¹.
+    /// The reciprocal for 8-bit sums, in units of 2⁻¹¹.
     of_bytes: u16,
-    /// In units of 2⁻²⁰.
+    /// The reciprocal for wider sums, in units of 2⁻²⁰.
     of_words: u32,
 }
 
@@ -33,16 +33,16 @@ impl Mean {
     }
 }
 
-/// A sum over a block, of bits that differ or of the whole equation.
+/// A sum over a block: of bits that differ, or of the complete equation.
 pub(super) trait BlockSum: Copy + Default {
-    /// Of the whole equation.
+    /// Whether this is a sum of the complete equation.
     const IS_EQUATION: bool = size_of::<Self>() == size_of::<u32>();
 
     fn of_columns(columns: &mut Columns) -> &mut Vec<Self>;
     fn of(value: u32) -> Self;
     fn plus(self, other: Self) -> Self;
     fn minus(self, other: Self) -> Self;
-    /// An eighth of the equation's mean, halves up.
+    /// Returns an eighth of the equation's mean, halves up.
     fn mean(self, mean: &Mean) -> u16;
 }
 
@@ -80,7 +80,7 @@ macro_rules! sum {
     };
 }
 
-// All in 16 bits: sums of 8 bits over at most 25 pixels.
+// All in 16 bits: sums of 8-bit costs over at most 25 pixels.
 sum!(u8, bytes, |sum, mean| {
     (2 * u16::from(sum) + mean.area as u16 / 2).wrapping_mul(mean.of_bytes) >> 11
 });

@@ -1,10 +1,10 @@
-//! The census transform: which pixels of a window are brighter than its mean, or than its middle.
+//! The census transform: the pixels of a window that are brighter than its mean or its centre.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::plan::Plan;
 
-/// Columns that are added on either side of an image.
+/// The number of columns that are added on each side of an image.
 const BORDER: usize = 8;
 
 /// The census transform of an image, and its grey levels.
@@ -14,7 +14,7 @@ pub(super) struct Census {
     height: usize,
     planes: usize,
     stride: usize,
-    /// A row's planes of 8 bits each, then its grey levels of 8 bits, `stride` apart; below the last row a blank one.
+    /// The 8-bit planes of each row, then its 8-bit grey levels, `stride` apart; a blank row follows the last one.
     rows: Vec<u8>,
     padded: Vec<i16>,
     sums: Vec<u16>,
@@ -25,13 +25,13 @@ pub(super) struct Census {
 pub(super) struct Source<'a> {
     pub(super) width: usize,
     pub(super) height: usize,
-    /// Of 8 bits, or of more.
+    /// The number of bits of a pixel, at least 8.
     pub(super) bits: u32,
     pub(super) levels: &'a [i16],
 }
 
 impl Census {
-    /// Transforms an image. Reversed, rows run from right to left, and there is room behind them for what is beyond.
+    /// Transforms an image. If `is_reversed`, rows are mirrored, with room after them for pixels beyond the border.
     pub(super) fn make(&mut self, level: Level, plan: &Plan, image: &Source<'_>, is_reversed: bool) {
         let (width, height) = (image.width, image.height);
         let [rows, columns] = plan.window;
@@ -113,7 +113,7 @@ impl Census {
         }
     }
 
-    /// A row's planes, its grey levels last, [`Census::stride`] apart; or those of a blank row.
+    /// The planes of a row and then its grey levels, [`Census::stride`] apart; without a row, those of the blank row.
     pub(super) fn row(&self, y: Option<usize>) -> &[u8] {
         let length = self.stride * (self.planes + 1);
         let y = y.unwrap_or(self.height);
@@ -136,13 +136,13 @@ impl Census {
         self.stride
     }
 
-    /// A row's grey levels of 8 bits.
+    /// The 8-bit grey levels of a row.
     pub(super) fn levels(&self, y: usize) -> &[u8] {
         let row = self.row(Some(y));
         row.get(self.planes * self.stride..).unwrap_or_default()
     }
 
-    /// What is beyond a border is as what is at it.
+    /// Repeats the border outside the image.
     fn pad(&mut self, image: &Source<'_>) {
         self.padded.clear();
         for row in image.levels.chunks_exact(image.width) {
@@ -156,15 +156,15 @@ impl Census {
     }
 }
 
-/// What a row's pixels are compared with: a pixel counts where it is brighter.
+/// Computes the value with which a row's pixels are compared.
 struct Reference<'a> {
     rows: &'a [&'a [i16]],
     columns: usize,
     mean_mode: bool,
     threshold: i32,
-    /// Of the threshold, for each 4096 levels.
+    /// The offset to the threshold for each 4096 grey levels.
     scale: i32,
-    /// Room for a row with its borders.
+    /// A buffer for a row with its borders.
     sums: &'a mut [u16],
     out: &'a mut [i16],
 }
@@ -190,7 +190,7 @@ impl Kernel for Reference<'_> {
                 }
             }
             let left = BORDER - self.columns / 2;
-            // 63 times 1023 has 16 bits.
+            // 63 times 1023 fits into 16 bits.
             match (self.rows.len(), self.columns) {
                 (5, _) => mean::<5, 25>(sums.get(left..).unwrap_or_default(), out),
                 (_, 7) => mean::<7, 49>(sums.get(left..).unwrap_or_default(), out),
@@ -231,7 +231,7 @@ fn mean<const COLUMNS: usize, const AREA: u16>(sums: &[u16], out: &mut [i16]) {
     }
 }
 
-/// Sets a bit where pixels are brighter.
+/// Sets a bit for each pixel brighter than the reference.
 struct Compare<'a> {
     pixels: &'a [i16],
     reference: &'a [i16],

@@ -1,7 +1,7 @@
-//! What it costs to match a pixel with each candidate of the other image: a mean over the block around it.
+//! The cost of each candidate of a pixel: the mean over the block around it.
 //!
-//! A scan goes from row to row, and so do its blocks: of each pixel and candidate the sum over the block's rows is kept,
-//! to which the next row is added and from which the last one is taken away; along a row, columns likewise.
+//! A scan moves from row to row, and its blocks with it: the sums over the block's rows are stored for each pixel and
+//! candidate, and each step adds the next row and subtracts the oldest one. Columns are summed likewise along a row.
 
 use oaktwin_simd::{self as simd, Kernel};
 
@@ -11,7 +11,7 @@ use super::paths::{chunk, chunk_mut};
 use super::plan::{Plan, Raw, Zone};
 use super::scan::View;
 
-/// The blocks of a scan's rows.
+/// The block sums of a scan.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Blocks {
     columns: Columns,
@@ -19,14 +19,14 @@ pub(super) struct Blocks {
     leaving: Stepped,
 }
 
-/// A row of the right image in steps of a zone.
+/// A row of the right image, regrouped by the disparity step of a zone.
 #[derive(Clone, Debug, Default)]
 struct Stepped {
     rows: Vec<u8>,
 }
 
 impl Blocks {
-    /// The costs of a row that the scan comes to, candidates innermost. `is_first` says that nothing came before.
+    /// Computes the costs of the scan's next row, candidates innermost. `is_first` resets the sums.
     pub(super) fn row<P: Lane>(
         &mut self,
         view: View<'_>,
@@ -36,7 +36,7 @@ impl Blocks {
     ) {
         let View { plan, census, .. } = view;
         let (forward, last) = (if is_up { -1 } else { 1 }, census[0].height() - 1);
-        // Beyond the borders is what is at them.
+        // The border is repeated outside the image.
         let row = |by: isize| y.saturating_add_signed(forward * by).min(last);
         match (plan.raw, plan.planes(), plan.block) {
             (Raw::Bits { .. }, 1, ..=5) => self.follow::<u8, P>(view, is_first, row, out),
@@ -65,7 +65,7 @@ impl Blocks {
         self.step::<S, P>(view, [Some(row(reach)), leaving], out);
     }
 
-    /// A row enters the block and one leaves it.
+    /// Adds the entering row to the block and subtracts the leaving one.
     fn step<S: BlockSum, P: Lane>(
         &mut self,
         view: View<'_>,
@@ -115,7 +115,7 @@ impl Blocks {
 }
 
 impl Stepped {
-    /// Every so many pixels of each plane, then those after them, and so on.
+    /// Regroups each plane: every `step`-th pixel from the first one, then from the second one, and so on.
     fn of<'a>(&'a mut self, step: usize, planes: &'a [u8], stride: usize) -> &'a [u8] {
         if step == 1 {
             return planes;
@@ -133,7 +133,7 @@ impl Stepped {
     }
 }
 
-/// A row's planes of both images, the right one's from right to left.
+/// A row's planes of both images, the right one mirrored.
 #[derive(Clone, Copy)]
 struct Line<'a> {
     left: &'a [u8],
@@ -143,7 +143,7 @@ struct Line<'a> {
 struct Zoned<'a, S, P> {
     plan: &'a Plan,
     zone: &'a Zone,
-    /// The one that enters the block, and the one that leaves it.
+    /// The row that enters the block, and the one that leaves it.
     rows: [Line<'a>; 2],
     left_stride: usize,
     right_stride: usize,
@@ -153,7 +153,7 @@ struct Zoned<'a, S, P> {
     out: &'a mut [P],
 }
 
-/// `PLANES` of the census transform, `B` candidates at a time.
+/// Costs from `PLANES` planes of the census transform, `B` candidates at a time.
 struct Costs<'a, S, P, const PLANES: usize, const B: usize>(Zoned<'a, S, P>);
 
 impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs<'_, S, P, PLANES, B> {
@@ -182,7 +182,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs
             for x in 0..width + reach {
                 if x < width {
                     let place = width - 1 - x + zone.first;
-                    // Divisions cost as much as a block.
+                    // Division is as expensive as a block.
                     let place = match zone.step {
                         1 => place,
                         step => place % step * phase_stride + place / step,
@@ -198,7 +198,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs
                     for k in 0..B {
                         column[k] = column[k].plus(enters[k]).minus(leaves[k]);
                     }
-                    // What would be matched with what is left of the right image.
+                    // Candidates outside the right image have a fixed cost.
                     let first = zone.first + block * B * zone.step;
                     let inside = (x + zone.step).saturating_sub(first) / zone.step;
                     for own in column.iter_mut().skip(inside) {
@@ -206,7 +206,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs
                     }
                 }
                 let newest = x.min(width - 1);
-                // Beyond the borders is what is at them.
+                // The border is repeated outside the image.
                 for _ in 0..if x == 0 { reach + 1 } else { 1 } {
                     let Some(column) = chunk::<S, B>(columns, at(newest)) else {
                         return;
@@ -236,7 +236,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs
     }
 }
 
-/// What each of the candidates costs at one pixel: the bits that differ, or the whole equation.
+/// Returns the costs of the candidates at one pixel: the number of bits that differ, or the complete equation.
 #[inline(always)]
 fn raw<S: BlockSum, const PLANES: usize, const B: usize>(
     raw: Raw,

@@ -1,10 +1,10 @@
-//! Extended disparity: what is found in images of half the size, merged with what is found in whole ones.
+//! Extended disparity: merges the disparities of half-size images with those of full-size images.
 
 use oaktwin_image::Image;
 
 use super::census::Source;
 
-/// Half as many rows and columns; each pixel is the mean of four, halves up. An odd last row or column is left out.
+/// Halves an image; each pixel is the mean of four, halves up. An odd last row or column is dropped.
 pub(super) fn halve(image: &Source<'_>) -> (usize, usize, Vec<i16>) {
     let (width, height) = (image.width / 2, image.height / 2);
     let mut out = Vec::with_capacity(width * height);
@@ -17,8 +17,8 @@ pub(super) fn halve(image: &Source<'_>) -> (usize, usize, Vec<i16>) {
     (width, height, out)
 }
 
-/// Puts in what was found in halved images: where it is beyond the range of the whole ones, `beyond` steps, and where
-/// those have none. Of half the size, a disparity is half as large; `shift` steps are the shift.
+/// Merges the disparities of half-size images: they replace those of the full-size images beyond `beyond` steps and
+/// where these are invalid. Disparities are doubled; `shift` is the disparity shift in steps.
 pub(super) fn merge(
     half: (&Image<u16>, &Image<u8>),
     shift: u32,

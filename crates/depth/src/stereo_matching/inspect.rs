@@ -1,41 +1,42 @@
-//! What is wrong with a pair, as far as the images show it.
+//! Detects problems of a pair from its images.
 
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::pair::Pair;
 use super::parameters::Parameters;
 
-/// Columns and rows around a point that are compared.
+/// The number of columns and rows compared on each side of a point.
 const WINDOW: [usize; 2] = [6, 3];
 
-/// Rows that a point is looked for above and below, px.
+/// The maximum vertical offset that is searched in both directions, px.
 const MOST_ROWS: usize = 16;
 
-/// Cells of a row and of a column of the image, each of which gives one point.
+/// The number of cells along a row and along a column of the image; each cell gives one point.
 const CELLS: [usize; 2] = [24, 14];
 
-/// Grey levels that a point's neighbours differ by, along and across, at least.
+/// The minimum difference of a point's neighbours, horizontally and vertically, in grey levels.
 const TEXTURE: u32 = 10;
 
-/// Fewer points say nothing.
+/// The minimum number of points for a finding.
 const FEWEST: usize = 12;
 
-/// A place is another if points differ this many times less there.
+/// The factor by which the difference must be smaller at another position.
 const BETTER: f64 = 1.5;
 
-/// What fits by chance differs by so much of what it differs from any other row, and of its own contrast, at least.
+/// A match is by chance if its difference exceeds these shares of the difference at an unrelated row and of the
+/// contrast.
 const CHANCE: [f64; 2] = [0.75, 0.5];
 
-/// A mean difference of no more grey levels may be all of noise, in dim light.
+/// The mean difference in grey levels that noise in dim light can explain.
 const NOISE: f64 = 4.0;
 
-/// Grey levels that are noise.
+/// The minimum difference for comparisons, in grey levels: the level of noise.
 const FLOOR: f64 = 1.0;
 
-/// The share of pixels that may be as bright as can be.
+/// The maximum share of saturated pixels.
 const SATURATED: f64 = 0.4;
 
-/// What about a pair, or about what is searched in it, makes depth wrong or none. Each finding is a warning:
+/// Returns the problems of a pair, or of its search range, that make depth wrong or invalid. All findings are warnings:
 /// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
 #[must_use]
 pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
@@ -107,7 +108,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
     let by_rows = |is_swapped| {
         let rows = -most..=most;
         let all = rows.map(|rows| (look.difference(&points, rows, is_swapped), rows));
-        // Of equal ones the nearest row.
+        // Of equal differences, the smallest offset.
         let least = all.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs())));
         least.unwrap_or((f64::MAX, 0))
     };
@@ -149,7 +150,7 @@ struct Look<'a> {
     height: usize,
     left: &'a [u8],
     right: &'a [u8],
-    /// Columns that a point is looked for sideways.
+    /// The number of columns searched to one side of a point.
     reach: usize,
 }
 
@@ -158,7 +159,7 @@ impl Look<'_> {
         image.get(y * self.width + x).copied().unwrap_or_default().into()
     }
 
-    /// The most textured place of each cell of an image, where it has any.
+    /// Returns the point with the most texture in each cell of an image, if it has enough.
     fn points(&self, image: &[u8]) -> Vec<[usize; 2]> {
         let [side, up] = [WINDOW[0] + 1, WINDOW[1] + 1];
         let (left, top) = (self.reach + side, MOST_ROWS.min(self.height / 8) + up);
@@ -189,8 +190,8 @@ impl Look<'_> {
         points
     }
 
-    /// Whether points that differ so much fit no better than where they cannot be, half an image above or below. A pattern
-    /// that repeats fits there too, but well.
+    /// Whether points with the mean difference `least` match no better than half an image above or below, where they
+    /// cannot correspond. A repeating pattern matches there too, but with a small difference.
     fn is_by_chance(&self, points: &[[usize; 2]], least: f64) -> bool {
         let far = self.height.cast_signed() / 2;
         if far <= 2 * MOST_ROWS.cast_signed() || least <= NOISE {
@@ -202,7 +203,7 @@ impl Look<'_> {
         least > CHANCE[0] * elsewhere && least > CHANCE[1] * self.contrast(points)
     }
 
-    /// The mean grey levels by which the pixels around points differ from their mean.
+    /// Returns the mean absolute deviation around the points, in grey levels.
     fn contrast(&self, points: &[[usize; 2]]) -> f64 {
         let [side, up] = WINDOW;
         let area = ((2 * side + 1) * (2 * up + 1)) as f64;
@@ -217,8 +218,8 @@ impl Look<'_> {
         all.sum::<f64>() / points.len().max(1) as f64
     }
 
-    /// The mean grey levels by which points differ from where they fit best, so many rows below; to the left, or swapped
-    /// to the right.
+    /// Returns the mean difference in grey levels between the points and their best match `rows` rows below: to the
+    /// left, or to the right if the images are swapped.
     fn difference(&self, points: &[[usize; 2]], rows: isize, is_swapped: bool) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for &[x, y] in points {

@@ -1,24 +1,24 @@
-//! Numbers of the widths that costs fit into: the narrower, the more of them at a time.
+//! The integer types of costs: narrower ones process more values at a time.
 
-/// A cost, or a sum of costs. What is added is known to fit: [`Plan`](super::plan::Plan) chooses the width.
+/// A cost or a sum of costs. Sums do not overflow: [`Plan`](super::plan::Plan) chooses the width.
 pub(super) trait Lane: Copy + Ord + Default + std::fmt::Debug + Send + Sync + 'static {
-    /// The largest, which nothing is worse than.
+    /// The largest value.
     const MAX: Self;
-    /// A cost and the candidate that has it, ordered by cost, then by candidate.
+    /// A cost with its candidate, ordered by cost, then by candidate.
     type Key: Copy + Ord + std::fmt::Debug + Send + Sync + 'static;
-    /// The worst key.
+    /// The largest key.
     const LAST: Self::Key;
 
     fn of(value: u16) -> Self;
     fn wide(self) -> u16;
     fn plus(self, other: Self) -> Self;
-    /// Stops at the largest.
+    /// Adds, saturating at the largest value.
     fn plus_saturating(self, other: Self) -> Self;
     fn minus(self, other: Self) -> Self;
-    /// The largest where a byte is 255, itself where it is 0.
+    /// Returns the largest value if the mask is 255, the value itself if it is 0.
     fn masked(self, mask: u8) -> Self;
     fn key(self, candidate: u8) -> Self::Key;
-    /// The key's cost and its candidate.
+    /// Returns the key's cost and candidate.
     fn open(key: Self::Key) -> (Self, u8);
 }
 
@@ -79,7 +79,7 @@ macro_rules! lane {
 lane!(u8, u16);
 lane!(u16, u32);
 
-/// A sum of at most 9 bits: with the 7 of a candidate, its key has 16.
+/// A sum of at most 9 bits, so that with a candidate of 7 bits its key has 16.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(transparent)]
 pub(super) struct Short(u16);

@@ -40,7 +40,7 @@ impl Luminance<'_> {
         }
     }
 
-    /// The number of bits of a pixel.
+    /// The number of bits per pixel.
     #[must_use]
     pub const fn bits(&self) -> u32 {
         match self {

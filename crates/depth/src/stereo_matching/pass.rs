@@ -1,7 +1,8 @@
 //! One pass of the matcher over a pair.
 //!
-//! Two scans go over the rows, one downward and one upward, on two threads. They meet in the middle, each leaving sums
-//! behind; then each adds to what the other has left, and finishes those rows. Sums are the same in whatever order.
+//! Two scans run on two threads, one downward and one upward. Until they meet in the middle, each stores its sums; then
+//! each adds its sums to the stored ones and completes those rows. The result does not depend on the order of
+//! execution.
 
 use oaktwin_simd::Level;
 
@@ -11,7 +12,7 @@ use super::plan::{Plan, Width};
 use super::rvc4;
 use super::scan::{Scan, View};
 
-/// Memory of a pass, kept for the next.
+/// The buffers of a pass, reused for the next one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Workspace {
     census: [Census; 2],
@@ -26,7 +27,7 @@ pub(super) struct Workspace {
 struct Scans<P: Lane, H: Lane, S: Lane> {
     down: Scan<P, S>,
     up: Scan<P, S>,
-    /// Of each pixel, candidates innermost: the sums that one scan leaves to the other.
+    /// The stored sums of one scan for each pixel, candidates innermost.
     halves: Vec<H>,
 }
 
@@ -40,7 +41,8 @@ impl<P: Lane, H: Lane, S: Lane> Default for Scans<P, H, S> {
     }
 }
 
-/// Matches a left and a right image of one size; fills all of `disparity`, steps from the shift or 0, and `confidence`.
+/// Matches two images of the same size. Fills `disparity`, in steps from the shift with 0 for invalid, and
+/// `confidence`.
 pub(super) fn run(
     level: Level,
     plan: &Plan,

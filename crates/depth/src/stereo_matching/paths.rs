@@ -1,26 +1,26 @@
-//! Costs along paths, summed: the rows of a scan, one after the other.
+//! Semi-global aggregation of costs along paths, row by row.
 //!
-//! A path's cost of a candidate d at a pixel is L(d) = C(d) + min(L′(d), L′(d ± 1) + P1, min L′ + P2) − min L′, with L′ of
-//! the pixel before. What is kept of a pixel is L − min L, for 3 paths that come from the row before and one along the row.
+//! The path cost of a candidate d at a pixel is L(d) = C(d) + min(L′(d), L′(d ± 1) + P1, min L′ + P2) − min L′, with L′
+//! of the previous pixel of the path. L − min L is stored for 3 paths from the previous row and one along the row.
 
 use oaktwin_simd::Kernel;
 
 use super::lanes::Lane;
 
-/// Paths that come from the row before: straight, from the pixel before, from the pixel after.
+/// The number of paths from the previous row: vertical, and diagonally from the previous and from the next pixel.
 pub(super) const FROM_ROW: usize = 3;
 
-/// Between two pixels' candidates, worse than all: what is next to the first and the last.
+/// The number of maximal values between two pixels' candidates: the neighbours of the first and the last candidate.
 const GUARD: usize = 32;
 
-/// Most candidates, and a guard on either side.
+/// The maximum number of candidates, with a guard on either side.
 const LINE: usize = 128;
 
-/// What is kept of a path for each pixel of a row.
+/// The stored costs of one path for each pixel of a row.
 #[derive(Clone, Debug)]
 pub(super) struct Slots<P> {
     values: Vec<P>,
-    /// Of the first pixel's guard.
+    /// The start of the first pixel's guard.
     start: usize,
 }
 
@@ -34,7 +34,7 @@ impl<P> Default for Slots<P> {
 }
 
 impl<P: Lane> Slots<P> {
-    /// Of a row of pixels that nothing comes before.
+    /// Resets the slots for a row without predecessors.
     pub(super) fn reset(&mut self, width: usize, candidates: usize) {
         const ALIGNED: usize = 64;
         let stride = candidates + GUARD;
@@ -47,7 +47,7 @@ impl<P: Lane> Slots<P> {
         }
     }
 
-    /// Nothing comes before this pixel.
+    /// Resets the slot of a pixel without a predecessor.
     pub(super) fn restart(&mut self, pixel: usize, candidates: usize) {
         let first = self.start + 1 + pixel * (candidates + GUARD);
         if let Some(slot) = self.values.get_mut(first..first + candidates) {
@@ -55,34 +55,34 @@ impl<P: Lane> Slots<P> {
         }
     }
 
-    /// From the first pixel's guard on.
+    /// The slots from the first pixel's guard on.
     fn all(&mut self) -> &mut [P] {
         self.values.get_mut(self.start..).unwrap_or_default()
     }
 }
 
-/// The two penalties of each pixel of a row, or one pair for all.
+/// P1 and P2 of each pixel of a row, or one pair for all.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Penalties<'a, P> {
     pub(super) pairs: &'a [[P; 2]],
 }
 
-/// Where a row's sums go.
+/// The destination of a row's sums.
 pub(super) enum Sums<'a, H, S> {
-    /// To the scan that comes later, as far as they are.
+    /// The sums of the first scan, which the second one completes.
     Half(&'a mut [H]),
-    /// With those that the earlier scan left.
+    /// The sums of the first scan, and the output for the sums of both.
     Whole(&'a [H], &'a mut [S]),
 }
 
-/// One row of a scan, with the first `PATHS` of: along the row, and [`FROM_ROW`].
+/// One row of a scan, with `PATHS` paths: along the row, then those of [`FROM_ROW`].
 pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
-    /// Of each pixel, candidates innermost.
+    /// The costs of each pixel, candidates innermost.
     pub(super) costs: &'a [P],
-    /// As `costs`.
+    /// The sums in the layout of `costs`.
     pub(super) sums: Sums<'a, H, S>,
     pub(super) slots: &'a mut [Slots<P>; FROM_ROW],
-    /// The number of this row in the scan.
+    /// The index of this row in the scan.
     pub(super) number: usize,
     pub(super) penalties: [Penalties<'a, P>; 1 + FROM_ROW],
     /// Whether the scan goes from right to left.
@@ -90,8 +90,8 @@ pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
 }
 
 impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, H, S, D, PATHS> {
-    /// Slots stay where they are and pixels go from one to the next, so that what comes from the pixel before stands where
-    /// its own is written.
+    /// Returns the slot of the first pixel for each path. Costs stay in their slots while pixels move from one slot to
+    /// the next with each row, so that a pixel reads its predecessor's costs from the slot that it writes to.
     #[inline(always)]
     fn slots_of_first(&self, width: usize) -> [usize; FROM_ROW] {
         let shift = self.number % width.max(1);
@@ -109,7 +109,7 @@ impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel for R
             return;
         }
         let mut at = self.slots_of_first(width);
-        // Nothing comes from beyond the borders.
+        // Paths that start at a border have no predecessor.
         let [_, before, after] = self.slots;
         if PATHS > 2 {
             before.restart(at[1], D);
@@ -175,11 +175,12 @@ pub(super) fn chunk_mut<T, const N: usize>(all: &mut [T], start: usize) -> Optio
     all.get_mut(start..)?.first_chunk_mut()
 }
 
-/// One path's costs at a pixel, from those of the pixel before at `slot`'s guard, where they then stand less the least of
-/// them; they are added to `total`. Says what the least is.
+/// Computes one path's costs at a pixel from those of the previous pixel at `slot`'s guard, adds them to `total`, and
+/// stores them less their minimum in the same slot. Returns the minimum.
 ///
-/// Along the row, which comes first, `total` begins, and they stand as they are; `base` is the least of those before. There
-/// the next pixel waits for this one: that its least need not be known before it is taken off saves half of that.
+/// The path along the row comes first: it initializes `total` and stores its costs without subtracting their minimum;
+/// `base` is the minimum of the previous pixel. Each pixel waits for the previous one there, and subtracting the
+/// minimum later halves this latency.
 #[inline(always)]
 fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
     slots: &mut [P],

@@ -1,70 +1,70 @@
-//! What parameters mean for a pair of some size.
+//! The constants of a matcher pass for one image size, derived from the parameters.
 
 use super::parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
 use super::rvc4::Steps;
 use crate::preset::Platform;
 
-/// Most candidates.
+/// The maximum number of candidates.
 pub(super) const MOST: usize = 96;
 
-/// Candidates at even steps of disparity.
+/// A range of candidates with a constant disparity step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Zone {
-    /// Its first candidate.
+    /// The index of its first candidate.
     pub(super) start: usize,
     pub(super) count: usize,
-    /// The disparity of the first, px.
+    /// The disparity of its first candidate, px.
     pub(super) first: usize,
-    /// px.
+    /// The disparity step, px.
     pub(super) step: usize,
 }
 
-/// How one pass is done.
+/// The settings of one pass.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) zones: Vec<Zone>,
     pub(super) candidates: usize,
-    /// Of each candidate, px.
+    /// The disparity of each candidate, px.
     pub(super) disparities: [u16; MOST],
     pub(super) shift: u16,
-    /// Rows and columns of the census window, and its pixels that count, from its top left one.
+    /// The rows and columns of the census window, and the pixels in the mask relative to its top left one.
     pub(super) window: [usize; 2],
     pub(super) pixels: Vec<[usize; 2]>,
     pub(super) mean_mode: bool,
-    /// Grey levels of 8 bits.
+    /// The census threshold in 8-bit grey levels.
     pub(super) census_threshold: i32,
     pub(super) census_scale: i32,
     pub(super) raw: Raw,
-    /// Rows and columns over which costs are averaged.
+    /// The side of the block over which costs are averaged.
     pub(super) block: usize,
     pub(super) penalties: Penalties,
-    /// Of the scan from above, and of the one from below.
+    /// The number of paths of the downward and the upward scan.
     pub(super) paths: [usize; 2],
     pub(super) division: u8,
     pub(super) width: Width,
     pub(super) check: Option<u16>,
-    /// Whether it is asked what the right image's disparities are.
+    /// Whether the disparities of the right image are needed.
     pub(super) looks_back: bool,
     pub(super) confidence: u8,
     pub(super) invalid_edge: usize,
     pub(super) bits: u32,
     pub(super) interpolation: Interpolation,
-    /// What RVC4 does then.
+    /// RVC4's post-processing.
     pub(super) rvc4: Option<Steps>,
 }
 
-/// What a pixel's own cost is made of.
+/// The matching cost of a single pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Raw {
-    /// The bits that differ, in each 16 of the equation.
+    /// The number of census bits that differ; each counts 16 in the linear equation.
     Bits { most: u8 },
-    /// The equation.
+    /// The complete linear equation.
     Equation { alpha: u32, beta: u32, most: u32 },
 }
 
 impl Raw {
     fn new(p: &Parameters, bits: usize) -> Self {
-        /// Of the threshold.
+        /// The cost per unit of the threshold.
         const STEP: u32 = 32;
         let (alpha, beta) = (u32::from(p.alpha), u32::from(p.beta));
         let most = alpha * 255 + beta * 8 * counter(bits);
@@ -78,7 +78,7 @@ impl Raw {
         }
     }
 
-    /// The most that the equation can be.
+    /// The maximum cost of the equation.
     fn most(self) -> u32 {
         match self {
             Self::Bits { most } => 16 * u32::from(most),
@@ -86,8 +86,9 @@ impl Raw {
         }
     }
 
-    /// That of what would be matched beyond the image: less than of a wrong match, in which half of the bits differ, so
-    /// that what only the left image sees is matched there, and found to be unseen; more than of most right ones.
+    /// The cost of a candidate outside the right image. It is below that of a wrong match, in which half of the bits
+    /// differ, so that a pixel visible only in the left image is matched there and detected as occluded; and above that
+    /// of most correct matches.
     pub(super) fn beyond(self) -> u32 {
         let bits = (3 * self.most()) >> 7;
         match self {
@@ -97,33 +98,34 @@ impl Raw {
     }
 }
 
-/// The penalties of paths.
+/// The penalties P1 and P2 of the paths.
 #[derive(Clone, Debug)]
 pub(super) enum Penalties {
-    /// Along the row, and from the row before.
+    /// The penalties along the row and those from the previous row.
     Fixed([[u16; 2]; 2]),
-    /// By the difference of grey levels.
+    /// The penalties by the difference of grey levels.
     Adaptive(Box<[[u16; 2]; 256]>),
 }
 
-/// What costs and sums fit into.
+/// The integer widths of costs and sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Width {
-    /// Costs and sums into 8 bits.
+    /// 8 bits for costs and sums.
     Narrow,
-    /// Costs and one scan's sums into 8 bits, all sums into 9.
+    /// 8 bits for costs and the sums of one scan, 9 bits for the sums of both.
     Short,
-    /// Costs into 8 bits, sums into 16.
+    /// 8 bits for costs, 16 bits for sums.
     Mixed,
-    /// Into 16 bits.
+    /// 16 bits for costs and sums.
     Wide,
 }
 
-/// `DepthAI`'s masks: every other pixel of every other row, row by row without the middle.
+/// `DepthAI`'s masks: every other pixel of every other row, row by row without the centre.
 const MASKS: [u64; 3] = [0xA8_2415, 0xAA02_A815_4055, 0x2AA0_0AA8_0554_0155];
 
 impl Parameters {
-    /// Which pixels of the window count in images `width` px wide: [`kernel_mask`](Self::kernel_mask), or `DepthAI`'s choice.
+    /// Returns the mask of the window's pixels for images `width` px wide: [`kernel_mask`](Self::kernel_mask), or
+    /// `DepthAI`'s choice.
     #[must_use]
     pub const fn mask_at(&self, width: usize) -> u64 {
         match (self.kernel_mask, self.kernel_size) {
@@ -137,7 +139,7 @@ impl Parameters {
 }
 
 impl Plan {
-    /// For a pass over images `width` px wide.
+    /// Creates the plan of a pass over images `width` px wide.
     pub(super) fn new(p: &Parameters, width: usize) -> Self {
         let window = match p.kernel_size {
             CensusKernel::Auto | CensusKernel::Kernel5x5 => [5, 5],
@@ -227,19 +229,19 @@ impl Plan {
         }
     }
 
-    /// The largest disparity, px.
+    /// Returns the largest disparity, px.
     pub(super) fn last(&self) -> usize {
         self.zones
             .last()
             .map_or(0, |zone| zone.first + (zone.count - 1) * zone.step)
     }
 
-    /// Pixels of a block.
+    /// The number of pixels in a block.
     pub(super) fn area(&self) -> u32 {
         counter(self.block * self.block)
     }
 
-    /// Bytes of a pixel's census transform: those that there is a matcher for.
+    /// The number of bytes of a pixel's census transform, rounded up to a number that the kernels support.
     pub(super) fn planes(&self) -> usize {
         match self.pixels.len().div_ceil(8) {
             0 | 1 => 1,
@@ -261,7 +263,7 @@ impl Penalties {
     }
 }
 
-/// The window's pixels that the mask has, from its top left one.
+/// Returns the window's pixels in the mask, relative to its top left one.
 fn pixels([rows, columns]: [usize; 2], mask: u64) -> Vec<[usize; 2]> {
     let middle = rows * columns / 2;
     let others = (0..rows * columns).filter(|&place| place != middle);
@@ -298,7 +300,7 @@ fn zones(p: &Parameters) -> Vec<Zone> {
         .collect()
 }
 
-/// A step of one is never dearer than any.
+/// Clamps P1 to P2.
 fn pair(p1: u32, p2: u32) -> [u16; 2] {
     [narrow(p1.min(p2)), narrow(p2)]
 }

@@ -1,4 +1,4 @@
-//! Fractions of disparities, confidence, and what is lost.
+//! Subpixel interpolation, confidence and invalidation.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
@@ -7,20 +7,20 @@ use super::plan::Plan;
 use super::rvc4::{LOST, OCCLUDED};
 use super::select::Found;
 
-/// No candidate of the right image.
+/// The value for a pixel without a disparity in the right image.
 pub(super) const NONE: u16 = u16::MAX;
 
-/// Memory for a row.
+/// The buffers of a row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Refined {
-    /// Steps of disparity from the winner.
+    /// The fractions of the disparity steps, relative to the winner.
     fractions: Vec<f32>,
-    /// The winning disparity of each right pixel, px, or [`NONE`].
+    /// The winning disparity of each right pixel in px, or [`NONE`].
     pub(super) right: Vec<u16>,
 }
 
-/// A row's disparities, in steps from the shift, 0 for none; and its confidence, 255 (s₂ − s₁) / s₂. For the steps of RVC4 all
-/// winners' disparities, with [bits](LOST) that say what is against them.
+/// Computes a row's disparities, in steps from the shift with 0 for invalid, and its confidence 255 (s₂ − s₁) / s₂. For
+/// RVC4, the disparities of all winners are kept, with [bits](LOST) that mark the rejected ones.
 pub(super) fn row(
     level: Level,
     plan: &Plan,
@@ -62,11 +62,11 @@ pub(super) fn row(
     }
 }
 
-/// A winner's disparity, in steps from the shift.
+/// Returns a winner's disparity, in steps from the shift.
 #[inline(always)]
 fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
     let own = plan.disparities[candidate];
-    // The step to the neighbour that the fraction goes to.
+    // The distance to the neighbour on the side of the fraction.
     let toward = if fraction < 0.0 {
         candidate.wrapping_sub(1)
     } else {
@@ -84,7 +84,7 @@ fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
     fixed
 }
 
-/// A winner's disparity with its bits.
+/// Returns a winner's disparity with its bits.
 fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
     let candidate = usize::from(found.best[x]);
     let own = plan.disparities[candidate];
@@ -95,7 +95,8 @@ fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
         | if is_seen { 0 } else { OCCLUDED }
 }
 
-/// How far the right image's disparity is from a winner's, px; none where that has none, or is beyond the image.
+/// Returns the difference between a winner's disparity and that of its counterpart in the right image, px; `None` if
+/// the counterpart has none or is outside the image.
 #[inline(always)]
 fn apart(memory: &Refined, own: u16, x: usize) -> Option<u16> {
     let partner = x.checked_sub(own.into())?;
@@ -103,7 +104,7 @@ fn apart(memory: &Refined, own: u16, x: usize) -> Option<u16> {
     (other != NONE).then(|| other.abs_diff(own))
 }
 
-/// Whether a winner is in both images, off the edge, and passes the left-right check if there is one.
+/// Whether a winner is inside both images, not in the invalid edge, and passes the left-right check, if enabled.
 #[inline(always)]
 fn holds(plan: &Plan, own: u16, x: usize, apart: Option<u16>) -> bool {
     let agrees = match plan.check {
@@ -155,7 +156,8 @@ fn parabola(before: f32, own: f32, after: f32) -> (f32, f32) {
 }
 
 impl Fractions<'_> {
-    /// `vertex` makes of five sums, and whether all are of candidates, a fraction's two parts.
+    /// Computes the fractions. `vertex` returns the numerator and the denominator from five sums and whether all of
+    /// them are valid.
     #[inline(always)]
     fn all(self, vertex: impl Fn([f32; 5], bool) -> (f32, f32)) {
         let width = self.fractions.len();

@@ -1,4 +1,4 @@
-//! A scan over the rows of an image, downward from left to right, or upward from right to left.
+//! A scan over the rows of an image: downward from left to right, or upward from right to left.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
@@ -10,33 +10,33 @@ use super::plan::{self, Plan};
 use super::refine::{self, NONE, Refined};
 use super::select::{Found, RightKeys, Select};
 
-/// What both scans look at.
+/// The input of both scans.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
     pub(super) level: Level,
     pub(super) plan: &'a Plan,
-    /// Of the left image, and of the right one from right to left.
+    /// The left image, and the right one mirrored.
     pub(super) census: [&'a Census; 2],
     pub(super) width: usize,
 }
 
-/// A row's sums of one scan.
+/// The sums of one scan for a row.
 enum Half<'a, H> {
-    /// This one's, for the other.
+    /// The output for this scan's sums, which the other scan completes.
     Left(&'a mut [H]),
-    /// The other's.
+    /// The sums of the other scan.
     Found(&'a [H]),
 }
 
-/// Where a scan is, and its memory.
+/// The position and the memory of a scan.
 #[derive(Clone, Debug)]
 pub(super) struct Scan<P: Lane, S: Lane> {
     slots: [Slots<P>; FROM_ROW],
-    /// Rows that it has seen.
+    /// The number of rows processed.
     number: usize,
     blocks: Blocks,
     costs: Vec<P>,
-    /// Of all paths.
+    /// The sums of all paths.
     sums: Vec<S>,
     penalties: [Vec<[P; 2]>; 1 + FROM_ROW],
     found: Found,
@@ -61,7 +61,7 @@ impl<P: Lane, S: Lane> Default for Scan<P, S> {
 }
 
 impl<P: Lane, S: Lane> Scan<P, S> {
-    /// Before the first row.
+    /// Resets the scan to before its first row.
     pub(super) fn begin(&mut self, view: View<'_>) {
         let candidates = view.plan.candidates;
         self.number = 0;
@@ -73,7 +73,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         self.found.resize(view.width);
     }
 
-    /// The next row's costs along paths, into `half`.
+    /// Writes the path costs of the next row to `half`.
     pub(super) fn begin_row<H: Lane, const D: usize>(
         &mut self,
         view: View<'_>,
@@ -85,7 +85,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         self.follow::<H, D>(view, is_up, Half::Left(half));
     }
 
-    /// The next row's costs along paths with those of the other scan, and what they say.
+    /// Adds the path costs of the next row to those of the other scan, and finds disparity and confidence.
     pub(super) fn finish_row<H: Lane, const D: usize>(
         &mut self,
         view: View<'_>,
@@ -135,7 +135,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         simd::run_at(level, row);
     }
 
-    /// Of each pixel in the order of the scan.
+    /// Sets the penalties of each pixel, in the order of the scan.
     fn set_penalties(&mut self, view: View<'_>, y: usize, is_up: bool) {
         let table = match &view.plan.penalties {
             plan::Penalties::Fixed([along, from_row]) => {
@@ -173,7 +173,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         }
     }
 
-    /// What all sums of a row say.
+    /// Finds the disparities and the confidence of a row from its sums.
     fn find<const D: usize>(&mut self, view: View<'_>, disparity: &mut [u16], confidence: &mut [u8]) {
         let plan = view.plan;
         let sums = &mut self.sums;
@@ -220,7 +220,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     }
 }
 
-/// Whole quotients: of 16 bits by 8, single precision is exact enough for them.
+/// Integer division of 16 bits by 8, for which single precision is exact enough.
 struct Divide<'a, S> {
     sums: &'a mut [S],
     by: f32,

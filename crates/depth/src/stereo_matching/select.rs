@@ -1,4 +1,4 @@
-//! The winner takes all: each pixel's candidate of the least sum, and each right pixel's.
+//! Winner takes all: the candidate with the smallest sum for each pixel of the left and the right image.
 
 use oaktwin_simd::Kernel;
 
@@ -6,14 +6,14 @@ use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
 use super::plan::{MOST, Plan, Zone};
 
-/// What is found in a row, for each pixel.
+/// The winners of a row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     /// The winning candidate.
     pub(super) best: Vec<u8>,
-    /// The sums of the winner and of two candidates on each side; those beyond the range are not looked at.
+    /// The sums of the winner and of two candidates on each side; those beyond the range are undefined.
     pub(super) around: [Vec<u16>; 5],
-    /// The least sum of the others but those beside the winner.
+    /// The smallest sum, except those of the winner and its neighbours.
     pub(super) second: Vec<u16>,
 }
 
@@ -27,7 +27,7 @@ impl Found {
     }
 }
 
-/// The keys of a row of the right image: of each zone from right to left, in the zone's steps.
+/// The keys of a row of the right image, grouped by zone and phase of the zone's step, from right to left.
 #[derive(Clone, Debug)]
 pub(super) struct RightKeys<K> {
     keys: Vec<K>,
@@ -39,7 +39,7 @@ impl<K> Default for RightKeys<K> {
     }
 }
 
-/// Where a zone's keys are: its first, how many a phase has.
+/// Returns each zone with the index of its first key and the number of keys in a phase.
 fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = (&Zone, usize, usize)> {
     zones.iter().scan(0, move |first, zone| {
         let phase = (width + zone.first).div_ceil(zone.step) + zone.count;
@@ -57,7 +57,7 @@ impl<K: Copy + Ord> RightKeys<K> {
         self.keys.resize(room, last);
     }
 
-    /// Each right pixel's least key, from right to left.
+    /// Passes the smallest key of each right pixel to `take`, from right to left.
     pub(super) fn read(&self, plan: &Plan, width: usize, mut take: impl FnMut(usize, K)) {
         if plan.zones.len() == 1 {
             for (place, &key) in self.keys.iter().take(width).enumerate() {
@@ -77,7 +77,7 @@ impl<K: Copy + Ord> RightKeys<K> {
     }
 }
 
-/// Those beside the winner at [`MOST`], and itself.
+/// A mask of the candidates around index [`MOST`]: the winner and its neighbours.
 const BESIDE: [u8; 2 * MOST + 1] = {
     let mut mask = [0; 2 * MOST + 1];
     mask[MOST - 1] = 255;
@@ -91,11 +91,12 @@ pub(super) struct Select<'a, S: Lane, const D: usize> {
     pub(super) plan: &'a Plan,
     pub(super) sums: &'a [S],
     pub(super) found: &'a mut Found,
-    /// Where the directions are to be compared.
+    /// The keys of the right image, if its disparities are needed.
     pub(super) right: Option<&'a mut RightKeys<S::Key>>,
 }
 
-/// Pixels so far apart meet no common pixel of the right image: what one has written is not read at once by the next.
+/// The maximum number of pixels per sweep over a row. Consecutively processed pixels are so far apart that they share
+/// no pixel of the right image, so that no key is read right after it was written.
 const APART: usize = 8;
 
 impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
@@ -161,7 +162,7 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
     }
 }
 
-/// As where there is one zone.
+/// Updates the keys of the right image for several zones.
 #[inline(always)]
 fn zoned<K: Copy + Ord>(zones: &[Zone], width: usize, x: usize, keys: &[K], right: &mut [K]) {
     for (zone, start, phase) in layout(zones, width) {

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::error::{error, wrong};
 use crate::images::array;
 
-/// Returns the depth sensor's annotator of a name.
+/// Returns the depth sensor annotator with a name.
 pub(super) fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
     if found.is_depth_sensor() {

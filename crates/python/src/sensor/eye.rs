@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use super::DepthSensor;
 use crate::error::{error, wrong};
 
-/// What images of one size are looked at with.
+/// The sensor and the camera for images of one size.
 #[derive(Clone)]
 pub(super) struct Eye {
     pub(super) camera: camera::Camera,
@@ -18,7 +18,7 @@ pub(super) struct Eye {
     pub(super) findings: Vec<diagnostic::Finding>,
 }
 
-/// What eyes are made of.
+/// The settings from which sensors for image sizes are made.
 pub(super) struct Source {
     pub(super) twin: Arc<Twin>,
     pub(super) depth: TwinDepthSensor,
@@ -27,7 +27,8 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// For images of a size; by default that of their camera, where it is known, or the model's own.
+    /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise that of the
+    /// model.
     pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
         let Self {
             twin,
@@ -63,7 +64,7 @@ impl Source {
 }
 
 impl DepthSensor {
-    /// The eye for a size; another size than before forgets all frames.
+    /// Returns the sensor for an image size; a change of size clears the memory of earlier frames.
     pub(super) fn look<'a>(&self, eye: &'a mut Eye, size: ImageSize) -> PyResult<&'a mut Eye> {
         if eye.camera.intrinsics.size != size {
             *eye = self.source.eye(Some(size))?;
@@ -71,7 +72,7 @@ impl DepthSensor {
         Ok(eye)
     }
 
-    /// What is there of the images of a size.
+    /// Returns a copy of the sensor for an image size; by default, for the most recent one.
     pub(super) fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<Eye> {
         py.detach(|| {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);

@@ -4,10 +4,10 @@ use pyo3::prelude::*;
 use crate::camera::Camera;
 use crate::error::wrong;
 
-/// How much two ways to say a focal length may differ, a share of it: the rounding of single precision.
+/// The relative difference of equal focal lengths: the rounding of single precision.
 const SAME: f64 = 1e-5;
 
-/// What options say of the images; the camera, where it is given, says all.
+/// Returns the field of view from the options. A camera takes precedence, and the other options must agree with it.
 pub(super) fn field_of_view(
     fx: Option<f64>,
     hfov_deg: Option<f64>,
@@ -28,7 +28,7 @@ pub(super) fn field_of_view(
         FieldOfView::Degrees(hfov) => ("hfov_deg", hfov, own.hfov().to_degrees()),
         FieldOfView::Known | FieldOfView::Camera(_) => return Ok(FieldOfView::Camera(camera)),
     };
-    // Written so that what is no number is not the same.
+    // This form treats NaN as different.
     if (given - of_camera).abs() <= SAME * of_camera {
         return Ok(FieldOfView::Camera(camera));
     }

@@ -29,50 +29,53 @@ use crate::images::{Depth, Out, Pictures};
 use crate::settings::{Settings, isaac_name, kind};
 use crate::threads;
 
-/// The depth sensor of a device: exact depth in, what the device would have measured out.
+/// The depth sensor of a device: converts exact depth to the depth that the device would measure.
 ///
-/// device: whose.
-/// sensor: which of its depth sensors, "stereo" or "tof"; by default time of flight where it has it.
-/// engine: the model of the errors: "stereo-noise" (an OAK's stereo; the default of stereo), "time-of-flight" (the default
-///     of time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). For pairs of images see StereoMatcher.
-/// preset: one of DepthAI's for the device's platform: "default", "face", "robotics", ...: the mode and the filters.
-/// filters: filters as text, first to last, "spatial:alpha=0.5,delta=20"; they take the place of the preset's.
-/// parameters: values of the engine's parameters by name, a mapping; after everything else.
-/// seed: of the noise: the same seed, name, frame and item have the same noise.
-/// device_seed: of the device's calibration error; None has none.
-/// extended_disparity: find disparities up to 190 px instead of 95: nearer things.
-/// isaac: whose defaults "single-view" has, "5.1" or "6".
-/// fx: the images' focal length at their width, px; or hfov_deg: their horizontal field of view, degrees. Their principal
-///     point is then in the middle. By default they have the model's field of view, whatever their size.
-/// camera: what took the images, a Camera of their size: its focal length and principal point, which time of flight, points
-///     and aligned depth look at. fx and hfov_deg beside it may say the same. Images are rectified: a lens that bends rays
-///     is a finding.
-/// name: the camera's name, which tells its noise from other cameras'; by default the sensor's prim.
+/// device: the device.
+/// sensor: its depth sensor, "stereo" or "tof"; by default time of flight if the device has it.
+/// engine: the error model: "stereo-noise" (an OAK's stereo; the default for stereo), "time-of-flight" (the default for
+///     time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). For pairs of images use StereoMatcher.
+/// preset: the name of a DepthAI preset of the device's platform: "default", "face", "robotics", ...: sets the mode and
+///     the filters.
+/// filters: the filters as text, in order, such as "spatial:alpha=0.5,delta=20"; they replace the preset's filters.
+/// parameters: a mapping of the engine's parameters by name; overrides all other settings.
+/// seed: the noise seed: equal seeds, names, frames and items give equal noise.
+/// device_seed: the seed of the unit's calibration error; None disables it.
+/// extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
+/// isaac: the Isaac Sim version that determines the defaults of "single-view", "5.1" or "6".
+/// fx: the focal length of the images at their width, px; or hfov_deg: their horizontal field of view, degrees. Their
+///     principal point is then in the centre. By default, images have the model's field of view, whatever their size.
+/// camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
+///     points and aligned depth. fx and hfov_deg must agree with it. Images are rectified: a lens with distortion
+///     causes a finding.
+/// name: the name of the camera, which distinguishes its noise from that of other cameras; by default the sensor's
+///     prim.
 ///
-/// Raises oaktwin.Error for an engine, preset, filter or parameter that does not exist or is out of its range, with the
-/// nearest names; for a camera that has another field of view than fx or hfov_deg say.
+/// Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
+/// a camera whose field of view contradicts fx or hfov_deg.
 ///
-/// A call, `sensor(depth, rgb=None, *, frame=0, out=None)`, is what the sensor reports of exact depth:
+/// A call, `sensor(depth, rgb=None, *, frame=0, out=None)`, returns the measurement of exact depth:
 ///
-/// depth: one image (H, W), or a batch (N, H, W) of images of one moment, the environments of a simulator, each with
-///     noise of its own. float32: metres along the optical axis; uint16: whole millimetres. What is not finite and above
-///     0 is no surface. Any object with the buffer protocol, DLPack or NumPy's array interface in the memory of the CPU;
-///     it is read where it is if it is C-contiguous, else copied.
-/// rgb: the picture or pictures that the same camera took, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4): texture for
-///     the confidence, brightness for filters. Three channels are copied.
-/// frame: the number in the sequence: noise is new in every frame, and the same for the same.
-/// out: where to write: C-contiguous, of the result's shape, float32 for metres or uint16 for millimetres, and not the
-///     depth itself.
+/// depth: one image (H, W), or a batch (N, H, W) of simultaneous images, such as the environments of a simulator, each
+///     with its own noise. float32 metres along the optical axis, or uint16 millimetres. Values that are not finite or
+///     not above 0 are invalid. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array interface in
+///     CPU memory; C-contiguous arrays are read without a copy.
+/// rgb: the colour images of the same camera, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4), used for the texture in
+///     the confidence and for the brightness in filters. Three channels are copied.
+/// frame: the number of the frame in the sequence. Noise differs between frames and is reproducible for each.
+/// out: the output array: C-contiguous, with the shape of the result, float32 for metres or uint16 for millimetres, not
+///     overlapping the depth.
 ///
-/// Returns `out`, or a new NumPy array of depth's kind: metres or millimetres, 0 where nothing was measured. It has
-/// depth's shape, less where a filter decimates.
+/// Returns `out`, or a new NumPy array in the unit of the input: metres or millimetres, 0 where invalid. It has the
+/// shape of the input; smaller if a filter decimates.
 ///
-/// A temporal filter remembers the (H, W) images of earlier calls; the images of a batch have no past.
+/// A temporal filter uses the (H, W) images of earlier calls, but neither uses nor remembers the images of a batch.
 ///
-/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape, or size than the camera's.
+/// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
+/// a size that differs from the camera's.
 ///
-/// Safe to use from many threads; calls of one sensor with a temporal filter wait for each other. A pickle has the
-/// settings, and a calibration with its device, but not the images that were seen.
+/// Thread-safe; calls of one sensor with a temporal filter run one after another. Pickling preserves the settings and
+/// the device's calibration, but not the state of temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
     device: Py<Device>,
@@ -138,7 +141,7 @@ impl DepthSensor {
         };
         Ok(Self {
             device: whole.clone().unbind(),
-            // So what is wrong is told now.
+            // Reports invalid settings immediately.
             eye: Mutex::new(source.eye(None)?),
             source,
             camera,
@@ -169,7 +172,7 @@ impl DepthSensor {
         Ok(((&self.device,), options))
     }
 
-    /// See the class.
+    /// Measures a depth image or a batch; see the class.
     #[pyo3(signature = (depth, rgb = None, *, frame = 0, out = None))]
     fn __call__<'py>(
         &self,
@@ -208,19 +211,21 @@ impl DepthSensor {
         Ok(result)
     }
 
-    /// What Isaac Sim's annotators of the depth sensor report of one image, in one capture.
+    /// The outputs of Isaac Sim's depth sensor annotators for one image, from one measurement.
     ///
-    /// depth: exact depth (H, W), as of a call.
-    /// rgb: the picture, (H, W, 3 or 4) uint8, as of a call; the colours and the imager come from it.
-    /// annotators: names of Isaac Sim's depth sensor annotators, such as "depth_sensor_distance"; see `annotators()`.
-    /// frame: as of a call.
+    /// depth: exact depth (H, W), as in a call.
+    /// rgb: the colour image, (H, W, 3 or 4) uint8, as in a call; required for the colours and the imager.
+    /// annotators: the names of Isaac Sim's depth sensor annotators, such as "depth_sensor_distance"; see
+    ///     `annotators()`.
+    /// frame: as in a call.
     ///
-    /// Returns a dictionary by name: "depth_sensor_distance" (H, W) float32 metres, 0 where nothing was measured, the same
-    /// as of a call; positions (H, W, 4) float32 metres in the camera's frame with USD's axes (x right, y up, z backward)
-    /// and 1, colours (H, W, 4) uint8, both 0 where nothing was measured; the imager (H, W) float32, 0 to 1; the
-    /// visualization (H, W, 4) uint8. The last two only "single-view" has.
+    /// Returns a dictionary by name. "depth_sensor_distance": (H, W) float32 metres, 0 where invalid, as returned by a
+    /// call. Positions: (H, W, 4) float32 metres in the camera's frame with USD's axes (x right, y up, z backward),
+    /// then 1. Colours: (H, W, 4) uint8. Positions and colours are 0 where invalid. The imager: (H, W) float32, 0 to 1.
+    /// The visualization: (H, W, 4) uint8. Only "single-view" supports the imager and the visualization.
     ///
-    /// Raises oaktwin.Error for other names, for what the engine does not make, and for what needs a picture without one.
+    /// Raises oaktwin.Error for unknown names, for outputs that the engine does not support, and for a missing colour
+    /// image.
     #[pyo3(signature = (depth, rgb = None, *, annotators, frame = 0))]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn annotate<'py>(
@@ -268,7 +273,7 @@ impl DepthSensor {
         Ok(all)
     }
 
-    /// Forgets all earlier frames.
+    /// Resets the state of temporal filters.
     fn reset(&self, py: Python<'_>) {
         py.detach(|| {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
@@ -276,17 +281,18 @@ impl DepthSensor {
         });
     }
 
-    /// Measured depth as another camera of the device sees it: the nearest measurement in each of its pixels.
+    /// Reprojects measured depth to another camera of the device; the nearest measurement in each pixel wins.
     ///
-    /// depth: what this sensor reported, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
+    /// depth: the output of this sensor, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
     /// to: the camera: "rgb", "left", "right", "tof".
-    /// size: (width, height) of its image, by DepthAI's rule; by default the camera's own.
-    /// fill: "footprint" (default): a sample goes into all pixels that it covers; "nearest": into the one it falls into.
-    /// out: as of a call.
+    /// size: the (width, height) of its image, resized by DepthAI's rule; by default the camera's own.
+    /// fill: "footprint" (default) fills all pixels that a sample covers, "nearest" only the one that it falls into.
+    /// out: as in a call.
     ///
-    /// Returns metres (or millimetres) along that camera's axis, 0 where nothing was measured.
+    /// Returns metres (or millimetres) along that camera's axis, 0 where invalid.
     ///
-    /// Raises oaktwin.Error for a camera that the device has not, TypeError for what is no array or of another type.
+    /// Raises oaktwin.Error for a camera that the device does not have, TypeError for an object that is not an array or
+    /// has another dtype.
     #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,
@@ -306,7 +312,7 @@ impl DepthSensor {
         let eye = self.now(py, None)?;
         let seen = eye.camera.intrinsics.size;
         let filters = eye.sensor.filters();
-        // What a decimating sensor reported is of images that are larger.
+        // The output of a decimating sensor belongs to larger images.
         let of_images = if filters.size(seen.width, seen.height) == (shape.size.width, shape.size.height) {
             seen
         } else {
@@ -319,13 +325,13 @@ impl DepthSensor {
         aligned(py, &align, &depth, shape, out)
     }
 
-    /// "stereo-noise", "time-of-flight" or "single-view".
+    /// The engine: "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
         Ok(self.now(py, None)?.sensor.engine().kind().name)
     }
 
-    /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
+    /// The engine's parameters by name, in the format of `parameters=`, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let parameters = PyDict::new(py);
@@ -337,7 +343,7 @@ impl DepthSensor {
         Ok(parameters)
     }
 
-    /// The filters, as `filters=` takes them.
+    /// The filters, in the format of `filters=`.
     #[getter]
     fn filters(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         let sensor = self.now(py, None)?.sensor;
@@ -349,7 +355,7 @@ impl DepthSensor {
             .collect())
     }
 
-    /// What about the sensor is not as the device says, for images of the size that was looked at last.
+    /// Findings about the settings, for the most recent image size.
     #[getter]
     fn findings(&self, py: Python<'_>) -> PyResult<Vec<Finding>> {
         Ok(finding::list(&self.now(py, None)?.findings))

@@ -10,7 +10,7 @@ use crate::error::{error, wrong};
 use crate::images::{DepthSlice, OutSlice, Shape, part};
 use crate::threads;
 
-/// Pixels of a batch between two looks at the signals.
+/// The number of pixels of a batch between two checks for signals.
 const PIXELS_AT_ONCE: usize = 1 << 23;
 
 impl DepthSensor {
@@ -24,7 +24,8 @@ impl DepthSensor {
         out: &mut OutSlice<'_>,
     ) -> PyResult<()> {
         py.detach(|| {
-            // Held while a sensor that remembers looks, and taken before the pool's threads are: they never wait for it.
+            // A sensor with memory keeps the lock while it runs. It is taken before entering the pool, so that the
+            // pool's threads never wait for it.
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let sensor = &mut self.look(&mut eye, size)?.sensor;
             let metres = depth.metres();

@@ -87,7 +87,7 @@ fn bands<P: Pixel, const K: usize>(
     if width == 0 {
         return;
     }
-    // What a band sees of its neighbours, before they change.
+    // The rows around each band, before they change.
     let pixels = image.pixels();
     let above = |start: usize| pixels[start.saturating_sub(K / 2) * width..start * width].to_vec();
     let below = |end: usize| pixels[end * width..(end + K / 2).min(height) * width].to_vec();
@@ -165,7 +165,7 @@ where
     }
 }
 
-/// Pixels of a row from a column on; behind its end any.
+/// Returns the pixels of a row from a column on, padded with 0.
 #[inline(always)]
 fn load<P: Pixel>(row: &[P], x: usize) -> [P; LANES] {
     let rest = &row[x..];

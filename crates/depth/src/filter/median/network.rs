@@ -1,14 +1,14 @@
-//! Comparator networks, lane by lane. Those for medians begin with columns that are sorted and were found by a search: the
-//! sorting of each row, then of those that can still be the median, less every comparator that can be left out. That they
-//! are right follows from all inputs of zeros and ones (Knuth, *The Art of Computer Programming* 5.3.4), which are tested.
+//! Comparator networks, lane by lane. The median networks take sorted columns and were found by a search: they sort
+//! each row, then the values that can still be the median, without the comparators that are not needed. Testing all
+//! inputs of zeros and ones proves them correct (Knuth, *The Art of Computer Programming* 5.3.4).
 
 use super::{LANES, Pixel};
 
-/// Pixels of neighbouring columns.
+/// Neighbouring pixels of a row.
 pub(crate) type Lanes<P, const N: usize = LANES> = [P; N];
 
-/// Puts two places in order, in every lane. Lanes are a loop of their own for each pair: of a loop over lanes with many
-/// pairs in it the compiler makes no vectors.
+/// Sorts two values in every lane. The loop over the lanes contains one pair only: the compiler does not vectorize a
+/// loop over lanes with many pairs in it.
 #[inline(always)]
 fn order<P: Pixel, const N: usize>(places: &mut [Lanes<P, N>], [low, high]: [usize; 2]) {
     let (a, b) = (places[low], places[high]);
@@ -18,15 +18,15 @@ fn order<P: Pixel, const N: usize>(places: &mut [Lanes<P, N>], [low, high]: [usi
     }
 }
 
-/// Puts pairs of places in order, one after the other.
+/// Sorts pairs of values, one pair after the other.
 macro_rules! order {
     ($places:expr; $($low:literal $high:literal),*) => {$(
         order(&mut $places, [$low, $high]);
     )*};
 }
 
-/// The networks of squares of K columns. A trait's functions, as those handed over as values are not compiled for the
-/// instructions of the function that calls them.
+/// The networks of K×K pixels. They are trait functions because functions passed as values are not compiled for the
+/// instruction set of the calling function.
 pub(crate) trait Network<const K: usize> {
     /// Sorts a column.
     fn sort<P: Pixel, const N: usize>(column: &mut [Lanes<P, N>; K]);
@@ -43,8 +43,8 @@ impl Network<3> for Networks {
         order!(*column; 0 2, 0 1, 1 2);
     }
 
-    /// The median of three sorted columns: that of the largest of their first, the middle of their second and the smallest
-    /// of their third.
+    /// The median of three sorted columns is that of the largest of their smallest values, the median of their middle
+    /// values and the smallest of their largest values.
     #[inline(always)]
     fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 3]; 3]) -> Lanes<P, N> {
         let square = square.as_flattened_mut();
@@ -78,7 +78,7 @@ impl Network<7> for Networks {
         order!(*column; 0 6, 2 3, 4 5, 0 2, 1 4, 3 6, 0 1, 2 5, 3 4, 1 2, 4 6, 2 3, 4 5, 1 2, 3 4, 5 6);
     }
 
-    /// By rows first, then places of the whole square.
+    /// Sorts rows first, then values of the whole square.
     #[inline(always)]
     fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 7]; 7]) -> Lanes<P, N> {
         order!(square[0]; 0 6, 2 3, 0 2, 1 4, 3 6, 2 5, 1 2, 4 6, 2 3, 4 5, 3 4, 5 6);
@@ -102,7 +102,7 @@ impl Network<7> for Networks {
 mod tests {
     use super::*;
 
-    /// All columns of zeros and ones that are sorted, and the median of each K of them.
+    /// Checks the median of all combinations of K sorted columns of zeros and ones.
     fn is_right<const K: usize>()
     where
         Networks: Network<K>,
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn networks_find_the_median_of_all_zeros_and_ones() {
+    fn networks_find_the_median() {
         is_right::<3>();
         is_right::<5>();
         is_right::<7>();
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_sorted() {
+    fn networks_sort_columns() {
         sorts::<3>();
         sorts::<5>();
         sorts::<7>();

@@ -1,6 +1,6 @@
 use super::*;
 
-/// Runs of equal values in a row: value and length.
+/// Returns the runs of equal values in a row: value and length.
 fn runs(row: &[f32]) -> Vec<(f32, usize)> {
     let mut runs: Vec<(f32, usize)> = Vec::new();
     for &z in row {
@@ -16,7 +16,7 @@ fn runs(row: &[f32]) -> Vec<(f32, usize)> {
 const PX_M: f32 = 0.075 * 805.0;
 
 #[test]
-fn things_move_by_their_disparity_and_open_holes_on_the_left() {
+fn objects_move_by_their_disparity_and_leave_holes_on_the_left() {
     // 15.09 px at 4 m, 40.25 px at 1.5 m.
     let depth = step(1280, 1.5, 500, 700);
     let seen = distance(quiet(), &depth, 0);
@@ -31,7 +31,7 @@ fn things_move_by_their_disparity_and_open_holes_on_the_left() {
     for row in seen.rows() {
         assert_eq!(runs(row), expected);
     }
-    // The closed form: W/S·b·f·(1/z₁ − 1/z₂).
+    // The width of the hole in closed form: W/S·b·f·(1/z₁ − 1/z₂).
     assert!(((near - far) as f32 - PX_M * (1.0 / 1.5 - 1.0 / 4.0)).abs() <= 1.0);
 
     let seen = distance(
@@ -56,7 +56,7 @@ fn things_move_by_their_disparity_and_open_holes_on_the_left() {
 
 #[test]
 fn shifts_scale_with_the_width_of_the_image() {
-    // What the vendor's pictures show at 1920 px: 25 to 26 px at 3.5 m, 33 to 36 px at 2.5 m.
+    // The vendor's images at 1920 px show 25 to 26 px at 3.5 m and 33 to 36 px at 2.5 m.
     for (z, px) in [(3.5, 25..=26), (2.5, 33..=36)] {
         let depth = image(1920, 3, |_, _| z);
         for row in distance(quiet(), &depth, 0).rows() {
@@ -67,7 +67,7 @@ fn shifts_scale_with_the_width_of_the_image() {
 }
 
 #[test]
-fn the_steps_of_disparity_are_multiples_of_noise_mean() {
+fn disparities_are_multiples_of_noise_mean() {
     let mut recomputed = Assumptions::default();
     recomputed.set("depth", "recomputed").unwrap();
     let parameters = Parameters {
@@ -88,7 +88,7 @@ fn the_steps_of_disparity_are_multiples_of_noise_mean() {
         assert!((step - step.round()).abs() < 1e-3, "{z}");
         steps.insert(step.round() as u32);
     }
-    // From 60.4 px to 8.2 px.
+    // The disparities range from 60.4 px to 8.2 px.
     assert!(steps.len() > 180, "{}", steps.len());
     assert!(steps.iter().all(|step| (32..=242).contains(step)));
 }
@@ -102,7 +102,7 @@ fn depth_is_carried_unchanged_and_faces_keep_one_value() {
 }
 
 #[test]
-fn near_and_far_and_disparity_are_cut() {
+fn drops_samples_outside_the_distance_and_disparity_range() {
     let depths = [0.59, 0.6, 0.63, 0.64, 11.99, 12.0, 12.01, 1e6, 1e30];
     for z in depths {
         let seen = distance(quiet(), &image(1280, 1, |_, _| z), 0);
@@ -112,7 +112,7 @@ fn near_and_far_and_disparity_are_cut() {
 }
 
 #[test]
-fn what_is_no_surface_is_not_measured() {
+fn invalid_depths_are_not_measured() {
     for z in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -3.0, 1e-40] {
         let parameters = Parameters {
             min_distance_m: 0.0,
@@ -124,8 +124,8 @@ fn what_is_no_surface_is_not_measured() {
 }
 
 #[test]
-fn slanted_faces_are_pierced_where_disparity_steps() {
-    // 0.005 m a column toward the camera: disparity grows from 5.4 px by 7.2 px, and the row is stretched.
+fn slanted_faces_have_holes_at_disparity_steps() {
+    // The surface approaches by 0.005 m per column: disparity grows from 5.4 px by 7.2 px, and the row is stretched.
     let toward = image(400, 20, |x, _| 3.5 - x as f32 * 0.005);
     let parameters = Parameters {
         noise_sigma_px: 0.0,
@@ -135,14 +135,14 @@ fn slanted_faces_are_pierced_where_disparity_steps() {
     let row = seen.rows().next().unwrap();
     let first = row.iter().position(|&z| z > 0.0).unwrap();
     let holes: Vec<usize> = (first..400).filter(|&x| row[x] == 0.0).collect();
-    // A hole where it passes each half, the same ones in every row; what leaves the image takes some along.
+    // One hole per step of disparity, in the same columns of every row; some leave the image.
     assert!((5..=7).contains(&holes.len()), "{holes:?}");
     assert!(holes.windows(2).all(|pair| pair[1] > pair[0] + 1), "{holes:?}");
     assert!(seen.rows().all(|other| other == row));
 }
 
 #[test]
-fn left_edges_are_ragged_and_right_edges_cover() {
+fn left_edges_are_ragged_and_right_edges_have_no_hole() {
     let seen = distance(oak_d_pro(), &step(1280, 1.5, 500, 700), 4);
     let edges = |row: &[f32]| {
         let from = row.iter().position(|&z| z == 1.5).unwrap();
@@ -150,13 +150,13 @@ fn left_edges_are_ragged_and_right_edges_cover() {
         (from, to, row[to + 4])
     };
     let all: Vec<_> = seen.rows().map(edges).collect();
-    // Jitter moves whole patches: the left edge lies in different columns, within 2 px of where it should be.
+    // Jitter moves whole patches: the left edge varies between rows, within 2 px of its exact column.
     let lefts: std::collections::BTreeSet<usize> = all.iter().map(|edge| edge.0).collect();
     assert!(
         lefts.len() > 1 && lefts.iter().all(|x| x.abs_diff(540) <= 2),
         "{lefts:?}"
     );
-    // Right of the right edge the wall goes on without a hole.
+    // The wall continues without a hole to the right of the right edge.
     assert!(
         all.iter()
             .all(|&(_, to, beyond)| to.abs_diff(739) <= 2 && beyond == 4.0)
@@ -164,7 +164,7 @@ fn left_edges_are_ragged_and_right_edges_cover() {
 }
 
 #[test]
-fn noise_mean_0_switches_jitter_off_too() {
+fn noise_mean_0_disables_jitter() {
     let parameters = Parameters {
         noise_mean_px: 0.0,
         noise_sigma_px: 50.0,
@@ -180,8 +180,8 @@ fn noise_mean_0_switches_jitter_off_too() {
 }
 
 #[test]
-fn jitter_over_time_has_its_sigma_and_no_memory() {
-    // One wall, recomputed: d' of a pixel that does not move beyond itself, over frames.
+fn jitter_has_the_set_sigma_and_is_uncorrelated_over_time() {
+    // A wall with recomputed depth: the disparities of pixels that move to themselves, over several frames.
     let mut recomputed = Assumptions::default();
     recomputed.set("depth", "recomputed").unwrap();
     let parameters = Parameters {
@@ -191,10 +191,10 @@ fn jitter_over_time_has_its_sigma_and_no_memory() {
         max_distance_m: 1e7,
         ..oak_d_pro()
     };
-    // 12 px exactly: rounds to 12 within 5 sigma, so that no sample meets another.
+    // A disparity of exactly 12 px rounds to 12 within 5 sigma, so that no samples collide.
     let depth = image(106, 60, |_, _| PX_M / 12.0);
     let sensor = SingleView::new(parameters, recomputed).unwrap();
-    // b·f·W/S at this width.
+    // b·f·W/S at this width, px·m.
     let px_m = PX_M * 106.0 / 1280.0;
     let d = px_m / (PX_M / 12.0);
     let quantized = (d / 0.25).round() * 0.25;
@@ -218,7 +218,7 @@ fn jitter_over_time_has_its_sigma_and_no_memory() {
 }
 
 #[test]
-fn one_patch_one_jitter() {
+fn pixels_of_a_patch_share_their_jitter() {
     let parameters = Parameters {
         noise_downscale_factor_px: 4.0,
         noise_sigma_px: 1.5,
@@ -235,7 +235,7 @@ fn one_patch_one_jitter() {
 }
 
 #[test]
-fn confidence_of_a_smooth_and_of_a_textured_wall() {
+fn confidence_depends_on_texture() {
     let depth = image(640, 40, |_, _| 3.0);
     let smooth = image(640, 40, |_, _| [120, 130, 140, 255]);
     let textured = image(640, 40, |x, y| {
@@ -265,7 +265,7 @@ fn confidence_of_a_smooth_and_of_a_textured_wall() {
         assert!(filled(&textured, threshold) > 0.9);
     }
     assert_eq!(filled(&smooth, 1.0), 1.0);
-    // Lower thresholds drop more of a faint texture.
+    // Lower thresholds drop more pixels of a faint texture.
     let faint = image(640, 40, |x, _| {
         let grey = if x % 40 < 20 {
             100 + 2 * (x % 20) as u8
@@ -276,7 +276,7 @@ fn confidence_of_a_smooth_and_of_a_textured_wall() {
     });
     let fills = [0.8, 0.95, 0.99].map(|threshold| filled(&faint, threshold));
     assert!(fills[0] < fills[1] && fills[1] < fills[2], "{fills:?}");
-    // The grain of a picture thins a smooth wall the more, the lower the threshold is.
+    // Lower thresholds thin a smooth wall with grain more.
     let fills = [0.0, 0.95, 0.98, 0.99, 1.0].map(|threshold| fill("1", &smooth, threshold));
     assert!(
         fills.is_sorted() && fills[0] == 0.0 && fills[4] == 1.0,
@@ -289,13 +289,13 @@ fn confidence_of_a_smooth_and_of_a_textured_wall() {
 }
 
 #[test]
-fn lone_pixels_follow_their_neighbours() {
+fn removes_outliers() {
     let lone = |reach: u32, z: &Image<f32>| {
         let parameters = Parameters {
             outlier_removal_range_px: reach,
             ..quiet()
         };
-        // No disparity to speak of: nothing moves.
+        // The disparity is negligible, so nothing moves.
         distance(
             Parameters {
                 baseline_mm: 0.01,

@@ -1,4 +1,4 @@
-//! The sheet's OAK-D Pro on scenes whose result has a closed form.
+//! Tests of the parameter sheet's OAK-D Pro on scenes with a closed-form result.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -15,7 +15,6 @@ use oaktwin_image::Image;
 
 use super::*;
 
-/// The parameter sheet's OAK-D Pro.
 fn oak_d_pro() -> Parameters {
     Parameters {
         baseline_mm: 75.0,
@@ -32,7 +31,7 @@ fn oak_d_pro() -> Parameters {
     }
 }
 
-/// Without what is random.
+/// The OAK-D Pro without randomness.
 fn quiet() -> Parameters {
     Parameters {
         noise_mean_px: 0.0,
@@ -59,7 +58,7 @@ fn distance(parameters: Parameters, depth: &Image<f32>, frame: u64) -> Image<f32
         .0
 }
 
-/// A wall at 4 m, and a thing at `near` before it in columns `from` to `to`.
+/// A wall at 4 m with an object at `near` in front of it, in columns `from` to `to`.
 fn step(width: u32, near: f32, from: u32, to: u32) -> Image<f32> {
     image(width, 40, |x, _| if (from..to).contains(&x) { near } else { 4.0 })
 }

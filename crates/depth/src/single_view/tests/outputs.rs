@@ -59,7 +59,7 @@ fn colours_and_positions_move_with_their_samples() {
         assert_eq!(Some(&color), inputs.rgb.get(x, y));
     }
     assert!(measured > 6000, "{measured}");
-    // Luma of white would be 1.
+    // The imager is luma, 1 for white.
     let imager = output.imager.unwrap();
     let [r, g, b, _] = inputs.rgb.get(50, 20).unwrap().map(f32::from);
     let luma = (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255.0;
@@ -67,7 +67,7 @@ fn colours_and_positions_move_with_their_samples() {
 }
 
 #[test]
-fn invalid_pixels_are_as_asked() {
+fn invalid_pixels_follow_the_invalid_option() {
     let inputs = Inputs::new();
     for (name, position, color) in [
         ("zero", [0.0; 4], [0; 4]),
@@ -75,7 +75,7 @@ fn invalid_pixels_are_as_asked() {
         ("input", [0.0, 3.0, 0.5, 1.0], [0, 3, 93, 200]),
     ] {
         let output = inputs.sense(oak_d_pro(), &[("invalid", name)]);
-        // The left border is never reached.
+        // No sample reaches the left border.
         assert_eq!(output.distance.0.get(0, 3), Some(&0.0));
         assert_eq!(
             format!("{:?}", output.positions.unwrap().get(0, 3)),
@@ -86,7 +86,7 @@ fn invalid_pixels_are_as_asked() {
 }
 
 #[test]
-fn what_is_not_wanted_or_not_given_is_not_made() {
+fn omits_outputs_that_are_not_requested_or_lack_input() {
     let inputs = Inputs::new();
     let (sensor, stream) = (sensor(oak_d_pro()), Stream::new(1, "left"));
     let bare = sensor.sense(&Shot::new((&inputs.depth).into()), &stream, ALL);
@@ -98,14 +98,14 @@ fn what_is_not_wanted_or_not_given_is_not_made() {
         .unwrap();
     let unwanted = sensor.sense(&shot, &stream, Wanted::default());
     assert!(unwanted.colors.is_none() && unwanted.imager.is_none() && unwanted.view.is_none());
-    // Sister outputs change nothing in the distance.
+    // Additional outputs do not change the distance.
     assert_eq!(sensor.sense(&shot, &stream, ALL).distance, unwanted.distance);
     let center = *unwanted.distance.0.get(100, 20).unwrap();
     assert_eq!(unwanted.center_m(), Some(center));
 }
 
 #[test]
-fn the_eight_views() {
+fn renders_all_eight_visualizations() {
     let inputs = Inputs::new();
     let at = |mode: &str, x: u32, y: u32| {
         let mut parameters = Parameters {
@@ -118,7 +118,7 @@ fn the_eight_views() {
         *inputs.sense(parameters, &[]).view.unwrap().get(x, y).unwrap()
     };
     let grey = |byte: u8| [byte, byte, byte, 255];
-    // Disparity at this width: 2.36 px at 4 m, 6.29 px at 1.5 m; column 0 is a hole, column 100 the near thing.
+    // Disparities at this width: 2.36 px at 4 m, 6.29 px at 1.5 m; column 0 is a hole, column 100 the near object.
     assert_eq!(at("0", 30, 7), *inputs.rgb.get(30, 7).unwrap());
     assert_eq!(
         [at("1", 0, 7), at("1", 100, 7), at("1", 150, 7)],
@@ -132,13 +132,13 @@ fn the_eight_views() {
         [at("3", 0, 7), at("3", 100, 7), at("3", 150, 7)],
         [grey(0), [255, 128, 0, 255], [0, 255, 255, 255]]
     );
-    // The thing has not moved yet in what came in.
+    // The object has not moved in the input.
     assert_eq!(
         [at("4", 0, 7), at("4", 81, 7), at("5", 81, 7)],
         [grey(191), grey(32), grey(191)]
     );
     assert_eq!([at("5", 0, 7), at("5", 100, 7)], [grey(0), grey(32)]);
-    // 6.29 and 2.36 of 95 px.
+    // Disparities of 6.29 and 2.36 px, of 95.
     assert_eq!(
         [at("7", 0, 7), at("7", 100, 7), at("7", 150, 7)],
         [grey(0), grey(17), grey(6)]

@@ -13,7 +13,7 @@ fn says(name: &str, value: &str) -> String {
 }
 
 #[test]
-fn all_fourteen_are_set_and_read() {
+fn sets_and_reads_every_parameter() {
     assert_eq!(Parameters::names().len(), 14);
     for defaults in [Parameters::isaac_5_1(), Parameters::isaac_6()] {
         defaults.check().unwrap();
@@ -45,7 +45,7 @@ fn all_fourteen_are_set_and_read() {
 }
 
 #[test]
-fn errors_name_the_attribute_and_the_remedy() {
+fn errors_name_the_attribute_and_a_remedy() {
     assert_eq!(
         says("baselin", "3"),
         "baselin: unknown parameter of single-view; did you mean 'baselineMM'?"

@@ -20,7 +20,7 @@ fn bumpy(width: u32, height: u32) -> Image<f32> {
 }
 
 #[test]
-fn any_number_of_threads_gives_the_same_bytes() {
+fn does_not_depend_on_threads() {
     let depth = bumpy(333, 400);
     let rgb = image(333, 400, |x, y| [(x * y) as u8, x as u8, y as u8, 255]);
     let shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
@@ -45,7 +45,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
-fn all_instructions_give_the_same_bytes() {
+fn does_not_depend_on_instructions() {
     let depth = bumpy(333, 20);
     let plan = plan::Plan::new(&oak_d_pro(), &Assumptions::default(), 333, 20);
     let random = Stream::new(1, "left").plane(Stage::Jitter, 0, 0);
@@ -75,7 +75,7 @@ fn all_instructions_give_the_same_bytes() {
 }
 
 #[test]
-fn batches_are_their_items_in_any_order() {
+fn batches_match_single_images() {
     let (sensor, stream) = (sensor(oak_d_pro()), Stream::new(4, "env"));
     let items: Vec<Image<f32>> = (0..20)
         .map(|i| {
@@ -96,7 +96,7 @@ fn batches_are_their_items_in_any_order() {
         let at = i as usize * 6360;
         assert_eq!(one.distance.0.pixels(), &all[at..at + 6360]);
     }
-    // The same, half after half, the second first.
+    // The same batch in two halves, the second one first.
     let mut halves = vec![0.0; depth.len()];
     let (first, second) = halves.split_at_mut(10 * 6360);
     sensor
@@ -109,7 +109,7 @@ fn batches_are_their_items_in_any_order() {
 }
 
 #[test]
-fn batches_of_other_shapes() {
+fn accepts_empty_batches_and_rejects_wrong_lengths() {
     let (sensor, stream) = (sensor(oak_d_pro()), Stream::new(4, "env"));
     for shape in [[0, 60, 106], [3, 0, 5], [3, 5, 0]] {
         sensor.sense_batch(&[], shape, 0, 0, &stream, &mut []).unwrap();
@@ -124,19 +124,19 @@ fn batches_of_other_shapes() {
 }
 
 #[test]
-fn images_without_pixels_and_of_one() {
+fn accepts_empty_and_tiny_images() {
     for (width, height) in [(0, 0), (0, 7), (7, 0), (1, 1), (1, 9), (2, 1), (9, 1)] {
         let depth = image(width, height, |_, _| 5.0);
         let seen = distance(oak_d_pro(), &depth, 0);
         assert_eq!((seen.width(), seen.height()), (width, height));
-        // A disparity of less than half a pixel moves nothing.
+        // A disparity below half a pixel moves nothing.
         assert_eq!(bits(&distance(quiet(), &depth, 0)), bits(&depth));
     }
 }
 
 proptest! {
     #[test]
-    fn whatever_comes_in_what_comes_out_was_in_the_row(
+    fn reports_only_depths_of_the_same_row(
         depth in proptest::collection::vec(prop_oneof![any::<f32>(), 0.5f32..13.0], 3 * 70),
         baseline in prop_oneof![-200.0..-0.1, 0.1..200.0],
         sigma in 0.0..5.0,

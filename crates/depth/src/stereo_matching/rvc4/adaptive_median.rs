@@ -1,11 +1,11 @@
-//! The median of what is not sure: [`AdaptiveMedian`](super::AdaptiveMedian).
+//! The median filter of pixels with a low confidence: [`AdaptiveMedian`](super::AdaptiveMedian).
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::{DISPARITY, around, each_row, three};
 use crate::filter::{Network, Networks};
 
-/// Filters what is less sure than `threshold`; `before` is what `disparity` is.
+/// Filters the pixels with a confidence below `threshold`; `before` is a copy of `disparity`.
 pub(super) fn run(
     level: Level,
     threshold: u8,
@@ -21,7 +21,7 @@ pub(super) fn run(
         confidence,
         medians,
         |medians, y, disparity, confidence| {
-            // Often a row has nothing that is not sure.
+            // Many rows have no pixel to filter.
             if confidence.iter().all(|&sure| sure >= threshold) {
                 return;
             }
@@ -38,7 +38,7 @@ pub(super) fn run(
     );
 }
 
-/// Of a row; 0 stays 0.
+/// The medians of a row; 0 remains 0.
 struct Medians<'a> {
     rows: [&'a [u16]; 3],
     out: &'a mut [u16],
@@ -60,7 +60,7 @@ impl Kernel for Medians<'_> {
     }
 }
 
-/// The fifth of nine.
+/// Returns the median of nine values.
 #[inline(always)]
 fn median(values: [u16; 9]) -> u16 {
     let (columns, _) = values.as_chunks::<3>();
@@ -69,7 +69,7 @@ fn median(values: [u16; 9]) -> u16 {
         *sorted = column.map(|value| [value]);
         Networks::sort(sorted);
     }
-    // The network takes the least of all columns first, then the middle ones.
+    // The network expects the smallest values of all columns first, then the middle and the largest ones.
     let [a, b, c] = square;
     let [median] = Networks::median([0, 1, 2].map(|i| [a[i], b[i], c[i]]));
     median
@@ -81,7 +81,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_median_is_the_fifth(values in any::<[u16; 9]>()) {
+        fn median_matches_sorting(values in any::<[u16; 9]>()) {
             let mut sorted = values;
             sorted.sort_unstable();
             prop_assert_eq!(super::median(values), sorted[4]);

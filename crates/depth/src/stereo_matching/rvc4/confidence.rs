@@ -1,11 +1,12 @@
-//! How sure a winner is: [`ConfidenceMetrics`].
+//! RVC4's confidence: [`ConfidenceMetrics`].
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use super::{BAND, ConfidenceMetrics, DISPARITY, OCCLUDED, around, three};
 
-/// Puts the confidence in place of the share by which the least sum is below the least of those not beside it, of 255.
+/// Replaces the share, of 255, by which the smallest sum is below the smallest one that is not its neighbour with the
+/// confidence.
 pub(super) fn run(
     level: Level,
     metrics: &ConfidenceMetrics,
@@ -40,7 +41,7 @@ struct Confidence<'a> {
     confidence: &'a mut [u8],
 }
 
-/// The largest difference that counts, px.
+/// The limit to which differences of disparity are clamped, px.
 const FARTHEST: i32 = 16;
 
 impl Kernel for Confidence<'_> {
@@ -66,7 +67,7 @@ impl Kernel for Confidence<'_> {
                 sum += apart;
                 squares += apart * apart;
             }
-            // 81 times the variance.
+            // This is 81 times the variance.
             let variance = 9 * squares - sum * sum;
             let still = 255 - ((variance << raise) >> lower).min(255);
             let steep = (8 * i32::from(*confidence) - 255 * threshold).clamp(0, 255);

@@ -1,13 +1,13 @@
-//! What is not sure takes the mean of its superpixel: [`HoleFilling`].
+//! Hole filling with the mean of the superpixel: [`HoleFilling`].
 
 use super::superpixels::{Superpixels, Total};
 use super::{DISPARITY, HoleFilling, each_row};
 
-/// Of a superpixel.
+/// The sums of a superpixel.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sure {
     count: u32,
-    /// Of those that are sure enough.
+    /// The number of pixels with a high confidence.
     sure: u32,
     disparity: u32,
 }
@@ -22,7 +22,7 @@ impl Total for Sure {
 }
 
 impl Sure {
-    /// None of too few.
+    /// Returns the mean disparity of the pixels with a high confidence, or `None` if there are too few.
     fn mean(&self, holes: &HoleFilling) -> Option<u16> {
         let is_enough = self.sure << holes.min_valid_disparity.min(3) >= self.count;
         let mean = (self.disparity + self.sure / 2).checked_div(self.sure)?;

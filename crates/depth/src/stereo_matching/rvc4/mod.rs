@@ -1,7 +1,7 @@
-//! What RVC4 does with the winners: how sure they are, holes, and a median of what is not sure.
+//! RVC4's post-processing of the winners: confidence, hole filling and the adaptive median.
 //!
-//! What the device leaves out is left out last: Qualcomm's interface to the hardware, which fills and filters, knows no
-//! threshold of confidence and no left-right check.
+//! Pixels are invalidated last: Qualcomm's interface to the hardware, which fills and filters, has neither a confidence
+//! threshold nor a left-right check.
 
 mod adaptive_median;
 mod confidence;
@@ -16,16 +16,16 @@ use super::census::Census;
 use super::parameters::{ConfidenceMetrics, HoleFilling, Parameters};
 use crate::preset::Platform;
 
-/// A bit of a winner's disparity: it does not pass the left-right check, or is beyond an image.
+/// The bit of a disparity that fails the left-right check or whose counterpart is outside the image.
 pub(super) const LOST: u16 = 1 << 15;
 
-/// A bit of a winner's disparity: the right image has another.
+/// The bit of a disparity that differs from the right image's.
 pub(super) const OCCLUDED: u16 = 1 << 14;
 
-/// The bits of a winner's disparity itself, steps from the shift: at most 177 px of 32 steps.
+/// The bits of the disparity itself, in steps from the shift: at most 177 px of 32 steps.
 pub(super) const DISPARITY: u16 = OCCLUDED - 1;
 
-/// Rows that a thread takes at a time.
+/// The number of rows in a unit of work.
 const BAND: usize = superpixels::SIDE;
 
 /// The steps of RVC4.
@@ -33,15 +33,15 @@ const BAND: usize = superpixels::SIDE;
 pub(super) struct Steps {
     metrics: ConfidenceMetrics,
     holes: Option<HoleFilling>,
-    /// What is less sure is filtered.
+    /// The confidence below which pixels are filtered.
     median: Option<u8>,
-    /// Fractional bits of disparities.
+    /// The number of fractional bits of a disparity.
     bits: u32,
-    /// What is less sure is lost.
+    /// The minimum confidence of a valid pixel.
     kept_from: u8,
 }
 
-/// Memory of the steps, kept for the next image.
+/// The buffers of the steps, reused for the next image.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
     superpixels: Superpixels,
@@ -49,7 +49,7 @@ pub(super) struct Memory {
 }
 
 impl Steps {
-    /// None on another platform.
+    /// Returns the steps, or `None` on another platform.
     pub(super) fn new(p: &Parameters) -> Option<Self> {
         (p.platform == Platform::Rvc4).then_some(Self {
             metrics: p.confidence_metrics,
@@ -63,12 +63,12 @@ impl Steps {
         })
     }
 
-    /// Whether they ask for the right image's disparities.
+    /// Whether the steps need the disparities of the right image.
     pub(super) fn look_back(&self) -> bool {
         self.metrics.occlusion_weight > 0
     }
 
-    /// Makes of winners with their [bits](LOST) disparities, 0 for none, and of shares the confidence.
+    /// Converts disparities with their [bits](LOST) to final ones, with 0 for invalid, and cost ratios to confidence.
     pub(super) fn run(
         &self,
         level: Level,
@@ -102,7 +102,7 @@ impl Steps {
     }
 }
 
-/// Leaves out what is not sure, and the bits.
+/// Invalidates pixels that are lost or have a low confidence, and clears the bits.
 struct Keep<'a> {
     from: u8,
     disparity: &'a mut [u16],
@@ -121,7 +121,7 @@ impl Kernel for Keep<'_> {
     }
 }
 
-/// Visits each row of disparities with its confidence, a band of rows at a time on a thread with a state of its own.
+/// Calls `visit` for each row of disparities with its confidence; each thread has its own state.
 fn each_row<S>(
     width: usize,
     disparity: &mut [u16],
@@ -143,14 +143,15 @@ fn each_row<S>(
     });
 }
 
-/// A row and those above and below it; at a border itself.
+/// Returns a row between those above and below it; at the border the row itself is repeated.
 fn three(all: &[u16], width: usize, y: usize) -> Option<[&[u16]; 3]> {
     let last = (all.len() / width).checked_sub(1)?;
     let row = |y: usize| all.get(y * width..(y + 1) * width);
     Some([row(y.saturating_sub(1))?, row(y)?, row((y + 1).min(last))?])
 }
 
-/// Makes something of the 3×3 pixels around each of a row: its own is the fifth. Beyond a border is what is at it.
+/// Computes a value from the 3×3 pixels around each pixel of a row; index 4 is the pixel itself. The border is
+/// repeated.
 #[inline(always)]
 fn around<T>(rows: [&[u16]; 3], out: &mut [T], make: impl Fn([u16; 9], &mut T)) {
     let width = out.len();

@@ -1,22 +1,22 @@
-//! Superpixels by simple linear iterative clustering (Achanta et al. 2012), of one channel: each pixel belongs to the
-//! nearest in place and grey level of the nine centres around, and centres are the means of what belongs to them.
+//! Superpixels by simple linear iterative clustering (Achanta et al. 2012) with one channel: each pixel belongs to the
+//! nearest of the nine surrounding centres, by position and grey level, and centres are the means of their pixels.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use super::super::census::Census;
 
-/// Pixels between neighbouring centres at first.
+/// The initial distance between neighbouring centres, px.
 pub(super) const SIDE: usize = 8;
 
-/// How often pixels choose.
+/// The number of iterations.
 const ROUNDS: usize = 2;
 
-/// Centres that a pixel chooses from: three rows of three, its own cell's is the middle one.
+/// The number of candidate centres of a pixel: 3×3 cells, with the pixel's own cell in the middle.
 const NEAR: usize = 9;
 const OWN: u8 = 4;
 
-/// A place, px, and a grey level of 8 bits.
+/// A position in px and an 8-bit grey level.
 #[derive(Clone, Copy, Debug, Default)]
 struct Centre {
     x: i32,
@@ -32,18 +32,18 @@ struct Sums {
     level: u32,
 }
 
-/// Which pixels belong together.
+/// The assignment of pixels to superpixels.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Superpixels {
     columns: usize,
-    /// Of each pixel: which of the nine centres around its cell.
+    /// The index, from 0 to 8, of each pixel's centre around its cell.
     labels: Vec<u8>,
-    /// None where there is nothing.
+    /// The centre of each cell; `None` if it has no pixels.
     centres: Vec<Option<Centre>>,
     sums: Vec<Sums>,
 }
 
-/// What is summed up over a superpixel.
+/// A sum over the pixels of a superpixel.
 pub(super) trait Total: Clone + Copy + Default + Send + Sync {
     fn add(&mut self, other: &Self);
 }
@@ -59,7 +59,7 @@ impl Total for Sums {
 }
 
 impl Superpixels {
-    /// Of the left image's first `height` rows.
+    /// Computes the superpixels of the left image's first `height` rows.
     pub(super) fn find(&mut self, level: Level, left: &Census, height: usize) {
         let width = left.width();
         self.columns = width.div_ceil(SIDE);
@@ -97,7 +97,7 @@ impl Superpixels {
         let (columns, centres) = (*columns, centres.as_slice());
         let bands = labels.par_chunks_mut(SIDE * width).enumerate();
         bands.for_each(|(band, labels)| {
-            // Of each cell of the band.
+            // The candidate centres of each cell in the band.
             let around: Vec<[Option<Centre>; NEAR]> = (0..columns)
                 .map(|column| {
                     std::array::from_fn(|near| {
@@ -120,7 +120,7 @@ impl Superpixels {
         });
     }
 
-    /// Sums something up over each superpixel: `add` adds the pixel of a row and a column.
+    /// Sums over each superpixel: `add` adds the pixel at a row and a column.
     pub(super) fn total<T: Total>(
         &self,
         width: usize,
@@ -129,7 +129,7 @@ impl Superpixels {
     ) {
         let columns = self.columns;
         let rows = (self.labels.len() / width).div_ceil(SIDE);
-        // A band's pixels belong to its own cells and those of the rows of cells beside it.
+        // The pixels of a band belong to cells of the same row of cells or of the rows next to it.
         let bands = self.labels.par_chunks(SIDE * width).enumerate();
         let parts: Vec<Vec<T>> = bands
             .map(|(band, labels)| {
@@ -138,7 +138,7 @@ impl Superpixels {
                     for (column, labels) in labels.chunks(SIDE).enumerate() {
                         for (x, &near) in (column * SIDE..).zip(labels) {
                             let near = usize::from(near);
-                            // A label is of a centre that is there: never left of the first column.
+                            // A label always refers to an existing centre, so never to one left of the first column.
                             let at = near / 3 * columns + (column + near % 3).saturating_sub(1);
                             if let Some(total) = own.get_mut(at) {
                                 add(y, x, total);
@@ -164,7 +164,7 @@ impl Superpixels {
         }
     }
 
-    /// Of each pixel of a row of cells, its superpixel's number.
+    /// Returns the index of the superpixel for each pixel of row `y`.
     pub(super) fn numbers(&self, width: usize, y: usize) -> impl Iterator<Item = usize> {
         let (columns, band) = (self.columns, y / SIDE);
         let labels = self.labels.get(y * width..(y + 1) * width).unwrap_or_default();
@@ -175,7 +175,7 @@ impl Superpixels {
     }
 }
 
-/// The number of a cell, of the nine around one.
+/// Returns the index of one of the nine cells around a cell; `None` if it is outside the image.
 #[inline(always)]
 fn cell(columns: usize, row: usize, column: usize, near: usize) -> Option<usize> {
     let row = (row + near / 3).checked_sub(1)?;
@@ -183,7 +183,7 @@ fn cell(columns: usize, row: usize, column: usize, near: usize) -> Option<usize>
     Some(row * columns + column)
 }
 
-/// The centres of a row of pixels.
+/// Assigns a row of pixels to the nearest centres.
 struct Choose<'a> {
     y: i32,
     around: &'a [[Option<Centre>; NEAR]],

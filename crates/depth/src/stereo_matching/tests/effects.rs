@@ -6,10 +6,9 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// The band of the left image that the right one does not see is on the left of what is near, as wide as disparities
-/// differ, b·f·(1/z₁ − 1/z₂).
+/// The occluded band is to the left of a near object and as wide as the difference of disparities, b·f·(1/z₁ − 1/z₂).
 #[test]
-fn what_the_right_imager_does_not_see_is_lost() {
+fn invalidates_occluded_pixels() {
     let (far, near, left, right) = (12.0, 40.0, 180.0, 280.0);
     let images = step(400, 60, far, near, left, right);
     let engine = StereoMatching::new(changed(&[("leftRightCheckThreshold", "1")])).unwrap();
@@ -24,9 +23,9 @@ fn what_the_right_imager_does_not_see_is_lost() {
     assert!(inside > 0.9, "{inside} of the band is lost");
     assert!(lost(60..180 - band - 4) < 0.02);
     assert!(lost(184..276) < 0.02);
-    // Nothing is hidden on the other side.
+    // There is no occlusion on the other side.
     assert!(lost(284..390) < 0.02);
-    // What the right imager does not see at the left border.
+    // The band at the left border is outside the right image.
     assert!(lost(0..10) > 0.9);
     let widths = rows().map(|row| row[100..184].iter().filter(|&&d| d == 0).count() as f64);
     let width = median(widths.collect());
@@ -39,9 +38,9 @@ fn what_the_right_imager_does_not_see_is_lost() {
     assert!((found(60..140) - far).abs() < 0.1 && (found(190..270) - near).abs() < 0.1);
 }
 
-/// A board at disparities between whole ones is found nearer to them than it is: nothing but the matcher makes it so.
+/// Pixel locking, the bias towards whole disparities, results from the matcher alone.
 #[test]
-fn pixel_locking_appears_by_itself() {
+fn reproduces_pixel_locking() {
     for interpolation in ["PARABOLA_5", "PARABOLA", "LINES"] {
         let settings = [("subpixelInterpolation", interpolation)];
         let engine = StereoMatching::new(changed(&settings)).unwrap();
@@ -58,7 +57,7 @@ fn pixel_locking_appears_by_itself() {
                 found.iter().sum::<f64>() / found.len() as f64 - d
             })
             .collect();
-        // Its part that repeats with every pixel.
+        // The amplitude of the component with a period of one pixel.
         let wave = |quarter: f64| {
             let parts = errors.iter().enumerate().map(|(k, error)| {
                 let turn = std::f64::consts::TAU * (k as f64 / f64::from(steps) + quarter);
@@ -69,7 +68,7 @@ fn pixel_locking_appears_by_itself() {
         let (sine, cosine) = (wave(0.0), wave(0.25));
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         println!("{interpolation}: error {mean:+.3} px, {sine:+.3} sin 2πd {cosine:+.3} cos 2πd");
-        // The same in both pixels.
+        // The error is the same in both periods.
         for (first, second) in errors.iter().zip(&errors[steps as usize..]) {
             assert!((first - second).abs() < 0.03, "{first} {second}");
         }
@@ -80,9 +79,8 @@ fn pixel_locking_appears_by_itself() {
     }
 }
 
-/// A blank wall says nothing of its distance.
 #[test]
-fn a_blank_wall_is_lost() {
+fn invalidates_a_blank_wall() {
     let images = [image(300, 40, |_, _| (0, 5.0)), image(300, 40, |_, _| (0, 5.0))];
     let engine = StereoMatching::new(changed(&[])).unwrap();
     let matched = engine.disparity(&pair(&images));
@@ -91,7 +89,7 @@ fn a_blank_wall_is_lost() {
 }
 
 #[test]
-fn extended_disparity_reaches_twice_as_far() {
+fn extended_disparity_doubles_the_search_range() {
     let images = step(600, 80, 20.0, 150.0, 300.0, 500.0);
     let found = |extended| {
         let p = changed(&[("extendedDisparity", extended), ("leftRightCheckThreshold", "2")]);
@@ -121,7 +119,7 @@ fn depth_is_focal_length_times_baseline_over_disparity() {
     let engine = StereoMatching::new(p).unwrap();
     let depth = engine.sense(&pair(&images)).0;
     assert!((depth.pixels()[20 * 500 + 250] - 2.5).abs() < 0.01);
-    // Of a pair twice as wide as the focal length is for.
+    // A pair at twice the width that the focal length is for.
     p.width_px = 250;
     p.stereo.focal_length_px = 400.0;
     let engine = StereoMatching::new(p).unwrap();

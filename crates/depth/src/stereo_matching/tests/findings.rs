@@ -9,14 +9,14 @@ fn codes(images: &[Image<u8>; 2]) -> Vec<&'static str> {
 }
 
 #[test]
-fn a_good_pair_has_none() {
+fn a_good_pair_has_no_findings() {
     assert!(codes(&step(640, 200, 12.0, 40.0, 250.0, 400.0)).is_empty());
     let far = step(640, 200, 0.0, 3.0, 250.0, 400.0);
     assert!(codes(&far).is_empty());
 }
 
 #[test]
-fn what_is_wrong_is_told() {
+fn reports_problems_of_a_pair() {
     let [left, right] = step(640, 200, 12.0, 40.0, 250.0, 400.0);
     assert_eq!(codes(&[right.clone(), left.clone()]), ["pair-swapped"]);
     let lower = |rows: usize| {
@@ -59,10 +59,10 @@ fn what_is_wrong_is_told() {
     assert!(codes(&step(90, 200, 3.0, 9.0, 30.0, 50.0)).contains(&"range-beyond-image"));
 }
 
-/// Of another place, or of so long before that nothing is where it was; a pattern that repeats is no such thing, nor are
-/// cameras that are not exposed alike.
+/// Images of different places or of distant moments are unrelated; a repeating pattern or different exposures are not
+/// reported.
 #[test]
-fn images_of_two_places() {
+fn reports_unrelated_images() {
     let [left, right] = step(640, 200, 12.0, 40.0, 250.0, 400.0);
     let turned = |image: &Image<u8>| {
         let pixels = image.pixels().iter().rev().copied().collect();
@@ -87,7 +87,7 @@ fn images_of_two_places() {
 }
 
 #[test]
-fn images_that_make_no_pair() {
+fn rejects_invalid_pairs() {
     let (a, b) = (Image::filled(4, 3, 0u8), Image::filled(4, 2, 0u8));
     let ten = Image::filled(4, 3, 0u16);
     let error = |left: Luminance<'_>, right: Luminance<'_>| Pair::new(left, right).unwrap_err().to_string();

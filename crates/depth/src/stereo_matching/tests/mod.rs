@@ -26,7 +26,7 @@ fn parameters() -> Parameters {
     Parameters::new(Platform::Rvc2, STEREO, 1280)
 }
 
-/// With some changed.
+/// The parameters with some of them changed.
 fn changed(settings: &[(&str, &str)]) -> Parameters {
     let mut p = parameters();
     for (name, value) in settings {
@@ -35,7 +35,7 @@ fn changed(settings: &[(&str, &str)]) -> Parameters {
     p
 }
 
-/// The grey level of a texture between its pixels, as an imager whose pixels are as wide as the texture's sees it.
+/// The grey level of a texture between its pixels, seen by an imager with pixels as wide as the texture's.
 fn texture(seed: u64, x: f64, y: u64) -> f64 {
     let level = |x: i64| {
         let mut bits = (x.cast_unsigned() ^ (y << 32) ^ (seed << 52)).wrapping_mul(0x9E37_79B9_7F4A_7C15);
@@ -48,7 +48,7 @@ fn texture(seed: u64, x: f64, y: u64) -> f64 {
     0.5 * ((level(at - 1) + level(at)) * (1.0 - part) + (level(at) + level(at + 1)) * part)
 }
 
-/// An image of what `see` says of a place: which texture, and where in it.
+/// An image for which `see` returns a texture and the position in it.
 fn image(width: u32, height: u32, see: impl Fn(f64, f64) -> (u64, f64)) -> Image<u8> {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let pixels = pixels.map(|(x, y)| {
@@ -58,7 +58,7 @@ fn image(width: u32, height: u32, see: impl Fn(f64, f64) -> (u64, f64)) -> Image
     Image::new(width, height, pixels.collect()).unwrap()
 }
 
-/// A wall of disparity `far`, and before it a box of disparity `near` that covers columns `left..right`.
+/// A wall of disparity `far`, and in front of it a box of disparity `near` that covers the columns `left..right`.
 fn step(width: u32, height: u32, far: f64, near: f64, left: f64, right: f64) -> [Image<u8>; 2] {
     let inside = move |x: f64| x >= left && x < right;
     [

@@ -3,7 +3,7 @@ use crate::preset::{Platform, StereoConfig};
 use crate::stereo_matching::{Parameters, platform_of};
 
 #[test]
-fn each_name_changes_what_it_reads() {
+fn sets_and_reads_every_parameter() {
     for name in Parameters::names() {
         let mut p = parameters();
         let now = p.get(name).unwrap();
@@ -31,7 +31,7 @@ fn each_name_changes_what_it_reads() {
 }
 
 #[test]
-fn wrong_values_change_nothing() {
+fn rejects_invalid_values() {
     let mut p = parameters();
     let wrong = [
         ("paths", "7"),
@@ -67,7 +67,7 @@ fn wrong_values_change_nothing() {
 }
 
 #[test]
-fn confidence_counts_down_in_older_versions() {
+fn depthai_2_inverts_the_confidence_threshold() {
     let mut p = parameters();
     assert_eq!(p.confidence_threshold_v2(), 200);
     p.set_confidence_threshold_v2(245);
@@ -75,7 +75,7 @@ fn confidence_counts_down_in_older_versions() {
 }
 
 #[test]
-fn presets_configure_it() {
+fn presets_set_the_parameters() {
     let mut p = parameters();
     let preset = |platform, name| StereoConfig::preset(platform, name).unwrap();
     preset(Platform::Rvc2, "HIGH_DETAIL").apply_to_matching(&mut p);
@@ -108,7 +108,7 @@ fn presets_configure_it() {
 }
 
 #[test]
-fn the_largest_disparities_are_depthais() {
+fn maximum_disparity_follows_depthai() {
     let most = |settings: &[(&str, &str)]| super::changed(settings).max_disparity_px();
     assert_eq!(most(&[]), 95);
     assert_eq!(most(&[("disparityWidth", "DISPARITY_64")]), 63);
@@ -119,9 +119,8 @@ fn the_largest_disparities_are_depthais() {
     );
 }
 
-/// What is another platform's changes nothing of what is found.
 #[test]
-fn what_counts_on_one_platform_is_known() {
+fn parameters_of_another_platform_have_no_effect() {
     let images = super::step(130, 24, 3.0, 9.5, 40.0, 60.0);
     let found = |p| {
         crate::stereo_matching::StereoMatching::new(p)

@@ -4,7 +4,7 @@ use super::{STEREO, image, pair, step};
 use crate::preset::Platform;
 use crate::stereo_matching::{Matched, Parameters, StereoMatching};
 
-/// RVC4's defaults with some changed.
+/// RVC4's defaults with some parameters changed.
 fn rvc4(settings: &[(&str, &str)]) -> Parameters {
     let mut p = Parameters::new(Platform::Rvc4, STEREO, 1280);
     for (name, value) in settings {
@@ -17,7 +17,7 @@ fn matched(p: Parameters, images: &[Image<u8>; 2]) -> Matched {
     StereoMatching::new(p).unwrap().disparity(&pair(images))
 }
 
-/// A wall of disparity 10 whose middle columns have no texture, only noise of their own.
+/// A wall of disparity 10 whose middle columns have no texture, only noise that differs between the images.
 fn bald(from: f64, to: f64) -> [Image<u8>; 2] {
     let see = |seed: u64, moved: f64| {
         let textured = image(400, 64, |x, _| (0, x + moved));
@@ -36,9 +36,9 @@ fn bald(from: f64, to: f64) -> [Image<u8>; 2] {
     [see(5, 0.0), see(6, 10.0)]
 }
 
-/// Of a blank wall and noise the sums are flat; its superpixels are not sure, and what is not sure itself is lost.
+/// The sums of a blank wall with noise are flat: its superpixels have a low confidence, so its pixels are invalidated.
 #[test]
-fn what_is_flat_is_lost() {
+fn invalidates_textureless_superpixels() {
     let images = bald(0.0, 1000.0);
     let kept = |matched: &Matched| {
         let pixels = matched.disparity.pixels();
@@ -53,9 +53,9 @@ fn what_is_flat_is_lost() {
     assert!(with < 0.1 && with < without / 4.0, "{with} {without}");
 }
 
-/// A hole narrower than half of what is around it takes the disparity of that.
+/// A hole narrower than half of a superpixel takes the disparity around it.
 #[test]
-fn a_small_hole_takes_the_mean_around_it() {
+fn fills_small_holes() {
     let images = bald(203.0, 205.0);
     let all = [
         ("flatnessConfidenceThreshold", "7"),
@@ -74,7 +74,7 @@ fn a_small_hole_takes_the_mean_around_it() {
 }
 
 #[test]
-fn weights_make_the_confidence() {
+fn confidence_is_the_weighted_mean() {
     let images = step(400, 40, 10.0, 40.0, 150.0, 250.0);
     let of = |settings: &[(&str, &str)]| matched(rvc4(settings), &images).confidence;
     let weights = |o, m, f| {
@@ -101,13 +101,13 @@ fn weights_make_the_confidence() {
         assert_eq!(u32::from(all), mean);
     }
     assert_eq!(of(&[("flatnessOverride", "true")]), flatness);
-    // Behind the step the right image sees something else.
+    // The area behind the step is occluded in the right image.
     let hidden = |row: usize| (115..145).map(move |x| row * 400 + x);
     let is_hidden = (10..30)
         .flat_map(hidden)
         .filter(|&at| occlusion.pixels()[at] == 0);
     assert!(is_hidden.count() > 400);
-    // A larger threshold takes more off.
+    // A larger scale of the variance lowers the confidence more.
     let steady = |threshold| {
         let alone = weights("0", "32", "0");
         of(&[
@@ -122,9 +122,8 @@ fn weights_make_the_confidence() {
     assert!(pixels.clone().any(|(least, most)| least > most));
 }
 
-/// What is RVC4's counts for nothing on RVC2.
 #[test]
-fn on_rvc2_they_do_nothing() {
+fn rvc4_parameters_have_no_effect_on_rvc2() {
     let images = step(333, 41, 7.3, 30.6, 120.0, 200.0);
     let plain = matched(super::parameters(), &images);
     let set = super::changed(&[

@@ -40,7 +40,7 @@ const SETTINGS: [&[(&str, &str)]; 10] = [
 ];
 
 #[test]
-fn on_every_processor_and_any_number_of_threads() {
+fn does_not_depend_on_instructions_or_threads() {
     let images = step(333, 41, 7.3, 30.6, 120.0, 200.0);
     let pair = pair(&images);
     for settings in SETTINGS {
@@ -64,9 +64,9 @@ fn on_every_processor_and_any_number_of_threads() {
     }
 }
 
-/// What is kept in memory from one pair is not seen in the next.
+/// The reused memory does not leak from one pair into the next.
 #[test]
-fn whatever_was_matched_before() {
+fn does_not_depend_on_previous_pairs() {
     let (large, small) = (
         step(333, 41, 7.3, 30.6, 120.0, 200.0),
         step(101, 12, 3.0, 9.5, 40.0, 60.0),
