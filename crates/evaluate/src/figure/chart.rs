@@ -182,7 +182,10 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         let mut used = 0;
         for layer in figure.layers.iter().filter(|layer| !layer.label.is_empty()) {
             let style = self.style(TEXT, INK);
-            let (length, _) = self.area.estimate_text_size(&layer.label, &style).map_err(failed)?;
+            let (length, _) = self
+                .area
+                .estimate_text_size(&layer.label, &style)
+                .map_err(failed)?;
             let length = SAMPLE + GAP + length.div_ceil(self.scale) + SPACE;
             match rows.last_mut() {
                 Some(row) if used + length <= available => row.push((layer, used)),
@@ -211,7 +214,10 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         let at = |dx: u32, dy: i32| (self.units(x + dx), self.units(y) + dy * self.units(1));
         let bar = |opacity: f64| Rectangle::new([at(0, -6), at(SAMPLE, 6)], color.mix(opacity).filled());
         let line = |dy: i32, width: u32| {
-            PathElement::new([at(0, dy), at(SAMPLE, dy)], color.stroke_width(self.tenths(width)))
+            PathElement::new(
+                [at(0, dy), at(SAMPLE, dy)],
+                color.stroke_width(self.tenths(width)),
+            )
         };
         match layer.shape {
             Shape::Steps(_) => {
@@ -267,5 +273,9 @@ fn stroke<DB: DrawingBackend>(
 fn label(value: f64) -> String {
     let text = format!("{value:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }

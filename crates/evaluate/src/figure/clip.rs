@@ -74,7 +74,12 @@ impl Frame {
 
     /// Clips a polygon after Sutherland and Hodgman.
     pub(super) fn polygon(&self, corners: Vec<Point>) -> Vec<Point> {
-        let edges = [(0, self.low[0], 1.0), (0, self.high[0], -1.0), (1, self.low[1], 1.0), (1, self.high[1], -1.0)];
+        let edges = [
+            (0, self.low[0], 1.0),
+            (0, self.high[0], -1.0),
+            (1, self.low[1], 1.0),
+            (1, self.high[1], -1.0),
+        ];
         edges.into_iter().fold(corners, |corners, (axis, limit, sign)| {
             let inside = |point: &Point| sign * (point[axis] - limit) >= 0.0;
             let mut clipped = Vec::with_capacity(corners.len() + 4);

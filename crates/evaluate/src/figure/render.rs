@@ -79,8 +79,8 @@ fn size(figures: &[Figure], scale: u32) -> (u32, u32) {
 /// Registers the font, which ships with the program: figures do not depend on what is installed.
 fn register() -> Result<(), FigureError> {
     static FONT: OnceLock<bool> = OnceLock::new();
-    let is_registered = *FONT
-        .get_or_init(|| register_font("sans-serif", FontStyle::Normal, notosans::REGULAR_TTF).is_ok());
+    let is_registered =
+        *FONT.get_or_init(|| register_font("sans-serif", FontStyle::Normal, notosans::REGULAR_TTF).is_ok());
     is_registered
         .then_some(())
         .ok_or_else(|| FigureError("its font is invalid".to_owned()))

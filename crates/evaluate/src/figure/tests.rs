@@ -37,7 +37,10 @@ fn stacks_figures_and_draws_the_same_bytes_twice() {
     assert_eq!(text, svg(&both).unwrap());
     let stacked = image(&both).unwrap();
     let upper = image(&[one]).unwrap();
-    assert_eq!((stacked.width(), stacked.height()), (upper.width(), 2 * upper.height()));
+    assert_eq!(
+        (stacked.width(), stacked.height()),
+        (upper.width(), 2 * upper.height())
+    );
     assert_eq!(stacked.pixels()[..upper.pixels().len()], *upper.pixels());
 }
 
@@ -54,7 +57,11 @@ fn skips_values_that_are_not_finite_and_clips_the_rest() {
         let svg = svg(std::slice::from_ref(&figure)).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
         let image = image(&[figure]).unwrap();
-        let red = image.pixels().iter().filter(|p| p[0] > p[1].saturating_add(30)).count();
+        let red = image
+            .pixels()
+            .iter()
+            .filter(|p| p[0] > p[1].saturating_add(30))
+            .count();
         assert!(red > 0);
     }
     let mut flat = figure("", Shape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
@@ -68,10 +75,13 @@ fn skips_values_that_are_not_finite_and_clips_the_rest() {
 fn clips_lines_and_polygons_to_the_axes() {
     let frame = Frame::of(&figure("", Shape::Line(Vec::new())));
     let pieces = frame.line(&[[-1.0, 0.5], [0.5, 0.5], [0.5, 2.0], [0.75, 2.0], [0.75, 0.0]]);
-    assert_eq!(pieces, [
-        vec![[0.0, 0.5], [0.5, 0.5], [0.5, 1.0]],
-        vec![[0.75, 1.0], [0.75, 0.0]],
-    ]);
+    assert_eq!(
+        pieces,
+        [
+            vec![[0.0, 0.5], [0.5, 0.5], [0.5, 1.0]],
+            vec![[0.75, 1.0], [0.75, 0.0]],
+        ]
+    );
     assert!(frame.line(&[[2.0, 0.0], [2.0, 1.0]]).is_empty());
     let clipped = frame.polygon(vec![[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]]);
     assert_eq!(clipped.len(), 4);
