@@ -3,8 +3,8 @@
 mod accuracy;
 mod asset;
 mod calibration;
-mod depth_files;
 mod fit;
+mod outputs;
 mod pair;
 mod render;
 mod sense;
@@ -23,8 +23,8 @@ pub(crate) use asset::AssetArgs;
 pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs, ExportFormat,
 };
-pub(crate) use depth_files::DepthFileArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use render::RenderArgs;
 pub(crate) use sense::SenseArgs;

@@ -14,7 +14,7 @@ pub use oaktwin_dataset::recording::{
 use oaktwin_dataset::recording::{Mcap, Recorder, ros_lens_loss};
 
 use oaktwin_camera::LensModel;
-use oaktwin_files::{FileError, InParts};
+use oaktwin_files::{AtomicFile, FileError};
 use oaktwin_scene::Up;
 
 /// What a recording is written as.
@@ -86,9 +86,9 @@ pub struct RecordingFile {
 
 #[derive(Debug)]
 enum Kind {
-    Mcap(Box<Mcap<BufWriter<InParts>>>),
+    Mcap(Box<Mcap<BufWriter<AtomicFile>>>),
     #[cfg(feature = "rerun")]
-    Rrd(Box<Rrd<BufWriter<InParts>>>),
+    Rrd(Box<Rrd<BufWriter<AtomicFile>>>),
 }
 
 impl RecordingFile {
@@ -98,7 +98,7 @@ impl RecordingFile {
     /// The file cannot be written, or its extension is no format's.
     pub fn create(path: &Path, up: Up) -> Result<Self, RecordingFileError> {
         let format = Format::of(path)?;
-        let output = BufWriter::new(InParts::create(path)?);
+        let output = BufWriter::new(AtomicFile::create(path)?);
         let recorder = match format {
             Format::Mcap => Mcap::new(output).map(|mcap| Kind::Mcap(Box::new(mcap))),
             #[cfg(feature = "rerun")]

@@ -1,10 +1,12 @@
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum, ValueHint};
+use oaktwin::dataset::{LAYOUTS, Layout};
 use oaktwin::usd::optics;
 use oaktwin::{render, scene};
 
-use super::{PairArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -15,6 +17,13 @@ use super::{PairArgs, SensorArgs, ThreadArgs, UnitArgs};
     )),
     mut_arg("isaac", |arg| arg.help(
         "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
+    )),
+    mut_arg("annotators", |arg| arg.help(
+        "Comma-separated annotators to render; all is everything. Default: rgb, distance_to_image_plane and camera_params, \
+         and depth_sensor_distance if an option of the depth sensor is given"
+    )),
+    mut_arg("ply", |arg| arg.help(
+        "Also write point clouds as PLY: the depth sensor's if its positions are rendered, else the scene's"
     )),
     after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. One camera writes \
     flat into the folder, several into a folder each.\n\n\
@@ -46,14 +55,18 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    /// The layout of the data set
     #[arg(
         long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        help = "What to render, apart by commas; all is everything. By default rgb, distance_to_image_plane and camera_params, \
-        and depth_sensor_distance where an option of the depth sensor is given"
+        value_name = "NAME",
+        default_value = LAYOUTS[0].name,
+        value_parser = PossibleValuesParser::new(LAYOUTS.iter().map(layout)),
+        help_heading = "Outputs"
     )]
-    pub(crate) annotators: Vec<String>,
+    pub(crate) writer: String,
 
     /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
     /// keep their aperture
@@ -140,23 +153,6 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "Scene and path")]
     pub(crate) strict: bool,
 
-    /// Depth also as 16-bit PNG in millimetres
-    #[arg(long, help_heading = "More files")]
-    pub(crate) png16: bool,
-
-    /// Depth also as EXR
-    #[arg(long, help_heading = "More files")]
-    pub(crate) exr: bool,
-
-    /// Point clouds also as PLY: the depth sensor's where its positions are asked for, else the scene's (added to the
-    /// annotators)
-    #[arg(long, help_heading = "More files")]
-    pub(crate) ply: bool,
-
-    /// Each depth image also as a picture, coloured by distance
-    #[arg(long, help_heading = "More files")]
-    pub(crate) preview: bool,
-
     /// How to find what a pixel sees: rasterize pinholes and cast rays for other lenses, or only one of them
     #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "How")]
     pub(crate) backend: Backend,
@@ -186,6 +182,10 @@ pub(crate) enum Backend {
     Auto,
     Raster,
     Ray,
+}
+
+fn layout(layout: &Layout) -> PossibleValue {
+    PossibleValue::new(layout.name).help(layout.help)
 }
 
 impl From<Projection> for optics::Projection {

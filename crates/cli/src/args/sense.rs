@@ -5,11 +5,16 @@ use oaktwin::catalog::{DepthKind, Role};
 use oaktwin::depth::align;
 use oaktwin::sense;
 
-use super::{DepthFileArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
+    mut_arg("annotators", |arg| arg.help(
+        "Comma-separated sensor outputs beside depth_sensor_distance: depth_sensor_point_cloud_position, \
+         depth_sensor_point_cloud_color, depth_sensor_imager, depth_sensor_output_visualization (the view of \
+         rgbDepthOutputMode)"
+    )),
     after_help = "DEPTH is NPY (float16, 32 or 64 in metres, uint16 in --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
     16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. What is not \
     finite and above 0 is no surface. The number at the end of a name is the frame: noise is new in each, and files whose \
@@ -92,38 +97,29 @@ pub(crate) struct SenseArgs {
     pub(crate) engine: SensorArgs,
 
     /// Depth also as another camera of the model sees it, by its place and lens
-    #[arg(long, value_enum, value_name = "CAMERA", help_heading = "More files")]
+    #[arg(long, value_enum, value_name = "CAMERA", help_heading = "Outputs")]
     pub(crate) align: Option<AlignCamera>,
 
     /// The size of aligned images, 1280x800, by DepthAI's rule; by default the camera's own
-    #[arg(long, value_name = "WxH", requires = "align", help_heading = "More files")]
+    #[arg(long, value_name = "WxH", requires = "align", help_heading = "Outputs")]
     pub(crate) align_size: Option<String>,
 
     /// Which pixels a sample goes into: all that it covers, or the one that it falls into
-    #[arg(long, value_enum, default_value_t = AlignFill::Footprint, help_heading = "More files")]
+    #[arg(long, value_enum, default_value_t = AlignFill::Footprint, help_heading = "Outputs")]
     pub(crate) align_fill: AlignFill,
 
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    /// The axes of the PLY: x right, y down, z forward, or ROS's x forward, y left, z up
     #[arg(
         long,
-        value_name = "NAMES",
-        help = "More that the sensor reports, apart by commas: depth_sensor_point_cloud_position, \
-                depth_sensor_point_cloud_color, depth_sensor_imager, depth_sensor_output_visualization (the view of \
-                rgbDepthOutputMode)",
-        value_delimiter = ',',
-        help_heading = "More files"
+        value_enum,
+        default_value_t = CloudFrame::Optical,
+        alias = "pointcloud-frame",
+        help_heading = "Outputs"
     )]
-    pub(crate) outputs: Vec<String>,
-
-    #[command(flatten, next_help_heading = "More files")]
-    pub(crate) depth_files: DepthFileArgs,
-
-    /// The measured points as PLY
-    #[arg(long, help_heading = "More files")]
-    pub(crate) pointcloud: bool,
-
-    /// The axes of the points: x right, y down, z forward, or ROS's x forward, y left, z up
-    #[arg(long, value_enum, default_value_t = CloudFrame::Optical, help_heading = "More files")]
-    pub(crate) pointcloud_frame: CloudFrame,
+    pub(crate) ply_frame: CloudFrame,
 
     #[command(flatten, next_help_heading = "How")]
     pub(crate) threads: ThreadArgs,
@@ -203,7 +199,7 @@ impl From<AlignFill> for align::Fill {
     }
 }
 
-impl From<CloudFrame> for sense::CloudFrame {
+impl From<CloudFrame> for sense::CloudAxes {
     fn from(frame: CloudFrame) -> Self {
         match frame {
             CloudFrame::Optical => Self::Optical,

@@ -5,7 +5,7 @@ use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 use oaktwin::depth::stereo_matching;
 
-use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, SettingsArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -14,6 +14,10 @@ use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
         "Set a parameter of the matcher by its name, DepthAI's where it has one; repeatable: {}",
         stereo_matching::NAMES.join(", ")
     ))),
+    mut_arg("annotators", |arg| arg.help(
+        "Comma-separated outputs beside depth_sensor_distance: disparity (px), confidence (255 = highest), rectified (both \
+         images), depth_sensor_point_cloud_position, depth_sensor_point_cloud_color"
+    )),
     after_help = "Images are PNG, JPEG or NPY; grey of 8 bits, or of 16, which are those of a camera of 10; colours become \
     grey. In two folders those with the same names but for the words left and right are a pair, and one folder may hold \
     both; pairs whose names differ in their number alone are a sequence, seen in its order by filters that remember.\n\n\
@@ -93,24 +97,17 @@ pub(crate) struct StereoArgs {
     #[command(flatten)]
     pub(crate) settings: SettingsArgs,
 
-    /// Disparity too: NPY, float32 pixels, 0 where nothing was measured
-    #[arg(long, help_heading = "More files")]
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    #[arg(long, hide = true)]
     pub(crate) disparity: bool,
 
-    /// How sure the matcher is too: NPY, uint8, 255 is surest
-    #[arg(long, help_heading = "More files")]
+    #[arg(long, hide = true)]
     pub(crate) confidence: bool,
 
-    /// The rectified images too, PNG
-    #[arg(long, help_heading = "More files")]
+    #[arg(long, hide = true)]
     pub(crate) rectified_images: bool,
-
-    #[command(flatten, next_help_heading = "More files")]
-    pub(crate) depth_files: DepthFileArgs,
-
-    /// The measured points as PLY: x right, y down, z forward
-    #[arg(long, help_heading = "More files")]
-    pub(crate) ply: bool,
 
     #[command(flatten, next_help_heading = "How")]
     pub(crate) threads: ThreadArgs,

@@ -3,15 +3,14 @@ mod report;
 use oaktwin::catalog::Twin;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, suggest};
 use oaktwin::sense::FieldOfView;
-use oaktwin::stereo::{self, PairOf, StereoOptions};
+use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
 use oaktwin::{sensor, unit};
 
 use crate::args::{Lens, StereoArgs};
 use crate::context::{Context, Exit, Result};
-use crate::interrupt;
-use crate::progress::Progress;
+use crate::progress;
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
@@ -21,22 +20,11 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     args.threads.apply();
     let options = StereoOptions {
         sensor: args.settings.options(),
-        disparity: args.disparity,
-        confidence: args.confidence,
-        rectified: args.rectified_images,
-        png16: args.depth_files.png16,
-        preview: args.depth_files.preview,
-        ply: args.ply,
+        outputs: outputs(args)?,
+        extras: args.outputs.extras(),
+        ply: args.outputs.ply,
     };
-    interrupt::watch()?;
-    let mut progress = Progress::new();
-    let all = pairs.len() as u64;
-    let mut watch = |done: u64| {
-        progress.at(done, all);
-        interrupt::flow()
-    };
-    let matched = stereo::stereo(&pairs, &of, &options, &args.output, &mut watch);
-    drop(progress);
+    let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch))?;
     let Some(matched) = matched? else {
         return Ok(Exit::Good);
     };
@@ -47,6 +35,29 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     };
     Report::new(args, unit, matched).print(args)?;
     Ok(exit)
+}
+
+/// The outputs that are named, or chosen by their old flags.
+fn outputs(args: &StereoArgs) -> Result<Vec<StereoOutput>> {
+    let flags = [
+        (args.disparity, StereoOutput::Disparity),
+        (args.confidence, StereoOutput::Confidence),
+        (args.rectified_images, StereoOutput::Rectified),
+    ];
+    let mut outputs: Vec<StereoOutput> = flags
+        .into_iter()
+        .filter_map(|(is_given, output)| is_given.then_some(output))
+        .collect();
+    for name in &args.outputs.annotators {
+        let name = name.trim();
+        let known = StereoOutput::NAMES.iter().find(|(known, _)| *known == name);
+        let Some((_, output)) = known else {
+            let hint = suggest(name, StereoOutput::NAMES.map(|(name, _)| name));
+            return Err(format!("--annotators: unknown annotator '{name}'; {hint}").into());
+        };
+        outputs.push(*output);
+    }
+    Ok(outputs)
 }
 
 /// The device, where one is named, and what is odd in its calibration.

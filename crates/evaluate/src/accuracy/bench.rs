@@ -11,11 +11,12 @@ use super::stand::{Effort, Stand, Unit};
 use super::units::{depth_sensor, units};
 use super::vendor::differences;
 use super::{
-    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, Watch,
+    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict,
     distances,
 };
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
+use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::sensor::{Engine, EngineKind, ParameterError};
 
 /// A twin's depth sensor, ready to be measured.
@@ -103,7 +104,7 @@ impl Bench {
     pub fn measure(
         mut self,
         measured: Option<(&Path, &Curve)>,
-        watch: Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
         let own: Vec<f64> = self.report.distances.iter().map(|row| row.distance_m).collect();
@@ -111,11 +112,17 @@ impl Bench {
             .map(|(_, curve)| curve.points.as_slice())
             .unwrap_or_default();
         let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
-        let (before, all) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let (before, total) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let from = |done: u64| move |progress: Progress| {
+            watch(Progress {
+                done: done + progress.done,
+                total,
+            })
+        };
         let captures = self.report.captures;
         let effort = |quality: bool| Effort { captures, quality };
-        self.report.distances = self.rows(&own, effort(true), &|done, _| watch(done, all))?;
-        let theirs = self.rows(&theirs, effort(false), &|done, _| watch(before + done, all))?;
+        self.report.distances = self.rows(&own, effort(true), &from(0))?;
+        let theirs = self.rows(&theirs, effort(false), &from(before))?;
         self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
         let verdicts = || self.report.distances.iter().map(|row| row.verdict);
         self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
@@ -127,16 +134,17 @@ impl Bench {
         &self,
         distances: &[f64],
         effort: Effort,
-        watch: Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Vec<Row>, AccuracyError> {
         let done = AtomicU64::new(0);
         distances
             .par_iter()
             .map(|&distance_m| {
-                let of = distances.len() as u64;
-                let wants_more = || watch(done.load(Ordering::Relaxed), of).is_continue();
+                let total = distances.len() as u64;
+                let progress = |done| Progress { done, total };
+                let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
                 let units = self.stand.measure(distance_m, effort, &wants_more)?;
-                if watch(done.fetch_add(1, Ordering::Relaxed) + 1, of).is_break() {
+                if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
                 let row = Row::new(distance_m, &units, self.report.published.as_ref());

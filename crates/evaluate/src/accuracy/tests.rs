@@ -13,7 +13,7 @@ fn bench(model: &str, options: &Options) -> Bench {
 
 fn measured(model: &str, options: &Options) -> Report {
     bench(model, options)
-        .measure(None, &|_, _| ControlFlow::Continue(()))
+        .measure(None, &|_| ControlFlow::Continue(()))
         .unwrap()
         .report()
         .clone()
@@ -51,7 +51,7 @@ fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_
         ..Options::default()
     };
     let measurement = bench("oak-d-pro-poe", &options)
-        .measure(Some((&path, &curve)), &|_, _| ControlFlow::Continue(()))
+        .measure(Some((&path, &curve)), &|_| ControlFlow::Continue(()))
         .unwrap();
     let comparison = measurement.report().measured.clone().unwrap();
     assert_eq!(measurement.report().devices, Devices::AsGiven);

@@ -48,9 +48,10 @@ use std::path::PathBuf;
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
 
-use crate::accuracy::{self, AccuracyError, MeasuredOptics, REGION, Watch};
+use crate::accuracy::{self, AccuracyError, MeasuredOptics, REGION};
 use crate::figure::Figure;
 use method::{Fitted, Method};
+use oaktwin_pipeline::progress::Watch;
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_diagnostic::{Finding, Level, Message, message};
 use oaktwin_files::FileError;
@@ -143,7 +144,7 @@ pub fn fit(
     twin: &Twin,
     recordings: &[PathBuf],
     options: &Options,
-    watch: Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
     let mut twin = twin.clone();

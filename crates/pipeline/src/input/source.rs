@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
-use crate::render::check_size;
+use crate::limits::check_size;
 use oaktwin_camera::ImageSize;
 use oaktwin_diagnostic::{message, opt};
 use oaktwin_files::FileError;

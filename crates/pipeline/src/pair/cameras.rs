@@ -1,7 +1,7 @@
-use oaktwin_render::{Beam, BeamPattern};
+use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
-use crate::render::{Backend, Clip, Renderer, View, check_size};
+use crate::limits::check_size;
 use crate::sensor::platform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};

@@ -1,4 +1,4 @@
-use crate::render::SizeError;
+use crate::limits::SizeError;
 use oaktwin_camera::RectifyError;
 use oaktwin_depth::ParameterError;
 

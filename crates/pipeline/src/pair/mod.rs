@@ -50,7 +50,7 @@ pub use cameras::shifted;
 pub use error::PairError;
 pub use options::PairOptions;
 
-use crate::render::Renderer;
+use oaktwin_render::Renderer;
 use oaktwin_camera::{Rectification, RigidTransform};
 use oaktwin_catalog::Twin;
 use oaktwin_depth::imager::{Exposure, Recorded};

@@ -2,7 +2,7 @@
 
 use oaktwin_render::{Clip, View};
 
-use super::limits::SizeError;
+use crate::limits::SizeError;
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
 use oaktwin_diagnostic::Message;
 use oaktwin_usd::depth_sensor::DepthSensor;

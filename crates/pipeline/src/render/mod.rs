@@ -39,10 +39,8 @@ mod around;
 mod camera;
 mod depth_sensor;
 mod frames;
-mod limits;
 mod names;
 mod oak;
-mod output_folder;
 mod pair;
 mod pose;
 mod recorder;
@@ -51,17 +49,16 @@ mod scene_file;
 mod sweep;
 pub mod trajectory;
 
+pub use crate::limits::{
+    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
+};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
-pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, write_frames};
-pub use limits::{
-    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
-};
+pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
-pub use output_folder::OutputFolder;
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};

@@ -4,7 +4,7 @@ use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 use super::folder_names;
-use super::limits::check_size;
+use crate::limits::check_size;
 use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};

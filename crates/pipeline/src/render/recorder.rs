@@ -10,7 +10,10 @@ use crate::recording::{
 };
 use oaktwin_camera::RigidTransform;
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
-use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_dataset::{Shot, WriteError, Writer};
+use oaktwin_files::{OutputFiles, WrittenFile};
+use oaktwin_image::ZDepth;
+use oaktwin_image::annotation::Annotator;
 use oaktwin_scene::Up;
 
 /// Frames a second where a path does not say its times.
@@ -35,10 +38,12 @@ pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
 /// its cloud, and a cloud of the depth where `pointcloud` is asked for.
 #[derive(Debug)]
 pub struct FrameRecorder {
-    file: RecordingFile,
+    /// Until it is complete.
+    file: Option<RecordingFile>,
     cameras: Vec<CameraId>,
     times: Vec<Time>,
     depth_points: bool,
+    written: Option<WrittenFile>,
 }
 
 impl FrameRecorder {
@@ -81,45 +86,54 @@ impl FrameRecorder {
             .map(|camera| file.add_camera(&recorded(camera)))
             .collect::<Result<_, _>>()?;
         let recorder = Self {
-            file,
+            file: Some(file),
             cameras,
             times,
             depth_points: annotators.contains(&Annotator::Pointcloud),
+            written: None,
         };
         Ok((recorder, findings))
     }
 
-    /// Records a camera's frame.
-    pub(super) fn record(
-        &mut self,
-        camera: usize,
-        number: usize,
-        world_from_mount: &RigidTransform,
-        frame: &Frame,
-    ) -> Result<(), RecordingFileError> {
-        let (Some(&camera), Some(&time)) = (self.cameras.get(camera), self.times.get(number)) else {
+    /// The recording, if it is complete.
+    pub(super) fn into_written(self) -> Option<WrittenFile> {
+        self.written
+    }
+}
+
+impl Writer for FrameRecorder {
+    fn write(&mut self, shot: &Shot, _output: &mut OutputFiles) -> Result<(), WriteError> {
+        let time = usize::try_from(shot.number)
+            .ok()
+            .and_then(|number| self.times.get(number));
+        let (Some(file), Some(&camera), Some(&time)) = (&mut self.file, self.cameras.get(shot.camera), time)
+        else {
             return Ok(());
         };
+        let metres = |z: &ZDepth| DepthView::Metres((&z.0).into());
+        let frame = &shot.frame;
         let moment = Moment {
             rgb: frame.rgb.as_ref().map(Into::into),
-            depth: frame
-                .distance_to_image_plane
-                .as_ref()
-                .map(|z| DepthView::Metres((&z.0).into())),
-            measured: frame
-                .depth_sensor_distance
-                .as_ref()
-                .map(|z| DepthView::Metres((&z.0).into())),
+            depth: frame.distance_to_image_plane.as_ref().map(metres),
+            measured: frame.depth_sensor_distance.as_ref().map(metres),
             depth_points: self.depth_points,
             measured_points: true,
-            ..Moment::new(time, *world_from_mount)
+            ..Moment::new(time, shot.world_from_mount)
         };
-        self.file.record(camera, &moment)
+        file.record(camera, &moment).map_err(other)
     }
 
-    pub(super) fn finish(self) -> Result<(PathBuf, u64), RecordingFileError> {
-        self.file.finish()
+    fn finish(&mut self, _output: &mut OutputFiles) -> Result<(), WriteError> {
+        if let Some(file) = self.file.take() {
+            let (path, bytes) = file.finish().map_err(other)?;
+            self.written = Some(WrittenFile { path, bytes });
+        }
+        Ok(())
     }
+}
+
+fn other(error: RecordingFileError) -> WriteError {
+    WriteError::Other(Box::new(error))
 }
 
 fn recorded(placed: &PlacedCamera) -> RecordedCamera {

@@ -5,7 +5,7 @@ use std::path::Path;
 use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
-use super::limits::check_size;
+use crate::limits::check_size;
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
 use oaktwin_camera::{ImageSize, RigidTransform};

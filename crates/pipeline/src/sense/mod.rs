@@ -11,26 +11,27 @@
 //! [sequence](SenseOptions::is_sequence) they are frames instead.
 
 mod camera;
-mod geometry;
 mod options;
 mod picture;
 mod plan;
-mod product;
 mod rig;
 mod run;
-mod writer;
+mod shot;
+mod stream;
 
+use std::io;
 use std::path::PathBuf;
 
 pub use crate::input::InputKind;
 pub use camera::image_camera;
-pub(crate) use geometry::positions;
-pub use options::{AlignTo, CloudFrame, FieldOfView, SenseOptions};
+pub use options::{AlignTo, FieldOfView, SenseOptions};
+pub use oaktwin_dataset::CloudAxes;
 pub use plan::{STANDARD_INPUT, depth_sensor};
 pub use rig::align_to;
-pub use run::{Done, Output, Sensed, sense};
+pub use run::{Output, Sensed, sense};
 
 use crate::sensor::ParameterError;
+use oaktwin_dataset::{DatasetError, WriteError};
 use oaktwin_diagnostic::Message;
 use oaktwin_files::FileError;
 
@@ -74,9 +75,25 @@ pub enum SenseError {
     /// An invalid option: `OPTION: what is wrong; what to do`.
     #[error("{0}")]
     Option(Message),
+    /// A frame cannot be encoded.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
     /// The stream of results cannot be written.
     #[error(transparent)]
-    Stream(std::io::Error),
+    Stream(io::Error),
+}
+
+impl From<WriteError> for SenseError {
+    fn from(error: WriteError) -> Self {
+        match error {
+            WriteError::File(error) => error.into(),
+            WriteError::Dataset(error) => error.into(),
+            WriteError::Other(error) => Self::Stream(match error.downcast::<io::Error>() {
+                Ok(error) => *error,
+                Err(error) => io::Error::other(error),
+            }),
+        }
+    }
 }
 
 impl SenseError {

@@ -2,6 +2,7 @@ use crate::input::InputKind;
 use crate::sensor::SensorOptions;
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_catalog::{DepthKind, Role};
+use oaktwin_dataset::{CloudAxes, Extras};
 use oaktwin_depth::align::Fill;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
@@ -18,15 +19,6 @@ pub enum FieldOfView {
     Degrees(f64),
     /// That of their camera, with its principal point; it has their size.
     Camera(Camera),
-}
-
-/// The axes of a point cloud.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CloudFrame {
-    /// The camera's, OpenCV's: x right, y down, z forward.
-    Optical,
-    /// At the camera, ROS's of a body: x forward, y left, z up.
-    Ros,
 }
 
 /// Into which camera the depth is reprojected.
@@ -63,12 +55,10 @@ pub struct SenseOptions {
     pub align: Option<AlignTo>,
     /// What of the depth sensor's annotators; the distance is always there.
     pub annotators: Vec<Annotator>,
-    /// Depth as 16-bit PNG in millimetres too.
-    pub png16: bool,
-    /// Depth as a picture for people too.
-    pub preview: bool,
-    /// The points as PLY too.
-    pub cloud: Option<CloudFrame>,
+    /// The additional files of each depth image.
+    pub extras: Extras,
+    /// The axes of the point cloud that is also written, as PLY.
+    pub cloud: Option<CloudAxes>,
 }
 
 impl Default for SenseOptions {
@@ -84,8 +74,7 @@ impl Default for SenseOptions {
             lens: LensChoice::default(),
             align: None,
             annotators: Vec::new(),
-            png16: false,
-            preview: false,
+            extras: Extras::default(),
             cloud: None,
         }
     }

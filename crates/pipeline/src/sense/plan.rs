@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
+use oaktwin_dataset::InputName;
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
@@ -22,29 +23,7 @@ pub(super) struct DepthFile {
     pub(super) frame: u64,
     pub(super) rgb: Vec<PathBuf>,
     pub(super) params: Option<PathBuf>,
-    pub(super) results: Results,
-}
-
-/// Where the results of a file go.
-#[derive(Clone, Debug)]
-pub(super) struct Results {
-    folder: PathBuf,
-    by_annotator: bool,
-    prefix: String,
-    suffix: String,
-}
-
-impl Results {
-    /// The file of a result: of an annotator, in its own folder where that is the layout, and a name that begins with it.
-    pub(super) fn path(&self, annotator: &str, name: &str, item: Option<usize>, extension: &str) -> PathBuf {
-        let item = item.map(|item| format!("_{item:04}")).unwrap_or_default();
-        let file = format!("{}{name}{}{item}.{extension}", self.prefix, self.suffix);
-        if self.by_annotator {
-            self.folder.join(annotator).join(file)
-        } else {
-            self.folder.join(file)
-        }
-    }
+    pub(super) results: InputName,
 }
 
 /// Files of one camera in the order of their frames: a sensor sees one after the other.
@@ -113,11 +92,12 @@ pub(super) fn sequences<'a>(
                     frame: name.number.unwrap_or(0),
                     rgb: rgb.clone(),
                     params: None,
-                    results: Results {
+                    results: InputName {
                         folder: output.clone(),
                         by_annotator: false,
                         prefix: name.prefix(),
                         suffix: name.suffix(),
+                        ..InputName::default()
                     },
                 };
                 let folder = path.parent().map(Path::to_owned).unwrap_or_default();
@@ -145,11 +125,9 @@ pub(super) fn sequences<'a>(
                     frame: 0,
                     rgb: rgb.clone(),
                     params: None,
-                    results: Results {
+                    results: InputName {
                         folder: output.clone(),
-                        by_annotator: false,
-                        prefix: String::new(),
-                        suffix: String::new(),
+                        ..InputName::default()
                     },
                 }],
             }),
@@ -223,11 +201,11 @@ fn folder<'a>(
                 frame: name.number.unwrap_or(0),
                 rgb: frame.rgb.into_iter().collect(),
                 params: frame.params,
-                results: Results {
+                results: InputName {
                     folder: output.join(&camera.name),
                     by_annotator: camera.by_annotator,
-                    prefix: String::new(),
                     suffix: name.suffix(),
+                    ..InputName::default()
                 },
                 path: frame.depth,
             }
@@ -267,7 +245,7 @@ fn one_result_each(sequences: &[Sequence<'_>]) -> Result<(), SenseError> {
     for file in sequences.iter().flat_map(|sequence| &sequence.files) {
         let result = file
             .results
-            .path("depth_sensor_distance", "depth_sensor_distance", None, "npy");
+            .path("depth_sensor_distance", "depth_sensor_distance", "npy");
         if let Some(other) = taken.insert(result.clone(), &file.path) {
             let message = format!(
                 "has the result {}, and so has {}",

@@ -1,8 +1,8 @@
 //! Into another camera of the device.
 
-use super::product::reported;
+use super::shot::reported;
 use super::{AlignTo, SenseError};
-use crate::render::check_size;
+use crate::limits::check_size;
 use crate::sensor::{Engine, Sensor};
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::input::name::Name;
+use oaktwin_dataset::InputName;
 use oaktwin_files::FileError;
 
 /// What images are called.
@@ -36,9 +37,13 @@ impl PairFiles {
         }
     }
 
-    /// The name of a result.
-    pub(super) fn result(&self, what: &str, extension: &str) -> String {
-        format!("{}{what}{}.{extension}", self.prefix, self.suffix)
+    /// The names of the results.
+    pub(super) fn results(&self) -> InputName {
+        InputName {
+            prefix: self.prefix.clone(),
+            suffix: self.suffix.clone(),
+            ..InputName::default()
+        }
     }
 
     /// Whether another is of the same sequence.

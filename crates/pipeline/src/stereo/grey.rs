@@ -58,7 +58,7 @@ fn read(path: &Path) -> Result<Grey, FileError> {
         Grey::Eight(image) => (image.width(), image.height()),
         Grey::Sixteen(image) => (image.width(), image.height()),
     };
-    crate::render::check_size(oaktwin_camera::ImageSize::new(width, height))
+    crate::limits::check_size(oaktwin_camera::ImageSize::new(width, height))
         .map_err(|error| FileError::new(path, error.what(), error.remedy()))?;
     Ok(grey)
 }

@@ -12,12 +12,13 @@ mod run;
 pub use files::{PairFiles, pairs};
 pub use grey::{luma, read_pair};
 pub use matcher::{Matcher, PairOf, Seen};
-pub use run::{Matched, StereoOptions, stereo};
+pub use run::{Matched, StereoOptions, StereoOutput, stereo};
 
 use std::path::Path;
 
 use crate::pair::PairError;
 use crate::sensor::ParameterError;
+use oaktwin_dataset::WriteError;
 use oaktwin_depth::stereo_matching;
 use oaktwin_diagnostic::Finding;
 use oaktwin_files::FileError;
@@ -34,9 +35,12 @@ pub enum StereoError {
     /// Cameras that are no pair.
     #[error(transparent)]
     Cameras(#[from] PairError),
-    /// Images that are no pair.
+    /// Images that are not a pair.
     #[error(transparent)]
     Pair(#[from] stereo_matching::PairError),
+    /// A result cannot be encoded or written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
 }
 
 /// Refuses a calibration that does not say how its pair is placed; `findings` are what was said when it was read.

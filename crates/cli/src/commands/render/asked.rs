@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::dataset::Extras;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, OpenOptions, Sweep};
@@ -20,10 +19,10 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
         return Ok(folder.or_else(|| Some(PathBuf::from("oaktwin-render"))));
     }
     let files = [
-        ("--png16", args.png16),
-        ("--exr", args.exr),
-        ("--ply", args.ply),
-        ("--preview", args.preview),
+        ("--png16", args.outputs.png16),
+        ("--exr", args.outputs.exr),
+        ("--ply", args.outputs.ply),
+        ("--preview", args.outputs.preview),
         ("--sweep", !args.sweep.is_empty()),
         ("--pair", args.pair.pair),
     ];
@@ -46,13 +45,13 @@ const USUAL: [Annotator; 3] = [
 /// Those that are named, and those that a file beside them is made from.
 pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
-    if args.annotators.is_empty() {
+    if args.outputs.annotators.is_empty() {
         chosen.extend(USUAL);
     }
     if senses(args) {
         chosen.push(Annotator::DepthSensorDistance);
     }
-    for name in &args.annotators {
+    for name in &args.outputs.annotators {
         match name.trim() {
             "all" => chosen.extend(Annotator::ALL),
             name => chosen.push(render::annotator(name)?),
@@ -64,13 +63,13 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
             Annotator::DistanceToImagePlane | Annotator::DistanceToCamera | Annotator::DepthSensorDistance
         )
     };
-    if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
+    if (args.outputs.png16 || args.outputs.exr || args.outputs.preview) && !chosen.iter().any(is_depth) {
         chosen.push(Annotator::DistanceToImagePlane);
     }
     if args.record.is_some() {
         chosen = render::record_annotators(&chosen);
     }
-    if args.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
+    if args.outputs.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
         chosen.push(Annotator::Pointcloud);
     }
     chosen.sort_unstable();
@@ -80,7 +79,7 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
 
 /// Whether what a sensor reports is wanted although nobody named it. A sweep has a sheet of its own.
 fn senses(args: &RenderArgs) -> bool {
-    let is_set = args.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
+    let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
     is_set || args.pair.pair
 }
 
@@ -155,14 +154,4 @@ pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
     };
     render::look_at(DVec3::from(*eye), DVec3::from(*target), up)
         .map_err(|error| format!("--look-at: {error}").into())
-}
-
-/// The files beside `BasicWriter`'s own.
-pub(super) fn extras(args: &RenderArgs) -> Extras {
-    Extras {
-        millimetres: args.png16,
-        exr: args.exr,
-        preview: args.preview,
-        ply: args.ply,
-    }
 }

@@ -63,7 +63,7 @@ impl<'a> Report<'a> {
         (args, output): (&'a RenderArgs, Option<&'a Path>),
         annotators: &[Annotator],
         (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
-        written: Written,
+        (written, files): (Written, Option<Vec<WrittenFile>>),
         wanted_frames: usize,
         findings: Vec<Finding>,
         calibration_findings: Vec<Finding>,
@@ -85,7 +85,7 @@ impl<'a> Report<'a> {
                     CameraReport::new(camera, sensor, output, is_flat)
                 })
                 .collect(),
-            files: written.files,
+            files: files.unwrap_or_default(),
             findings,
             calibration_findings,
         }

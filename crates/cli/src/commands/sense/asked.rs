@@ -31,19 +31,18 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
             fill: args.align_fill.into(),
         }),
         annotators: annotators(args)?,
-        png16: args.depth_files.png16,
-        preview: args.depth_files.preview,
-        cloud: args.pointcloud.then(|| args.pointcloud_frame.into()),
+        extras: args.outputs.extras(),
+        cloud: args.outputs.ply.then(|| args.ply_frame.into()),
     })
 }
 
 fn annotators(args: &SenseArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
-    for name in &args.outputs {
+    for name in &args.outputs.annotators {
         let annotator = render::annotator(name.trim())?;
         if !annotator.is_of_depth_sensor() {
             return Err(format!(
-                "--outputs {}: is ground truth, not what a depth sensor reports; leave it out",
+                "--annotators {}: is ground truth, not an output of a depth sensor; remove it",
                 annotator.name()
             )
             .into());
@@ -74,10 +73,11 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
             return Err("- and other inputs: standard output takes one result; say -o DIR".into());
         }
         let writes_files = [
-            (args.depth_files.png16, "--png16"),
-            (args.depth_files.preview, "--preview"),
-            (args.pointcloud, "--pointcloud"),
-            (!args.outputs.is_empty(), "--outputs"),
+            (args.outputs.png16, "--png16"),
+            (args.outputs.exr, "--exr"),
+            (args.outputs.preview, "--preview"),
+            (args.outputs.ply, "--ply"),
+            (!args.outputs.annotators.is_empty(), "--annotators"),
             (args.json, "--json"),
         ];
         if let Some((_, option)) = writes_files.iter().find(|(given, _)| *given) {

@@ -13,7 +13,7 @@ fn centre(x: usize, y: usize) -> PixelPoint<Usd> {
 /// What distances from the optical centre are to be multiplied with to be z, pixel by pixel; NaN where the lens sees
 /// nothing.
 #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
-pub(super) fn z_of_range(camera: &Camera) -> Vec<f32> {
+pub(crate) fn z_of_range(camera: &Camera) -> Vec<f32> {
     let size = camera.intrinsics.size;
     (0..size.height as usize)
         .into_par_iter()
@@ -34,7 +34,7 @@ pub(super) fn z_of_range(camera: &Camera) -> Vec<f32> {
     clippy::cast_sign_loss,
     reason = "within the image"
 )]
-pub(super) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
+pub(crate) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
     let (size, own) = (to.intrinsics.size, from.intrinsics.size);
     let place = |x: usize, y: usize| {
         let seen = from.project(to.unproject(centre(x, y))?)?.to::<Usd>();
@@ -49,7 +49,7 @@ pub(super) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
 }
 
 /// The nearest samples at such places.
-pub(super) fn resample<T: Copy>(
+pub(crate) fn resample<T: Copy>(
     image: &Image<T>,
     places: &[Option<usize>],
     size: ImageSize,
@@ -90,6 +90,16 @@ pub(crate) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
             }
         });
     positions
+}
+
+/// The colours where there is a depth, and 0 elsewhere.
+pub(crate) fn measured_only(mut colors: Image<[u8; 4]>, z: &Image<f32>) -> Image<[u8; 4]> {
+    for (color, z) in colors.pixels_mut().iter_mut().zip(z.pixels()) {
+        if *z <= 0.0 {
+            *color = [0; 4];
+        }
+    }
+    colors
 }
 
 #[cfg(test)]

@@ -1,0 +1,141 @@
+//! From a capture to the frame that is written.
+
+use super::SenseOptions;
+use crate::geometry::positions;
+use crate::sensor::{Capture, single_view};
+use oaktwin_camera::{Camera, ImageSize};
+use oaktwin_dataset::{InputName, Layer, LayerData, Shot};
+use oaktwin_depth::align::Align;
+use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::{Image, ZDepth};
+
+/// What was measured, where it is needed: with the axes of USD, and its colours.
+struct Cloud {
+    positions: Option<Image<[f32; 4]>>,
+    colors: Option<Image<[u8; 4]>>,
+}
+
+/// How an image is looked at.
+pub(super) struct Look<'a> {
+    pub(super) options: &'a SenseOptions,
+    /// What the sensor looked with.
+    pub(super) camera: Camera,
+    /// See [`shift_m`](super::rig::shift_m).
+    pub(super) shift_m: f64,
+    pub(super) align: Option<Align>,
+}
+
+impl Look<'_> {
+    /// Which of [`single_view`]'s outputs are needed.
+    pub(super) fn wanted(&self) -> single_view::Wanted {
+        let wants = |annotator| self.options.annotators.contains(&annotator);
+        single_view::Wanted {
+            positions: wants(Annotator::DepthSensorPointCloudPosition) || self.options.cloud.is_some(),
+            colors: wants(Annotator::DepthSensorPointCloudColor) || self.options.cloud.is_some(),
+            imager: wants(Annotator::DepthSensorImager),
+            view: wants(Annotator::DepthSensorOutputVisualization),
+        }
+    }
+
+    /// The frame of a capture, with its aligned depth and its point cloud.
+    pub(super) fn shot(&self, capture: Capture, rgb: Option<&Image<[u8; 4]>>, input: InputName) -> Shot {
+        let options = self.options;
+        let wants = |annotator: Annotator| options.annotators.contains(&annotator);
+        let name = Annotator::DepthSensorDistance.name();
+        let mut layers = Vec::new();
+        if let (Some(align), Some(to)) = (&self.align, options.align) {
+            // The aligner was made for this size.
+            if let Ok(ZDepth(aligned)) = align.align((&capture.distance.0).into()) {
+                layers.push(Layer {
+                    folder: name,
+                    name: format!("{name}_aligned_{}", to.camera),
+                    data: LayerData::Depth(aligned),
+                });
+            }
+        }
+        let Cloud { positions, colors } = self.cloud(&capture, rgb);
+        if let (Some(positions), Some(axes)) = (&positions, options.cloud) {
+            layers.push(Layer {
+                folder: Annotator::DepthSensorPointCloudPosition.name(),
+                name: "depth_sensor_point_cloud".to_owned(),
+                data: LayerData::Cloud {
+                    positions: positions.clone(),
+                    colors: colors.clone(),
+                    axes,
+                },
+            });
+        }
+        let (imager, view) = match capture.single_view {
+            Some(output) => (output.imager, output.view),
+            None => (None, None),
+        };
+        let frame = Frame {
+            depth_sensor_distance: Some(capture.distance),
+            depth_sensor_point_cloud_position: positions
+                .filter(|_| wants(Annotator::DepthSensorPointCloudPosition)),
+            depth_sensor_point_cloud_color: colors.filter(|_| wants(Annotator::DepthSensorPointCloudColor)),
+            depth_sensor_imager: imager,
+            depth_sensor_output_visualization: view,
+            ..Frame::default()
+        };
+        Shot {
+            layers,
+            input,
+            ..Shot::new(frame, 0)
+        }
+    }
+
+    /// The points that were measured and their colours, where those are needed.
+    fn cloud(&self, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
+        let wanted = self.wanted();
+        let ZDepth(metres) = &capture.distance;
+        let sisters = capture.single_view.as_ref();
+        // Filters may have changed what was measured; only they make another image of it.
+        let moved = sisters.filter(|sisters| sisters.distance == capture.distance);
+        let positions = wanted
+            .positions
+            .then(|| match moved.and_then(|moved| moved.positions.clone()) {
+                Some(positions) => positions,
+                None => self.seen(metres),
+            });
+        let is_whole =
+            |image: &Image<[u8; 4]>| (image.width(), image.height()) == (metres.width(), metres.height());
+        let colors = match sisters {
+            Some(sisters) => sisters.colors.clone().filter(is_whole),
+            None => rgb.filter(|rgb| wanted.colors && is_whole(rgb)).map(|rgb| {
+                let mut colors = rgb.clone();
+                for (color, z) in colors.pixels_mut().iter_mut().zip(metres.pixels()) {
+                    if *z <= 0.0 {
+                        *color = [0; 4];
+                    }
+                }
+                colors
+            }),
+        };
+        Cloud { positions, colors }
+    }
+
+    /// The points of reported distances, in the frame of the sensor's camera.
+    #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
+    fn seen(&self, metres: &Image<f32>) -> Image<[f32; 4]> {
+        let mut points = positions(&self.reported(metres), metres);
+        for point in points.pixels_mut().iter_mut().filter(|point| point[3] > 0.0) {
+            point[0] = (f64::from(point[0]) - self.shift_m) as f32;
+        }
+        points
+    }
+
+    /// The camera of reported images: filters may have made them smaller.
+    fn reported(&self, metres: &Image<f32>) -> Camera {
+        reported(&self.camera, ImageSize::new(metres.width(), metres.height()))
+    }
+}
+
+/// A camera's image, made smaller or not.
+pub(super) fn reported(camera: &Camera, size: ImageSize) -> Camera {
+    if camera.intrinsics.size == size {
+        *camera
+    } else {
+        Camera::new(camera.intrinsics.resized(size, false), camera.lens)
+    }
+}
