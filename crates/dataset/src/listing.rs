@@ -117,25 +117,35 @@ impl<'a> Files<'a> {
             let colorized = options.colorize_instance_id_segmentation;
             let (annotator, kind) = (Annotator::InstanceIdSegmentation, Kind::InstanceId);
             self.push_ids(annotator, kind, &segmentation.ids, colorized);
-            self.push(annotator.name(), "instance_id_segmentation_mapping", "json", move || {
-                Ok(json::encode(&segmentation::legend(
-                    kind,
-                    &segmentation.prim_paths,
-                    colorized,
-                )))
-            });
+            self.push(
+                annotator.name(),
+                "instance_id_segmentation_mapping",
+                "json",
+                move || {
+                    Ok(json::encode(&segmentation::legend(
+                        kind,
+                        &segmentation.prim_paths,
+                        colorized,
+                    )))
+                },
+            );
         }
         if let Some(segmentation) = &frame.semantic_segmentation {
             let colorized = options.colorize_semantic_segmentation;
             let (annotator, kind) = (Annotator::SemanticSegmentation, Kind::Semantic);
             self.push_ids(annotator, kind, &segmentation.ids, colorized);
-            self.push(annotator.name(), "semantic_segmentation_labels", "json", move || {
-                Ok(json::encode(&segmentation::legend(
-                    kind,
-                    &segmentation.labels,
-                    colorized,
-                )))
-            });
+            self.push(
+                annotator.name(),
+                "semantic_segmentation_labels",
+                "json",
+                move || {
+                    Ok(json::encode(&segmentation::legend(
+                        kind,
+                        &segmentation.labels,
+                        colorized,
+                    )))
+                },
+            );
         }
         if let Some(boxes) = &frame.bounding_box_2d_tight {
             self.push_boxes(Annotator::BoundingBox2dTight, boxes);
@@ -177,13 +187,7 @@ impl<'a> Files<'a> {
         }
     }
 
-    fn push_ids(
-        &mut self,
-        annotator: Annotator,
-        kind: Kind,
-        ids: &'a Image<u32>,
-        colorized: bool,
-    ) {
+    fn push_ids(&mut self, annotator: Annotator, kind: Kind, ids: &'a Image<u32>, colorized: bool) {
         self.push(annotator.name(), annotator.name(), "png", move || {
             Ok(if colorized {
                 png::encode(&segmentation::colorize(kind, ids))?

@@ -67,12 +67,18 @@ impl InputName {
     /// The path of an output.
     #[must_use]
     pub fn path(&self, annotator: &str, name: &str, extension: &str) -> PathBuf {
-        self.file(annotator, &format!("{}{name}{}.{extension}", self.prefix, self.suffix))
+        self.file(
+            annotator,
+            &format!("{}{name}{}.{extension}", self.prefix, self.suffix),
+        )
     }
 
     /// The path of an output of one image of the input.
     pub(crate) fn item_path(&self, annotator: &str, name: &str, extension: &str) -> PathBuf {
-        let item = self.batch.map(|_| format!("_{:04}", self.item)).unwrap_or_default();
+        let item = self
+            .batch
+            .map(|_| format!("_{:04}", self.item))
+            .unwrap_or_default();
         let file = format!("{}{name}{}{item}.{extension}", self.prefix, self.suffix);
         self.file(annotator, &file)
     }

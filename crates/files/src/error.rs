@@ -53,7 +53,13 @@ impl FileError {
             io::ErrorKind::StorageFull => ("there is no space left", "free some, or choose another place"),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
             io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
-            _ => return Self::new(path, format!("cannot be written ({error})"), "choose another place"),
+            _ => {
+                return Self::new(
+                    path,
+                    format!("cannot be written ({error})"),
+                    "choose another place",
+                );
+            }
         };
         Self::new(path, message, remedy)
     }

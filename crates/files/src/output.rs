@@ -1,5 +1,5 @@
 use std::collections::BTreeSet;
-use std::fs::{self, OpenOptions};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::{AtomicFile, FileError, WrittenFile, make_folder, write};
@@ -23,10 +23,8 @@ impl OutputFiles {
     /// # Errors
     /// Returns an error if the folder cannot be created or written to, or if it is a file.
     pub fn in_folder(root: &Path) -> Result<Self, FileError> {
-        let mut files = Self {
-            root: root.to_owned(),
-            ..Self::default()
-        };
+        let mut files = Self::default();
+        root.clone_into(&mut files.root);
         files.check_folder(root)?;
         Ok(files)
     }

@@ -97,7 +97,7 @@ pub(crate) fn write_while<E: From<WriteError>>(
             .join()
             .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         let (frames, complete) = written?;
-        produced?;
+        let _: ControlFlow<()> = produced?;
         Ok(Written {
             frames,
             complete,

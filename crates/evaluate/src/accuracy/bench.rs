@@ -11,8 +11,7 @@ use super::stand::{Effort, Stand, Unit};
 use super::units::{depth_sensor, units};
 use super::vendor::differences;
 use super::{
-    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict,
-    distances,
+    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, distances,
 };
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
@@ -113,11 +112,13 @@ impl Bench {
             .unwrap_or_default();
         let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
         let (before, total) = (own.len() as u64, (own.len() + theirs.len()) as u64);
-        let from = |done: u64| move |progress: Progress| {
-            watch(Progress {
-                done: done + progress.done,
-                total,
-            })
+        let from = |done: u64| {
+            move |progress: Progress| {
+                watch(Progress {
+                    done: done + progress.done,
+                    total,
+                })
+            }
         };
         let captures = self.report.captures;
         let effort = |quality: bool| Effort { captures, quality };

@@ -1,7 +1,7 @@
-use oaktwin_pipeline::progress::Watch;
 use super::stand::Effort;
 use super::{AccuracyError, Bench, Devices, Report, plot};
 use crate::figure::Figure;
+use oaktwin_pipeline::progress::Watch;
 
 /// Places along the curve of a plot.
 const CURVE_OF_ONE: u32 = 400;

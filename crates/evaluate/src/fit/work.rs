@@ -13,8 +13,8 @@ use super::recording::Stand;
 use super::report::{Curve, FittedPoint, NotFound, Parameter, Report};
 use super::target::{self, Look, Seen};
 use super::{FitError, Options, findings};
-use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_pipeline::progress::{Progress, Watch};
 
 /// What is being made.
 pub(super) struct Work<'a> {

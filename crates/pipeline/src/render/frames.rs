@@ -100,7 +100,10 @@ pub fn write_frames(
     outputs: Outputs<'_>,
     watch: &Watch<'_>,
 ) -> Result<Written, FramesError> {
-    let Outputs { dataset, mut recorder } = outputs;
+    let Outputs {
+        dataset,
+        mut recorder,
+    } = outputs;
     let mut no_files = OutputFiles::default();
     let mut writers: Vec<&mut dyn Writer> = Vec::new();
     let output = match dataset {

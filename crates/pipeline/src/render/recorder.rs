@@ -9,8 +9,8 @@ use crate::recording::{
     RecordingFileError, Time,
 };
 use oaktwin_camera::RigidTransform;
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_dataset::{Shot, WriteError, Writer};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{OutputFiles, WrittenFile};
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
@@ -110,7 +110,6 @@ impl Writer for FrameRecorder {
         else {
             return Ok(());
         };
-        let metres = |z: &ZDepth| DepthView::Metres((&z.0).into());
         let frame = &shot.frame;
         let moment = Moment {
             rgb: frame.rgb.as_ref().map(Into::into),
@@ -130,6 +129,10 @@ impl Writer for FrameRecorder {
         }
         Ok(())
     }
+}
+
+fn metres(z: &ZDepth) -> DepthView<'_> {
+    DepthView::Metres((&z.0).into())
 }
 
 fn other(error: RecordingFileError) -> WriteError {

@@ -5,9 +5,9 @@ use std::path::Path;
 use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
-use crate::limits::check_size;
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
+use crate::limits::check_size;
 use oaktwin_camera::{ImageSize, RigidTransform};
 use oaktwin_diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_usd::depth_sensor;

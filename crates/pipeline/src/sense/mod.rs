@@ -24,8 +24,8 @@ use std::path::PathBuf;
 
 pub use crate::input::InputKind;
 pub use camera::image_camera;
-pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use oaktwin_dataset::CloudAxes;
+pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use plan::{STANDARD_INPUT, depth_sensor};
 pub use rig::align_to;
 pub use run::{Output, Sensed, sense};

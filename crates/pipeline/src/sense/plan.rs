@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
-use oaktwin_dataset::InputName;
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_dataset::InputName;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 

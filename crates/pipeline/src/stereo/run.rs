@@ -140,7 +140,9 @@ pub fn stereo(
         Ok::<_, StereoError>(ControlFlow::Continue(()))
     })?;
     matched.is_interrupted = written.is_interrupted;
-    matched.fill.truncate(usize::try_from(written.frames).unwrap_or(usize::MAX));
+    matched
+        .fill
+        .truncate(usize::try_from(written.frames).unwrap_or(usize::MAX));
     matched.files = output.files().to_vec();
     Ok(Some(matched))
 }
@@ -183,7 +185,8 @@ impl Matched {
     fn add(&mut self, seen: &Seen, pair: &PairFiles) {
         let ZDepth(metres) = &seen.capture.distance;
         let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
-        self.fill.push(measured as f64 / metres.pixels().len().max(1) as f64);
+        self.fill
+            .push(measured as f64 / metres.pixels().len().max(1) as f64);
         let nothing = (measured == 0 && seen.findings.is_empty()).then(nothing_measured);
         for finding in seen.findings.iter().chain(&nothing) {
             if !self.findings.iter().any(|known| known.code == finding.code) {
@@ -239,7 +242,11 @@ fn shot(seen: Seen, camera: &Camera, options: &StereoOptions, pair: &PairFiles) 
             data,
         });
     };
-    if let Some(disparity) = capture.disparity.as_ref().filter(|_| wants(StereoOutput::Disparity)) {
+    if let Some(disparity) = capture
+        .disparity
+        .as_ref()
+        .filter(|_| wants(StereoOutput::Disparity))
+    {
         add("disparity", LayerData::Float(disparity.to_px()));
     }
     if let Some(confidence) = capture.confidence.filter(|_| wants(StereoOutput::Confidence)) {

@@ -104,6 +104,7 @@ pub(super) fn everything(args: &RenderArgs) -> bool {
         return false;
     }
     let named = args
+        .outputs
         .annotators
         .iter()
         .filter_map(|name| render::annotator(name.trim()).ok());

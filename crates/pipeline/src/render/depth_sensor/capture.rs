@@ -1,7 +1,7 @@
 //! What a depth sensor reports of a rendered frame.
 
-use crate::pair::Pair;
 use crate::geometry::positions;
+use crate::pair::Pair;
 use crate::sensor::{Capture, Engine, Sensor, Shot, single_view};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
