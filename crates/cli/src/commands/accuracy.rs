@@ -52,7 +52,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
     output::say_findings(about, &findings);
-    Ok(if report.is_good {
+    Ok(if report.passed {
         Exit::Good
     } else {
         Exit::Findings

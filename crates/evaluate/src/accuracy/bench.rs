@@ -81,11 +81,11 @@ impl Bench {
             region_width_px: stand.region.columns.end - stand.region.columns.start,
             region_height_px: stand.region.rows.end - stand.region.rows.start,
             captures: options.captures,
-            not_the_vendors_method: differences(&stand, options, depth.spec.kind, own_width_px),
+            protocol_deviations: differences(&stand, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
-            is_good: false,
+            passed: false,
         };
         let bench = Self {
             report,
@@ -126,7 +126,7 @@ impl Bench {
         let theirs = self.rows(&theirs, effort(false), &from(before))?;
         self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
         let verdicts = || self.report.distances.iter().map(|row| row.verdict);
-        self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
+        self.report.passed = verdicts().all(|verdict| verdict != Verdict::Outside)
             && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
         Ok(Measurement { bench: self })
     }
@@ -180,7 +180,7 @@ impl Bench {
             r_squared: r_squared(&pairs),
             rms_difference_percent: (!pairs.is_empty()).then(|| (squares / pairs.len() as f64).sqrt()),
             compared_points: pairs.len(),
-            points_not_measured_by_the_twin: far().count() - pairs.len(),
+            unmeasured_points: far().count() - pairs.len(),
             points,
         }
     }

@@ -199,7 +199,7 @@ pub fn fit(
         sources: recordings.iter().map(|path| path.display().to_string()).collect(),
         targets: Vec::new(),
         points: Vec::new(),
-        is_good: true,
+        passed: true,
     };
     let mut work = Work {
         report,
@@ -217,7 +217,7 @@ pub fn fit(
     let found = work.systematic(&points, method.as_ref());
     method.given(&mut work);
     findings.append(&mut work.findings);
-    work.report.is_good = !findings.iter().any(|finding| finding.level != Level::Note);
+    work.report.passed = !findings.iter().any(|finding| finding.level != Level::Note);
     let fit = Fit {
         report: work.report,
         found,

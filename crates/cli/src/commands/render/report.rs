@@ -25,6 +25,7 @@ pub(super) struct Report<'a> {
     frames: usize,
     #[serde(skip)]
     wanted_frames: usize,
+    #[serde(rename = "interrupted")]
     pub(super) is_interrupted: bool,
     annotators: Vec<&'static str>,
     cameras: Vec<CameraReport<'a>>,

@@ -15,6 +15,7 @@ pub(super) struct Report {
     model: String,
     sensors: Vec<SensorReport>,
     images: u64,
+    #[serde(rename = "interrupted")]
     is_interrupted: bool,
     files: Vec<WrittenFile>,
     findings: Vec<Finding>,

@@ -22,8 +22,9 @@ pub(super) struct Report {
     /// How the images were rectified, where they came raw.
     rectification: Option<&'static str>,
     pairs: usize,
-    /// Of each pair the share (0 to 1) of pixels that were measured.
+    #[serde(rename = "fill_rates")]
     fill: Vec<f64>,
+    #[serde(rename = "interrupted")]
     is_interrupted: bool,
     files: Vec<WrittenFile>,
     findings: Vec<Finding>,
