@@ -1,4 +1,4 @@
-//! What every command needs: the catalog, a model with or without a calibration, and how a command ends.
+//! The context of every command: the catalog, a model with or without a calibration, and exit codes.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::args::UnitArgs;
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// How a command ends when nothing broke.
+/// The exit status of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
     Good,
@@ -26,7 +26,7 @@ impl Exit {
             Self::Good => 0,
             Self::Findings => 1,
             Self::Error => 2,
-            // As a shell reports a program that Ctrl-C ended.
+            // The code of a program that Ctrl-C ended, as in a shell.
             Self::Interrupted => 130,
         }
     }
@@ -50,7 +50,7 @@ impl Context {
         Ok(self.catalog.device(name)?)
     }
 
-    /// The models that are named, or all when none is.
+    /// The named models, or all if none is named.
     pub(crate) fn devices(&self, names: &[String]) -> Result<Vec<&Device>> {
         if names.is_empty() {
             return Ok(self.catalog.devices().iter().collect());
@@ -58,7 +58,7 @@ impl Context {
         names.iter().map(|name| self.device(name)).collect()
     }
 
-    /// A model, or the unit of it that a calibration is of; the findings are the calibration's.
+    /// The twin of a model, or of a unit with a calibration; the findings are the calibration's.
     pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
         let device = self.device(model)?;
         let (twin, findings) = match &unit.calibration {

@@ -1,18 +1,18 @@
-//! Where an output goes, from what `-o` names.
+//! The paths of outputs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use oaktwin::files::{self, FileError};
 
-/// The file for one of several outputs: `-o` names a folder, which is made.
+/// The path of one of several outputs in the folder `-o`, which is created.
 pub(crate) fn in_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
     files::make_folder(output)?;
     Ok(output.join(name))
 }
 
-/// The file for a single output: `-o` names it, or a folder for it. A path that ends in a separator, and one without
-/// an extension where nothing is yet, is a folder.
+/// The path of a single output: `-o` is its path or its folder. A path that ends in a separator, or a new one without extension,
+/// is a folder.
 pub(crate) fn file_or_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
     if names_folder(output) {
         in_folder(output, name)
@@ -21,7 +21,7 @@ pub(crate) fn file_or_folder(output: &Path, name: &str) -> Result<PathBuf, FileE
     }
 }
 
-/// Whether `-o` names a folder.
+/// Whether `-o` is a folder.
 pub(crate) fn names_folder(output: &Path) -> bool {
     output.is_dir()
         || output
@@ -31,7 +31,7 @@ pub(crate) fn names_folder(output: &Path) -> bool {
         || (output.extension().is_none() && fs::symlink_metadata(output).is_err())
 }
 
-/// Refuses to write over an input.
+/// Rejects outputs that would overwrite an input.
 pub(crate) fn spare_inputs<'a>(
     output: &Path,
     inputs: impl IntoIterator<Item = Option<&'a Path>>,
@@ -42,7 +42,7 @@ pub(crate) fn spare_inputs<'a>(
         Some(input) => Err(FileError::new(
             input,
             "is an input of this command",
-            "choose another place with -o",
+            "choose another place",
         )),
         None => Ok(()),
     }
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_names_a_folder() {
+    fn recognizes_folders() {
         let root = tempfile::tempdir().unwrap();
         let at = |name: &str| root.path().join(name);
         fs::write(at("file"), "").unwrap();

@@ -1,4 +1,4 @@
-//! Standard output, where a closed pipe is no error, and messages beside it.
+//! Standard output, with closed pipes ignored, and messages on standard error.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -10,12 +10,12 @@ use serde::Serialize;
 
 use crate::context::Result;
 
-/// Prints text as it is.
+/// Prints text.
 pub(crate) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written ({error}); send it elsewhere").into())
+            Err(format!("standard output: cannot be written ({error}); redirect it elsewhere").into())
         }
         written => Ok(written?),
     }
@@ -25,12 +25,12 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(value)? + "\n"))
 }
 
-/// A message for people, on standard error; it gets lost where that is closed.
+/// Prints a message to standard error; ignored if that is closed.
 pub(crate) fn say(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
-/// Findings for people, on standard error, each with the file that it is about.
+/// Prints findings to standard error, each with its file.
 pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
     for finding in findings {
         say(&format!("{}: {finding}", file.display()));
@@ -51,13 +51,13 @@ pub(crate) fn is_closed_pipe(error: &(dyn std::error::Error + 'static)) -> bool 
         .is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
 }
 
-/// Columns apart by two spaces, a line under the header.
+/// Columns separated by two spaces, with a line under the header.
 const PLAIN: TableStyle = TableStyle::new()
     .header_lines(ContentLineStyle::none().junction(' '))
     .header_separator(LineStyle::none().fill('─').junction('─'))
     .content_lines(ContentLineStyle::none().junction(' '));
 
-/// A table for people, wrapped to the terminal where there is one.
+/// A table, wrapped to the terminal if there is one.
 pub(crate) fn text_table(table: &Table) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn
@@ -68,7 +68,7 @@ pub(crate) fn text_table(table: &Table) -> String {
     format!("{}\n{}\n", table.title, drawn.trim_fmt())
 }
 
-/// A table of numbers for people: all columns but the last end at their right.
+/// A table of numbers: all columns but the last are aligned right.
 pub(crate) fn number_table(table: &Table) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn.load_style(PLAIN).set_header(&table.header);

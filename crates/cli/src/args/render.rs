@@ -12,11 +12,11 @@ use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise or time-of-flight, as an OAK errs, or \
-         stereo-matching, which matches what the two cameras of --model take"
+        "The error model: single-view (Isaac Sim's, the default), stereo-noise, time-of-flight, or stereo-matching of the \
+         stereo pair of --model"
     )),
     mut_arg("isaac", |arg| arg.help(
-        "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
+        "The Isaac Sim version of single-view's defaults; by default that of the scene's asset"
     )),
     mut_arg("annotators", |arg| arg.help(
         "Comma-separated annotators to render; all is everything. Default: rgb, distance_to_image_plane and camera_params, \
@@ -25,33 +25,33 @@ use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
     mut_arg("ply", |arg| arg.help(
         "Also write point clouds as PLY: the depth sensor's if its positions are rendered, else the scene's"
     )),
-    after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. One camera writes \
-    flat into the folder, several into a folder each.\n\n\
+    after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. The files of one camera are in \
+    the output folder itself, those of several cameras in a folder each.\n\n\
     Annotators: rgb, distance_to_image_plane, distance_to_camera, normals, instance_id_segmentation, \
     semantic_segmentation, bounding_box_2d_tight, bounding_box_2d_loose, pointcloud, camera_params.\n\n\
-    Of a depth sensor's camera also what the sensor reports: depth_sensor_distance (metres, 0 where nothing was \
-    measured), depth_sensor_point_cloud_position (camera's frame, USD's axes, metres), depth_sensor_point_cloud_color, \
-    depth_sensor_imager, depth_sensor_output_visualization (the view that rgbDepthOutputMode chooses). Its parameters \
-    are those of the scene's render product or of the model; --param sets others, --sweep tries several.\n\n\
+    Sensor outputs of a depth sensor's camera: depth_sensor_distance (metres, 0 where nothing was measured), \
+    depth_sensor_point_cloud_position (camera frame, USD axes, metres), depth_sensor_point_cloud_color, \
+    depth_sensor_imager, depth_sensor_output_visualization (the view of rgbDepthOutputMode). The parameters are those of \
+    the scene's render product or of the model; --param overrides them, --sweep compares several.\n\n\
     A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {\"time\": t, \"position\": [x, y, z], \
-    \"orientation\": [qx, qy, qz, qw]}; its poses are those of the model's body (x forward, y left, z up), or of the \
-    scene's own camera (x right, y down, z forward), metres."
+    \"orientation\": [qx, qy, qz, qw]}. Its poses are those of the model's body (x forward, y left, z up) or of the \
+    scene's camera (x right, y down, z forward), in metres."
 )]
 pub(crate) struct RenderArgs {
     /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), OBJ, STL or PLY
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The folder to write into; by default oaktwin-render, or none where there is --record
+    /// The output folder; by default oaktwin-render, or none with --record
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Record the frames, the cameras and their poses: .mcap for ROS 2, or .rrd for Rerun where that is built in
+    /// Record the frames, cameras and poses: .mcap for ROS 2, or .rrd for Rerun if it is built in
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) record: Option<PathBuf>,
 
-    /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable. By
-    /// default every depth sensor, else every camera of the scene
+    /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable; by default
+    /// every depth sensor, else every camera of the scene
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
@@ -68,12 +68,12 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) writer: String,
 
-    /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
-    /// keep their aperture
+    /// The image size, such as 1280x800; a model's cameras are resized and cropped as by DepthAI, the scene's keep their
+    /// apertures
     #[arg(long, value_name = "WxH")]
     pub(crate) resolution: Option<String>,
 
-    /// How a scene camera's apertures are read: square pixels without offsets as Isaac Sim does, or as OpenUSD defines
+    /// The interpretation of a scene camera's apertures: Isaac Sim's (square pixels, no offsets) or OpenUSD's
     #[arg(long, value_enum, default_value_t = Projection::Isaac)]
     pub(crate) projection: Projection,
 
@@ -83,19 +83,19 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) pair: PairArgs,
 
-    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
-    /// of all; a second one makes a table
-    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    /// Simulate the sensor with each of these values of a parameter (or engine, preset, seed) and write one comparison sheet;
+    /// a second --sweep makes a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "Depth sensor")]
     pub(crate) sweep: Vec<String>,
 
-    /// Put this OAK into the scene instead of using its cameras
-    #[arg(long, help_heading = "An OAK of ours")]
+    /// Place this OAK in the scene instead of using its cameras
+    #[arg(long, help_heading = "OAK")]
     pub(crate) model: Option<String>,
 
-    #[command(flatten, next_help_heading = "An OAK of ours")]
+    #[command(flatten, next_help_heading = "OAK")]
     pub(crate) unit: UnitArgs,
 
-    /// Where the body's origin stands, metres, and its rotation as a quaternion
+    /// The position of the body in metres, and its rotation as a quaternion
     #[arg(
         long,
         num_args = 7,
@@ -106,8 +106,8 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) pose: Option<Vec<f64>>,
 
-    /// Where the body stands (EYE), what it looks at (TARGET) and, three numbers more, which way is UP (by default the
-    /// scene's up), metres
+    /// The position of the body (EYE), the point it faces (TARGET), and optionally the UP direction (by default the scene's), in
+    /// metres
     #[arg(
         long,
         num_args = 6..=9,
@@ -118,8 +118,8 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) look_at: Option<Vec<f64>>,
 
-    /// A frame for each pose of a file
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Scene and path")]
+    /// Render a frame for each pose of a file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Scene and trajectory")]
     pub(crate) trajectory: Option<PathBuf>,
 
     /// The time code of a USD stage
@@ -127,41 +127,41 @@ pub(crate) struct RenderArgs {
         long,
         value_name = "T",
         allow_negative_numbers = true,
-        help_heading = "Scene and path"
+        help_heading = "Scene and trajectory"
     )]
     pub(crate) time: Option<f64>,
 
-    /// Refine a USD stage's subdivision meshes so often; Isaac Sim does not
+    /// The subdivision level of a USD stage's meshes (Isaac Sim renders level 0)
     #[arg(
         long,
         value_name = "N",
         default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8),
-        help_heading = "Scene and path"
+        help_heading = "Scene and trajectory"
     )]
     pub(crate) subdivide: u32,
 
-    /// The axis of a glTF, OBJ, STL or PLY file that points up; by default what its format says
-    #[arg(long, value_enum, help_heading = "Scene and path")]
+    /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
+    #[arg(long, value_enum, help_heading = "Scene and trajectory")]
     pub(crate) up: Option<Up>,
 
-    /// Metres to a unit of a glTF, OBJ, STL or PLY file
-    #[arg(long, value_name = "METRES", help_heading = "Scene and path")]
+    /// Metres per unit of a glTF, OBJ, STL or PLY file
+    #[arg(long, value_name = "METRES", help_heading = "Scene and trajectory")]
     pub(crate) scale: Option<f64>,
 
-    /// Fail where something is missing or not supported, before anything is written
-    #[arg(long, help_heading = "Scene and path")]
+    /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
+    #[arg(long, help_heading = "Scene and trajectory")]
     pub(crate) strict: bool,
 
-    /// How to find what a pixel sees: rasterize pinholes and cast rays for other lenses, or only one of them
-    #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "How")]
+    /// The visibility backend; auto rasterizes pinholes and casts rays for other lenses
+    #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "Execution")]
     pub(crate) backend: Backend,
 
-    #[command(flatten, next_help_heading = "How")]
+    #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print what was written as JSON
-    #[arg(long, help_heading = "How")]
+    /// Print the result as JSON
+    #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
 }
 

@@ -4,14 +4,14 @@ use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::accuracy::MeasuredOptics;
 use oaktwin::usd::asset;
 
-/// A model, and the calibration that makes it one unit's twin.
+/// The calibration and lens of a model.
 #[derive(Args, Debug)]
 pub(crate) struct UnitArgs {
     /// The DepthAI calibration (JSON) of one unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
-    /// Use a calibration in spite of the errors found in it
+    /// Ignore calibration errors
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
@@ -20,28 +20,28 @@ pub(crate) struct UnitArgs {
     pub(crate) lens: Lens,
 }
 
-/// What is known of one unit whose errors are measured.
+/// The optics of a measured unit.
 #[derive(Args, Debug)]
 pub(crate) struct MeasuredUnitArgs {
-    /// The DepthAI calibration (JSON) of one unit: its optics
+    /// The DepthAI calibration (JSON) of the unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
-    /// Use a calibration in spite of the errors found in it
+    /// Ignore calibration errors
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// Its focal length, pixels of the width below
+    /// The focal length of the unit, px at --stereo-width
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     pub(crate) focal_px: Option<f64>,
 
-    /// The width of its images: 1280 at 800P, 640 at 480P and 400P
+    /// The image width of the unit: 1280 at 800P, 640 at 480P and 400P
     #[arg(long, value_name = "W")]
     pub(crate) stereo_width: Option<u32>,
 }
 
 impl MeasuredUnitArgs {
-    /// Its depth images are rectified, whatever its lenses.
+    /// The unit as a pinhole: its depth images are rectified.
     pub(crate) fn unit(&self) -> UnitArgs {
         UnitArgs {
             calibration: self.calibration.clone(),

@@ -112,7 +112,7 @@ fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
     }))
 }
 
-/// The OAK that is put into the scene.
+/// The OAK in the scene.
 struct Oak {
     twin: oaktwin::catalog::Twin,
     calibration_findings: Vec<Finding>,
@@ -121,7 +121,7 @@ struct Oak {
 impl Oak {
     fn new(context: &Context, args: &RenderArgs) -> Result<Option<Self>> {
         let Some(model) = &args.model else {
-            let needs = |option: &str| Err(format!("{option} is about an OAK: name it with --model").into());
+            let needs = |option: &str| Err(format!("{option} requires --model").into());
             return match &args.unit {
                 unit if unit.calibration.is_some() => needs("--calibration"),
                 unit if unit.lens == Lens::Fisheye => needs("--lens"),
@@ -130,7 +130,7 @@ impl Oak {
         };
         if args.pose.is_none() && args.look_at.is_none() && args.trajectory.is_none() {
             return Err(format!(
-                "--model {model} has no place: say --look-at EYE TARGET, --pose or --trajectory"
+                "--model {model} requires a pose: --look-at EYE TARGET, --pose or --trajectory"
             )
             .into());
         }
@@ -174,7 +174,7 @@ fn own_cameras(
     let (cameras, findings) = render::scene_cameras(scene, &options)?;
     if let ([first, second, ..], [_, ..]) = (&cameras[..], path) {
         return Err(format!(
-            "--trajectory moves one camera, and there are {} ({}, {}{}): choose one with --camera",
+            "--trajectory moves one camera, but there are {} ({}, {}{}); choose one with --camera",
             cameras.len(),
             first.path,
             second.path,
@@ -185,7 +185,7 @@ fn own_cameras(
     Ok((cameras, findings))
 }
 
-/// Refuses images that this machine has no memory for, where it says how much it has.
+/// Rejects images that need more memory than is available, if that is known.
 fn check_memory(
     cameras: &[PlacedCamera],
     annotators: &[Annotator],
@@ -209,7 +209,7 @@ fn check_memory(
     let needed = needs(&largest);
     match render::available_bytes() {
         Some(available) if needed > available => Err(format!(
-            "{}: images of {} need {} of memory, {} are free; choose a smaller --resolution or fewer --annotators",
+            "{}: images of {} need {} of memory, but {} are available; choose a smaller --resolution or fewer --annotators",
             largest.path,
             largest.camera.intrinsics.size,
             render::gib(needed),

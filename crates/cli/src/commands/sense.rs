@@ -18,7 +18,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let (twin, calibration_findings) = context.twin(&args.model, &args.unit)?;
     if is_stream && io::stdout().is_terminal() {
         return Err(
-            "standard output is a terminal, and the result an array: send it on, or say -o DIR".into(),
+            "standard output is a terminal, but the result is an array; redirect it, or set -o DIR".into(),
         );
     }
     let mut stdout = io::stdout();
@@ -31,7 +31,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let sensed = sensed.map_err(|error| match error {
         SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => Box::new(error).into(),
         SenseError::Stream(error) => {
-            let text = format!("standard output: cannot be written ({error}); send it elsewhere");
+            let text = format!("standard output: cannot be written ({error}); redirect it elsewhere");
             <Box<dyn std::error::Error>>::from(text)
         }
         error => error.into(),

@@ -60,12 +60,12 @@ fn outputs(args: &StereoArgs) -> Result<Vec<StereoOutput>> {
     Ok(outputs)
 }
 
-/// The device, where one is named, and what is odd in its calibration.
+/// The device, if one is named, and the findings about its calibration.
 fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
     let model = match (&args.model, &args.unit.calibration) {
         (Some(model), _) => model.clone(),
         (None, None) if args.unit.lens == Lens::Fisheye => {
-            return Err("--lens is about an OAK: name it with --model".into());
+            return Err("--lens requires --model".into());
         }
         (None, None) => return Ok(None),
         (None, Some(file)) => {
@@ -73,15 +73,15 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
             let known = context.catalog.device(&product);
             known.map_err(|unknown| {
                 let names = if product.is_empty() {
-                    "the file names no model".to_owned()
+                    "no product name".to_owned()
                 } else {
-                    format!("no model is called {product:?}")
+                    format!("unknown model {product:?}")
                 };
                 let nearest = match &unknown.nearest[..] {
                     [] => &unknown.known,
                     nearest => nearest,
                 };
-                let remedy = format!("name one with --model: {}", nearest.join(" or "));
+                let remedy = format!("set --model: {}", nearest.join(" or "));
                 format!("{}: productName: {names}; {remedy}", file.display())
             })?;
             product
@@ -104,8 +104,8 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
         };
         let (Some(baseline_m), true) = (args.baseline, field_of_view != FieldOfView::Known) else {
             return Err(
-                "nothing says what took the images: give --calibration FILE, --model MODEL, or --fx F (or \
-                        --hfov D) and --baseline METRES of a rectified pair"
+                "the cameras are unknown; set --calibration FILE, --model MODEL, or --fx F (or --hfov D) and --baseline METRES \
+                        of a rectified pair"
                     .into(),
             );
         };

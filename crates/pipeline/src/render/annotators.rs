@@ -1,28 +1,31 @@
 //! Annotators by name.
 
-use oaktwin_diagnostic::nearest;
+use oaktwin_diagnostic::{nearest, suggestion};
 use oaktwin_image::annotation::Annotator;
 
-/// What is rendered when nobody says what: a picture, the depth, and the camera that both are of.
+/// The annotators that are rendered by default.
 pub const DEFAULT_ANNOTATORS: [Annotator; 3] = [
     Annotator::Rgb,
     Annotator::DistanceToImagePlane,
     Annotator::CameraParams,
 ];
 
-/// A name that is no annotator's.
+/// An unknown annotator.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no annotator `{name}`; {}", hint(nearest))]
+#[error("unknown annotator '{name}'; {}", suggestion(nearest, &all().collect::<Vec<_>>()))]
 pub struct UnknownAnnotator {
     /// The name.
     pub name: String,
-    /// The nearest valid ones, best first.
+    /// The nearest names, best first.
     pub nearest: Vec<&'static str>,
 }
 
-fn hint(nearest: &[&str]) -> String {
-    match nearest {
-        [] => format!("there are {}", all().collect::<Vec<_>>().join(", ")),
+format!("there are {}", all().collect::<Vec<_>>().join(", ")),
+        near => format!("did you mean {}?", near.join(" or ")),
+    }
+}
+
+ =>  => format!("there are {}", all().collect::<Vec<_>>().join(", ")),
         near => format!("did you mean {}?", near.join(" or ")),
     }
 }
@@ -31,10 +34,10 @@ fn all() -> impl Iterator<Item = &'static str> {
     Annotator::ALL.into_iter().map(Annotator::name)
 }
 
-/// The annotator of Replicator's name.
+/// Returns the annotator with Replicator's name.
 ///
 /// # Errors
-/// There is none; the error lists the nearest.
+/// Returns an error with the nearest names if there is none.
 pub fn annotator(name: &str) -> Result<Annotator, UnknownAnnotator> {
     let found = Annotator::ALL
         .into_iter()
@@ -50,16 +53,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_misspelt_name_finds_its_neighbours() {
+    fn suggests_near_names() {
         for one in Annotator::ALL {
             assert_eq!(annotator(one.name()), Ok(one));
         }
         let error = annotator("distance_to_image").unwrap_err().to_string();
         assert!(
-            error.contains("did you mean distance_to_image_plane or"),
+            error.contains("did you mean 'distance_to_image_plane'"),
             "{error}"
         );
         let error = annotator("xyz").unwrap_err().to_string();
-        assert!(error.contains("there are rgb, "), "{error}");
+        assert!(error.contains("expected one of rgb, "), "{error}");
     }
 }

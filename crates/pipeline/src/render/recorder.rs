@@ -1,4 +1,4 @@
-//! Frames of a recording.
+//! Recordings of rendered frames.
 
 use std::path::{Path, PathBuf};
 
@@ -16,13 +16,13 @@ use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_scene::Up;
 
-/// Frames a second where a path does not say its times.
+/// The frame rate of trajectories without times.
 const FRAME_RATE: f64 = 30.0;
 
-/// What the body of an OAK is called.
+/// The name of an OAK's body.
 const BODY: &str = "oak";
 
-/// What is to be rendered so that these annotators can be recorded: a cloud is of a depth image.
+/// Returns the annotators that must be rendered to record these: a point cloud requires depth.
 #[must_use]
 pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
     let mut needed = annotators.to_vec();
@@ -35,7 +35,7 @@ pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
 }
 
 /// Writes frames into a recording: `rgb`, `distance_to_image_plane` as `depth`, `depth_sensor_distance` as `measured` with
-/// its cloud, and a cloud of the depth where `pointcloud` is asked for.
+/// its point cloud, and for `pointcloud` a point cloud of the depth.
 #[derive(Debug)]
 pub struct FrameRecorder {
     /// Until it is complete.
@@ -47,13 +47,13 @@ pub struct FrameRecorder {
 }
 
 impl FrameRecorder {
-    /// Begins a recording of what these cameras see along a path, or from where they stand if it is empty, and what to
-    /// know about it: what of `annotators` has no place in it, a warning unless files beside it have that.
+    /// Begins a recording of these cameras along a trajectory, or at their own poses if it is empty. Annotators that a
+    /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
-    /// Times are the path's where all its poses have one, else 30 frames a second from 0 on.
+    /// The times are those of the trajectory if all its poses have one, else 30 frames per second from 0.
     ///
     /// # Errors
-    /// The file cannot be written, or a time is none that a recording can say.
+    /// Returns an error if the file cannot be written or a time is out of range.
     pub fn create(
         path: &Path,
         up: Up,
@@ -68,7 +68,7 @@ impl FrameRecorder {
             error,
         };
         let (times, mut findings) = times(poses).map_err(in_file)?;
-        findings.extend(without_place(annotators, is_alone));
+        findings.extend(not_recorded(annotators, is_alone));
         let lost = cameras.iter().filter_map(|camera| {
             let loss = format.lens_loss(&camera.camera.lens)?;
             Some(Finding::new(
@@ -140,7 +140,7 @@ fn other(error: RecordingFileError) -> WriteError {
 }
 
 fn recorded(placed: &PlacedCamera) -> RecordedCamera {
-    // A camera of the scene's own is moved itself.
+    // A camera of the scene is moved itself.
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
@@ -152,22 +152,22 @@ fn recorded(placed: &PlacedCamera) -> RecordedCamera {
     }
 }
 
-/// When each frame is.
+/// The time of each frame.
 fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingError> {
-    let said: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
+    let known: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
     let mut findings = Vec::new();
-    let mut told = |code, message: &str, remedy: &str| {
+    let mut warn = |code, message: &str, remedy: &str| {
         findings.push(Finding::new(code, Level::Warning, "trajectory", message, remedy));
     };
-    let times = match said {
+    let times = match known {
         Some(seconds) if !seconds.is_empty() => seconds
             .into_iter()
             .map(Time::from_seconds)
             .collect::<Result<Vec<Time>, _>>()?,
         _ => {
             if poses.iter().any(|pose| pose.time_s.is_some()) {
-                let message = "some of its poses have no time: the recording has 30 frames a second";
-                told("times-missing", message, "give all of them one");
+                let message = "some poses have no time; the recording has 30 frames per second";
+                warn("times-missing", message, "give every pose a time");
             }
             (0..poses.len().max(1) as u64)
                 .map(|frame| Time::of_frame(frame, FRAME_RATE))
@@ -175,13 +175,13 @@ fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingErro
         }
     };
     if !times.is_sorted_by(|a, b| a < b) {
-        let message = "its times do not increase: transforms at one time are ambiguous";
-        told("times-not-increasing", message, "sort its poses by time");
+        let message = "the times do not increase; transforms at the same time are ambiguous";
+        warn("times-not-increasing", message, "sort the poses by time");
     }
     Ok((times, findings))
 }
 
-fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
+fn not_recorded(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
     let has_place = |one: &&Annotator| {
         matches!(
             one,
@@ -208,7 +208,7 @@ fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
     } else {
         (Level::Note, Message::default())
     };
-    let message = format!("has no place for {}: left out", left_out.join(", "));
+    let message = format!("not recorded: {}", left_out.join(", "));
     Some(Finding::new("not-recorded", level, "recording", message, remedy))
 }
 
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn when_frames_are() {
+    fn times_frames_by_the_trajectory() {
         let of = |said: &[Option<f64>]| {
             let (times, findings) = times(&path(said)).unwrap();
             let nanoseconds: Vec<u64> = times.into_iter().map(Time::nanoseconds).collect();
@@ -250,14 +250,14 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_is_told() {
+    fn reports_annotators_that_are_not_recorded() {
         use Annotator as A;
-        assert!(without_place(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
-        let found = without_place(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
+        assert!(not_recorded(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
+        let found = not_recorded(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
         assert_eq!(found.level, Level::Warning);
         assert_eq!(
             found.message,
-            "has no place for normals, distance_to_camera: left out"
+            "not recorded: normals, distance_to_camera"
         );
         assert_eq!(
             record_annotators(&[A::Pointcloud]),

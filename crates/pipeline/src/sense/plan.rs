@@ -1,4 +1,4 @@
-//! Which files belong together, and what their results are called.
+//! Sequences of input files, and the names of their outputs.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use oaktwin_dataset::InputName;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
-/// What a program's standard input is called in messages.
+/// The name of standard input in messages.
 pub const STANDARD_INPUT: &str = "standard input";
 
-/// One depth file and what belongs to it.
+/// A depth file with its colour images and camera.
 #[derive(Clone, Debug)]
 pub(super) struct DepthFile {
     pub(super) path: PathBuf,
@@ -26,21 +26,21 @@ pub(super) struct DepthFile {
     pub(super) results: InputName,
 }
 
-/// Files of one camera in the order of their frames: a sensor sees one after the other.
+/// The files of one camera in the order of their frames, processed by one sensor.
 #[derive(Debug)]
 pub(super) struct Sequence<'a> {
     pub(super) sensor: &'a TwinDepthSensor,
-    /// Whether the files say that they are this sensor's.
+    /// Whether the files are named after this sensor.
     is_of_model: bool,
-    /// What keys the noise, where it is not the sensor's prim.
+    /// The key of the noise, if it is not the sensor's prim.
     pub(super) name: Option<String>,
     pub(super) files: Vec<DepthFile>,
 }
 
-/// The depth sensor of a kind; by default that of time of flight where there is one.
+/// Returns the depth sensor of a kind; by default time of flight if the device has it.
 ///
 /// # Errors
-/// The device has none such.
+/// Returns an error if the device has none.
 pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSensor, SenseError> {
     let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
     let model = &twin.device.name;
@@ -68,7 +68,7 @@ pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSe
     Ok(chosen)
 }
 
-/// Puts inputs in order.
+/// Groups inputs into sequences.
 pub(super) fn sequences<'a>(
     twin: &'a Twin,
     inputs: &[Input],
@@ -106,7 +106,7 @@ pub(super) fn sequences<'a>(
                     .unwrap_or_default()
                     .to_string_lossy()
                     .into_owned();
-                // Without a number there is no next one.
+                // A file without a number is a sequence of its own.
                 let base = if name.number.is_some() {
                     name.base
                 } else {
@@ -152,7 +152,7 @@ pub(super) fn sequences<'a>(
             Level::Note,
             &twin.device.name,
             format!(
-                "of its depth sensors, {} ({}) is taken",
+                "several depth sensors; using {} ({})",
                 chosen.spec.prim, chosen.spec.kind
             ),
             message!["choose with ", opt("sensor")],
@@ -161,7 +161,7 @@ pub(super) fn sequences<'a>(
     Ok(sequences)
 }
 
-/// The cameras of a folder: those that are a depth sensor's of the model where there are such, else all.
+/// The cameras of a folder: those of the model's depth sensors if there are any, else all.
 fn folder<'a>(
     twin: &'a Twin,
     chosen: &'a TwinDepthSensor,
@@ -187,8 +187,8 @@ fn folder<'a>(
                 "camera-left-out",
                 Level::Note,
                 path.join(&camera.name).display().to_string(),
-                format!("is no depth sensor of {}: left out", twin.device.name),
-                "name its files to have it sensed",
+                format!("not a depth sensor of {}; skipped", twin.device.name),
+                "name its files to process them",
             ));
             continue;
         }
@@ -220,7 +220,7 @@ fn folder<'a>(
     Ok(())
 }
 
-/// What a file's numbers are: its name says it, or the options must.
+/// The kind of depth, from the options or the file's name.
 fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result<InputKind, SenseError> {
     match (options.input_kind, named) {
         (Some(kind), _) => Ok(kind),
@@ -239,7 +239,7 @@ fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result
     }
 }
 
-/// No two files may have results of one name.
+/// Rejects inputs with outputs of the same name.
 fn one_result_each(sequences: &[Sequence<'_>]) -> Result<(), SenseError> {
     let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
     for file in sequences.iter().flat_map(|sequence| &sequence.files) {
@@ -248,14 +248,14 @@ fn one_result_each(sequences: &[Sequence<'_>]) -> Result<(), SenseError> {
             .path("depth_sensor_distance", "depth_sensor_distance", "npy");
         if let Some(other) = taken.insert(result.clone(), &file.path) {
             let message = format!(
-                "has the result {}, and so has {}",
-                result.display(),
-                other.display()
+                "output path collision: {} also writes {}",
+                other.display(),
+                result.display()
             );
             return Err(FileError::new(
                 &file.path,
                 message,
-                "give them one after the other, each its own -o",
+                "process them one by one, each with its own output folder",
             )
             .into());
         }

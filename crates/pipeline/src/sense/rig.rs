@@ -1,4 +1,4 @@
-//! Into another camera of the device.
+//! Alignment to another camera of the device.
 
 use super::shot::reported;
 use super::{AlignTo, SenseError};
@@ -11,10 +11,10 @@ use oaktwin_depth::align::Align;
 use oaktwin_depth::single_view::Direction;
 use oaktwin_diagnostic::{message, opt};
 
-/// From the images that a sensor reports of those of a camera to the camera that is asked for.
+/// Returns the alignment of a sensor's depth images to another camera.
 ///
 /// # Errors
-/// The device has no such camera, or its image cannot be.
+/// Returns an error if the device has no such camera or its image size is invalid.
 pub fn align_to(
     twin: &Twin,
     sensor: &TwinDepthSensor,
@@ -29,7 +29,7 @@ pub fn align_to(
     aligner(twin, sensor, smaller, shift_m(look.engine(), images), to, lens)
 }
 
-/// From the image that a sensor reports to the camera that is asked for: as that camera sees, its lens included.
+/// The alignment of reported depth to a camera with its lens.
 pub(super) fn aligner(
     twin: &Twin,
     sensor: &TwinDepthSensor,
@@ -71,9 +71,8 @@ pub(super) fn aligner(
     Ok(Align::new(reported, own, target_from_reported, to.fill))
 }
 
-/// How far left of the camera, metres, the reported image is seen from. Isaac Sim's sensor moves what the camera renders
-/// to where its left imager sees it; the errors of a stereo pair are those of the left image itself, and so
-/// are those of time of flight.
+/// The distance in metres from the camera to the reported image's viewpoint, positive to the left. Isaac Sim's sensor moves the
+/// rendered depth to its left imager; the other engines report the camera's own view.
 pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
     match engine {
         Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => 0.0,

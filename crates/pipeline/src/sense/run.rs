@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::options::ImageCamera;
 use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
-use super::shot::{Look, reported};
+use super::shot::{OutputContext, reported};
 use super::stream::StreamWriter;
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
 use crate::geometry::{places, positions, resample, z_of_range};
@@ -23,7 +23,7 @@ use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 
-/// Pixels that are worked on at once.
+/// The number of pixels that are processed at once.
 const PIXELS_AT_ONCE: usize = 1 << 24;
 
 /// The destination of the results.
@@ -74,7 +74,7 @@ pub fn sense(
         ]));
     }
     if options.sensor.engine == Some(EngineKind::StereoMatching) {
-        return Err(needs_a_pair("a depth image is none").into());
+        return Err(needs_a_pair("a depth image is not a pair").into());
     }
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
@@ -131,22 +131,22 @@ struct Run<'a, 'b, 'c> {
     sensors: &'b mut Vec<(String, &'static str)>,
 }
 
-/// What does not change within a sequence.
-struct Eye<'a> {
+/// The state of a sequence that does not change from frame to frame.
+struct Session<'a> {
     /// The first file, and its size.
     first: PathBuf,
     size: ImageSize,
     image: Camera,
     /// Whether the image's camera was read from its file's `camera_params`.
     is_by_params: bool,
-    /// Of distances from the optical centre.
+    /// The factors from range to z-depth, for range images.
     z_of_range: Option<Vec<f32>>,
-    /// Where the model's pixels lie in the images.
+    /// The image pixel of each of the model's pixels, if the images are resampled.
     places: Option<Vec<Option<usize>>>,
-    look: Look<'a>,
+    output: OutputContext<'a>,
 }
 
-/// One image on its way.
+/// An input image.
 struct Given {
     z: Image<f32>,
     rgb: Option<Image<[u8; 4]>>,
@@ -156,43 +156,43 @@ struct Given {
 
 impl<'a> Run<'a, '_, '_> {
     fn sequence(&mut self, sequence: &Sequence<'a>) -> Result<ControlFlow<()>, SenseError> {
-        let mut seeing: Option<(Eye<'a>, Sensor)> = None;
+        let mut current: Option<(Session<'a>, Sensor)> = seeing.insert => None => current.insert;
         for file in &sequence.files {
             let scale = self.options.depth_scale;
             let source = if file.is_standard_input {
-                Source::read(&file.path, Box::new(std::io::stdin()), None, scale)?
+                Source::read(&file.path, Box::new(std::io::stdin()), seeing.insert => None => current.insert, scale)?
             } else {
                 Source::open(&file.path, scale)?
             };
             let count = source.batch.unwrap_or(1);
             self.producer.expect_more(count as u64 - 1);
             let pictures = Pictures::open(&file.rgb, &file.path, count)?;
-            let has_pictures = pictures.is_some();
-            let (eye, sensor) = match &mut seeing {
-                Some(seeing) => {
-                    seeing.0.check_same(file, source.size)?;
-                    seeing
+            let has_rgb = pictures.is_some();
+            let (session, sensor) = match &mut current {
+                Some(current) => {
+                    current.0.check_same(file, source.size)?;
+                    current
                 }
-                None => seeing.insert(self.eye(sequence, file, source.size)?),
+                seeing.insert => None => current.insert => seeing.insert(self.session(sequence, file, source.size)?),
             };
-            check_outputs(self.options, sensor.engine(), has_pictures, file)?;
-            if self.file(eye, sensor, file, source, pictures)?.is_break() {
+            check_outputs(self.options, sensor.engine(), has_rgb, file)?;
+            if self.file(session, sensor, file, source, pictures)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }
         Ok(ControlFlow::Continue(()))
     }
 
-    /// What a sequence of images of this size is looked at with, nothing being remembered yet.
-    fn eye(
+    /// Creates the session and the sensor of a sequence.
+    fn session(
         &mut self,
         sequence: &Sequence<'a>,
         file: &DepthFile,
         size: ImageSize,
-    ) -> Result<(Eye<'a>, Sensor), SenseError> {
+    ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
         let own = self.twin.camera(sequence.sensor.spec.camera).ok_or_else(|| {
-            SenseError::option(format!("the camera of {prim} is not known; choose another model"))
+            SenseError::option(format!("the camera of {prim} is unknown; choose another model"))
         })?;
         let ImageCamera {
             camera: image,
@@ -213,7 +213,7 @@ impl<'a> Run<'a, '_, '_> {
                 Level::Note,
                 prim,
                 format!(
-                    "images of {size}, focal length {:.2} px, become the model's of {}, {:.2} px: the nearest samples",
+                    "images of {size}, focal length {:.2} px, resampled to the model's {}, {:.2} px (nearest samples)",
                     image.intrinsics.fx, own.intrinsics.size, own.intrinsics.fx
                 ),
                 "",
@@ -243,27 +243,27 @@ impl<'a> Run<'a, '_, '_> {
             .as_ref()
             .map(|to| rig::aligner(self.twin, sequence.sensor, smaller, shift_m, to, options.lens))
             .transpose()?;
-        let eye = Eye {
+        let session = Session {
             first: file.path.clone(),
             size,
             image,
             is_by_params: options.field_of_view == FieldOfView::Known && file.params.is_some(),
             z_of_range: (file.kind == InputKind::Range).then(|| z_of_range(&image)),
             places: resampled.then(|| places(&image, &looked)),
-            look: Look {
+            output: OutputContext {
                 options,
                 camera: looked,
                 shift_m,
                 align,
             },
         };
-        Ok((eye, sensor))
+        Ok((session, sensor))
     }
 
-    /// Senses one file.
+    /// Processes one file.
     fn file(
         &mut self,
-        eye: &Eye<'a>,
+        session: &Session<'a>,
         sensor: &mut Sensor,
         file: &DepthFile,
         mut source: Source,
@@ -286,7 +286,7 @@ impl<'a> Run<'a, '_, '_> {
                 let Some(z) = source.next_image()? else { break };
                 let rgb = match &mut pictures {
                     Some(pictures) => Some(pictures.next(&file.path, source.size)?),
-                    None => None,
+                    seeing.insert => None => current.insert => seeing.insert => None => current.insert,
                 };
                 let number = item + given.len();
                 let (frame, item) = if self.options.is_sequence {
@@ -307,14 +307,14 @@ impl<'a> Run<'a, '_, '_> {
             let shots: Vec<Result<Shot, SenseError>> = if is_sequence {
                 let shots = given.into_iter().enumerate();
                 shots
-                    .map(|(index, one)| eye.see(sensor, one, file, input(index)))
+                    .map(|(index, one)| session.capture(sensor, one, file, input(index)))
                     .collect()
             } else {
                 let fresh = &*sensor;
                 given
                     .into_par_iter()
                     .enumerate()
-                    .map(|(index, one)| eye.see(&mut fresh.clone(), one, file, input(index)))
+                    .map(|(index, one)| session.capture(&mut fresh.clone(), one, file, input(index)))
                     .collect()
             };
             for shot in shots {
@@ -327,8 +327,8 @@ impl<'a> Run<'a, '_, '_> {
     }
 }
 
-impl Eye<'_> {
-    /// Refuses an image of another size or camera in a sequence.
+impl Session<'_> {
+    /// Rejects an image of another size or camera.
     fn check_same(&self, file: &DepthFile, size: ImageSize) -> Result<(), FileError> {
         let differs = |message: String| {
             Err(FileError::new(
@@ -339,12 +339,12 @@ impl Eye<'_> {
         };
         let first = self.first.display();
         if size != self.size {
-            return differs(format!("is {size}, and {first} before it is {}", self.size));
+            return differs(format!("is {size}, but {first} before it is {}", self.size));
         }
         match &file.params {
             Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => {
                 differs(format!(
-                    "is by another camera ({}) than {first} before it",
+                    "has another camera ({}) than {first} before it",
                     params.display()
                 ))
             }
@@ -352,7 +352,7 @@ impl Eye<'_> {
         }
     }
 
-    fn see(
+    fn capture(
         &self,
         sensor: &mut Sensor,
         given: Given,
@@ -370,19 +370,19 @@ impl Eye<'_> {
                 *z *= factor;
             }
         }
-        let size = self.look.camera.intrinsics.size;
+        let size = self.output.camera.intrinsics.size;
         if let Some(places) = &self.places {
             z = resample(&z, places, size, f32::INFINITY);
             rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
         }
-        let wanted = self.look.wanted();
+        let wanted = self.output.wanted();
         let is_single_view = matches!(sensor.engine(), Engine::SingleView(_));
-        let seen = (wanted.positions && is_single_view).then(|| positions(&self.look.camera, &z));
+        let seen = (wanted.positions && is_single_view).then(|| positions(&self.output.camera, &z));
         let mut shot = sensor::Shot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
         let of_one_size = |error: oaktwin_depth::ShotError| {
-            FileError::new(&file.path, error.to_string(), "give both in one size")
+            FileError::new(&file.path, error.to_string(), "give images of the same size")
         };
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into()).map_err(of_one_size)?;
@@ -391,19 +391,19 @@ impl Eye<'_> {
             shot = shot.with_positions(seen.into()).map_err(of_one_size)?;
         }
         let capture = sensor.capture(&shot, wanted);
-        Ok(self.look.shot(capture, rgb.as_ref(), input))
+        Ok(self.output.shot(capture, rgb.as_ref(), input))
     }
 }
 
-/// Refuses what an engine does not make, or makes of a picture that is not there.
+/// Rejects annotators that the engine does not support, or that require a missing colour image.
 fn check_outputs(
     options: &SenseOptions,
     engine: &Engine,
-    has_pictures: bool,
+    has_rgb: bool,
     file: &DepthFile,
 ) -> Result<(), SenseError> {
     let is_single_view = matches!(engine, Engine::SingleView(_));
-    let needs_picture = |annotator: &Annotator| match annotator {
+    let needs_rgb = |annotator: &Annotator| match annotator {
         Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
         Annotator::DepthSensorOutputVisualization => match engine {
             Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
@@ -413,11 +413,11 @@ fn check_outputs(
     };
     for annotator in &options.annotators {
         let name = annotator.name();
-        let is_isaacs = matches!(
+        let is_isaac_only = matches!(
             annotator,
             Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
         );
-        if is_isaacs && !is_single_view {
+        if is_isaac_only && !is_single_view {
             return Err(SenseError::option(message![
                 opt("annotators").with(name),
                 format!(
@@ -427,7 +427,7 @@ fn check_outputs(
                 opt("engine").with("single-view")
             ]));
         }
-        if needs_picture(annotator) && !has_pictures {
+        if needs_rgb(annotator) && !has_rgb {
             let remedy = message!["give it as ", opt("rgb"), ", or remove the annotator"];
             let message = format!("no colour image, which {name} requires");
             return Err(FileError::new(&file.path, message, remedy).into());

@@ -9,24 +9,24 @@ use oaktwin_depth::align::Align;
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, ZDepth};
 
-/// What was measured, where it is needed: with the axes of USD, and its colours.
+/// A point cloud with USD's axes and its colours, as far as they are needed.
 struct Cloud {
     positions: Option<Image<[f32; 4]>>,
     colors: Option<Image<[u8; 4]>>,
 }
 
-/// How an image is looked at.
-pub(super) struct Look<'a> {
+/// The camera and outputs of a sequence.
+pub(super) struct OutputContext<'a> {
     pub(super) options: &'a SenseOptions,
-    /// What the sensor looked with.
+    /// The camera of the sensor's input.
     pub(super) camera: Camera,
     /// See [`shift_m`](super::rig::shift_m).
     pub(super) shift_m: f64,
     pub(super) align: Option<Align>,
 }
 
-impl Look<'_> {
-    /// Which of [`single_view`]'s outputs are needed.
+impl OutputContext<'_> {
+    /// The outputs of [`single_view`] that are needed.
     pub(super) fn wanted(&self) -> single_view::Wanted {
         let wants = |annotator| self.options.annotators.contains(&annotator);
         single_view::Wanted {
@@ -85,12 +85,12 @@ impl Look<'_> {
         }
     }
 
-    /// The points that were measured and their colours, where those are needed.
+    /// The measured points and their colours, if they are needed.
     fn cloud(&self, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
         let wanted = self.wanted();
         let ZDepth(metres) = &capture.distance;
         let sisters = capture.single_view.as_ref();
-        // Filters may have changed what was measured; only they make another image of it.
+        // Filters may have changed the depth; then the points are computed from it.
         let moved = sisters.filter(|sisters| sisters.distance == capture.distance);
         let positions = wanted
             .positions
@@ -115,7 +115,7 @@ impl Look<'_> {
         Cloud { positions, colors }
     }
 
-    /// The points of reported distances, in the frame of the sensor's camera.
+    /// The points of reported depth in the frame of the sensor's camera.
     #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
     fn seen(&self, metres: &Image<f32>) -> Image<[f32; 4]> {
         let mut points = positions(&self.reported(metres), metres);
@@ -125,13 +125,13 @@ impl Look<'_> {
         points
     }
 
-    /// The camera of reported images: filters may have made them smaller.
+    /// The camera of reported images, which filters may have reduced.
     fn reported(&self, metres: &Image<f32>) -> Camera {
         reported(&self.camera, ImageSize::new(metres.width(), metres.height()))
     }
 }
 
-/// A camera's image, made smaller or not.
+/// The camera with a resized image.
 pub(super) fn reported(camera: &Camera, size: ImageSize) -> Camera {
     if camera.intrinsics.size == size {
         *camera

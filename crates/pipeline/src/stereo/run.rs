@@ -199,7 +199,7 @@ impl Matched {
         }
     }
 
-    /// Whether something is wrong with the images.
+    /// Whether there are warnings about the images.
     #[must_use]
     pub fn has_warnings(&self) -> bool {
         self.findings
@@ -213,8 +213,8 @@ fn nothing_measured() -> Finding {
         "nothing-measured",
         Level::Warning,
         "stereo pair",
-        "not one pixel was measured",
-        "check that the two are a rectified pair, or loosen confidenceThreshold, leftRightCheckThreshold and the filters",
+        "no pixel was measured",
+        "check that the images are a rectified pair, or relax confidenceThreshold, leftRightCheckThreshold and the filters",
     )
 }
 

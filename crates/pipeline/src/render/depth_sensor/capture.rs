@@ -1,4 +1,4 @@
-//! What a depth sensor reports of a rendered frame.
+//! The depth sensor's outputs for a rendered frame.
 
 use crate::geometry::positions;
 use crate::pair::Pair;
@@ -8,11 +8,11 @@ use oaktwin_depth::stereo_matching;
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, ZDepth};
 
-/// What a depth sensor looks at, whatever of it is asked for: so the same is measured in every case.
+/// The inputs of a depth sensor, the same for every requested output, so that the measurement does not depend on it.
 const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
-/// What is to be rendered so that these annotations of a camera can be written: without those that a depth sensor makes,
-/// with what one looks at where the frame `is_sensed`.
+/// Returns the annotators to render for these outputs of a camera: without those of the depth sensor, but with its inputs if the frame
+/// `is_sensed`.
 #[must_use]
 pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annotator> {
     let mut needed = annotators.to_vec();
@@ -25,26 +25,25 @@ pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annota
     needed
 }
 
-/// What a sensor looks at in a frame of this number.
+/// The sensor's input from a frame.
 pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64, pair: Option<&'a Pair>) -> Option<Shot<'a>> {
     let depth = frame.distance_to_image_plane.as_ref()?;
     let mut shot = Shot::new((&depth.0).into());
     shot.frame = number;
     if let Some(pair) = pair {
-        // Both were recorded alike.
+        // Both have the same bit depth.
         let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
         shot = shot.with_pair(pair.ok()?);
     }
     match &frame.rgb {
-        // Both are of one camera, and so of one size.
+        // Both are of the same camera and size.
         Some(rgb) => shot.with_rgb(rgb.into()).ok(),
         None => Some(shot),
     }
 }
 
-/// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
-/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. Returns the annotators that
-/// cannot be produced.
+/// Adds the sensor outputs that are `asked` for to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
+/// pair for engines that match one. Returns the annotators that cannot be produced.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
@@ -111,7 +110,7 @@ fn fill(
         frame.depth_sensor_imager = output.imager;
         frame.depth_sensor_output_visualization = output.view;
     } else {
-        // Nothing has moved: a pixel's point is where its ray reaches what it measured.
+        // The depth is that of the camera itself: a pixel's point is on its own ray.
         frame.depth_sensor_point_cloud_position = wants_positions.then(|| positions(camera, &distance.0));
         frame.depth_sensor_point_cloud_color = frame
             .rgb
@@ -122,7 +121,7 @@ fn fill(
     frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(distance);
 }
 
-/// Colours where there is a depth.
+/// The colours of valid depth.
 fn measured(rgb: &Image<[u8; 4]>, distance: &ZDepth) -> Option<Image<[u8; 4]>> {
     let both = rgb.pixels().iter().zip(distance.0.pixels());
     let colors = both.map(|(&color, &z)| if z > 0.0 { color } else { [0; 4] });
@@ -134,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_rendered_for_a_sensor() {
+    fn renders_the_inputs_of_a_sensor() {
         use Annotator as A;
         let asked = [A::CameraParams, A::DepthSensorDistance];
         assert_eq!(scene_annotators(&asked, false), [A::CameraParams]);
