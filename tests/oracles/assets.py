@@ -1,4 +1,4 @@
-"""Every asset that the tests look at: models, options and formats, built by the program on first use."""
+"""The assets under test: models, options and formats, built by the program on first use."""
 
 import json
 import math
@@ -18,7 +18,7 @@ HERE = Path(__file__).parent
 
 @dataclass(frozen=True)
 class Variant:
-    """One choice of options, and what the asset then has."""
+    """A choice of options, and the expected content of the asset."""
 
     name: str
     args: tuple[str, ...] = ()
@@ -95,7 +95,7 @@ class Builder:
         self.run(*args)
 
     def calibration(self, model: sheet.Model) -> Path:
-        """A made-up unit of a model: its nominal calibration, every camera put off a little."""
+        """A synthetic unit of a model: its nominal calibration with every camera slightly displaced."""
         path = self.folder / "calibration" / f"{model.stem}.json"
         if not path.exists():
             path.parent.mkdir(exist_ok=True)

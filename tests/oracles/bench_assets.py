@@ -1,4 +1,4 @@
-"""The five assets as one would author them with OpenUSD's Python API: the peer of `cargo xtask bench assets`.
+"""The five assets, written with OpenUSD's Python API: the peer of `cargo xtask bench assets`.
 
 `bench_assets.py DIR RUNS` writes the five assets into DIR, RUNS times, and prints the seconds of each run.
 The content matches the program's: cameras, products with every depth attribute, legacy distortion, IMU, body.
@@ -94,7 +94,7 @@ def rounded_box(width: float, height: float, corner: float, edge: float, back: f
 
 @cache
 def loft(*rings: Ring) -> tuple[Vt.Vec3fArray, Vt.IntArray, Vt.IntArray, Vt.Vec3fArray]:
-    """Points, counts, indices and one normal for each corner. Kept, so that only the first run pays for Python's loops."""
+    """Points, counts, indices and one normal per corner. Cached, so that only the first run pays for Python's loops."""
     count = len(rings[0][1])
     points = [Gf.Vec3f(x, y, z) for x, outline in rings for y, z in outline]
     counts, indices, normals = [], [], []
@@ -167,7 +167,7 @@ def author(model: sheet.Model, folder: Path, extension: str = "usd") -> None:
     if extension == "usda":
         stage.GetRootLayer().Save()
     else:
-        # The text under the name .usd, as the program writes it: OpenUSD's faster binary is another file.
+        # Text in a .usd file, as the program writes it, rather than OpenUSD's faster binary format.
         stage.GetRootLayer().Export(str(target), args={"format": "usda"})
 
 

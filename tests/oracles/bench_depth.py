@@ -33,7 +33,7 @@ SHEET = {
     "confidenceThreshold": 0.8,
 }
 STEREO = Parameters(focalLength=805.0, baseline=0.075, width=1280)
-# What the program calls the case, and the filter.
+# The program's name of the case, and the filter.
 DEPTHAI = {
     "median:kernel=3x3": ("median", {"size": 3}),
     "median:kernel=5x5": ("median", {"size": 5}),
@@ -93,7 +93,7 @@ def depthai_times(name: str, settings: dict, frames: np.ndarray) -> list[tuple[f
     return times[1:]
 
 
-# Taking a stopped pipeline apart may wait for ever.
+# Destroying a stopped pipeline can hang.
 PIPELINES = []
 
 
@@ -134,5 +134,5 @@ def main() -> None:
 if __name__ == "__main__":
     main()
     sys.stdout.flush()
-    # Without taking the pipelines apart.
+    # Without destroying the pipelines.
     os._exit(0)

@@ -78,7 +78,7 @@ def make(folder: Path) -> None:
 
 
 def arrays(path: str) -> None:
-    """What a renderer needs of the meshes, as arrays. Not triangulated, and of materials only which is bound."""
+    """Returns the mesh data that a renderer needs, as arrays: not triangulated, and with the paths of bound materials only."""
     stage = Usd.Stage.Open(path)
     transforms = UsdGeom.XformCache()
     for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):

@@ -1,4 +1,4 @@
-"""What calls of the Python package cost, beside the noise that people write in NumPy and the ray casting of Open3D, in turns.
+"""The cost of calls of the Python package, compared with noise written in NumPy and with Open3D's ray casting, in turns.
 
 Run by `cargo xtask bench python`.
 """
@@ -18,7 +18,7 @@ RANDOM = np.random.default_rng(0)
 
 
 def numpy_noise(depth, out):
-    """Gaussian disparity to first order: no quantization, no shadows, no losses, neighbours apart."""
+    """Gaussian disparity noise to first order: no quantization, no occlusion, no losses, independent pixels."""
     RANDOM.standard_normal(out=out, dtype=np.float32)
     out *= np.float32(0.05 / FOCAL_TIMES_BASELINE)
     out *= depth
@@ -32,7 +32,7 @@ def wall(*shape):
 
 
 def seconds(call, least=0.05):
-    """Of one call, of as many as take a while."""
+    """Returns the time of one call, averaged over enough calls."""
     count, start = 0, time.perf_counter()
     while (took := time.perf_counter() - start) < least:
         call()
@@ -41,7 +41,7 @@ def seconds(call, least=0.05):
 
 
 def turns(rounds, *calls):
-    """The median of each of several calls, which take turns."""
+    """Returns the median time of each call; the calls take turns."""
     for call in calls:
         call()
     return [statistics.median(times) for times in zip(*([seconds(call) for call in calls] for _ in range(rounds)))]
@@ -86,13 +86,13 @@ def renders(rounds):
         return
     theirs = o3d.t.geometry.RaycastingScene()
     theirs.add_triangles(o3d.core.Tensor(vertices), o3d.core.Tensor(faces))
-    # Their rays go through (x + 0.5, y + 0.5) of a K that counts from the corner of the image.
+    # Open3D's rays go through (x + 0.5, y + 0.5), with a K relative to the corner of the image.
     k = camera.K
     k[:2, 2] += 0.5
     rays = theirs.create_rays_pinhole(k, np.eye(4), camera.width, camera.height)
 
     def peer():
-        # A ray of theirs is as long as its depth: its parameter is z.
+        # The direction of a ray has length 1 along the axis, so its parameter is z.
         return theirs.cast_rays(rays)["t_hit"].numpy()
 
     print(f"\n{f'{len(faces)} triangles, 1280 x 800':44} {'oaktwin':>12} {'Mpx/s':>8} {'Open3D':>12} {'ratio':>7}")
@@ -107,7 +107,7 @@ def renders(rounds):
         both = np.isfinite(depth) & np.isfinite(truth)
         off = np.abs(depth[both] - truth[both])
         print(f"    hit by both {both.mean():.4%}, by one {np.mean(np.isfinite(depth) != np.isfinite(truth)):.4%}; "
-              f"apart by {np.median(off):.1e} m, 99.9 % within {np.quantile(off, 0.999):.1e} m")
+              f"median difference {np.median(off):.1e} m, 99.9 % within {np.quantile(off, 0.999):.1e} m")
         if both.mean() < 0.99 or np.quantile(off, 0.999) > 1e-3:
             sys.exit("error: they do not see the same")
     print("Their rays are made beforehand; ours are part of the call.")

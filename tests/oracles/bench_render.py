@@ -17,7 +17,7 @@ from open3d_import import open3d
 
 
 def status(field: str) -> int:
-    """Bytes, from what the kernel says of this process; 0 where it says nothing."""
+    """Returns the resident memory in bytes; 0 where the kernel does not report it."""
     try:
         lines = Path("/proc/self/status").read_text().splitlines()
     except OSError:
@@ -48,7 +48,7 @@ class Open3d:
 
     def prepare(self, view: dict) -> None:
         origin, directions = rays_of(view)
-        # Rays of theirs have no near end: they start there instead, which is not timed.
+        # Rays have no minimum distance, so they start at the near plane, which is not timed.
         rays = np.concatenate([origin + np.float32(self.near) * directions, directions], -1)
         self.rays = open3d().core.Tensor(np.ascontiguousarray(rays))
 
@@ -130,7 +130,7 @@ class Worker:
 
 
 def main() -> None:
-    # The answers go where the questions come from; what a library prints must not get between.
+    # Standard output carries the results, so other output of libraries is redirected.
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
     engines = {"open3d": Open3d, "mitsuba": Mitsuba}

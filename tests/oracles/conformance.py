@@ -1,4 +1,4 @@
-"""Is what the program renders what Isaac Sim rendered? `conformance.py PROGRAM DATA`.
+"""Compares renderings of the program with Isaac Sim's: `conformance.py PROGRAM DATA`.
 
 DATA/isaac-pointcloud holds scenes (`isaac-X.usda`) and Isaac Sim's own points for them
 (`vX/pointcloud_data_{world,camera}_{frame,from_depth}_res_W_H.npy`): `from_depth` are row by row, `frame` in an order of
@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-# Largest distance of two points that are the same, metres; largest difference of entries of a matrix.
+# Tolerances: distance of corresponding points in metres; difference of matrix entries.
 POINTS, MATRICES = 2e-5, 1e-5
 
 BACKENDS = ("raster", "ray")
@@ -30,11 +30,11 @@ OPENCV_FROM_USD = np.diag([1.0, -1.0, -1.0])
 
 @dataclass
 class Comparison:
-    """One file of Isaac Sim's, and how far ours is from it."""
+    """A file of Isaac Sim's, and the difference of ours from it."""
 
     what: str
     count: int
-    # Points without a partner; entries that differ.
+    # The number of points without a counterpart, or of entries that differ.
     missing: int
     worst: float
     limit: float
@@ -46,7 +46,7 @@ class Comparison:
 
 @dataclass
 class Rendered:
-    """What the program wrote for one camera."""
+    """The program's output for one camera."""
 
     depth: np.ndarray
     points: np.ndarray
@@ -70,7 +70,7 @@ class Rendered:
         return np.block([[OPENCV_FROM_USD, np.zeros((3, 1))], [np.zeros((1, 3)), np.ones((1, 1))]]) @ usd_from_world
 
     def camera_points(self) -> np.ndarray:
-        """Row by row, from the depth and the camera's parameters alone, OpenCV's axes."""
+        """The points row by row, computed from the depth and the camera parameters, in OpenCV's axes."""
         width, height = self.parameters["renderProductResolution"]
         assert self.depth.shape == (height, width)
         focal = width * self.parameters["cameraFocalLength"] / self.parameters["cameraAperture"][0]
@@ -79,12 +79,12 @@ class Rendered:
         return np.stack([x * z / focal, y * z / focal, z], -1).reshape(-1, 3)
 
     def world_points(self) -> np.ndarray:
-        """As [`camera_points`], in the world."""
+        """[`camera_points`] in the world frame."""
         world_from_opencv = np.linalg.inv(self.opencv_from_world())
         return self.camera_points() @ world_from_opencv[:3, :3].T + world_from_opencv[:3, 3]
 
     def annotated(self, frame: str) -> np.ndarray:
-        """The point cloud as the program wrote it, brought into `frame`."""
+        """The program's point cloud, transformed to `frame`."""
         if frame == "world":
             return self.points
         opencv_from_world = self.opencv_from_world()
@@ -92,7 +92,7 @@ class Rendered:
 
 
 def matched(ours: np.ndarray, theirs: np.ndarray, within: float) -> tuple[int, float]:
-    """Pairs each of their points with one of ours, each used once: how many find none, and the largest distance."""
+    """Matches each of their points with one of ours; returns the number of points without a match, and the largest distance."""
     reach = 50 * within
     cells = defaultdict(list)
     for index, cell in enumerate(map(tuple, np.floor(ours / reach).astype(int))):
@@ -112,7 +112,7 @@ def matched(ours: np.ndarray, theirs: np.ndarray, within: float) -> tuple[int, f
 
 
 def row_by_row(ours: np.ndarray, theirs: np.ndarray) -> tuple[int, float]:
-    """The same, where both have an order."""
+    """The same for ordered points."""
     if ours.shape != theirs.shape:
         return max(len(ours), len(theirs)), 0.0
     distances = np.linalg.norm(ours - theirs, axis=1)
@@ -120,7 +120,7 @@ def row_by_row(ours: np.ndarray, theirs: np.ndarray) -> tuple[int, float]:
 
 
 def point_clouds(program: Path, data: Path) -> Iterator[Comparison]:
-    """Every scene at every size that Isaac Sim's points are there for."""
+    """Every scene at every size for which Isaac Sim's points exist."""
     name = re.compile(r"pointcloud_data_(world|camera)_(frame|from_depth)_res_(\d+)_(\d+)\.npy")
     for scene in sorted(data.glob("isaac-pointcloud/isaac-*.usda")):
         version = scene.stem.removeprefix("isaac-")
@@ -167,12 +167,12 @@ def Mesh "something"
 }}
 """
 
-# The clipping range is no part of Isaac Sim's files; the folder's README gives it.
+# The clipping range is not in Isaac Sim's files; the folder's README states it.
 CLIPPING = {"pinhole": (1, 1e6), "pinholeOpenCV": (0.1, 100)}
 
 
 def camera_parameters(program: Path, data: Path) -> Iterator[Comparison]:
-    """Every camera of the pose writer's: set up from its view matrix, both matrices compared."""
+    """Sets up every camera of the pose writer from its view matrix, and compares both matrices."""
     for file in sorted(data.glob("isaac-camera-params/*.json")):
         theirs = json.loads(file.read_text())["camera_data"]
         near, far = CLIPPING[file.stem.split("_")[0]]
@@ -202,7 +202,7 @@ def camera_parameters(program: Path, data: Path) -> Iterator[Comparison]:
             same_size = a.shape == b.shape
             worst = float(np.abs(a - b).max()) if same_size else np.inf
             yield Comparison(f"{file.stem} {what}", len(b), 0 if same_size else len(b), worst, MATRICES)
-        # Square pixels, the centre in the middle: what the projection matrix and the size imply.
+        # The projection matrix and the size imply square pixels and a centred principal point.
         width, height = ours["renderProductResolution"]
         projection = np.array(ours["cameraProjection"]).reshape(4, 4)
         implied = [projection[0, 0] * width / 2, projection[1, 1] * height / 2, width / 2, height / 2]
@@ -212,7 +212,7 @@ def camera_parameters(program: Path, data: Path) -> Iterator[Comparison]:
 
 
 def world_from_camera(view: list[list[float]]) -> np.ndarray:
-    """The inverse of a rounded view matrix, row vectors, its rotation made a rotation again."""
+    """Returns the inverse of a rounded view matrix for row vectors, with its rotation orthonormalized."""
     view = np.array(view)
     u, _, vt = np.linalg.svd(view[:3, :3])
     rigid = np.eye(4)
@@ -225,7 +225,7 @@ def main() -> int:
     try:
         points, parameters = list(point_clouds(program, data)), list(camera_parameters(program, data))
     except OSError as error:
-        print(f"{error}: the program did not write what it was asked for")
+        print(f"{error}: missing from the program's output")
         return 1
     except subprocess.CalledProcessError as error:
         print(f"{' '.join(map(str, error.cmd))}: exit code {error.returncode}\n{error.stdout}{error.stderr}")

@@ -1,4 +1,4 @@
-"""What every oracle test shares."""
+"""Fixtures of all oracle tests."""
 
 import os
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ import pytest
 from assets import Builder
 from depth_eval import DepthEval
 
-# Not every environment has these; what asks them does not depend on the version of OpenUSD.
+# Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),

@@ -1,4 +1,4 @@
-"""Straightforward NumPy implementations of the sensor models: what the program is compared with.
+"""Straightforward NumPy implementations of the engines, with which the program is compared.
 
 Arithmetic on pixels is in float32, step by step as the program's documentation says, so that roundings agree.
 """
@@ -136,7 +136,7 @@ def luma(rgb, assumptions):
 
 
 def sobel(y, gain):
-    """min(1, gain·|∇|) with the border going on."""
+    """min(1, gain·|∇|) with the border replicated."""
     p = np.pad(y, 1, mode="edge")
     h, w = y.shape
     a, b, c = ([p[i : i + h, j : j + w] for j in range(3)] for i in range(3))
@@ -146,7 +146,7 @@ def sobel(y, gain):
 
 
 def outliers(valid, reach, diamond):
-    """Valid and missing pixels that have no other of their kind up to `reach` away, while there are others at all."""
+    """Valid and missing pixels without another of their kind within `reach`, where there are other pixels."""
     height, width = valid.shape
     if reach == 0 or height * width < 2:
         return np.zeros_like(valid), np.zeros_like(valid)
@@ -171,7 +171,7 @@ def grey(value):
 def single_view(
     depth, rgb=None, parameters=None, assumptions=None, seed=0, camera="", frame=0, item=0, positions=None
 ):
-    """Isaac Sim's DepthSensorDistance and its sister outputs, by name."""
+    """Isaac Sim's DepthSensorDistance and the other outputs, by name."""
     p = PARAMETERS | (parameters or {})
     a = ASSUMPTIONS | (assumptions or {})
     z = np.asarray(depth, F)
@@ -252,7 +252,7 @@ def single_view(
     before_outliers = distance.copy()
     moved_disparity, moved_confidence = moved(d), moved(confidence) if at_source else confidence
 
-    # 7: lone pixels.
+    # 7: outliers.
     lone, hole = outliers(distance > 0, int(p["outlierRemovalEnabled"]), a["outlier-neighbourhood"] == "4")
     if width > 1:
         for y, x in zip(*np.nonzero(hole)):
@@ -278,7 +278,7 @@ def single_view(
 
 
 def picture(p, z, rgb, distance, before_outliers, landed, disparity, confidence):
-    """The picture of rgbDepthOutputMode."""
+    """The image that rgbDepthOutputMode selects."""
     near, far = F(p["minDistance"]), F(min(p["maxDistance"], float(np.finfo(F).max)))
     mode = int(p["rgbDepthOutputMode"])
     shown = {1: distance, 2: distance, 3: distance, 4: z, 5: before_outliers}.get(mode)

@@ -29,7 +29,7 @@ Place = Callable[[Usd.Prim], Gf.Matrix4d]
 
 
 def placed_meshes(root: Usd.Prim, place: Place) -> Iterator[tuple[UsdGeom.Mesh, Gf.Matrix4d]]:
-    """The meshes that are seen below `root` and what brings each into the world, row vectors; `place` does without
+    """The visible meshes below `root` with their world transforms for row vectors; `place` omits
     instancers."""
     prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies()))
     for prim in prims:
@@ -47,7 +47,7 @@ def instances(instancer: UsdGeom.PointInstancer, place: Place) -> Iterator[tuple
     """The meshes of a PointInstancer."""
     stage, now = instancer.GetPrim().GetStage(), Usd.TimeCode.Default()
     prototypes = [stage.GetPrimAtPath(path) for path in instancer.GetPrototypesRel().GetForwardedTargets()]
-    # With the prototype's own transform, without the masked.
+    # Includes the prototype's own transform, excludes masked instances.
     transforms = instancer.ComputeInstanceTransformsAtTime(now, now)
     indices = instancer.GetProtoIndicesAttr().Get()
     shown = instancer.ComputeMaskAtTime(now) or [True] * len(indices)

@@ -1,4 +1,4 @@
-"""Open3D, also where the system has no libusb, which its library wants for cameras that nobody uses here."""
+"""Imports Open3D, also on systems without libusb, which its library needs for cameras."""
 
 import ctypes
 from functools import cache
@@ -7,10 +7,10 @@ from types import ModuleType
 
 @cache
 def open3d() -> ModuleType:
-    """The package; an ImportError says what is missing."""
+    """Returns the package, or raises an ImportError that names what is missing."""
     import libusb_package
 
-    # Loaded first, it is the libusb that Open3D's library finds.
+    # Loaded first, so that Open3D's library finds this libusb.
     ctypes.CDLL(str(libusb_package.get_library_path()), mode=ctypes.RTLD_GLOBAL)
     import open3d
 

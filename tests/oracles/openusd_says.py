@@ -1,4 +1,4 @@
-"""What OpenUSD and the validators say of files: paths on standard input, a JSON list on standard output.
+"""The findings of OpenUSD and the validators: paths on standard input, a JSON list on standard output.
 
 Arguments choose among the checks; without any, all run.
 
@@ -27,7 +27,7 @@ except ImportError:
 
 @contextmanager
 def console(into: list[str]) -> Iterator[None]:
-    """Collects what anyone writes to the two console descriptors, C++ included."""
+    """Captures all output to the two console descriptors, including that of C++ code."""
     sys.stdout.flush()
     sys.stderr.flush()
     saved = os.dup(1), os.dup(2)
@@ -48,7 +48,7 @@ def console(into: list[str]) -> Iterator[None]:
 
 
 def read_everything(path: str) -> list[str]:
-    """Opens a stage and asks every value of it; the composition errors."""
+    """Opens a stage, reads every value, and returns the composition errors."""
     stage = Usd.Stage.Open(path)
     for prim in stage.TraverseAll():
         for attribute in prim.GetAttributes():
@@ -60,7 +60,7 @@ def read_everything(path: str) -> list[str]:
 
 
 def type_mismatches(path: str) -> list[str]:
-    """Authored attributes and relationships that their schema has under another type or variability."""
+    """Authored attributes and relationships whose type or variability differs from their schema's."""
     found = []
     stage = Usd.Stage.Open(path)
     for prim in stage.TraverseAll():
@@ -105,7 +105,7 @@ def compliance_checker(path: str) -> list[str]:
 
 @cache
 def knows_preview_surface() -> bool:
-    """The wheel of OpenUSD 24.5 comes without the definitions of its own shaders, and says so once when asked."""
+    """The wheel of OpenUSD 24.5 lacks the definitions of its own shaders, and warns once about it."""
     try:
         Sdr.Registry().GetShaderNodeByIdentifier("UsdPreviewSurface")
     except Tf.ErrorException:

@@ -1,4 +1,4 @@
-"""The published parameter sheet of the OAK assets, transcribed by hand: what every asset must read back.
+"""The published parameter sheet of the OAK assets, transcribed by hand: the values that every asset must contain.
 
 Independent of the project's own catalog on purpose.
 """

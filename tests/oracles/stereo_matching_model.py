@@ -1,4 +1,4 @@
-"""An OAK's stereo pipeline on a rectified pair, in plain NumPy: the steps that `oaktwin_depth::stereo_matching` documents.
+"""OAK stereo matching of a rectified pair in plain NumPy: the steps that `oaktwin_depth::stereo_matching` documents.
 
 Written from that documentation, for images of a few thousand pixels: whole cost volumes, one path after the other.
 """
@@ -9,7 +9,7 @@ import numpy as np
 
 WINDOWS = {"AUTO": (5, 5), "KERNEL_5x5": (5, 5), "KERNEL_7x7": (7, 7), "KERNEL_7x9": (7, 9)}
 MASKS = {(5, 5): 0xA82415, (7, 7): 0xAA02A8154055, (7, 9): 0x2AA00AA805540155}
-# By how many paths there are: where the pixel before is, in columns and rows.
+# The offset of the previous pixel in columns and rows, by number of paths.
 PATHS = {
     3: [(-1, 0), (1, 0), (0, -1)],
     4: [(-1, 0), (1, 0), (0, -1), (0, 1)],
@@ -21,7 +21,7 @@ PATHS = {
 
 @dataclass
 class Parameters:
-    """Under the names of the program's, a dot read as an underscore."""
+    """The program's parameter names, with dots replaced by underscores."""
 
     subpixelFractionalBits: int = 5
     subpixelInterpolation: str = "LINES"
@@ -130,7 +130,7 @@ def costs(left, right, bits, full_width, p):
 
 
 def block_means(volume, side):
-    """An eighth of the mean over each pixel's block, halves up."""
+    """An eighth of the mean over each pixel's block, rounded half up."""
     height, width, _ = volume.shape
     reach, area = side // 2, side * side
     padded = np.pad(volume, ((reach, reach), (reach, reach), (0, 0)), mode="edge")
@@ -171,7 +171,7 @@ def step(cost, before, p1, p2):
 
 
 def path(volume, grey, dx, dy, p):
-    """The costs along one path; what is before a border costs nothing."""
+    """The costs along one path; pixels outside the image cost nothing."""
     height, width, _ = volume.shape
     out = np.zeros_like(volume)
     if dy == 0:
@@ -235,7 +235,7 @@ def one_pass(left, right, bits, full_width, p, invalid_edge):
 
 
 def around(image):
-    """The 3×3 neighbours, first axis; beyond a border is what is at it."""
+    """The 3×3 neighbours along the first axis, with the border replicated."""
     height, width = image.shape
     padded = np.pad(image, 1, mode="edge")
     return np.stack([padded[y : y + height, x : x + width] for y in range(3) for x in range(3)])
@@ -324,7 +324,7 @@ def fractions(sums, best, p):
 
 
 def right_disparities(sums, disparities):
-    """Those of the right image's pixels, −1 where none can be."""
+    """The disparities of the right image's pixels, −1 where there is none."""
     height, width, _ = sums.shape
     least = np.full((height, width), 10**9)
     out = np.full((height, width), -1)

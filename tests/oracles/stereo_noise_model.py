@@ -1,4 +1,4 @@
-"""What an OAK's stereo reports, from depth alone: a straightforward NumPy implementation of the documented steps.
+"""The stereo error model: a straightforward NumPy implementation of the documented steps.
 
 What the program is compared with, and timed against.
 """
@@ -13,7 +13,7 @@ MASK = (1 << 64) - 1
 
 @dataclass
 class Parameters:
-    """The program's names, its defaults."""
+    """The program's parameters with their defaults."""
 
     focalLength: float
     baseline: float
@@ -51,7 +51,7 @@ def splitmix64(value):
 
 
 def philox4x32(counter, key):
-    """Ten rounds on arrays of counters."""
+    """Philox4x32-10 on arrays of counters."""
     a, b, c, d = (np.asarray(word, np.uint64) for word in counter)
     low, half = np.uint64(0xFFFFFFFF), np.uint64(32)
     first, second = key
@@ -93,7 +93,7 @@ def normal_field(*arguments, count):
 
 
 def window_sums(field, side):
-    """Of pixel (x, y) the sum over columns x to x + side - 1, rows y to y + side - 1."""
+    """For pixel (x, y), the sum over columns x to x + side - 1 and rows y to y + side - 1."""
     total = np.zeros((field.shape[0] + 1, field.shape[1] + 1), np.int64)
     total[1:, 1:] = field.astype(np.int64).cumsum(0).cumsum(1)
     return total[side:, side:] - total[:-side, side:] - total[side:, :-side] + total[:-side, :-side]
@@ -115,7 +115,7 @@ def standard_noise(shape, side, seed, camera, frame, item):
 
 
 def hidden(d, nearer):
-    """What the second imager does not see of disparities in image pixels: something `nearer` is in front."""
+    """The pixels that the second imager does not see, because something `nearer` is in front."""
     height, width = d.shape
     place = np.arange(width) - d
     after = np.full_like(place, np.inf)

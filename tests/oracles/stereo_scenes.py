@@ -1,10 +1,10 @@
-"""Rendered stereo pairs with known disparity, for whoever compares matchers."""
+"""Rendered stereo pairs with known disparity, for comparing matchers."""
 
 import numpy as np
 
 
 def noise(random, height, width, blur=1.0):
-    """A texture of all sizes from a few pixels up, 0 to 255."""
+    """A texture with detail of all sizes from a few pixels up, 0 to 255."""
     out = np.zeros((height, width))
     size = max(blur, 1e-3)
     while size < min(height, width) / 2:
@@ -77,8 +77,8 @@ def box(left, top, right, bottom):
 
 
 def surest(found, confidence, where, share):
-    """What is found, less what it is least sure of, so that at most this share of `where` has a value; of equally sure
-    ones all go."""
+    """Removes the least confident pixels, so that at most this fraction of `where` has a value; equally confident
+    ones are all removed."""
     kept = where & (found > 0)
     levels = np.bincount(confidence[kept], minlength=256)[::-1].cumsum()
     # The most levels from the top that are not more than that.

@@ -45,7 +45,7 @@ def evaluator(depth_eval, tmp_path_factory):
 
 
 def scene(random, height, width):
-    """Depth, colours and positions: slanted and level things before a background, with everything that can be wrong."""
+    """Depth, colours and positions: slanted and level objects before a background, with every kind of invalid value."""
     y, x = np.mgrid[0:height, 0:width].astype(F)
     z = np.full((height, width), random.uniform(3, 9), F)
     rgb = random.integers(0, 256, (height, width, 4)).astype(np.uint8)
@@ -100,7 +100,7 @@ OTHERS = {
 
 
 def check(ours, expected, what):
-    """The same pixels measured, the same values: NumPy rounds float32 as the program does."""
+    """The same pixels are valid and have the same values: NumPy rounds float32 as the program does."""
     assert ours.keys() == expected.keys(), what
     for name, array in expected.items():
         mine = ours[name]
@@ -111,7 +111,7 @@ def check(ours, expected, what):
 
 
 def test_random_numbers(evaluator):
-    """The words of Philox are Random123's known answers; normal numbers are those of the exact transform."""
+    """The words of Philox equal Random123's reference; normal numbers equal the exact transform."""
     words = depth_models.philox(([0x243F6A88], [0x85A308D3], [0x13198A2E], [0x03707344]), (0xA4093822, 0x299F31D0))
     assert [int(w[0]) for w in words] == [0xD16CFE09, 0x94FDCCEB, 0x5001E420, 0x24126EA1]
     key = depth_models.plane_key(1, "left", depth_models.STAGE_JITTER)
@@ -124,7 +124,7 @@ def test_random_numbers(evaluator):
 
 
 def test_single_view_of_random_scenes(evaluator):
-    """Many settings, pictures with and without, sizes that fill no register."""
+    """Many settings, with and without a colour image, and sizes that are not multiples of a register."""
     random = np.random.default_rng(5)
     assumptions = {name: [depth_models.ASSUMPTIONS[name], *values] for name, values in OTHERS.items()}
     measured = 0
@@ -150,7 +150,7 @@ def test_single_view_of_random_scenes(evaluator):
 
 
 def numbers(case):
-    """Parameters and assumptions as numbers, where they are."""
+    """Parameters and assumptions, as numbers where possible."""
     assumptions = case.get("assumptions", {})
     of = {name: float(value) if name in ("sobel-gain", "grain") else value for name, value in assumptions.items()}
     parameters = {name: float(value) for name, value in case["parameters"].items()}
@@ -159,7 +159,7 @@ def numbers(case):
 
 @pytest.mark.parametrize("name, value", [(name, value) for name, values in OTHERS.items() for value in values])
 def test_each_assumption_changes_something(evaluator, name, value):
-    """Each is compared, and each changes the result of one scene or another."""
+    """Every assumption is compared, and each changes the result of some scene."""
     random = np.random.default_rng(6)
     changed = False
     for i in range(8):

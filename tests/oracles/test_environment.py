@@ -1,4 +1,4 @@
-"""The environment holds what its pins promise."""
+"""The environment has the pinned packages."""
 
 import os
 from pathlib import Path

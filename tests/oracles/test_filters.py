@@ -1,4 +1,4 @@
-"""The filters against DepthAI's own on random images, bit for bit; OpenCV's and NumPy's where those have none."""
+"""The filters, compared bit for bit with DepthAI's on random images, or with OpenCV and NumPy where DepthAI has none."""
 
 import multiprocessing
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ PARAMS = dai.filters.params
 KERNELS = {3: PARAMS.MedianFilter.KERNEL_3x3, 5: PARAMS.MedianFilter.KERNEL_5x5}
 MODES = PARAMS.TemporalFilter.PersistencyMode
 
-# Pipelines that have stopped: taking one apart may wait for ever.
+# Stopped pipelines, kept because destroying one can hang.
 STOPPED = []
 
 # A filter: its name and its settings under DepthAI's names.
@@ -84,7 +84,7 @@ def depthai_filtered(filters: list[Filter], frames: np.ndarray) -> np.ndarray:
 
 
 def serve(there: Connection) -> None:
-    """Answers until there is nobody to ask."""
+    """Serves requests until the input ends."""
     while True:
         try:
             filters, frames = there.recv()
@@ -94,8 +94,8 @@ def serve(there: Connection) -> None:
 
 
 class DepthAI:
-    """DepthAI's filters in a process of their own: on a busy machine its thread now and then spins for ever or takes the
-    process with it."""
+    """DepthAI's filters in their own process: on a busy machine its thread occasionally hangs or crashes the
+    process."""
 
     def __init__(self) -> None:
         self.start()
@@ -243,7 +243,7 @@ def test_median_is_opencvs_or_sorting(ours: Ours, size: int) -> None:
 def test_speckles_are_opencvs(ours: Ours) -> None:
     for rng, frames in cases(5, 60):
         made = speckle(rng)
-        # Larger ones wrap in this OpenCV, not in DepthAI's.
+        # Larger values wrap in this version of OpenCV but not in DepthAI's.
         top = 255 if frames.dtype == np.uint8 else 32767
         made[1]["differenceThreshold"] = min(made[1]["differenceThreshold"], top)
         got = ours.run([made], frames)
@@ -299,5 +299,5 @@ def test_defaults_are_depthais(ours: Ours) -> None:
 
 
 def short(number: float) -> str:
-    """A single-precision number as it is written."""
+    """The shortest text of a single-precision number."""
     return str(np.float32(number))

@@ -1,4 +1,4 @@
-"""What oaktwin imports from glTF, OBJ, STL and PLY files, against what trimesh makes of them: triangles in the world."""
+"""World-space triangles of glTF, OBJ, STL and PLY files, compared with trimesh."""
 
 import json
 import os
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import trimesh
 
-# Both place single-precision points by transforms in double precision.
+# Both transform single-precision points in double precision.
 TOLERANCE = 1e-5
 
 
@@ -36,7 +36,7 @@ def dump(tmp_path_factory):
             matrix = np.array(instance["world_from_mesh"])
             points = array(mesh["positions"]).astype(np.float64) @ matrix[:, :3].T + matrix[:, 3]
             triangles = array(mesh["triangles"])
-            # What is mirrored is seen from its other side.
+            # A mirrored mesh is wound the other way.
             mirrored = np.linalg.det(matrix[:, :3]) < 0
             found.append(points[triangles[:, ::-1] if mirrored else triangles])
         return np.concatenate(found), scene
@@ -58,7 +58,7 @@ def assert_same(ours, theirs):
 
 
 def theirs(path: Path):
-    """What trimesh reads, in the world."""
+    """The triangles that trimesh reads, in the world."""
     loaded = trimesh.load_scene(path, process=False)
     return np.concatenate([mesh.triangles for mesh in loaded.dump(concatenate=False)])
 

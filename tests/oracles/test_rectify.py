@@ -1,5 +1,5 @@
-"""Rectified pairs against OpenCV: stereoRectify, initUndistortRectifyMap and remap, warpPerspective for a homography;
-and DepthAI's own node that rectifies on a host."""
+"""Rectified pairs, compared with OpenCV: stereoRectify, initUndistortRectifyMap and remap, warpPerspective for a homography;
+and with DepthAI's own node that rectifies on a host."""
 
 from dataclasses import dataclass, field
 from datetime import timedelta
@@ -13,7 +13,7 @@ import pytest
 
 SIZE = (1280, 800)
 
-# Pipelines that have stopped: taking one apart may wait for ever.
+# Stopped pipelines, kept because destroying one can hang.
 STOPPED = []
 
 RATIONAL = [
@@ -42,7 +42,7 @@ class Camera:
         }
 
     def map(self, rotation: np.ndarray, target: np.ndarray, coefficients: list[float]) -> np.ndarray:
-        """Where each pixel of a rectified image lies in this camera's."""
+        """The position in this camera's image of each pixel of a rectified image."""
         make = cv2.fisheye.initUndistortRectifyMap if self.fisheye else cv2.initUndistortRectifyMap
         x, y = make(self.matrix, np.array(coefficients), rotation, target, SIZE, cv2.CV_32FC1)
         return np.stack([x, y], axis=-1)
@@ -91,7 +91,7 @@ def ours(ask, folder: Path, cameras, right_from_left, images, method, target, ed
 
 
 def rotations(left: Camera, right: Camera, right_from_left: np.ndarray) -> list[np.ndarray]:
-    # They rest on the transform alone.
+    # These depend on the transform alone.
     none = np.zeros(5)
     r1, r2, *_ = cv2.stereoRectify(
         left.matrix, none, right.matrix, none, SIZE, right_from_left[:3, :3], right_from_left[:3, 3]
@@ -142,7 +142,7 @@ def test_every_position(ask, tmp_path, focal, coefficients, fisheye, edge_fill, 
     for camera, rotation, image, result in zip((left, right), rotations(left, right, transform), images, found):
         at = camera.map(rotation, left.matrix, camera.coefficients)
         expected = cv2.remap(image, at, None, cv2.INTER_LINEAR, **border)
-        # A position between two 32nds of a pixel may go either way.
+        # A position midway between two 32nds of a pixel may round either way.
         alike(result, expected, 0.9998, np.iinfo(dtype).max / 16)
 
 

@@ -1,4 +1,4 @@
-"""Depth against Open3D's RaycastingScene, which is Embree: the chess set as OpenUSD extracts it, random meshes, pinholes
+"""Depth, compared with Open3D's RaycastingScene (Embree): the chess set as OpenUSD extracts it, random meshes, pinholes
 and a fisheye lens. Slow: its environment is large."""
 
 import os
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 
 CHESS_SET = Path(os.environ.get("OAKTWIN_TEST_DATA", "no-such-folder")) / "data/scenes/OpenChessSet/chess_set.usda"
 
-# Relative difference up to which depths are the same; how far off an edge may be; which share of pixels may be at one.
+# Tolerances: relative difference of depth; distance of an edge; fraction of pixels at an edge.
 SAME, EDGE_PX, SILHOUETTES = 1e-5, 0.02, 2e-4
 
 SIZE = (640, 400)
@@ -24,7 +24,7 @@ SIZE = (640, 400)
 
 @dataclass
 class Camera:
-    """Where a camera prim stands (its rows: USD's axes and its place, in the world) and what it looks through."""
+    """A camera prim: its world transform (rows are USD's axes and the position) and its lens."""
 
     world_from_camera: np.ndarray
     # 127 degrees from left to right if so, else 77.
@@ -113,7 +113,7 @@ def depth_by_open3d(positions: np.ndarray, triangles: np.ndarray, camera: Camera
 
 
 def compare(ours: np.ndarray, theirs: list[np.ndarray]) -> None:
-    """Every pixel the same but for some at silhouettes, where what is beside the centre is what we see."""
+    """All pixels are equal except some at silhouettes, which equal a neighbouring ray."""
     assert ours.shape == theirs[0].shape
 
     def same(image: np.ndarray) -> np.ndarray:
@@ -161,7 +161,7 @@ def test_chess_set(program: Path, chess_set: tuple, tmp_path: Path, backend: str
 @pytest.mark.parametrize(("backend", "is_fisheye"), [("raster", False), ("ray", False), ("ray", True)])
 def test_random_meshes(program: Path, tmp_path: Path, seed: int, backend: str, is_fisheye: bool) -> None:
     rng = np.random.default_rng(seed)
-    # Triangles of all sizes around the camera, behind it too.
+    # Triangles of all sizes around the camera, also behind it.
     count = 3000
     middles = rng.uniform(-4, 4, (count, 1, 3))
     sizes = np.exp(rng.uniform(np.log(0.01), np.log(1.0), (count, 1, 1)))

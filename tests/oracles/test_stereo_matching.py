@@ -1,4 +1,4 @@
-"""The stereo matcher against a NumPy implementation of the documented steps, and beside OpenCV's on known disparity."""
+"""The stereo matcher, compared with a NumPy implementation of the documented steps, and with OpenCV's on known disparity."""
 
 from functools import partial
 
@@ -67,7 +67,7 @@ def ask(depth_eval):
 
 @pytest.fixture
 def matched(ask, tmp_path):
-    """What the program finds in a pair: disparity in fixed point, confidence."""
+    """The program's result for a pair: fixed-point disparity and confidence."""
 
     def run(left, right, **settings):
         names = {"left": left, "right": right}
@@ -83,7 +83,7 @@ def matched(ask, tmp_path):
 
 
 def small_pair(random, height, width):
-    """Steps and slants, or nothing that fits; of any texture."""
+    """Pairs with steps and slants, or unrelated images, with any texture."""
     kind = random.integers(0, 3)
     if kind == 0 or height < 6 or width < 30:
         return random.integers(0, 256, (2, height, width)).astype(np.uint8)
@@ -129,7 +129,7 @@ def scenes():
 
 
 def opencv(left, right):
-    """OpenCV's matcher with 8 paths, given room on the left so that it looks at every column."""
+    """OpenCV's matcher with 8 paths, padded on the left so that it matches every column."""
     matcher = cv2.StereoSGBM_create(
         0, 96, 5, 8 * 25, 32 * 25, 1, 63, 10, 0, 0, cv2.STEREO_SGBM_MODE_HH
     )
@@ -139,13 +139,13 @@ def opencv(left, right):
 
 
 def quality(found, truth, seen):
-    """Of what both imagers see: the share found, and of that the shares wrong by more than 1 and 3 px."""
+    """Among the pixels that both imagers see: the fraction found, and the fractions of these more than 1 and 3 px off."""
     kept = (found > 0) & seen
     error = np.abs(found - truth)[kept]
     return np.array([kept.sum() / seen.sum(), (error > 1).mean(), (error > 3).mean()])
 
 
-# Over the few bits that DepthAI's mask leaves, 8 paths smooth thin bars away.
+# With the few bits that DepthAI's mask keeps, 8 paths smooth thin bars away.
 @pytest.mark.parametrize("settings", [{}, {"paths": 8, "kernelMask": 0xFFFFFF}], ids=["defaults", "8 paths"])
 def test_no_worse_than_opencv(matched, settings):
     rows = {"as it is": [], "as many": [], "OpenCV": []}
@@ -155,7 +155,7 @@ def test_no_worse_than_opencv(matched, settings):
         loose, _ = matched(left, right, **settings, leftRightCheckThreshold=1, confidenceThreshold=0)
         found = {
             "as it is": fixed / 32,
-            # With its check, and as much left away.
+            # With OpenCV's check, at the same density.
             "as many": surest(loose / 32, sure, seen, quality(theirs, truth, seen)[0]),
             "OpenCV": theirs,
         }
@@ -167,7 +167,7 @@ def test_no_worse_than_opencv(matched, settings):
     print(means)
     ours, equal, theirs = means.values()
     assert equal[0] > theirs[0] - 0.002 and (equal[1:] <= theirs[1:]).all()
-    # By its own thresholds it finds as many, and no fewer right ones.
+    # With its own thresholds it finds as many pixels, and as many correct ones.
     assert ours[0] > theirs[0] - 0.005
     assert (ours[0] * (1 - ours[1:]) >= theirs[0] * (1 - theirs[1:])).all()
 
@@ -192,7 +192,7 @@ def test_findings(ask, tmp_path):
         assert set(codes) <= set(found) and (codes or not found), (codes, found)
 
 
-# Where DepthAI's configuration has a parameter that is named otherwise here.
+# Parameters whose name differs from DepthAI's configuration.
 PLACES = {
     "subpixel": "algorithmControl.enableSubpixel",
     "subpixelFractionalBits": "algorithmControl.subpixelFractionalBits",
@@ -214,7 +214,7 @@ OURS = {"focalLength", "baseline", "width", "subpixelInterpolation", "platform",
 
 
 def depthai_value(config, name):
-    """What DepthAI's configuration has under one of our names, as text."""
+    """Returns the value of one of our parameters in DepthAI's configuration, as text."""
     for place in [PLACES[name]] if name in PLACES else [section + name for section in SECTIONS]:
         value = config
         for part in place.split("."):
@@ -230,7 +230,7 @@ def test_defaults_are_depthais(depth_eval):
     for platform in ("RVC2", "RVC4"):
         ours = depth_eval("stereo_matching_parameters", platform=platform)["parameters"]
         for name in set(ours) - OURS:
-            # RVC2 has no such thresholds, and here 0 stands for that.
+            # RVC2 has no such thresholds; 0 disables them here.
             if platform == "RVC2" and name.startswith("noiseThreshold"):
                 assert ours[name] == "0"
                 continue
@@ -247,7 +247,7 @@ def blank_pair(random, height=200, width=1280, level=60, sigma=2.0):
 
 
 def test_a_blank_wall_of_rvc4(matched):
-    """Less of it is measured than without the steps that RVC4 has, and a textured one as well as without."""
+    """RVC4's steps reduce its fill rate, and leave that of a textured wall unchanged."""
     random = np.random.default_rng(11)
     rvc4 = {"platform": "RVC4", "noiseThresholdOffset": 1, "noiseThresholdScale": 1}
     plain = {**rvc4, "holeFilling_enable": False, "adaptiveMedianFilter_enable": False}

@@ -1,4 +1,4 @@
-"""The errors of an OAK's stereo against a NumPy implementation of the documented steps."""
+"""The stereo error model, compared with a NumPy implementation of the documented steps."""
 
 from dataclasses import asdict, replace
 from functools import partial
@@ -39,7 +39,7 @@ def ask(depth_eval):
 
 
 def scene(random, height, width):
-    """A wall, a floor, boxes and poles at any depth, and what is no depth."""
+    """A wall, a floor, boxes and poles at any depth, and invalid depth."""
     x = np.linspace(0, 1, width)[None, :]
     y = np.linspace(0, 1, height)[:, None]
     z = random.uniform(2, 9) + random.uniform(-1.5, 1.5) * x + random.uniform(-0.5, 0.5) * y
@@ -69,13 +69,13 @@ def wire(p):
 
 
 def compare(found, depth, p, **arguments):
-    """All alike, but what float32 rounds to the other side; returns how many pixels that is."""
+    """All pixels are equal except those that float32 rounds differently; returns their number."""
     steps, expected = model.disparity(depth, p, **arguments)
     differing = np.nonzero(found != expected)
     # Of float32, and of normal numbers in steps of 1/1024 in small windows.
     tolerance = 2e-3 + (p.window * depth.shape[1] / p.width < 3.5) * p.jitter * 2**p.subpixelFractionalBits / 512
     ties = np.abs(steps[differing] - np.floor(steps[differing]) - 0.5) < tolerance
-    # A tie at the end of the range is in or out.
+    # A tie at the end of the range may go either way.
     near = np.abs(found[differing].astype(int) - expected[differing].astype(int)) <= 1
     at_the_end = (expected[differing] >= p.max_fixed) | (found[differing] >= p.max_fixed)
     at_the_end |= (expected[differing] <= 1) & (found[differing] <= 1)

@@ -1,4 +1,4 @@
-"""The stereo matcher beside OpenCV's on what a device's two cameras record of rendered scenes.
+"""The stereo matcher, compared with OpenCV's on rendered pairs with lens blur and noise.
 
 The views were chosen by a random number generator's seed, not by what they show. Those of the first seed were looked at while
 the matcher's defaults were chosen, those of the second were not.
@@ -30,7 +30,7 @@ def room(program, tmp_path_factory):
 
 
 def views(seed):
-    """Where a camera stands in the demo room and what it looks at: within the walls, at least 1.5 m apart, level or not."""
+    """Random camera positions and targets in the demo room: within the walls, at least 1.5 m apart, level or not."""
     random = np.random.default_rng(seed)
     while True:
         eye, target = random.uniform([-1.0, -2.0, 0.6], [4.2, 2.1, 1.9], (2, 3))
@@ -50,7 +50,7 @@ def cases(seed):
 
 
 class View:
-    """What is rendered of a view, and what both matchers make of it."""
+    """A rendered view, and the results of both matchers."""
 
     def __init__(self, program, folder, scene, size, at, light):
         self.program, self.folder = program, folder
@@ -64,7 +64,7 @@ class View:
         by_z = report["cameras"][0]["fx"] * BASELINE_M
         height, width = z.shape
         self.truth = by_z / z
-        # Whether the right camera sees the same there: at the nearest pixel or beside it.
+        # Whether the right camera sees the same point, at the nearest pixel or beside it.
         there = np.arange(width) - self.truth
         nearest = np.round(there).astype(int)
         beside = [np.clip(nearest + k, 0, width - 1) for k in (-1, 0, 1)]
@@ -85,13 +85,13 @@ class View:
     def opencv(self):
         left, right = (cv2.imread(str(path), cv2.IMREAD_GRAYSCALE) for path in self.pair)
         matcher = cv2.StereoSGBM_create(0, SEARCH, 5, 8 * 25, 32 * 25, 1, 63, 10, 0, 0, cv2.STEREO_SGBM_MODE_HH)
-        # Room on the left, so that it looks at every column.
+        # Padded on the left, so that every column is matched.
         left, right = (cv2.copyMakeBorder(image, 0, 0, SEARCH, 0, cv2.BORDER_CONSTANT) for image in (left, right))
         found = matcher.compute(left, right)[:, SEARCH:] / 16
         return np.where(found > 0, found, 0)
 
     def quality(self, found, also):
-        """Of what both cameras see: the share found; of that the shares off by more than 1 and 3 px, and the same where
+        """Among the pixels that both cameras see: the fraction found; the fractions of these more than 1 and 3 px off, and the same where
         the other matcher found something too; of all the shares without a value within 1 and 3 px."""
         kept, both = (found > 0) & self.seen, (found > 0) & (also > 0) & self.seen
         off = np.abs(found - self.truth)
@@ -102,7 +102,7 @@ class View:
 
 NAMES = ["found", "> 1 px", "> 3 px", "both: > 1", "both: > 3", "lost > 1", "lost > 3"]
 
-# By the device's thresholds; by OpenCV's left-right check, as much left away as OpenCV does.
+# With the device's thresholds; with OpenCV's left-right check and density.
 OPTIONS = {
     "RVC2": ["--platform", "rvc2"],
     "RVC4": ["--platform", "rvc4"],
@@ -142,10 +142,10 @@ def test_no_worse_than_opencv(program, room, tmp_path, seed):
         means[options] = np.mean(rows, 0)
         for who, mean in zip((options, "OpenCV"), means[options]):
             show(who, mean)
-    # As many found, no more wrong, over all views.
+    # At equal density, no more errors, over all views.
     ours, theirs = means["as many"]
     assert abs(ours[0] - theirs[0]) < 0.005 and (ours[1:] <= theirs[1:] + 0.0005).all()
-    # By its thresholds the device finds less, which is what they are for, and less of it is wrong.
+    # With its own thresholds the device finds fewer pixels, and fewer of them are wrong.
     for platform in ("RVC2", "RVC4"):
         ours, theirs = means[platform]
         assert ours[0] > theirs[0] - 0.03 and (ours[1:5] < theirs[1:5]).all(), platform

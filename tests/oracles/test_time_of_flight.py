@@ -1,4 +1,4 @@
-"""Time of flight against a NumPy implementation of the documented steps, and its filter against DepthAI's own."""
+"""The time-of-flight engine, compared with a NumPy implementation of the documented steps, and its filter with DepthAI's."""
 
 from dataclasses import asdict, replace
 from functools import partial
@@ -40,7 +40,7 @@ def ask(depth_eval):
 
 
 def scene(random, height, width):
-    """A wall, a floor, boxes and poles at any depth, and what is no depth."""
+    """A wall, a floor, boxes and poles at any depth, and invalid depth."""
     x = np.linspace(0, 1, width)[None, :]
     y = np.linspace(0, 1, height)[:, None]
     z = random.uniform(1, 6) + random.uniform(-1.5, 1.5) * x + random.uniform(-0.5, 0.5) * y
@@ -87,11 +87,11 @@ def test_depth_amplitude_and_confidence(ask, tmp_path: Path, size):
         millimetres, kept, undecided, expected = model.measured(depth, p, **arguments, **files)
         settled = undecided > 1e-3
         found = np.rint(distance.astype(np.float64) * 1000).astype(np.uint16)
-        # The filter sees whole numbers: the program's own.
+        # The filter works on the program's integers.
         whole = np.where(kept, np.rint(millimetres), 0)
         by_confidence, _ = model.confidences(whole.astype(np.uint16), amplitude, p.confidenceThreshold)
         differ = settled & ((found > 0) != (by_confidence > 0))
-        # Of a depth that is a millimetre more or less the confidence may be the threshold's.
+        # A depth that differs by a millimetre may have a confidence on the other side of the threshold.
         assert differ.sum() <= 1e-4 * differ.size + 1, (settings, differ.sum())
         both = settled & (found > 0) & (by_confidence > 0)
         off = np.abs(found - millimetres)
@@ -176,5 +176,5 @@ def test_confidence_is_depthais(depth_eval, tmp_path: Path):
     STOPPED.append(pipelines)
 
 
-# Taking a stopped pipeline apart may wait for ever.
+# Destroying a stopped pipeline can hang.
 STOPPED = []

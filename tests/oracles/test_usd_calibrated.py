@@ -1,4 +1,4 @@
-"""One unit's calibration in its asset: as written anew, and as overrides on somebody else's asset."""
+"""A unit's calibration in its asset, written completely and as overrides on the vendor's asset."""
 
 import json
 from pathlib import Path
@@ -21,7 +21,7 @@ def intrinsics(camera: dict) -> tuple[float, float, float, float]:
 
 
 def offsets(camera: dict, column: sheet.Camera, sign: str) -> tuple[float, float]:
-    """What each option authors: OpenUSD's window, the sheet's own formula, or nothing."""
+    """The offsets that each option authors: OpenUSD's window, the sheet's formula, or none."""
     _, _, cx, cy = intrinsics(camera)
     (width, height), pitch = column.size, column.pixel_um * 1e-3
     if sign == "openusd":
@@ -47,7 +47,7 @@ def assert_calibrated(stage: Usd.Stage, case: Case, cameras_of_unit: dict[str, d
 
         assert "OmniLensDistortionOpenCvPinholeAPI" in applied(prim), name
         assert prim.GetAttribute("omni:lensdistortion:model").Get() == "opencvPinhole"
-        # A depth image is rectified: its virtual camera has the principal point and no distortion.
+        # Depth images are rectified: the virtual camera has a principal point and no distortion.
         is_real = any(name == column.prim for column in case.model.cameras)
         coefficients = data["distortionCoeff"] if is_real else [0.0] * 14
         values = dict(zip(NAMES, coefficients, strict=False)) | {"fx": fx, "fy": fy, "cx": cx, "cy": cy}
@@ -109,7 +109,7 @@ def test_overrides(builder: Builder, model: sheet.Model, renamed: dict[str, str]
     vendor.write_text(text)
     unit_file, over = builder.calibration(model), tmp_path / "unit.usda"
     builder.run("asset", model.name, "--calibration", unit_file, "--over", vendor, "--format", "usda", "-o", over)
-    assert vendor.read_text() == text, "the vendor's asset stays as it is"
+    assert vendor.read_text() == text, "the vendor's asset has changed"
 
     layer = Sdf.Layer.FindOrOpen(str(over))
     specifiers: list[tuple[str, Sdf.Specifier]] = []

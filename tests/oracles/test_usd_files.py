@@ -1,4 +1,4 @@
-"""The files themselves: one text under three names, stable to the byte, packaged as the format demands."""
+"""The files themselves: the same text in three formats, stable to the byte, packaged as the format requires."""
 
 import struct
 import zipfile
@@ -73,7 +73,7 @@ def test_openusd_writes_it_with_the_same_meaning(builder: Builder, case: Case) -
     theirs = Sdf.Layer.CreateAnonymous(".usda")
     assert theirs.ImportFromString(ours.ExportToString())
     assert differences(ours, theirs) == []
-    # And in OpenUSD's binary format, which no text can hide behind.
+    # Also compared in OpenUSD's binary format.
     binary = Sdf.Layer.CreateAnonymous(".usdc")
     binary.TransferContent(ours)
     assert differences(ours, binary) == []

@@ -1,4 +1,4 @@
-"""Where the cameras stand and look, and what the body measures."""
+"""The poses of the cameras, and the dimensions of the body."""
 
 import json
 from pathlib import Path
@@ -13,7 +13,7 @@ WITH_BODY = [case for case in CASES if case.variant.body and case.variant.name i
 
 
 def axes(world: Gf.Matrix4d) -> tuple[Gf.Vec3d, Gf.Vec3d]:
-    """Where a camera looks, and which way its picture's top is."""
+    """A camera's viewing direction and the up direction of its image."""
     return world.TransformDir(Gf.Vec3d(0, 0, -1)).GetNormalized(), world.TransformDir(Gf.Vec3d(0, 1, 0)).GetNormalized()
 
 

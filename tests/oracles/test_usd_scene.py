@@ -1,4 +1,4 @@
-"""What oaktwin extracts from a stage, against what OpenUSD itself makes of it: triangles in the world, texture
+"""The scene that oaktwin extracts from a stage, compared with OpenUSD: world-space triangles, texture
 coordinates, colours, materials, labels, cameras' poses."""
 
 import json
@@ -15,7 +15,7 @@ TOLERANCE = 2e-6
 FORMATS = ["usda", "usdc"]
 
 
-# --- What oaktwin says -------------------------------------------------------------------------------------------
+# --- oaktwin -------------------------------------------------------------------------------------------
 
 
 class Dump:
@@ -73,7 +73,7 @@ def scene_dump(tmp_path_factory):
     return dump
 
 
-# --- What OpenUSD says -------------------------------------------------------------------------------------------
+# --- OpenUSD -------------------------------------------------------------------------------------------
 
 
 def value(attribute, time):
@@ -143,7 +143,7 @@ def labels_of(prim):
 
 
 def expected(stage, time=None, uv="st"):
-    """Everything that is drawn, by path."""
+    """Everything visible, by path."""
     unit = UsdGeom.GetStageMetersPerUnit(stage)
     found = {}
     walk = iter(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()))
@@ -274,7 +274,7 @@ def test_transform_ops_of_every_kind(tmp_path, scene_dump, extension):
     reset.AddTranslateOp().Set((5, 6, 7))
     reset.SetResetXformStack(True)
     prim("/World/Reset").AddRotateXOp().Set(30)
-    # Neither a scope nor a prim without a type has a place of its own.
+    # Neither a scope nor a prim without a type has a transform.
     scope = UsdGeom.Scope.Define(stage, "/World/Scope")
     untyped = stage.DefinePrim("/World/Untyped")
     for inner in [scope.GetPrim(), untyped]:
@@ -464,7 +464,7 @@ def test_labels(tmp_path, scene_dump):
 
 
 def instanced(instancer, path, time, parent, unit, found, uv="st"):
-    """What a point instancer draws, by OpenUSD's own matrices."""
+    """The instances of a point instancer, by OpenUSD's own matrices."""
     stage = instancer.GetPrim().GetStage()
     when = Usd.TimeCode.Default() if time is None else time
     matrices = instancer.ComputeInstanceTransformsAtTime(
@@ -530,7 +530,7 @@ def test_point_instancers(tmp_path, scene_dump, extension):
     add_mesh(stage, "/World/Outer/Prototypes/Tree/Leaves/Leaf", counts=(4,), seed=2).AddScaleOp().Set((2, 1, 1))
     fill(inner, 3, ["/World/Outer/Prototypes/Tree/Leaves/Leaf"])
     stone = add_mesh(stage, "/World/Outer/Stone", counts=(5,), seed=3)
-    # An original elsewhere, itself drawn where it stands.
+    # A prototype elsewhere, which is itself rendered.
     elsewhere = UsdGeom.Xform.Define(stage, "/World/Elsewhere")
     elsewhere.AddTranslateOp().Set((100, 0, 0))
     add_mesh(stage, "/World/Elsewhere/Thing", seed=6).AddTranslateOp().Set((0, 7, 0))
@@ -615,7 +615,7 @@ def test_surface_values(tmp_path, scene_dump, extension, left_handed):
 
 
 def write_png(path):
-    """The smallest PNG there is: one pixel, written by hand."""
+    """A PNG of one pixel, written by hand."""
     import struct
     import zlib
 
@@ -765,7 +765,7 @@ def test_what_is_drawn(tmp_path, scene_dump, extension):
     stage.OverridePrim("/over")
     add_mesh(stage, "/over/mesh")
     stage.Save()
-    # Not asked of OpenUSD: there is nothing to see.
+    # Not compared with OpenUSD: nothing is visible.
     wanted = expected(stage)
     UsdGeom.Mesh.Define(stage, "/empty")
     stage.Save()
@@ -807,7 +807,7 @@ def test_cameras_stand_where_openusd_says(tmp_path, scene_dump, extension, up):
             wanted = np.column_stack([matrix[:3, 0], -matrix[:3, 1], -matrix[:3, 2], matrix[:3, 3] * 0.01])
             np.testing.assert_allclose(camera["world_from_camera"], wanted, atol=1e-9, err_msg=camera["path"])
         warned = got.findings("camera-transform")
-        assert len(warned) == 1 and "/Rig/Scaled: its transform has a scale" in warned[0]
+        assert len(warned) == 1 and "/Rig/Scaled: its transform contains a scale" in warned[0]
 
 
 @pytest.mark.parametrize("axis", ["X", "Y", "Z"])
@@ -948,7 +948,7 @@ def test_the_chess_set(scene_dump):
             wanted[str(prim.GetPath())] = thing(prim, world(prim, None), 1.0, None)
     assert len(wanted) == len(things) == 49
     assert list(things) == list(wanted)
-    # So many triangles that sorting would find ties, but they come face by face. What has no picture has no
+    # Sorting so large a set would find ties, but faces keep their order. Meshes without a texture have no
     # coordinates, and a few faces are concave: fans are wrong there.
     for name, one in wanted.items():
         values = ["triangles"] if things[name]["uvs"] is None else ["triangles", "uvs"]
@@ -956,7 +956,7 @@ def test_the_chess_set(scene_dump):
                       one[value].reshape(-1, 3, 2 + (value == "triangles"))) for value in values]
         differ = np.any([(d > 1e-6).any(axis=(1, 2)) for d in off], axis=0)
         assert differ.mean() < 1e-3, name
-    # Every piece has a picture; the white and black tops of pawns are plain.
+    # Every piece has a texture, except the white and black tops of pawns.
     for name, one in things.items():
         material = got.scene["materials"][one["materials"][0]]
         assert material["texture"] is not None or "Geom_Top" in name, name

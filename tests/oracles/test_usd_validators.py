@@ -1,4 +1,4 @@
-"""OpenUSD opens every asset without a word, and no validator finds anything."""
+"""OpenUSD opens every asset without a warning, and no validator reports a finding."""
 
 from collections.abc import Iterable
 from contextlib import suppress
@@ -11,13 +11,13 @@ from assets import CASES, FORMATS, PLAIN, Builder, Case, openusd_says, schema_fo
 Findings = dict[tuple[str, str], dict[str, list[str]]]
 
 # Asks for OpenUSD's binary format wherever an array is longer than 64. A body's meshes are, and this project writes
-# text alone, so the rule is left out for an asset with a body (and not for one without).
+# text only, so the rule is skipped for assets with a body.
 ASCII_RULE = "UsdAsciiPerformanceChecker"
 
 
 @pytest.fixture(scope="module")
 def said(builder: Builder) -> Findings:
-    """What the validators, knowing the schema of each asset's Isaac Sim, say of every file."""
+    """The validators' findings for every file, with the schema of its version of Isaac Sim."""
     found: Findings = {}
     for isaac in ("5.1", "6"):
         cases = [case for case in CASES if case.variant.isaac == isaac]
@@ -27,12 +27,12 @@ def said(builder: Builder) -> Findings:
 
 @pytest.fixture(scope="module")
 def said_without_schema(builder: Builder) -> Findings:
-    """What OpenUSD alone says while it opens every file and reads every value."""
+    """OpenUSD's own messages while it opens every file and reads every value."""
     return ask(builder, CASES, None, "composition")
 
 
 def ask(builder: Builder, cases: Iterable[Case], schema: Path | None, *checks: str) -> Findings:
-    """One process for all files; an asset that does not build is left to the tests that want it."""
+    """One process for all files; assets that cannot be built are left to the tests that need them."""
     paths = {}
     for case in cases:
         for extension in FORMATS:

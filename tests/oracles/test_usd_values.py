@@ -29,7 +29,7 @@ def applied(prim: Usd.Prim) -> list[str]:
 
 
 def cameras(case: Case) -> list[tuple[str, sheet.Camera, str]]:
-    """Every camera prim: its name, the sheet's column and its stereoRole."""
+    """Every camera prim with its name, its column in the sheet and its stereoRole."""
     real = [(camera.prim, camera, camera.stereo_role) for camera in case.model.cameras]
     return real + [(depth.prim, case.model.camera(depth.camera), "mono") for depth in case.model.depths]
 
@@ -159,7 +159,7 @@ def test_isaac_finds_the_products(builder: Builder, case: Case, tmp_path: Path) 
     found = products_as_isaac_finds_them(stage, "/")
     assert found.keys() == {f"{base}/{depth.prim}" for depth in case.model.depths}
 
-    # As a robot's stage has it: by reference, below another prim.
+    # Referenced below another prim, as in a robot's stage.
     robot = Usd.Stage.CreateNew(str(tmp_path / "robot.usda"))
     robot.DefinePrim("/Robot/head").GetReferences().AddReference(str(builder.asset(case)))
     found = products_as_isaac_finds_them(robot, "/Robot")

@@ -1,4 +1,4 @@
-"""What a time-of-flight camera reports: a straightforward NumPy implementation of the documented steps, in double precision.
+"""The time-of-flight engine: a straightforward NumPy implementation of the documented steps, in double precision.
 
 What the program is compared with, and timed against.
 """
@@ -15,7 +15,7 @@ LIGHT = 299792458.0
 
 @dataclass
 class Parameters:
-    """The program's names, its defaults."""
+    """The program's parameters with their defaults."""
 
     focalLength: float = 457.0
     width: int = 640
@@ -48,7 +48,7 @@ class Parameters:
 
 
 def normal_pairs(words):
-    """Of each word two normal numbers: the upper half is the radius, the lower the angle."""
+    """Two normal numbers per word: the upper half is the radius, the lower the angle."""
     radius = np.sqrt(-2 * np.log(((words >> 16) + 0.5) / 65536))
     angle = (words & 0xFFFF) / 65536 * 2 * np.pi
     return radius * np.exp(1j * angle)
@@ -65,13 +65,13 @@ def fixed_pattern(seed, camera, shape):
 
 
 def flatter(before, here, after):
-    """Of the differences on both sides the smaller one, the second where they are alike."""
+    """The smaller difference of both sides, the second one if they are equal."""
     a, b = here - before, after - here
     return np.where(np.abs(a) < np.abs(b), a, b)
 
 
 def blurred(image, weight):
-    """By a row or column on each side; beyond the border it is as at the border."""
+    """Pads by a row or column on each side, replicating the border."""
     for axis in (0, 1):
         padded = np.pad(image, [(int(axis == 0),) * 2, (int(axis == 1),) * 2], mode="edge")
         size = image.shape[axis]
@@ -87,7 +87,7 @@ def albedos(rgb):
 
 
 def multipath(point, normal, albedo, f, turn):
-    """The light that comes by another surface, per strength and signal·albedo: of both frequencies the phasor of half the way
+    """The indirect light per strength and signal·albedo: for both frequencies the phasor of half the path
     from the lamp to the other surface and on to each pixel's, and all of it."""
     height, width = albedo.shape
     surface = np.any(normal != 0, axis=-1)
@@ -119,7 +119,7 @@ def multipath(point, normal, albedo, f, turn):
         light[:, 2] = parts.sum(axis=-1)
 
     def around(receivers, size):
-        """Of each pixel the receivers on both sides, and how near each is."""
+        """The receivers on both sides of each pixel, with their weights."""
         pixels = np.arange(size)
         after = np.searchsorted(receivers, pixels, side="right")
         pair = np.maximum(after - 1, 0), np.minimum(after, len(receivers) - 1)
@@ -127,7 +127,7 @@ def multipath(point, normal, albedo, f, turn):
         share = np.clip((pixels - receivers[pair[0]]) / apart, 0, 1)
         return (pair[0], 1 - share), (pair[1], share)
 
-    # Of the four receivers around a pixel those that are like it.
+    # The receivers around a pixel whose depth is similar to its own.
     sums, counted = np.zeros((height, width, 3), complex), np.zeros((height, width))
     for y, lower in around(rows, height):
         for x, right in around(columns, width):
@@ -141,8 +141,8 @@ def multipath(point, normal, albedo, f, turn):
 
 
 def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):
-    """What decides: depth in millimetres with its fraction, whether it is kept but for the confidence, how far that is from
-    being decided otherwise (relative), and the amplitude."""
+    """The intermediate results: fractional depth in millimetres, whether it is valid apart from the confidence, the margin of that
+    decision (relative), and the amplitude."""
     height, width = depth.shape
     scale = width / p.width
     f = p.focalLength * scale
@@ -205,7 +205,7 @@ def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):
         near.append(np.angle(phasor) / (2 * np.pi) % 1 * turn[i])
         amplitude = amplitude + np.abs(phasor) / 2
 
-    # Where both frequencies begin a period, everything begins anew.
+    # Everything repeats where both frequencies begin a period.
     square = np.square(p.modulationFrequencies)
     weights = square / square.sum()
     if p.phaseUnwrappingLevel == 0 or not p.enablePhaseUnwrapping:
@@ -245,7 +245,7 @@ def measured(depth, p, seed, camera, frame, item=0, rgb=None, velocity=None):
 
 
 def confidences(depth, amplitude, threshold):
-    """DepthAI's filter: what is kept of the depth, and the image of confidences."""
+    """DepthAI's filter: the filtered depth, and the confidence image."""
     if threshold == 0:
         return depth, amplitude
     a, d = amplitude.astype(np.float32), depth.astype(np.float32)

@@ -1,6 +1,7 @@
 //! What the program understands.
 
 mod accuracy;
+mod annotators;
 mod asset;
 mod calibration;
 mod fit;

@@ -1,56 +1,14 @@
-//! Options that are one of a few named values.
+//! Values of options by name.
+
+use oaktwin_parameter::Choice;
 
 use crate::ParameterError;
 
-/// An enumeration whose variants have names in files and on command lines; the first is the default.
-macro_rules! choice {
-    ($(#[$about:meta])* $name:ident { $($(#[$what:meta])* $variant:ident = $text:literal,)+ }) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum $name {
-            $(#[doc = concat!("`", $text, "`: ")] $(#[$what])* $variant,)+
-        }
-
-        impl $name {
-            /// All, the default first.
-            pub const ALL: &[Self] = &[$(Self::$variant),+];
-
-            /// Its name.
-            #[must_use]
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $text,)+
-                }
-            }
-        }
-
-        impl Default for $name {
-            fn default() -> Self {
-                Self::ALL[0]
-            }
-        }
-
-        impl $crate::choice::Choice for $name {
-            const CHOICES: &[Self] = Self::ALL;
-            fn text(self) -> &'static str {
-                self.name()
-            }
-        }
-    };
-}
-pub(crate) use choice;
-
-/// What `choice!` makes.
-pub(crate) trait Choice: Copy + 'static {
-    const CHOICES: &[Self];
-    fn text(self) -> &'static str;
-}
-
 /// The value of an option by its name.
 pub(crate) fn parse<C: Choice>(option: &str, value: &str) -> Result<C, ParameterError> {
-    let found = C::CHOICES.iter().find(|choice| choice.text() == value);
-    found.copied().ok_or_else(|| {
-        let names: Vec<&str> = C::CHOICES.iter().map(|choice| choice.text()).collect();
+    let found = C::find(value);
+    found.ok_or_else(|| {
+        let names = C::NAMES;
         ParameterError::new(
             option,
             format!("'{value}' is none of its values"),

@@ -1,9 +1,8 @@
-//! Fixed-point disparities, and what depth they are.
+//! Fixed-point disparities and their conversion to depth.
 
 use oaktwin_camera::StereoGeometry;
+use oaktwin_parameter::{Kind, Value, View, choice};
 use oaktwin_simd::{self as simd, Kernel};
-
-use crate::choice::choice;
 
 /// The fractional bits of a disparity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,7 +19,7 @@ pub enum Subpixel {
 }
 
 impl Subpixel {
-    /// How many bits.
+    /// The number of fractional bits.
     #[must_use]
     pub const fn bits(self) -> u32 {
         match self {
@@ -31,22 +30,6 @@ impl Subpixel {
         }
     }
 
-    /// So many bits; none where the device has no such mode.
-    pub(crate) fn of_bits(bits: u32) -> Option<Self> {
-        [Self::Off, Self::Bits3, Self::Bits4, Self::Bits5]
-            .into_iter()
-            .find(|subpixel| subpixel.bits() == bits)
-    }
-
-    /// On, with the bits there are or else the default's, or off.
-    pub(crate) fn switched(self, is_on: bool) -> Self {
-        match (is_on, self) {
-            (false, _) => Self::Off,
-            (true, Self::Off) => Self::default(),
-            (true, own) => own,
-        }
-    }
-
     /// The step, px.
     #[must_use]
     pub fn step_px(self) -> f64 {
@@ -54,42 +37,77 @@ impl Subpixel {
     }
 }
 
+/// The fractional bits of a disparity as a number.
+pub(crate) struct FractionalBits;
+
+impl View<Subpixel> for FractionalBits {
+    const KIND: Kind = Kind::Text("0, 3, 4 or 5");
+
+    fn set(field: &mut Subpixel, text: &str) -> Option<()> {
+        let all = [Subpixel::Off, Subpixel::Bits3, Subpixel::Bits4, Subpixel::Bits5];
+        *field = all.into_iter().find(|subpixel| Self::get(subpixel) == text)?;
+        Some(())
+    }
+
+    fn get(field: &Subpixel) -> String {
+        field.bits().to_string()
+    }
+}
+
+/// Whether a disparity has fractional bits. Switching them on keeps their number, or takes the default.
+pub(crate) struct SubpixelSwitch;
+
+impl View<Subpixel> for SubpixelSwitch {
+    const KIND: Kind = Kind::Flag;
+
+    fn set(field: &mut Subpixel, text: &str) -> Option<()> {
+        *field = match (bool::parse(text)?, *field) {
+            (false, _) => Subpixel::Off,
+            (true, Subpixel::Off) => Subpixel::default(),
+            (true, bits) => bits,
+        };
+        Some(())
+    }
+
+    fn get(field: &Subpixel) -> String {
+        (field.bits() > 0).to_string()
+    }
+}
+
 choice! {
-    /// How depth becomes whole millimetres. What the device does is not published.
+    /// The rounding of depth to whole millimetres. The device's is not published.
     DepthRounding {
-        /// the nearest, halves up.
+        /// To the nearest; halves up.
         Nearest = "nearest",
-        /// the one below.
+        /// Down.
         Truncate = "truncate",
     }
 }
 
-/// What a disparity image counts in.
+/// The geometry and the unit of a fixed-point disparity image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fixed {
-    /// In the pixels of a disparity.
+    /// The geometry in disparity pixels.
     pub(crate) stereo: StereoGeometry,
-    /// The unit.
     pub(crate) subpixel: Subpixel,
-    /// The disparity that 0 stands for, px: that itself is no measurement.
+    /// The disparity of the value 0, px; the value 0 itself is invalid.
     pub(crate) shift_px: u32,
-    /// How depth becomes whole millimetres.
     pub(crate) rounding: DepthRounding,
 }
 
-/// Every value of a disparity.
+/// The number of disparity values.
 const ALL: usize = 1 << 16;
 
-/// Depth of fixed-point disparities, metres in whole millimetres.
+/// The depth of each fixed-point disparity, in metres rounded to millimetres.
 #[derive(Clone, PartialEq)]
 pub(crate) struct DepthTable {
-    /// [`ALL`], so that none is out of bounds.
+    /// [`ALL`] entries, so that no index is out of bounds.
     metres: Vec<f32>,
     last: u32,
 }
 
 impl DepthTable {
-    /// Of disparities 0 to `last`, `scale` units a step.
+    /// Returns the table of disparities 0 to `last`, with `scale` units per step.
     pub(crate) fn new(fixed: &Fixed, scale: f64, last: u32) -> Self {
         let step = fixed.subpixel.step_px() / scale;
         let metres = (0..=last).map(|value| {
@@ -114,12 +132,12 @@ impl DepthTable {
         Self { metres, last }
     }
 
-    /// The largest disparity that it has.
+    /// The largest disparity in the table.
     pub(crate) fn last(&self) -> u32 {
         self.last
     }
 
-    /// Disparities, none larger than the last, become depth.
+    /// Converts disparities, none above [`last`](Self::last), to depth.
     pub(crate) fn look_up(&self, fixed: &[u16], out: &mut [f32]) {
         let metres = self.metres.as_slice();
         simd::run(LookUp { metres, fixed, out });

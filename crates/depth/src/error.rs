@@ -1,24 +1,4 @@
-/// A parameter that makes no sensor: `NAME: what is wrong; what to do`.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{name}: {what}; {remedy}")]
-pub struct ParameterError {
-    /// The parameter.
-    pub name: String,
-    /// What is wrong.
-    pub what: String,
-    /// What to do.
-    pub remedy: String,
-}
-
-impl ParameterError {
-    pub(crate) fn new(name: impl Into<String>, what: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self {
-            name: name.into(),
-            what: what.into(),
-            remedy: remedy.into(),
-        }
-    }
-}
+pub use oaktwin_parameter::ParameterError;
 
 /// Images that do not belong together.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -5,8 +5,7 @@ use std::str::FromStr;
 
 use oaktwin_diagnostic::{fold_name, nearest};
 
-use crate::ParameterError;
-use crate::choice::Choice;
+use oaktwin_parameter::{Choice, ParameterError};
 
 /// One parameter of `P`: its name, how to read and to change it, and what it may be.
 pub(crate) struct Named<P: 'static> {
@@ -63,12 +62,8 @@ macro_rules! subpixel {
     ($name:literal, $($field:ident).+) => {
         $crate::named::Named {
             name: $name,
-            get: |p| $crate::named::text(&(p.$($field).+.bits() > 0)),
-            set: |p, value| {
-                let is_on = $crate::named::switch(value)?;
-                p.$($field).+ = p.$($field).+.switched(is_on);
-                Some(())
-            },
+            get: |p| <$crate::disparity::SubpixelSwitch as oaktwin_parameter::View<_>>::get(&p.$($field).+),
+            set: |p, value| <$crate::disparity::SubpixelSwitch as oaktwin_parameter::View<_>>::set(&mut p.$($field).+, value),
             values: $crate::named::FLAG,
         }
     };
@@ -80,11 +75,8 @@ macro_rules! subpixel_bits {
     ($name:literal, $($field:ident).+) => {
         $crate::named::Named {
             name: $name,
-            get: |p| $crate::named::text(&p.$($field).+.bits()),
-            set: |p, value| {
-                p.$($field).+ = $crate::disparity::Subpixel::of_bits(value.parse().ok()?)?;
-                Some(())
-            },
+            get: |p| <$crate::disparity::FractionalBits as oaktwin_parameter::View<_>>::get(&p.$($field).+),
+            set: |p, value| <$crate::disparity::FractionalBits as oaktwin_parameter::View<_>>::set(&mut p.$($field).+, value),
             values: "give 0, 3, 4 or 5",
         }
     };
@@ -191,7 +183,7 @@ pub(crate) fn put<T: FromStr>(field: &mut T, value: &str) -> Option<()> {
 }
 
 pub(crate) fn pick<C: Choice>(value: &str) -> Option<C> {
-    C::CHOICES.iter().copied().find(|choice| choice.text() == value)
+    C::find(value)
 }
 
 pub(crate) fn switch(value: &str) -> Option<bool> {

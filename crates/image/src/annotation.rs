@@ -1,192 +1,257 @@
-//! What a ground-truth frame consists of: the outputs of Replicator's annotators as plain data.
+//! The outputs of Replicator's annotators, and the frame that holds them.
 
 use std::collections::BTreeMap;
 
 use crate::{Image, RangeDepth, ZDepth};
 
-/// Which annotation. The names are Replicator's, those of Isaac Sim 6 for what a depth sensor reports; the last one is a
-/// render variable of ovrtx, named likewise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Annotator {
-    /// `rgb`
-    Rgb,
-    /// `distance_to_image_plane`
-    DistanceToImagePlane,
-    /// `distance_to_camera`
-    DistanceToCamera,
-    /// `normals`
-    Normals,
-    /// `instance_id_segmentation`
-    InstanceIdSegmentation,
-    /// `semantic_segmentation`
-    SemanticSegmentation,
-    /// `bounding_box_2d_tight`
-    BoundingBox2dTight,
-    /// `bounding_box_2d_loose`
-    BoundingBox2dLoose,
-    /// `pointcloud`
-    Pointcloud,
-    /// `camera_params`
-    CameraParams,
-    /// `depth_sensor_distance`
-    DepthSensorDistance,
-    /// `depth_sensor_point_cloud_position`
-    DepthSensorPointCloudPosition,
-    /// `depth_sensor_point_cloud_color`
-    DepthSensorPointCloudColor,
-    /// `depth_sensor_imager`
-    DepthSensorImager,
-    /// `depth_sensor_output_visualization`
-    DepthSensorOutputVisualization,
+/// The origin of an annotator's data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Ground truth of a scene.
+    Scene,
+    /// A simulated depth sensor, as Isaac Sim 6 names its outputs.
+    DepthSensor,
+    /// A stereo matcher. Replicator has no such annotator.
+    StereoMatcher,
+}
+
+/// Declares the types of annotations: documentation, variant, data, bytes per pixel in memory.
+macro_rules! kinds {
+    ($($doc:literal $kind:ident($data:ty) $bytes:literal;)+) => {
+        /// The type of an annotator's data.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum AnnotationKind {
+            $(#[doc = $doc] $kind,)+
+        }
+
+        impl AnnotationKind {
+            /// Returns the size in memory, bytes per pixel of the image.
+            #[must_use]
+            pub const fn bytes_per_pixel(self) -> u64 {
+                match self {
+                    $(Self::$kind => $bytes,)+
+                }
+            }
+        }
+
+        /// The data of an annotator.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Annotation {
+            $(#[doc = $doc] $kind($data),)+
+        }
+
+        /// A reference to the data of an annotator.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub enum AnnotationRef<'a> {
+            $(#[doc = $doc] $kind(&'a $data),)+
+        }
+    };
+}
+
+kinds! {
+    "An sRGB image with alpha." Color(Image<[u8; 4]>) 4;
+    "Distances along the optical axis, metres." ZDepth(ZDepth) 4;
+    "Distances from the optical centre, metres." RangeDepth(RangeDepth) 4;
+    "Unit vectors." Normals(Image<[f32; 3]>) 12;
+    "Ids of prims." InstanceIds(Segmentation) 4;
+    "Ids of semantic labels." SemanticIds(SemanticSegmentation) 4;
+    "Bounding boxes." Boxes(Boxes2d) 0;
+    "A point cloud." Points(PointCloud) 36;
+    "A homogeneous point for each pixel." PixelPoints(Image<[f32; 4]>) 16;
+    "An sRGB colour for each of [`PixelPoints`](Self::PixelPoints)." PixelColors(Image<[u8; 4]>) 4;
+    "A scalar image." Scalar(Image<f32>) 4;
+}
+
+/// Declares the annotators in the order of their output: documentation, variant, name, source, and the kind and type of the
+/// data, if a [`Frame`] holds it.
+macro_rules! annotators {
+    ($($doc:literal $variant:ident $name:ident $source:ident $($kind:ident($data:ty))?;)+) => {
+        /// An annotator of Replicator; see [`Annotator::all`].
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Annotator {
+            $(#[doc = $doc] $variant,)+
+        }
+
+        impl Annotator {
+            const TABLE: &[Self] = &[$(Self::$variant),+];
+
+            /// Returns the name in Replicator, or in Isaac Sim 6 for outputs of a depth sensor.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($name),)+
+                }
+            }
+
+            /// Returns a description in one line.
+            #[must_use]
+            pub const fn doc(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $doc,)+
+                }
+            }
+
+            /// Returns the origin of the data.
+            #[must_use]
+            pub const fn source(self) -> Source {
+                match self {
+                    $(Self::$variant => Source::$source,)+
+                }
+            }
+
+            /// Returns the type of the data, or `None` if no [`Frame`] holds it.
+            #[must_use]
+            pub const fn kind(self) -> Option<AnnotationKind> {
+                match self {
+                    $($(Self::$variant => Some(AnnotationKind::$kind),)?)+
+                    _ => None,
+                }
+            }
+        }
+
+        annotators! { @frame [] $($doc $name $variant [$($kind $data)?])+ }
+    };
+    (@frame [$($fields:tt)*] $doc:literal $name:ident $variant:ident [] $($rest:tt)*) => {
+        annotators! { @frame [$($fields)*] $($rest)* }
+    };
+    (@frame [$($fields:tt)*] $doc:literal $name:ident $variant:ident [$kind:ident $data:ty] $($rest:tt)*) => {
+        annotators! { @frame [$($fields)* $doc $name $variant $kind ($data),] $($rest)* }
+    };
+    (@frame [$($doc:literal $name:ident $variant:ident $kind:ident ($data:ty),)+]) => {
+        /// The annotations of one camera at one moment. All images have the camera's size.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct Frame {
+            $(#[doc = $doc] pub $name: Option<$data>,)+
+        }
+
+        impl Frame {
+            /// Returns the annotations of the frame in the order of [`Annotator`].
+            pub fn annotations(&self) -> impl Iterator<Item = (Annotator, AnnotationRef<'_>)> {
+                let all = [$(
+                    self.$name.as_ref().map(|data| (Annotator::$variant, AnnotationRef::$kind(data))),
+                )+];
+                all.into_iter().flatten()
+            }
+
+            /// Removes and returns an annotation, or returns `None` if the frame does not contain it.
+            pub fn take(&mut self, annotator: Annotator) -> Option<Annotation> {
+                match annotator {
+                    $(Annotator::$variant => self.$name.take().map(Annotation::$kind),)+
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+annotators! {
+    "The colour image: sRGB, and coverage (255, or 0 for a miss)."
+    Rgb rgb Scene Color(Image<[u8; 4]>);
+    "Metres along the optical axis, `+inf` for a miss."
+    DistanceToImagePlane distance_to_image_plane Scene ZDepth(ZDepth);
+    "Metres from the optical centre, `+inf` for a miss."
+    DistanceToCamera distance_to_camera Scene RangeDepth(RangeDepth);
+    "Unit normals in world axes, 0 for a miss."
+    Normals normals Scene Normals(Image<[f32; 3]>);
+    "An id for each visible prim."
+    InstanceIdSegmentation instance_id_segmentation Scene InstanceIds(Segmentation);
+    "An id for each visible set of semantic labels."
+    SemanticSegmentation semantic_segmentation Scene SemanticIds(SemanticSegmentation);
+    "Bounding boxes of the visible part of each labelled prim."
+    BoundingBox2dTight bounding_box_2d_tight Scene Boxes(Boxes2d);
+    "Bounding boxes of each labelled prim, ignoring occlusion."
+    BoundingBox2dLoose bounding_box_2d_loose Scene Boxes(Boxes2d);
+    "The points of all pixels in the world, with normals, colours and ids."
+    Pointcloud pointcloud Scene Points(PointCloud);
+    "The camera's parameters."
+    CameraParams camera_params Scene;
+    "Measured metres along the optical axis, 0 where nothing was measured."
+    DepthSensorDistance depth_sensor_distance DepthSensor ZDepth(ZDepth);
+    "Measured points in the camera's frame with USD's axes (x right, y up, z backward), metres, and 1; 0 if invalid."
+    DepthSensorPointCloudPosition depth_sensor_point_cloud_position DepthSensor PixelPoints(Image<[f32; 4]>);
+    "sRGB colours of the measured points, 0 if invalid."
+    DepthSensorPointCloudColor depth_sensor_point_cloud_color DepthSensor PixelColors(Image<[u8; 4]>);
+    "The imager's luminance of the colour image, 0 to 1."
+    DepthSensorImager depth_sensor_imager DepthSensor Scalar(Image<f32>);
+    "The view that `rgbDepthOutputMode` selects, sRGB."
+    DepthSensorOutputVisualization depth_sensor_output_visualization DepthSensor Color(Image<[u8; 4]>);
+    "The disparity of a stereo matcher."
+    Disparity disparity StereoMatcher;
+    "The confidence of a stereo matcher."
+    Confidence confidence StereoMatcher;
 }
 
 impl Annotator {
-    /// All of them.
-    pub const ALL: [Self; 15] = [
-        Self::Rgb,
-        Self::DistanceToImagePlane,
-        Self::DistanceToCamera,
-        Self::Normals,
-        Self::InstanceIdSegmentation,
-        Self::SemanticSegmentation,
-        Self::BoundingBox2dTight,
-        Self::BoundingBox2dLoose,
-        Self::Pointcloud,
-        Self::CameraParams,
-        Self::DepthSensorDistance,
-        Self::DepthSensorPointCloudPosition,
-        Self::DepthSensorPointCloudColor,
-        Self::DepthSensorImager,
-        Self::DepthSensorOutputVisualization,
-    ];
-
-    /// Replicator's name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rgb => "rgb",
-            Self::DistanceToImagePlane => "distance_to_image_plane",
-            Self::DistanceToCamera => "distance_to_camera",
-            Self::Normals => "normals",
-            Self::InstanceIdSegmentation => "instance_id_segmentation",
-            Self::SemanticSegmentation => "semantic_segmentation",
-            Self::BoundingBox2dTight => "bounding_box_2d_tight",
-            Self::BoundingBox2dLoose => "bounding_box_2d_loose",
-            Self::Pointcloud => "pointcloud",
-            Self::CameraParams => "camera_params",
-            Self::DepthSensorDistance => "depth_sensor_distance",
-            Self::DepthSensorPointCloudPosition => "depth_sensor_point_cloud_position",
-            Self::DepthSensorPointCloudColor => "depth_sensor_point_cloud_color",
-            Self::DepthSensorImager => "depth_sensor_imager",
-            Self::DepthSensorOutputVisualization => "depth_sensor_output_visualization",
-        }
+    /// Returns all annotators of Replicator and Isaac Sim.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let own = |one: &Self| one.source() != Source::StereoMatcher;
+        Self::TABLE.iter().copied().filter(own)
     }
 
-    /// Whether a depth sensor reports it; all else is ground truth.
+    /// Whether the annotator is an output of Isaac Sim's depth sensor rather than ground truth.
     #[must_use]
-    pub const fn is_of_depth_sensor(self) -> bool {
-        matches!(
-            self,
-            Self::DepthSensorDistance
-                | Self::DepthSensorPointCloudPosition
-                | Self::DepthSensorPointCloudColor
-                | Self::DepthSensorImager
-                | Self::DepthSensorOutputVisualization
-        )
+    pub const fn is_depth_sensor(self) -> bool {
+        matches!(self.source(), Source::DepthSensor)
     }
 }
 
-/// The annotations of one camera at one moment: those that were asked for. All images have the camera's size.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Frame {
-    /// sRGB and coverage (255, or 0 for a miss).
-    pub rgb: Option<Image<[u8; 4]>>,
-    /// Metres along the optical axis, `+inf` for a miss.
-    pub distance_to_image_plane: Option<ZDepth>,
-    /// Metres from the optical centre, `+inf` for a miss.
-    pub distance_to_camera: Option<RangeDepth>,
-    /// Unit normals in the world's axes; 0 for a miss.
-    pub normals: Option<Image<[f32; 3]>>,
-    /// One id for each prim that is seen.
-    pub instance_id_segmentation: Option<Segmentation>,
-    /// One id for each set of semantic labels that is seen.
-    pub semantic_segmentation: Option<SemanticSegmentation>,
-    /// Boxes around what is seen of each labelled thing.
-    pub bounding_box_2d_tight: Option<Boxes2d>,
-    /// Boxes around the whole of each labelled thing in the image, whatever hides it.
-    pub bounding_box_2d_loose: Option<Boxes2d>,
-    /// Where each pixel's ray ends.
-    pub pointcloud: Option<PointCloud>,
-    /// What the depth sensor measured: metres along the optical axis, 0 where nothing was.
-    pub depth_sensor_distance: Option<ZDepth>,
-    /// The point that each measurement is of, in the camera's frame with USD's axes (x right, y up, z backward), metres,
-    /// and 1; all 0 where nothing was measured.
-    pub depth_sensor_point_cloud_position: Option<Image<[f32; 4]>>,
-    /// The colour of that point, sRGB; all 0 where nothing was measured.
-    pub depth_sensor_point_cloud_color: Option<Image<[u8; 4]>>,
-    /// What the sensor's imager sees: luminance of the colour image, 0 to 1.
-    pub depth_sensor_imager: Option<Image<f32>>,
-    /// The view that `rgbDepthOutputMode` chooses, sRGB.
-    pub depth_sensor_output_visualization: Option<Image<[u8; 4]>>,
-}
-
-/// An image of ids and the prim paths behind them. 0 is the background; ids are given in the order of the scene, so
-/// that every camera and frame of a scene agrees on them.
+/// An image of prim ids. 0 is the background. Ids follow the order of the scene, so that they are the same for every camera
+/// and frame of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segmentation {
-    /// An id for each pixel.
+    /// The id of each pixel.
     pub ids: Image<u32>,
-    /// The prim path behind each id that occurs.
+    /// The prim path of each id in the image.
     pub prim_paths: BTreeMap<u32, String>,
 }
 
-/// Semantic labels: `class` → `chair`. A taxonomy with several labels holds them sorted, joined by commas, as
-/// Replicator writes them.
+/// Semantic labels by taxonomy: `class` → `chair`. Several labels of a taxonomy are sorted and joined by commas, as in
+/// Replicator.
 pub type Labels = BTreeMap<String, String>;
 
-/// An image of ids and the labels behind them. 0 is the background, 1 what carries no label.
+/// An image of semantic ids. 0 is the background, 1 a surface without labels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SemanticSegmentation {
-    /// An id for each pixel.
+    /// The id of each pixel.
     pub ids: Image<u32>,
-    /// The labels behind each id that occurs: `{"class": "BACKGROUND"}` for 0, `{"class": "UNLABELLED"}` for 1.
+    /// The labels of each id in the image: `{"class": "BACKGROUND"}` for 0, `{"class": "UNLABELLED"}` for 1.
     pub labels: BTreeMap<u32, Labels>,
 }
 
-/// Bounding boxes in an image.
+/// The bounding boxes of an image.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Boxes2d {
     /// The boxes, in the order of the scene.
     pub boxes: Vec<Box2d>,
-    /// The prim of each box.
+    /// The prim path of each box.
     pub prim_paths: Vec<String>,
-    /// The labels behind each semantic id.
+    /// The labels of each semantic id.
     pub labels: BTreeMap<u32, Labels>,
 }
 
-/// One bounding box, px; both ends are inside it.
+/// A bounding box, px; both ends are inclusive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Box2d {
-    /// Into [`Boxes2d::labels`].
+    /// The key in [`Boxes2d::labels`].
     pub semantic_id: u32,
-    /// Its first column.
+    /// The first column.
     pub x_min: i32,
-    /// Its first row.
+    /// The first row.
     pub y_min: i32,
-    /// Its last column.
+    /// The last column.
     pub x_max: i32,
-    /// Its last row.
+    /// The last row.
     pub y_max: i32,
-    /// The part of it that something else hides, 0 to 1; NaN where it is not known.
+    /// The occluded fraction of the prim, 0 to 1; NaN if unknown.
     pub occlusion_ratio: f32,
 }
 
-/// A point for each pixel whose ray ends on something, row by row. Vectors are as long as `points` or empty.
+/// A point for each pixel that sees a surface, row by row. Each vector is empty or as long as `points`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointCloud {
-    /// In the world, scene units.
+    /// World positions, scene units.
     pub points: Vec<[f32; 3]>,
-    /// Unit normals in the world's axes.
+    /// Unit normals in world axes.
     pub normals: Vec<[f32; 3]>,
     /// sRGB and 255.
     pub rgb: Vec<[u8; 4]>,

@@ -1,7 +1,7 @@
 //! Limits of image sizes and memory.
 
 use oaktwin_camera::ImageSize;
-use oaktwin_image::annotation::Annotator;
+use oaktwin_image::annotation::{AnnotationKind, Annotator};
 
 /// The maximum number of pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 31;
@@ -66,30 +66,9 @@ pub fn record_bytes(size: ImageSize) -> u64 {
 /// Returns the memory in bytes of a frame's annotations.
 #[must_use]
 pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
-    let pixels = u64::from(size.width) * u64::from(size.height);
-    pixels
-        * annotators
-            .iter()
-            .map(|annotator| pixel_bytes(*annotator))
-            .sum::<u64>()
-}
-
-fn pixel_bytes(annotator: Annotator) -> u64 {
-    match annotator {
-        Annotator::Rgb
-        | Annotator::DistanceToImagePlane
-        | Annotator::DistanceToCamera
-        | Annotator::InstanceIdSegmentation
-        | Annotator::SemanticSegmentation => 4,
-        Annotator::DepthSensorDistance
-        | Annotator::DepthSensorPointCloudColor
-        | Annotator::DepthSensorImager
-        | Annotator::DepthSensorOutputVisualization => 4,
-        Annotator::Normals => 12,
-        Annotator::DepthSensorPointCloudPosition => 16,
-        Annotator::Pointcloud => 36,
-        Annotator::BoundingBox2dTight | Annotator::BoundingBox2dLoose | Annotator::CameraParams => 0,
-    }
+    let kinds = annotators.iter().filter_map(|annotator| annotator.kind());
+    let per_pixel: u64 = kinds.map(AnnotationKind::bytes_per_pixel).sum();
+    u64::from(size.width) * u64::from(size.height) * per_pixel
 }
 
 /// Returns the available memory in bytes; `None` if it is unknown.
@@ -118,7 +97,10 @@ mod tests {
         assert!(check_size(ImageSize::new((1 << 16) + 1, 1 << 15)).is_err());
         assert!(check_size(ImageSize::new(u32::MAX, u32::MAX)).is_err());
         assert!(check_size(ImageSize::new(0, 5)).is_err());
-        let bytes = frame_bytes(ImageSize::new(1 << 16, 1 << 15), &Annotator::ALL);
+        let bytes = frame_bytes(
+            ImageSize::new(1 << 16, 1 << 15),
+            &Annotator::all().collect::<Vec<_>>(),
+        );
         assert_eq!(gib(bytes), "824.0 GiB");
     }
 

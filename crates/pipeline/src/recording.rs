@@ -106,7 +106,9 @@ impl RecordingFile {
             #[cfg(not(feature = "rerun"))]
             Format::Rrd => {
                 let _ = up;
-                Err(RecordingError::Format("the feature `rerun` is disabled".to_owned()))
+                Err(RecordingError::Format(
+                    "the feature `rerun` is disabled".to_owned(),
+                ))
             }
         };
         Ok(Self {
@@ -235,7 +237,10 @@ mod tests {
             assert!(error_of("a.rrd").contains("the feature `rerun`"));
         }
         std::fs::create_dir(folder.path().join("b.mcap")).unwrap();
-        assert_eq!(error_of("b.mcap"), "DIR/b.mcap: is a directory; name a file in it");
+        assert_eq!(
+            error_of("b.mcap"),
+            "DIR/b.mcap: is a directory; name a file in it"
+        );
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

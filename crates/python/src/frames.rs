@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 
 use numpy::{Element, PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArray};
 use oaktwin::camera::ImageSize;
-use oaktwin::image::Image;
-use oaktwin::image::annotation::{Annotator, Boxes2d, Frame, Labels, PointCloud};
+use oaktwin::image::annotation::{Annotation, AnnotationKind, Annotator, Boxes2d, Frame, Labels, PointCloud};
+use oaktwin::image::{Image, RangeDepth, ZDepth};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::array::zeros;
 use crate::error::error;
 
-/// Frames of one camera on their way into arrays.
+/// Collects the frames of one camera as arrays.
 pub(crate) struct Frames<'py> {
     size: ImageSize,
     batch: Option<usize>,
@@ -23,7 +23,7 @@ pub(crate) struct Frames<'py> {
 }
 
 impl<'py> Frames<'py> {
-    /// For a batch of so many poses, or one.
+    /// Creates the frames of a batch of poses, or of one pose.
     pub(crate) fn new(size: ImageSize, batch: Option<usize>) -> Self {
         Self {
             size,
@@ -36,72 +36,49 @@ impl<'py> Frames<'py> {
     }
 
     /// Adds the frame of a pose.
-    pub(crate) fn put(&mut self, py: Python<'py>, number: usize, frame: Frame) -> PyResult<()> {
-        if let Some(z) = frame.distance_to_image_plane {
-            self.image(
-                py,
-                Annotator::DistanceToImagePlane,
-                number,
-                z.0.into_pixels(),
-                &[],
-            )?;
-        }
-        if let Some(range) = frame.distance_to_camera {
-            self.image(
-                py,
-                Annotator::DistanceToCamera,
-                number,
-                range.0.into_pixels(),
-                &[],
-            )?;
-        }
-        if let Some(rgb) = frame.rgb {
-            self.image(py, Annotator::Rgb, number, flat(rgb), &[4])?;
-        }
-        if let Some(normals) = frame.normals {
-            self.image(py, Annotator::Normals, number, flat(normals), &[3])?;
-        }
-        if let Some(seen) = frame.instance_id_segmentation {
-            let ids = seen.ids.into_pixels();
-            self.image(py, Annotator::InstanceIdSegmentation, number, ids, &[])?;
-            self.prim_paths.extend(seen.prim_paths);
-        }
-        if let Some(seen) = frame.semantic_segmentation {
-            self.image(
-                py,
-                Annotator::SemanticSegmentation,
-                number,
-                seen.ids.into_pixels(),
-                &[],
-            )?;
-            self.labels.extend(seen.labels);
-        }
-        if let Some(boxes) = frame.bounding_box_2d_tight {
-            self.list(Annotator::BoundingBox2dTight, self::boxes(py, &boxes)?);
-            self.labels.extend(boxes.labels);
-        }
-        if let Some(boxes) = frame.bounding_box_2d_loose {
-            self.list(Annotator::BoundingBox2dLoose, self::boxes(py, &boxes)?);
-            self.labels.extend(boxes.labels);
-        }
-        if let Some(PointCloud { points, .. }) = frame.pointcloud {
-            let count = points.len();
-            let points = PyArray1::from_vec(py, points.into_flattened()).reshape([count, 3])?;
-            self.list(Annotator::Pointcloud, points.into_any());
+    pub(crate) fn put(&mut self, py: Python<'py>, number: usize, mut frame: Frame) -> PyResult<()> {
+        for annotator in Annotator::all() {
+            let name = annotator.name();
+            match frame.take(annotator) {
+                None => {}
+                Some(Annotation::ZDepth(ZDepth(image)) | Annotation::RangeDepth(RangeDepth(image))) => {
+                    self.image(py, name, number, image.into_pixels(), &[])?;
+                }
+                Some(Annotation::Scalar(image)) => self.image(py, name, number, image.into_pixels(), &[])?,
+                Some(Annotation::Color(image) | Annotation::PixelColors(image)) => {
+                    self.image(py, name, number, flat(image), &[4])?;
+                }
+                Some(Annotation::PixelPoints(image)) => self.image(py, name, number, flat(image), &[4])?,
+                Some(Annotation::Normals(image)) => self.image(py, name, number, flat(image), &[3])?,
+                Some(Annotation::InstanceIds(seen)) => {
+                    self.image(py, name, number, seen.ids.into_pixels(), &[])?;
+                    self.prim_paths.extend(seen.prim_paths);
+                }
+                Some(Annotation::SemanticIds(seen)) => {
+                    self.image(py, name, number, seen.ids.into_pixels(), &[])?;
+                    self.labels.extend(seen.labels);
+                }
+                Some(Annotation::Boxes(boxes)) => {
+                    self.list(name, self::boxes(py, &boxes)?);
+                    self.labels.extend(boxes.labels);
+                }
+                Some(Annotation::Points(PointCloud { points, .. })) => {
+                    let count = points.len();
+                    let points = PyArray1::from_vec(py, points.into_flattened()).reshape([count, 3])?;
+                    self.list(name, points.into_any());
+                }
+            }
         }
         Ok(())
     }
 
-    /// All by name.
-    pub(crate) fn finish(mut self, py: Python<'py>, asked: &[Annotator]) -> PyResult<Bound<'py, PyDict>> {
+    /// Returns the arrays of the requested annotators by name.
+    pub(crate) fn finish(mut self, py: Python<'py>, request: &[Annotator]) -> PyResult<Bound<'py, PyDict>> {
+        use AnnotationKind as Kind;
         let all = PyDict::new(py);
-        for annotator in asked {
+        for annotator in request {
             let name = annotator.name();
-            let is_list = matches!(
-                annotator,
-                Annotator::BoundingBox2dTight | Annotator::BoundingBox2dLoose | Annotator::Pointcloud
-            );
-            if is_list {
+            if let Some(Kind::Boxes | Kind::Points) = annotator.kind() {
                 let list = self.lists.get(name).cloned().unwrap_or_default();
                 match (self.batch, list.first()) {
                     (None, Some(first)) => all.set_item(name, first)?,
@@ -109,22 +86,23 @@ impl<'py> Frames<'py> {
                 }
             } else {
                 if self.batch == Some(0) {
-                    self.nothing(py, *annotator)?;
+                    self.put_empty(py, *annotator)?;
                 }
                 if let Some(image) = self.images.get(name) {
                     all.set_item(name, image)?;
                 }
             }
         }
-        if asked.contains(&Annotator::InstanceIdSegmentation) {
+        let has = |kinds: &[Kind]| {
+            request
+                .iter()
+                .filter_map(|one| one.kind())
+                .any(|kind| kinds.contains(&kind))
+        };
+        if has(&[Kind::InstanceIds]) {
             all.set_item("instance_id_segmentation_prim_paths", self.prim_paths)?;
         }
-        let labelled = [
-            Annotator::SemanticSegmentation,
-            Annotator::BoundingBox2dTight,
-            Annotator::BoundingBox2dLoose,
-        ];
-        if labelled.iter().any(|one| asked.contains(one)) {
+        if has(&[Kind::SemanticIds, Kind::Boxes]) {
             all.set_item("semantic_segmentation_labels", self.labels)?;
         }
         Ok(all)
@@ -142,13 +120,12 @@ impl<'py> Frames<'py> {
     fn image<T: Element + Copy>(
         &mut self,
         py: Python<'py>,
-        annotator: Annotator,
+        name: &'static str,
         number: usize,
         pixels: Vec<T>,
         channels: &[usize],
     ) -> PyResult<()> {
         let dims = self.dims(channels);
-        let name = annotator.name();
         if self.batch.is_none() {
             let image = PyArray1::from_vec(py, pixels).reshape(dims)?;
             self.images.insert(name, image.into_any());
@@ -161,26 +138,27 @@ impl<'py> Frames<'py> {
             let mut stack = stack.cast::<PyArrayDyn<T>>()?.try_readwrite().map_err(error)?;
             let values = stack.as_slice_mut().map_err(error)?;
             let start = number * pixels.len();
-            if let Some(room) = values.get_mut(start..start + pixels.len()) {
-                room.copy_from_slice(&pixels);
+            if let Some(slot) = values.get_mut(start..start + pixels.len()) {
+                slot.copy_from_slice(&pixels);
             }
         }
         Ok(())
     }
 
-    fn nothing(&mut self, py: Python<'py>, annotator: Annotator) -> PyResult<()> {
-        match annotator {
-            Annotator::Rgb => self.image::<u8>(py, annotator, 0, Vec::new(), &[4]),
-            Annotator::Normals => self.image::<f32>(py, annotator, 0, Vec::new(), &[3]),
-            Annotator::InstanceIdSegmentation | Annotator::SemanticSegmentation => {
-                self.image::<u32>(py, annotator, 0, Vec::new(), &[])
-            }
-            _ => self.image::<f32>(py, annotator, 0, Vec::new(), &[]),
+    fn put_empty(&mut self, py: Python<'py>, annotator: Annotator) -> PyResult<()> {
+        use AnnotationKind as Kind;
+        let name = annotator.name();
+        match annotator.kind() {
+            Some(Kind::Color | Kind::PixelColors) => self.image::<u8>(py, name, 0, Vec::new(), &[4]),
+            Some(Kind::Normals) => self.image::<f32>(py, name, 0, Vec::new(), &[3]),
+            Some(Kind::PixelPoints) => self.image::<f32>(py, name, 0, Vec::new(), &[4]),
+            Some(Kind::InstanceIds | Kind::SemanticIds) => self.image::<u32>(py, name, 0, Vec::new(), &[]),
+            _ => self.image::<f32>(py, name, 0, Vec::new(), &[]),
         }
     }
 
-    fn list(&mut self, annotator: Annotator, array: Bound<'py, PyAny>) {
-        self.lists.entry(annotator.name()).or_default().push(array);
+    fn list(&mut self, name: &'static str, array: Bound<'py, PyAny>) {
+        self.lists.entry(name).or_default().push(array);
     }
 }
 
@@ -188,7 +166,7 @@ fn flat<T, const C: usize>(image: Image<[T; C]>) -> Vec<T> {
     image.into_pixels().into_flattened()
 }
 
-/// Structured as Replicator's.
+/// Returns a structured array with Replicator's fields.
 fn boxes<'py>(py: Python<'py>, boxes: &Boxes2d) -> PyResult<Bound<'py, PyAny>> {
     let fields = [
         ("semanticId", "u4"),

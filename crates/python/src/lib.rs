@@ -63,7 +63,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::rectification::Rectification;
     #[pymodule_export]
-    use super::scene::Scene;
+    use super::scene::{Scene, annotators};
     #[pymodule_export]
     use super::sensor::DepthSensor;
     #[pymodule_export]

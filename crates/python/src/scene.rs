@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
@@ -165,9 +166,7 @@ impl Scene {
     /// camera: a device's (`device.cameras["left"]`, `device.depth_camera()`) or your own.
     /// world_from_camera: where it stands: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
     ///     forward), metres. See `look_at`.
-    /// annotators: Replicator's names: "distance_to_image_plane" (z, the default), "distance_to_camera", "rgb", "normals",
-    ///     "instance_id_segmentation", "semantic_segmentation", "bounding_box_2d_tight", "bounding_box_2d_loose",
-    ///     "pointcloud".
+    /// annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
     /// backend: "auto" (default), "raster" or "ray"; all see the same.
     /// smooth_edges: whether outlines are smooth in the colours.
     ///
@@ -389,19 +388,28 @@ fn up_name(up: Up) -> &'static str {
     }
 }
 
-/// One that a scene has something to say to.
+/// The annotators of scenes and depth sensors: a dictionary from name to description.
+///
+/// `Scene.render` takes all but "camera_params" and those whose names begin with "depth_sensor_", which
+/// `DepthSensor.annotate` takes.
+#[pyfunction]
+pub(crate) fn annotators() -> BTreeMap<&'static str, &'static str> {
+    Annotator::all().map(|one| (one.name(), one.doc())).collect()
+}
+
+/// Returns the annotator of a name, if it describes a scene and is an image or a list.
 fn scene_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
     if found == Annotator::CameraParams {
         return Err(wrong(
             name,
-            "is no image",
-            "see the camera: its K, distortion and size",
+            "is not an image",
+            "use the camera's attributes K, distortion and size",
         ));
     }
-    if found.is_of_depth_sensor() {
-        let remedy = "give distance_to_image_plane (and rgb) to DepthSensor.annotate";
-        return Err(wrong(name, "is what a sensor makes of a scene's depth", remedy));
+    if found.is_depth_sensor() {
+        let remedy = "pass distance_to_image_plane (and rgb) to DepthSensor.annotate";
+        return Err(wrong(name, "is an output of a depth sensor", remedy));
     }
     Ok(found)
 }

@@ -1,4 +1,4 @@
-"""What every test of the package shares."""
+"""Fixtures and helpers of all tests of the package."""
 
 import os
 import signal
@@ -60,7 +60,7 @@ def calibration():
 
 @pytest.fixture(scope="session")
 def program():
-    """Runs the program itself, for what it writes to its standard output."""
+    """Runs the program and returns its standard output."""
     named = os.environ.get("OAKTWIN_BIN")
     if not named:
         pytest.skip("OAKTWIN_BIN names no program: run by cargo xtask test")

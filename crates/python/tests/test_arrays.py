@@ -1,4 +1,4 @@
-"""Arrays of every kind, in and out, without a copy where none is promised."""
+"""Arrays of every kind, in and out, without copies where that is documented."""
 
 import array
 import ctypes

@@ -28,7 +28,7 @@ FILES = {
 
 def run(*arguments):
     command = [sys.executable, EXAMPLE, *map(str, arguments)]
-    # DepthAI tells on the standard output that there is no USB where there is none.
+    # DepthAI reports on standard output that there is no USB.
     environment = {**os.environ, "DEPTHAI_LEVEL": "error"}
     return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment)
 
@@ -94,7 +94,7 @@ def test_real_exports(tmp_path):
     for path in files:
         raw = json.loads(path.read_text())
         if raw["version"] < 6 or raw.get("productName") == "OAK-D-EVOLV":
-            # DepthAI refuses the first, we the second, whose right camera stands on the left.
+            # DepthAI rejects the first, oaktwin the second, whose right camera is on the left.
             done = run(path, "--model", "OAK-D Pro PoE")
             assert done.returncode == 1 and "Traceback" not in done.stderr
             assert "cameraType" in done.stderr or "not on its left" in done.stderr

@@ -195,7 +195,7 @@ def test_the_usd_half(example, model, tmp_path):
             assert camera.GetTypeName() == "Camera"
             width, height = template.GetAttribute("resolution").Get()
             cameras[camera.GetName()] = width, height
-            # It stands where the OAK is put and looks along the stage's x; z is up in its picture.
+            # It is at the OAK's position and faces the stage's x; z is up in its image.
             world_from_camera = UsdGeom.Xformable(camera).ComputeLocalToWorldTransform(0)
             assert np.allclose(world_from_camera.TransformDir((0, 0, -1)), [1, 0, 0], atol=1e-6)
             assert np.allclose(world_from_camera.TransformDir((0, 1, 0)), [0, 0, 1], atol=1e-6)

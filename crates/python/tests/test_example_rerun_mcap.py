@@ -1,4 +1,4 @@
-"""The example that records a walk: what both recordings say against what was rendered."""
+"""The example that records a walk: both recordings match what was rendered."""
 
 import os
 import subprocess
@@ -32,7 +32,7 @@ def walked(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def truth(walked):
-    """What the example must have recorded, made anew: the camera, poses, and images of each frame."""
+    """The expected content, computed again: the camera, poses, and images of each frame."""
     folder, _ = walked
     device = oaktwin.Device("OAK4-D")
     camera = device.depth_camera().resized(*SIZE)

@@ -1,4 +1,4 @@
-"""The numbers of the projector's example: what the dots are worth, and where they are worth nothing."""
+"""The numbers of the projector example, with and without dots, and in bright light."""
 
 import csv
 import subprocess
@@ -56,7 +56,7 @@ def test_the_numbers_are_those_of_the_arrays(tmp_path):
 
 
 def test_light_drowns_the_dots(tmp_path):
-    """The more light there is beside the projector's, the less the dots are seen."""
+    """More ambient light makes the dots less visible."""
     density = []
     for ambient in (0.05, 1, 20):
         run(tmp_path, "--ambient", ambient)

@@ -1,4 +1,4 @@
-"""The curve fit of `oaktwin fit` against SciPy's least squares, weights for outliers and intervals included."""
+"""The curve fit of `oaktwin fit`, compared with SciPy's least squares, including robust weights and intervals."""
 
 import json
 import os
@@ -83,7 +83,7 @@ def test_a_signed_curve_with_outliers(program, tmp_path, bias, is_free):
     file = curve(tmp_path / "curve.csv", percent, distance)
     options = ["--fit", "focal"] if is_free else []
     report = compare(program, file, truth if is_free else truth[:2], 800.0, *options)
-    # SciPy began at the truth, the program anywhere.
+    # SciPy starts at the truth, the program elsewhere.
     for name, value in zip(["bias", "pixelLocking"], truth, strict=False):
         (ours,) = [one for one in report["parameters"] if one["name"] == name]
         assert ours["value"] == pytest.approx(value, abs=0.01), name

@@ -1,4 +1,4 @@
-"""Numbers that nobody means: exceptions or results, never a panic (which is no `Exception`)."""
+"""Nonsensical numbers lead to exceptions or results, never to a panic (which is not an `Exception`)."""
 
 import itertools
 

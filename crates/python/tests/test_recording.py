@@ -1,4 +1,4 @@
-"""Recordings, read back by other people's libraries: mcap with mcap-ros2-support, rosbags, Rerun."""
+"""Recordings, read back with other libraries: mcap with mcap-ros2-support, rosbags, Rerun."""
 
 import os
 import subprocess

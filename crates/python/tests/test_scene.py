@@ -149,7 +149,7 @@ def test_bad_renderings(wall):
     camera = oaktwin.Camera((4, 4), hfov_deg=20)
     for text, arguments, options in [
         ("did you mean normals", (camera, EYE), dict(annotators=["normal"])),
-        ("is no image; see the camera", (camera, EYE), dict(annotators=["camera_params"])),
+        ("is not an image; use the camera", (camera, EYE), dict(annotators=["camera_params"])),
         ("DepthSensor", (camera, EYE), dict(annotators=["depth_sensor_distance"])),
         ("backend: there is no", (camera, EYE), dict(backend="gpu")),
         ("world_from_camera: has shape", (camera, EYE[:3]), {}),

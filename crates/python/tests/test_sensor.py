@@ -179,7 +179,7 @@ def test_what_cannot_be_aligned(device, room):
 
 
 def test_nothing_names_the_programs_options(device, room, tmp_path, calibration):
-    """Errors, findings and their remedies speak to who writes Python."""
+    """Errors, findings and remedies use Python's names."""
     said = [str(finding) for finding in [*oaktwin.DepthSensor(device, seed=1).findings]]
     sensor = oaktwin.DepthSensor(device)
     sensor(room[0])

@@ -1,4 +1,4 @@
-"""Pairs, rendered and matched: against the truth, against OpenCV, against the program, and in wrong hands."""
+"""Rendered and matched pairs, compared with the truth, OpenCV and the program, and bad input."""
 
 import copy
 import json

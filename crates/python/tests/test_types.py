@@ -1,4 +1,4 @@
-"""The stubs against the real module, and a program of a user who is strict."""
+"""The stubs match the module, and a strictly typed program passes mypy."""
 
 import os
 import subprocess

@@ -1,13 +1,12 @@
-//! The depth sensor of a stage: the attributes of NVIDIA's schemas on a render product or its camera, as authored.
+//! The depth sensor of a stage: the authored attributes of NVIDIA's schemas on a render product or its camera.
 
 use crate::asset::IsaacVersion;
 pub use crate::nvidia::OUTLIER_REMOVAL;
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
 
-/// The attributes of both schemas with the types that Isaac Sim 5.1 gives them; `outlierRemovalEnabled` is a `bool` in 6.
-/// What else is a `bool` is a switch, the rest shapes what the sensor reports. Source: Kit's schema; ovrtx documents the same
-/// fourteen.
+/// The attributes of both schemas with their types in Isaac Sim 5.1; `outlierRemovalEnabled` is a `bool` in 6. The other
+/// `bool`s are switches. Source: Kit's schema; ovrtx documents the same fourteen.
 pub const ATTRIBUTES: [(&str, &str); 14] = [
     ("baselineMM", "float"),
     ("confidenceThreshold", "float"),
@@ -25,15 +24,15 @@ pub const ATTRIBUTES: [(&str, &str); 14] = [
     ("showDistance", "bool"),
 ];
 
-/// What a stage says about a depth sensor; what it does not say has the schema's defaults.
+/// The authored attributes of a depth sensor; unauthored ones have the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthSensor {
     prim: Prim,
     namespace: &'static str,
 }
 
-/// The depth sensor of a render product: Kit's schema on the product, or ovrtx's on the camera. The former wins, as
-/// Isaac Sim reads no other.
+/// Returns the depth sensor of a render product: Kit's schema on the product, else ovrtx's on the camera. The former
+/// takes precedence, as Isaac Sim reads no other.
 #[must_use]
 pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
     let of = |prim: &Prim, schema: &str, namespace| {
@@ -48,25 +47,25 @@ pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>)
 }
 
 impl DepthSensor {
-    /// The prim that says it.
+    /// Returns the prim that carries the attributes.
     #[must_use]
     pub fn prim(&self) -> &Prim {
         &self.prim
     }
 
-    /// Its authored attributes by their names in the schema, `baselineMM`.
+    /// Returns the authored attributes by their name in the schema, such as `baselineMM`.
     pub fn attributes(&self) -> impl Iterator<Item = (&str, &Attribute)> {
         self.prim.in_namespace(self.namespace)
     }
 
-    /// The whole name of an attribute, `omni:rtx:post:depthSensor:baselineMM`.
+    /// Returns the full name of an attribute, such as `omni:rtx:post:depthSensor:baselineMM`.
     #[must_use]
     pub fn full_name(&self, name: &str) -> String {
         format!("{}{name}", self.namespace)
     }
 
-    /// The Isaac Sim that it is written for, where that can be seen: `outlierRemovalEnabled` is an `int` in 5.x and a
-    /// `bool` in 6.x, and ovrtx's schema is as new as 6.
+    /// Returns the Isaac Sim version that the sensor is written for, if known: `outlierRemovalEnabled` is an `int` in 5.x
+    /// and a `bool` in 6.x; ovrtx's schema corresponds to 6.
     #[must_use]
     pub fn isaac(&self) -> Option<IsaacVersion> {
         if self.namespace == CAMERA_NAMESPACE {
@@ -95,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn the_product_before_the_camera() {
+    fn product_takes_precedence_over_camera() {
         let mut product = RenderProduct::default();
         let mut camera = SceneCamera::default();
         assert!(of_product(Some(&product), Some(&camera)).is_none());
@@ -116,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn the_type_of_one_attribute_says_the_version() {
+    fn type_of_outlier_removal_determines_the_version() {
         for (type_name, value, isaac) in [
             ("int", Value::Int(3), Some(IsaacVersion::V5_1)),
             ("bool", Value::Bool(true), Some(IsaacVersion::V6)),

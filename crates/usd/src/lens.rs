@@ -1,4 +1,4 @@
-//! NVIDIA's lens-distortion schemas of a camera prim: which is applied, and what it says.
+//! NVIDIA's lens-distortion schemas on a camera prim.
 
 use oaktwin_camera::{FTheta, ImageSize, Intrinsics, LensError, OpenCv, PixelPoint, Usd};
 
@@ -6,10 +6,10 @@ use crate::stage::Prim;
 
 /// The common part of the schemas' attribute names.
 pub(crate) const NAMESPACE: &str = "omni:lensdistortion:";
-/// Holds the token of the schema that counts.
+/// The attribute with the token of the active schema.
 pub(crate) const MODEL: &str = "omni:lensdistortion:model";
 
-/// A schema and its model token.
+/// The schemas and their model tokens.
 const SCHEMAS: [(&str, &str); 6] = [
     ("OmniLensDistortionOpenCvPinholeAPI", "opencvPinhole"),
     ("OmniLensDistortionOpenCvFisheyeAPI", "opencvFisheye"),
@@ -23,10 +23,10 @@ const PINHOLE_COEFFICIENTS: [&str; 12] = [
 ];
 const FISHEYE_COEFFICIENTS: [&str; 4] = ["k1", "k2", "k3", "k4"];
 const FTHETA_COEFFICIENTS: [&str; 5] = ["k0", "k1", "k2", "k3", "k4"];
-/// What the schemas of the fisheye and f-theta models give an unauthored k1.
+/// The fallback for k1 in the schemas of the fisheye and f-theta models.
 const FALLBACK_K1: f64 = 0.00245;
 
-/// The lens schemas that a prim applies, and their tokens.
+/// Returns the lens schemas applied to a prim, and their tokens.
 pub(crate) fn applied(prim: &Prim) -> impl Iterator<Item = (&'static str, &'static str)> {
     SCHEMAS.into_iter().filter(|(schema, _)| prim.has_api(schema))
 }
@@ -36,14 +36,14 @@ pub(crate) fn applied(prim: &Prim) -> impl Iterator<Item = (&'static str, &'stat
 pub(crate) struct Lens {
     pub(crate) schema: &'static str,
     pub(crate) model: &'static str,
-    /// fx, fy, cx, cy of the OpenCV models, in OpenCV's convention.
+    /// fx, fy, cx and cy of the OpenCV models, in OpenCV's convention.
     pub(crate) parameters: Option<[f64; 4]>,
     pub(crate) image_size: Option<ImageSize>,
     pub(crate) coefficients: Vec<f64>,
 }
 
 impl Lens {
-    /// The applied schema that the model token names, else the first.
+    /// Reads the applied schema that the model token names, else the first applied one.
     pub(crate) fn of(prim: &Prim) -> Option<Self> {
         let named = prim.text(MODEL);
         let (schema, model) = applied(prim)
@@ -83,7 +83,7 @@ impl Lens {
         })
     }
 
-    /// The OpenCV models' intrinsics, where they are usable.
+    /// Returns the intrinsics of the OpenCV models if they are valid.
     pub(crate) fn intrinsics(&self) -> Option<Intrinsics> {
         let [fx, fy, cx, cy] = self.parameters?;
         let sound = [fx, fy, cx, cy].iter().all(|value| value.is_finite()) && fx > 0.0 && fy > 0.0;
@@ -96,7 +96,7 @@ impl Lens {
     }
 }
 
-/// What the f-theta schema of a prim says; its lengths are checked by nobody yet.
+/// Reads the f-theta schema of a prim. Sizes and centre are not checked.
 pub(crate) fn f_theta(prim: &Prim) -> Result<FTheta, LensError> {
     let number = |name: &str, fallback: f64| number(prim, "ftheta", name, fallback);
     let k = FTHETA_COEFFICIENTS.map(|name| number(name, if name == "k1" { FALLBACK_K1 } else { 0.0 }));
@@ -119,11 +119,11 @@ fn number(prim: &Prim, model: &str, name: &str, fallback: f64) -> f64 {
         .unwrap_or(fallback)
 }
 
-/// A whole number of pixels; 0 for what is none.
+/// Converts to an integer number of pixels; invalid values become 0.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "the cast saturates, and 0 is refused later"
+    reason = "the cast saturates, and 0 is rejected later"
 )]
 fn pixels(value: f64) -> u32 {
     value.round() as u32

@@ -1,4 +1,4 @@
-//! What a camera prim sees: its attributes as intrinsics and a lens, for an image of a given size.
+//! Converts the attributes of a camera prim to intrinsics and a lens for a given image size.
 
 use oaktwin_camera::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
@@ -9,27 +9,27 @@ use crate::lens::{self, Lens, MODEL};
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::stage::{RenderProduct, SceneCamera};
 
-/// How wide the image of a camera is of which nothing says it: Isaac Sim's viewport.
+/// The default image width, that of Isaac Sim's viewport.
 pub const DEFAULT_WIDTH: u32 = 1280;
 
-/// How apertures become intrinsics.
+/// The conversion of apertures to intrinsics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Projection {
-    /// As Isaac Sim's renderer does: `fx = fy = W · focalLength / horizontalAperture`, centred; the vertical aperture
-    /// and the aperture offsets are ignored (RTX through Isaac Sim 6.0).
+    /// Isaac Sim's: `fx = fy = W · focalLength / horizontalAperture`, centred; the vertical aperture and the aperture
+    /// offsets are ignored (RTX through Isaac Sim 6.0).
     #[default]
     Isaac,
-    /// As OpenUSD defines it: each axis by its own aperture, the window moved by the offsets.
+    /// OpenUSD's: each axis by its own aperture, with aperture offsets.
     OpenUsd,
 }
 
-/// Why a camera prim has no intrinsics: `PRIM: what is wrong; what to do`.
+/// The reason why a camera prim has no intrinsics: `PRIM: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{prim}: {what}; {remedy}")]
 pub struct OpticsError {
-    /// The camera.
+    /// The path of the camera prim.
     pub prim: String,
-    /// What is wrong, the attribute named.
+    /// What is wrong, with the name of the attribute.
     pub what: String,
     /// What to do.
     pub remedy: &'static str,
@@ -45,15 +45,15 @@ impl OpticsError {
     }
 }
 
-/// The size of a camera's image where neither a render product nor a person says it: [`DEFAULT_WIDTH`] wide and as
-/// high as its apertures say, at least 1.
+/// Returns the default image size of a camera: [`DEFAULT_WIDTH`] wide, with the aspect ratio of its apertures, and at
+/// least 1 pixel high.
 ///
 /// # Errors
-/// An aperture is no positive number.
+/// Returns an error if an aperture is not a positive number.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "the cast saturates, and images of that size are refused"
+    reason = "the cast saturates, and images of that size are rejected"
 )]
 pub fn default_size(camera: &SceneCamera) -> Result<ImageSize, OpticsError> {
     let horizontal = positive(camera, "horizontalAperture", camera.horizontal_aperture())?;
@@ -64,16 +64,17 @@ pub fn default_size(camera: &SceneCamera) -> Result<ImageSize, OpticsError> {
     Ok(ImageSize::new(DEFAULT_WIDTH, height as u32))
 }
 
-/// The intrinsics and the lens of a camera prim for an image of `size`, and what was left out.
+/// Returns the intrinsics and the lens of a camera prim for an image of `size`, and findings about unsupported
+/// attributes.
 ///
-/// A lens-distortion schema for OpenCV's pinhole or fisheye model, or the f-theta model, takes the place of focal
-/// length and apertures, whatever the projection; its image shows in `size` what it shows in its own size, each axis
-/// scaled by itself, and its cx, cy are in OpenCV's convention, as assets author them. Other lens models are findings,
-/// and the camera is the pinhole of its apertures.
+/// A lens-distortion schema for OpenCV's pinhole or fisheye model or the f-theta model replaces focal length and
+/// apertures, whatever the projection. Its image is scaled from its own size to `size`, each axis separately; its cx and
+/// cy are in OpenCV's convention, as assets author them. For other lens models, a finding is reported and the camera is
+/// the pinhole of its apertures.
 ///
 /// # Errors
-/// A camera that is not perspective; a focal length, an aperture or a value of the lens schema that is no usable
-/// number.
+/// Returns an error if the camera is not perspective, or if a focal length, an aperture or a value of the lens schema is
+/// invalid.
 pub fn camera(
     camera: &SceneCamera,
     size: ImageSize,
@@ -83,7 +84,7 @@ pub fn camera(
         let projection = camera.prim.text("projection").unwrap_or_default();
         return Err(OpticsError::new(
             camera,
-            format!("projection is `{projection}`, and only perspective cameras have a pinhole"),
+            format!("projection `{projection}` is not supported"),
             "set it to `perspective`, or choose another camera",
         ));
     }
@@ -95,7 +96,7 @@ pub fn camera(
     Ok((Camera::new(intrinsics, LensModel::Pinhole), findings))
 }
 
-/// `clippingRange` in metres, near and far. `None`, with a finding, where it is no range in front of the camera.
+/// Returns `clippingRange` (near, far) in metres. `None`, with a finding, if it is not a range in front of the camera.
 #[must_use]
 pub fn clipping_range_m(camera: &SceneCamera, meters_per_unit: f64) -> (Option<(f64, f64)>, Option<Finding>) {
     let (near, far) = camera.clipping_range();
@@ -106,15 +107,13 @@ pub fn clipping_range_m(camera: &SceneCamera, meters_per_unit: f64) -> (Option<(
         "clipping-range",
         Level::Warning,
         &camera.prim.path,
-        format!(
-            "clippingRange is ({near}, {far}), which is no range in front of the camera; a default is used"
-        ),
+        format!("invalid clippingRange ({near}, {far}); using the default"),
         "author (near, far) with 0 < near < far",
     );
     (None, Some(finding))
 }
 
-/// Whether a render product is a depth sensor's template: it carries Kit's depth-sensor schema, or its camera ovrtx's.
+/// Whether a render product is a depth sensor's template: Kit's schema is applied to it, or ovrtx's to its camera.
 #[must_use]
 pub fn is_depth_product(product: &RenderProduct, camera: Option<&SceneCamera>) -> bool {
     product.prim.has_api(PRODUCT_SCHEMA) || camera.is_some_and(|camera| camera.prim.has_api(CAMERA_SCHEMA))
@@ -140,8 +139,8 @@ fn by_apertures(
                     "aperture-offsets-ignored",
                     Level::Note,
                     &camera.prim.path,
-                    "its aperture offsets are ignored, as Isaac Sim's renderer does",
-                    "ask for OpenUSD's projection to have them honoured",
+                    "aperture offsets are ignored, as in Isaac Sim's renderer",
+                    "use OpenUSD's projection to apply them",
                 ));
             }
             optics.isaac_intrinsics(size)
@@ -165,7 +164,11 @@ fn by_apertures(
         "focalLength {} and apertures {} and {} give a focal length of {} px",
         optics.focal_length_mm, optics.horizontal_aperture_mm, optics.vertical_aperture_mm, intrinsics.fx
     );
-    Err(OpticsError::new(camera, what, "author sensible ones"))
+    Err(OpticsError::new(
+        camera,
+        what,
+        "author a focal length and apertures that give a finite, positive one",
+    ))
 }
 
 fn positive(camera: &SceneCamera, attribute: &str, value: f64) -> Result<f64, OpticsError> {
@@ -179,27 +182,27 @@ fn positive(camera: &SceneCamera, attribute: &str, value: f64) -> Result<f64, Op
     ))
 }
 
-/// The camera that a lens schema describes; `None` where there is none, or none that can be rendered.
+/// Returns the camera that a lens schema describes; `None` if there is no supported schema.
 fn through_schema(
     camera: &SceneCamera,
     size: ImageSize,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Camera>, OpticsError> {
     let prim = &camera.prim;
-    let mut odd = |code, message: String, remedy| {
+    let mut warn = |code, message: String, remedy| {
         findings.push(Finding::new(code, Level::Warning, &prim.path, message, remedy));
     };
     let named = prim.text(MODEL);
     let Some(lens) = Lens::of(prim) else {
         if let Some(named) = named.filter(|named| !named.is_empty() && *named != "pinhole") {
             let message =
-                format!("{MODEL} is `{named}`, but no such lens schema is applied: a pinhole is rendered");
-            odd("lens-model", message, "add the schema to the prim's apiSchemas");
+                format!("{MODEL} is `{named}`, but its lens schema is not applied; using a pinhole");
+            warn("lens-model", message, "add the schema to the prim's apiSchemas");
         }
         let legacy = prim.text("cameraProjectionType").unwrap_or("pinhole");
         if legacy != "pinhole" {
-            let message = format!("cameraProjectionType `{legacy}` is deprecated: a pinhole is rendered");
-            odd(
+            let message = format!("cameraProjectionType `{legacy}` is deprecated; using a pinhole");
+            warn(
                 "lens-unsupported",
                 message,
                 "describe the lens with a lens-distortion schema",
@@ -208,22 +211,25 @@ fn through_schema(
         return Ok(None);
     };
     if named != Some(lens.model) {
-        let says = named.map_or_else(|| "not authored".to_owned(), |named| format!("`{named}`"));
-        let message = format!("{MODEL} is {says}, but {} is applied, and rendered", lens.schema);
-        odd("lens-model", message, "name the applied schema's model");
+        let value = named.map_or_else(|| "not authored".to_owned(), |named| format!("`{named}`"));
+        let message = format!(
+            "{MODEL} is {value}, but {} is applied; using the latter",
+            lens.schema
+        );
+        warn("lens-model", message, "set it to the applied schema's model");
     }
     let unusable = |what: &dyn std::fmt::Display| {
         OpticsError::new(
             camera,
             format!("{}: {what}", lens.schema),
-            "author finite values, positive focal lengths and the image size they hold for",
+            "author finite values, positive focal lengths and the image size that they apply to",
         )
     };
     let (seen, own_size) = match lens.model {
         "opencvPinhole" | "opencvFisheye" => {
             let intrinsics = lens
                 .intrinsics()
-                .ok_or_else(|| unusable(&"fx, fy, cx, cy or imageSize is no usable number"))?;
+                .ok_or_else(|| unusable(&"fx, fy, cx, cy or imageSize is invalid"))?;
             let model = opencv_model(&lens).map_err(|error| unusable(&error))?;
             (Camera::new(stretched(&intrinsics, size), model), intrinsics.size)
         }
@@ -238,14 +244,14 @@ fn through_schema(
                 || lens.max_fov <= 0.0
             {
                 return Err(unusable(
-                    &"nominalWidth, nominalHeight, opticalCenter or maxFov is no usable number",
+                    &"nominalWidth, nominalHeight, opticalCenter or maxFov is invalid",
                 ));
             }
             (Camera::from_ftheta(lens, size), own)
         }
         model => {
-            let message = format!("the lens model `{model}` cannot be rendered: a pinhole is");
-            odd(
+            let message = format!("lens model `{model}` is not supported; using a pinhole");
+            warn(
                 "lens-unsupported",
                 message,
                 "describe the lens with one of OpenCV's models or f-theta",
@@ -254,8 +260,8 @@ fn through_schema(
         }
     };
     if (own_size.aspect() / size.aspect() - 1.0).abs() > 1e-3 {
-        let message = format!("its lens is described for {own_size}, and stretched to {size}");
-        odd("lens-aspect", message, "render the lens's own aspect ratio");
+        let message = format!("the lens schema is for {own_size} and is stretched to {size}");
+        warn("lens-aspect", message, "render at the schema's aspect ratio");
     }
     Ok(Some(seen))
 }
@@ -270,7 +276,7 @@ fn opencv_model(lens: &Lens) -> Result<LensModel, oaktwin_camera::LensError> {
     })
 }
 
-/// The same view in an image of another size: each axis scaled by itself, from the image's corner.
+/// Returns the same view in an image of another size, each axis scaled separately from the image's corner.
 fn stretched(intrinsics: &Intrinsics, size: ImageSize) -> Intrinsics {
     let sx = f64::from(size.width) / f64::from(intrinsics.size.width);
     let sy = f64::from(size.height) / f64::from(intrinsics.size.height);

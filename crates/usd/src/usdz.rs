@@ -1,39 +1,41 @@
-//! A usdz package: a zip archive of stored files, each file's bytes on a multiple of 64, the first file the layer
-//! that opens. Same files, same bytes: the time stamp is the format's earliest, 1980-01-01.
+//! usdz packages: zip archives of uncompressed files whose data start at multiples of 64 bytes. The first file is the
+//! root layer. The output is reproducible: the time stamp is always the format's earliest, 1980-01-01.
 
 use thiserror::Error;
 
-/// What keeps files from becoming a package.
+/// The reason why files cannot be packaged.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum UsdzError {
-    /// Zip without its 64-bit extension, which usdz readers do not promise to take.
-    #[error("{name}: the package would exceed 4 GiB or 65535 files; make it smaller")]
+    /// The package exceeds the limits of zip without its 64-bit extension, which usdz readers need not support.
+    #[error("{name}: the package would exceed 4 GiB or 65535 files; reduce its size")]
     TooLarge {
-        /// The file at which the limit is passed.
+        /// The file at which the limit is exceeded.
         name: String,
     },
-    /// A name that no archive may hold.
-    #[error("{name:?}: not a file name inside a package; use a relative path with forward slashes, once")]
+    /// A file name is invalid inside a package or occurs twice.
+    #[error(
+        "{name:?}: invalid or duplicate name in a package; use a unique relative path with forward slashes"
+    )]
     Name {
-        /// As given.
+        /// The name.
         name: String,
     },
 }
 
-/// Every file's data begin on a multiple of this many bytes.
+/// The alignment of every file's data, bytes.
 const ALIGNMENT: usize = 64;
-/// 1980-01-01 as MS-DOS has it: year 0, month 1, day 1.
+/// 1980-01-01 in MS-DOS format: year 0, month 1, day 1.
 const DOS_DATE: u16 = 1 << 5 | 1;
 const LOCAL_HEADER: usize = 30;
-/// Readers skip extra fields they do not know; OpenUSD pads with this id as well.
+/// The id of the padding field, which readers skip; OpenUSD uses the same.
 const PADDING_ID: u16 = 0x1986;
-/// Bit 11: names are UTF-8.
+/// Flag bit 11: names are UTF-8.
 const UTF8_NAMES: u16 = 1 << 11;
 
-/// Packs `(name, bytes)` files in their order; the first is the layer that opens the package.
+/// Packs `(name, bytes)` files in order; the first is the root layer.
 ///
 /// # Errors
-/// A name that is empty, absolute, goes up, or occurs twice; a package beyond 4 GiB.
+/// Returns an error if a name is empty, absolute, contains `..` or occurs twice, or if the package exceeds 4 GiB.
 pub fn pack(files: &[(&str, &[u8])]) -> Result<Vec<u8>, UsdzError> {
     let mut archive = Vec::with_capacity(files.iter().map(|(_, data)| data.len() + 512).sum());
     let mut directory = Vec::new();
@@ -87,7 +89,7 @@ pub fn pack(files: &[(&str, &[u8])]) -> Result<Vec<u8>, UsdzError> {
     Ok(archive)
 }
 
-/// What a local header and a directory entry have in common.
+/// The fields common to local headers and directory entries.
 struct Entry {
     flags: u16,
     crc: u32,
@@ -109,7 +111,7 @@ impl Entry {
     }
 }
 
-/// An extra field that ends on a multiple of 64 when it begins at `start`: empty, or at least its 4-byte head.
+/// Returns an extra field that starts at `start` and ends at a multiple of 64: empty, or at least its 4-byte header.
 fn padding_field(start: usize) -> Vec<u8> {
     let short = (ALIGNMENT - start % ALIGNMENT) % ALIGNMENT;
     if short == 0 {
@@ -154,11 +156,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_file_lies_on_64_bytes(names in prop::collection::btree_set("[a-z]{1,70}\\.usda", 1..5), data in prop::collection::vec(any::<u8>(), 0..300)) {
+        fn aligns_every_file_to_64_bytes(names in prop::collection::btree_set("[a-z]{1,70}\\.usda", 1..5), data in prop::collection::vec(any::<u8>(), 0..300)) {
             let files: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &data[..])).collect();
             let archive = pack(&files).unwrap();
             prop_assert_eq!(&archive, &pack(&files).unwrap());
-            // Walk the directory from the end record, as a zip reader does.
+            // Walks the directory from the end record, as a zip reader does.
             let end = archive.len() - 22;
             prop_assert_eq!(u32_at(&archive, end), 0x0605_4b50);
             let mut entry = u32_at(&archive, end + 16);
@@ -175,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_would_leave_the_package() {
+    fn rejects_invalid_and_duplicate_names() {
         for name in ["", "/a.usda", "../a.usda", "a//b", "a\\b", "c:a", "a/./b"] {
             assert_eq!(pack(&[(name, b"")]), Err(UsdzError::Name { name: name.into() }));
         }

@@ -1,5 +1,5 @@
-//! What cannot be read is refused with file, place and remedy; nothing that a file claims makes the program panic,
-//! hang or run out of memory.
+//! Unreadable files are rejected with file, place and remedy; no claim in a file causes a panic, a hang or unbounded
+//! allocation.
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::fs;
@@ -12,7 +12,7 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(name)
 }
 
-/// The error's or the findings' text, without this machine's folders.
+/// Returns the text of the error or the findings, without absolute paths.
 fn outcome(path: &Path) -> String {
     let text = match check(path, &CheckOptions::default()) {
         Ok(report) => report
@@ -30,7 +30,7 @@ fn outcome(path: &Path) -> String {
 }
 
 #[test]
-fn every_bad_file_is_told() {
+fn reports_every_bad_file() {
     let mut files: Vec<PathBuf> = fs::read_dir(fixture("bad"))
         .unwrap()
         .map(|entry| entry.unwrap().path())
@@ -46,28 +46,28 @@ fn every_bad_file_is_told() {
 
 #[cfg(unix)]
 #[test]
-fn what_is_no_file_is_told() {
+fn rejects_missing_files_directories_and_devices() {
     let folder = tempfile::tempdir().unwrap();
-    let refused = |path: &Path| stage::open(path).unwrap_err().to_string();
+    let error = |path: &Path| stage::open(path).unwrap_err().to_string();
     let nowhere = folder.path().join("nowhere.usd");
     assert!(
-        refused(&nowhere)
+        error(&nowhere)
             .ends_with("nowhere.usd: cannot be read: No such file or directory (os error 2); check the path")
     );
     let directory = folder.path().join("folder.usd");
     fs::create_dir(&directory).unwrap();
-    assert!(refused(&directory).ends_with("folder.usd: is a directory; give the USD file inside it"));
+    assert!(error(&directory).ends_with("folder.usd: is a directory; give the USD file inside it"));
     let error = stage::open("/dev/zero").unwrap_err();
     assert_eq!(error.what, "is not a regular file");
 }
 
 #[test]
-fn a_hundred_megabytes_of_garbage_are_refused_by_their_start() {
+fn rejects_large_garbage_by_its_first_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("large.usd");
     fs::write(&path, vec![0x5a; 100 << 20]).unwrap();
     assert_eq!(stage::open(&path).unwrap_err().place, "start");
-    // Claims to be text, and is one endless line of brackets.
+    // A text header followed by a single line of brackets.
     let mut text = b"#usda 1.0\n".to_vec();
     text.resize(100 << 20, b'(');
     fs::write(&path, text).unwrap();
@@ -76,14 +76,14 @@ fn a_hundred_megabytes_of_garbage_are_refused_by_their_start() {
 
 #[cfg(unix)]
 #[test]
-fn a_symlink_is_followed() {
+fn follows_symlinks() {
     let folder = tempfile::tempdir().unwrap();
     let link = folder.path().join("link.usda");
     std::os::unix::fs::symlink(fixture("check/good.usda"), &link).unwrap();
     assert_eq!(stage::open(&link).unwrap().cameras.len(), 1);
 }
 
-/// One entry of a package: its name in the header and in the directory, what it claims to be, its data.
+/// An entry of a package: its names in the header and in the directory, its claimed method and size, its data.
 struct Entry<'a> {
     name: &'a str,
     directory_name: &'a str,
@@ -104,7 +104,7 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// A zip archive; the first entry's data starts at `padding` bytes past its header.
+/// Creates a zip archive whose entries have `padding` bytes between header and data.
 fn package(entries: &[Entry<'_>], padding: u16) -> Vec<u8> {
     let mut out = Vec::new();
     let mut directory = Vec::new();
@@ -148,7 +148,7 @@ fn package(entries: &[Entry<'_>], padding: u16) -> Vec<u8> {
 }
 
 #[test]
-fn packages_that_lie_are_told() {
+fn reports_malformed_packages() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("package.usdz");
     let layer = fs::read(fixture("check/good.usda")).unwrap();
@@ -158,7 +158,10 @@ fn packages_that_lie_are_told() {
     let cases: Vec<(&str, Vec<u8>)> = vec![
         ("aligned", aligned.clone()),
         ("not aligned", package(&[Entry::new("good.usda", &layer)], 0)),
-        ("leads out", package(&[Entry::new("../good.usda", &layer)], 22)),
+        (
+            "points outside",
+            package(&[Entry::new("../good.usda", &layer)], 22),
+        ),
         ("absolute", package(&[Entry::new("/tmp/good.usda", &layer)], 20)),
         (
             "two names",
@@ -190,13 +193,13 @@ fn packages_that_lie_are_told() {
                 25,
             ),
         ),
-        ("picture first", package(&[Entry::new("good.png", &layer)], 26)),
-        ("nothing", package(&[], 0)),
+        ("image first", package(&[Entry::new("good.png", &layer)], 26)),
+        ("empty", package(&[], 0)),
         (
             "twice",
             package(&[Entry::new("a.usda", &layer), Entry::new("a.usda", &layer)], 28),
         ),
-        ("cut short", aligned[..aligned.len() / 2].to_vec()),
+        ("cut in half", aligned[..aligned.len() / 2].to_vec()),
         ("without its end", aligned[..aligned.len() - 3].to_vec()),
     ];
     let mut all = String::new();
@@ -207,13 +210,13 @@ fn packages_that_lie_are_told() {
     insta::assert_snapshot!("packages", all);
 }
 
-/// A binary layer that OpenUSD 26.11 wrote of `check/good_oak_d_pro.usda` with a dictionary, time samples and arrays.
+/// Returns a binary layer that OpenUSD 26.11 wrote from `check/good_oak_d_pro.usda`, with a dictionary, time samples and arrays.
 fn binary() -> Vec<u8> {
     fs::read(fixture("binary.usdc")).unwrap()
 }
 
 #[test]
-fn binary_layers_that_lie_about_sizes_are_told() {
+fn reports_binary_layers_with_wrong_sizes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("binary.usdc");
     let good = binary();
@@ -222,7 +225,7 @@ fn binary_layers_that_lie_about_sizes_are_told() {
 
     let toc = usize::try_from(u64::from_le_bytes(good[16..24].try_into().unwrap())).unwrap();
     let mut all = String::new();
-    let mut tell = |name: &str, bytes: &[u8]| {
+    let mut report = |name: &str, bytes: &[u8]| {
         fs::write(&path, bytes).unwrap();
         all += &format!("# {name}\n{}\n", outcome(&path));
     };
@@ -231,19 +234,19 @@ fn binary_layers_that_lie_about_sizes_are_told() {
         bytes[at..at + 8].copy_from_slice(&value.to_le_bytes());
         bytes
     };
-    tell("table of contents beyond the end", &with(16, 1 << 60));
-    tell("2^40 sections", &with(toc, 1 << 40));
-    tell("cut in half", &good[..good.len() / 2]);
-    tell("future version", &with(8, 0x0000_0000_0000_6300));
+    report("table of contents beyond the end", &with(16, 1 << 60));
+    report("2^40 sections", &with(toc, 1 << 40));
+    report("cut in half", &good[..good.len() / 2]);
+    report("future version", &with(8, 0x0000_0000_0000_6300));
     let sections = u64::from_le_bytes(good[toc..toc + 8].try_into().unwrap());
     for section in 0..usize::try_from(sections).unwrap() {
         let at = toc + 8 + 32 * section;
         let name = String::from_utf8(good[at..at + 16].to_vec()).unwrap();
         let name = name.trim_end_matches('\0');
-        tell(&format!("{name}: 2^50 bytes"), &with(at + 24, 1 << 50));
+        report(&format!("{name}: 2^50 bytes"), &with(at + 24, 1 << 50));
         let start = usize::try_from(u64::from_le_bytes(good[at + 16..at + 24].try_into().unwrap())).unwrap();
-        tell(&format!("{name}: 2^45 entries"), &with(start, 1 << 45));
-        tell(
+        report(&format!("{name}: 2^45 entries"), &with(start, 1 << 45));
+        report(
             &format!("{name}: 2^45 bytes in its first block"),
             &with(start + 8, 1 << 45),
         );
@@ -251,7 +254,7 @@ fn binary_layers_that_lie_about_sizes_are_told() {
     insta::assert_snapshot!("binary", all);
 }
 
-/// Numbers that look random and are the same on every run.
+/// A deterministic pseudo-random generator.
 struct Noise(u64);
 
 impl Noise {
@@ -265,12 +268,12 @@ impl Noise {
 }
 
 #[test]
-fn damaged_layers_are_refused_or_read_and_never_panic() {
+fn damaged_layers_never_panic() {
     let folder = tempfile::tempdir().unwrap();
     let text = fs::read(fixture("check/catalog_value.usda")).unwrap();
     let packaged = package(&[Entry::new("good.usda", &text)], 25);
     let mut noise = Noise(20_261_121);
-    let (mut refused, mut read) = (0, 0);
+    let (mut rejected, mut read) = (0, 0);
     for (extension, good, rounds) in [
         ("usda", &text, 300),
         ("usdc", &binary(), 900),
@@ -287,7 +290,7 @@ fn damaged_layers_are_refused_or_read_and_never_panic() {
                         bytes[noise.below(good.len())] = u8::try_from(noise.below(256)).unwrap();
                     }
                 }
-                // What a reader would take for a count.
+                // Overwrites what may be a count.
                 _ => {
                     let at = noise.below(good.len() - 8);
                     let value = [u64::MAX, 1 << 40, 1 << 33, 1 << 47][noise.below(4)];
@@ -299,10 +302,10 @@ fn damaged_layers_are_refused_or_read_and_never_panic() {
                 Ok(_) => read += 1,
                 Err(error) => {
                     assert!(!error.to_string().contains('\n'), "{error}");
-                    refused += 1;
+                    rejected += 1;
                 }
             }
         }
     }
-    assert!(refused > 300 && read > 100, "{refused} refused, {read} read");
+    assert!(rejected > 300 && read > 100, "{rejected} rejected, {read} read");
 }

@@ -1,4 +1,4 @@
-//! One small file for each rule; what is found in it is a snapshot.
+//! Compares the findings for one small file per rule with snapshots.
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::collections::BTreeSet;
@@ -18,7 +18,7 @@ fn fixtures() -> Vec<PathBuf> {
     files
 }
 
-/// The findings, one a line, without this machine's folders.
+/// Returns the findings, one per line, without absolute paths.
 fn lines(report: &Report) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).canonicalize().unwrap();
     let lines: Vec<String> = report.findings.iter().map(ToString::to_string).collect();
@@ -26,7 +26,7 @@ fn lines(report: &Report) -> String {
 }
 
 #[test]
-fn every_fixture_has_its_findings_and_every_rule_its_fixture() {
+fn fixtures_cover_every_rule() {
     let mut seen: BTreeSet<&str> = BTreeSet::new();
     for path in fixtures() {
         let name = path.file_stem().unwrap().to_str().unwrap();
@@ -49,7 +49,7 @@ fn every_fixture_has_its_findings_and_every_rule_its_fixture() {
 }
 
 #[test]
-fn a_given_model_is_what_every_camera_is_held_against() {
+fn given_model_overrides_recognition() {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("OAK4-D Wide").unwrap());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/check/good_oak_d_pro.usda");
@@ -65,7 +65,7 @@ fn a_given_model_is_what_every_camera_is_held_against() {
 }
 
 #[test]
-fn the_report_is_stable_json() {
+fn serializes_the_report_as_json() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/check/offset_convention.usda");
     let mut report = check(path, &CheckOptions::default()).unwrap();
     report.file = "offset_convention.usda".into();

@@ -1,4 +1,4 @@
-//! Every asset that this crate writes passes its own linter.
+//! All assets that this crate writes pass its linter.
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use oaktwin_camera::{
@@ -13,7 +13,7 @@ use oaktwin_usd::asset::{
 use oaktwin_usd::check::{CheckOptions, RULES, Report, check, check_stage};
 use oaktwin_usd::stage;
 
-/// A unit as its factory calibrates it: focal lengths 2 % off, fx and fy apart, the principal point moved.
+/// Returns a unit with typical calibration: focal lengths 2 % off, unequal fx and fy, an off-centre principal point.
 fn calibrated(nominal: &Twin, fisheye: bool) -> Twin {
     let mut twin = nominal.clone();
     for (index, camera) in twin.cameras.iter_mut().enumerate() {
@@ -79,8 +79,8 @@ fn every_option() -> Vec<AssetOptions> {
         .collect()
 }
 
-/// What is worse than a note.
-fn complaints(report: &Report) -> Vec<String> {
+/// Returns the findings above the level of notes.
+fn problems(report: &Report) -> Vec<String> {
     let worse = report
         .findings
         .iter()
@@ -89,7 +89,7 @@ fn complaints(report: &Report) -> Vec<String> {
 }
 
 #[test]
-fn our_own_assets_with_every_option_earn_notes_at_most() {
+fn assets_with_all_options_have_notes_at_most() {
     let folder = tempfile::tempdir().unwrap();
     let catalog = Catalog::builtin();
     let mut checked = 0;
@@ -115,7 +115,7 @@ fn our_own_assets_with_every_option_earn_notes_at_most() {
                 let stage = stage::open(&path).unwrap();
                 for model in [None, Some(&nominal)] {
                     let report = check_stage(&stage, &CheckOptions { catalog, model });
-                    assert_eq!(complaints(&report), [""; 0], "{} {options:?}", device.name);
+                    assert_eq!(problems(&report), [""; 0], "{} {options:?}", device.name);
                     assert_eq!(report.depth_sensors.len(), device.depth_sensors.len());
                     assert_eq!(
                         report.cameras.len(),
@@ -131,7 +131,7 @@ fn our_own_assets_with_every_option_earn_notes_at_most() {
 }
 
 #[test]
-fn a_layer_of_overrides_is_checked_on_top_of_its_asset() {
+fn checks_overrides_together_with_their_base() {
     let folder = tempfile::tempdir().unwrap();
     let catalog = Catalog::builtin();
     for device in catalog.devices() {
@@ -151,7 +151,7 @@ fn a_layer_of_overrides_is_checked_on_top_of_its_asset() {
         let path = folder.path().join("unit.usda");
         std::fs::write(&path, over.text()).unwrap();
         let report = check(&path, &CheckOptions::default()).unwrap();
-        assert_eq!(complaints(&report), [""; 0], "{}", device.name);
+        assert_eq!(problems(&report), [""; 0], "{}", device.name);
         assert!(report.cameras.iter().all(|camera| camera.lens.is_some()));
 
         std::fs::remove_file(folder.path().join(&base_name)).unwrap();
@@ -167,7 +167,7 @@ fn a_layer_of_overrides_is_checked_on_top_of_its_asset() {
 }
 
 #[test]
-fn codes_are_unique_and_every_rule_says_what_it_finds() {
+fn rules_have_unique_codes_and_texts() {
     let mut codes: Vec<&str> = RULES.iter().map(|rule| rule.code).collect();
     codes.sort_unstable();
     let all = codes.len();

@@ -1,5 +1,5 @@
-//! Scenes from stages that are odd or broken: what can be shown is shown, the rest is told. What well-formed stages
-//! look like is asked of OpenUSD itself in `tests/oracles/test_usd_scene.py`.
+//! Scenes of unusual or broken stages: valid prims are read and the others are reported. Well-formed stages are compared
+//! with OpenUSD in `tests/oracles/test_usd_scene.py`.
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::fs;
@@ -55,7 +55,7 @@ fn paths(read: &StageScene) -> Vec<&str> {
 }
 
 #[test]
-fn an_empty_stage_is_an_empty_scene() {
+fn empty_stage_is_an_empty_scene() {
     let folder = Folder::new();
     let read = open(&folder.write("empty.usda", "#usda 1.0\n"));
     assert!(read.scene.instances.is_empty() && read.cameras.is_empty() && read.findings.is_empty());
@@ -64,7 +64,7 @@ fn an_empty_stage_is_an_empty_scene() {
 }
 
 #[test]
-fn what_is_missing_is_told_and_the_rest_is_there() {
+fn reports_missing_files_and_reads_the_rest() {
     let folder = Folder::new();
     let path = folder.usda(
         "root.usda",
@@ -94,12 +94,12 @@ def Camera "Camera" {{ }}
     assert_eq!(
         read.scene.lights.len(),
         1,
-        "a dome without its image still shines"
+        "a dome light without its image is kept"
     );
 }
 
 #[test]
-fn broken_meshes_do_not_stop_the_rest() {
+fn broken_meshes_are_reported_and_skipped() {
     let folder = Folder::new();
     let path = folder.usda(
         "root.usda",
@@ -126,16 +126,16 @@ def Mesh "Good" {{ {TRIANGLE} }}
         assert!(!paths.contains(&gone), "{gone}");
     }
     let codes = codes(&read);
-    for told in ["/Counts", "/Index", "/Values", "/Infinite", "/Nan"] {
+    for reported in ["/Counts", "/Index", "/Values", "/Infinite", "/Nan"] {
         assert!(
-            codes.iter().any(|(_, place)| *place == told),
-            "{told} in {codes:?}"
+            codes.iter().any(|(_, place)| *place == reported),
+            "{reported} in {codes:?}"
         );
     }
 }
 
 #[test]
-fn a_point_instancer_inside_itself_ends() {
+fn point_instancer_inside_itself_terminates() {
     let folder = Folder::new();
     let path = folder.usda(
         "root.usda",
@@ -161,11 +161,11 @@ def PointInstancer "Outer" {{
     let read = open(&path);
     assert_eq!(paths(&read), ["/Outer[0]/Proto/M", "/Outer[1]/Proto/M"]);
     assert_eq!(read.scene.meshes.len(), 1);
-    let told: Vec<_> = codes(&read)
+    let reported: Vec<_> = codes(&read)
         .into_iter()
         .filter(|(code, _)| *code == "point-instancer")
         .collect();
-    assert!(told.len() >= 3, "{told:?}");
+    assert!(reported.len() >= 3, "{reported:?}");
 }
 
 const MATERIALS: &str = r#"
@@ -196,7 +196,7 @@ fn textured(body: &str) -> String {
 }
 
 #[test]
-fn a_texture_that_is_not_there_leaves_its_fallback() {
+fn missing_texture_uses_its_fallback() {
     let folder = Folder::new();
     let path = folder.usda("root.usda", &textured(""));
     let read = open(&path);
@@ -219,7 +219,7 @@ fn a_texture_that_is_not_there_leaves_its_fallback() {
 }
 
 #[test]
-fn of_tiles_the_first_is_used() {
+fn uses_the_first_udim_tile() {
     let folder = Folder::new();
     let path = folder.usda("root.usda", &textured("").replace("a.png", "a.<UDIM>.png"));
     let first = folder.write("tex/a.1001.png", b"");
@@ -232,7 +232,7 @@ fn of_tiles_the_first_is_used() {
 }
 
 #[test]
-fn textures_in_a_package_come_from_it() {
+fn reads_textures_from_packages() {
     let folder = Folder::new();
     let layer = format!("#usda 1.0\n{}", textured(""));
     let package = |image: &str| {
@@ -251,7 +251,7 @@ fn textures_in_a_package_come_from_it() {
     let path = folder.write("other.usdz", package("tex/b.png"));
     assert_eq!(codes(&open(&path)), [("missing-texture", "/Painted")]);
 
-    // A size that the file does not have, in the directory at its end.
+    // A size in the directory that exceeds the file.
     let mut lying = package("tex/a.png");
     let entry = lying.windows(4).rposition(|w| w == b"PK\x01\x02").unwrap();
     for at in [entry + 20, entry + 24] {
@@ -262,7 +262,7 @@ fn textures_in_a_package_come_from_it() {
 }
 
 #[test]
-fn materialx_is_read_where_it_is_referenced() {
+fn reads_referenced_materialx() {
     let folder = Folder::new();
     folder.write(
         "look/wood.mtlx",
@@ -300,7 +300,7 @@ def Mesh "M" {{ {TRIANGLE} rel material:binding = </Looks/Wood> }}
 }
 
 #[test]
-fn of_mdl_only_the_diffuse_inputs_are_read() {
+fn reads_only_the_diffuse_inputs_of_mdl() {
     let folder = Folder::new();
     let material = |name: &str, inputs: &str| {
         format!(
@@ -334,7 +334,7 @@ def Mesh "On{name}" {{ {TRIANGLE} rel material:binding = </{name}> }}
 }
 
 #[test]
-fn many_findings_of_a_kind_are_counted() {
+fn counts_excess_findings_of_a_code() {
     let folder = Folder::new();
     let curves: String = (0..50)
         .map(|i| format!("def BasisCurves \"C{i}\" {{ }}\n"))
@@ -345,7 +345,7 @@ fn many_findings_of_a_kind_are_counted() {
 }
 
 #[test]
-fn the_same_file_is_the_same_scene() {
+fn scenes_are_deterministic() {
     let folder = Folder::new();
     let path = folder.usda("root.usda", &textured(""));
     assert_eq!(open(&path), open(&path));

@@ -6,7 +6,24 @@ use oaktwin::dataset::{LAYOUTS, Layout};
 use oaktwin::usd::optics;
 use oaktwin::{render, scene};
 
+use super::annotators::annotators;
 use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
+
+fn after_help() -> String {
+    format!(
+        "Files, names and units follow Replicator's BasicWriter; a miss is +inf. The files of a single camera are written \
+        into the output folder, those of several cameras into a folder for each.\n\n\
+        Annotators:{}\n\n\
+        Annotators of cameras with a depth sensor:{}\n\n\
+        The sensor's parameters come from the scene's render product or from the model; --param overrides them and \
+        --sweep compares several values.\n\n\
+        A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {{\"time\": t, \"position\": [x, y, z], \
+        \"orientation\": [qx, qy, qz, qw]}}. Its poses are those of the model's body (x forward, y left, z up) or of the \
+        scene's camera (x right, y down, z forward), in metres.",
+        annotators(false),
+        annotators(true),
+    )
+}
 
 #[derive(Args, Debug)]
 #[command(
@@ -25,17 +42,7 @@ use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
     mut_arg("ply", |arg| arg.help(
         "Also write point clouds as PLY: the depth sensor's if its positions are rendered, else the scene's"
     )),
-    after_help = "Files, names and units are those of Replicator's BasicWriter; a miss is +inf. The files of one camera are in \
-    the output folder itself, those of several cameras in a folder each.\n\n\
-    Annotators: rgb, distance_to_image_plane, distance_to_camera, normals, instance_id_segmentation, \
-    semantic_segmentation, bounding_box_2d_tight, bounding_box_2d_loose, pointcloud, camera_params.\n\n\
-    Sensor outputs of a depth sensor's camera: depth_sensor_distance (metres, 0 where nothing was measured), \
-    depth_sensor_point_cloud_position (camera frame, USD axes, metres), depth_sensor_point_cloud_color, \
-    depth_sensor_imager, depth_sensor_output_visualization (the view of rgbDepthOutputMode). The parameters are those of \
-    the scene's render product or of the model; --param overrides them, --sweep compares several.\n\n\
-    A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {\"time\": t, \"position\": [x, y, z], \
-    \"orientation\": [qx, qy, qz, qw]}. Its poses are those of the model's body (x forward, y left, z up) or of the \
-    scene's camera (x right, y down, z forward), in metres."
+    after_help = after_help()
 )]
 pub(crate) struct RenderArgs {
     /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), OBJ, STL or PLY

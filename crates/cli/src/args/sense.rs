@@ -5,16 +5,13 @@ use oaktwin::catalog::{DepthKind, Role};
 use oaktwin::depth::align;
 use oaktwin::sense;
 
+use super::annotators::sensor_outputs;
 use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("annotators", |arg| arg.help(
-        "Comma-separated sensor outputs beside depth_sensor_distance: depth_sensor_point_cloud_position, \
-         depth_sensor_point_cloud_color, depth_sensor_imager, depth_sensor_output_visualization (the view of \
-         rgbDepthOutputMode)"
-    )),
+    mut_arg("annotators", |arg| arg.help(format!("Additional outputs of the sensor, comma-separated: {}", sensor_outputs()))),
     after_help = "DEPTH is NPY (float16, 32 or 64 in metres, uint16 in --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
     16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. Values that are \
     not finite and above 0 are invalid. The number at the end of a file name is the frame: each has its own noise, and \

@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
-use oaktwin::depth::preset::{Platform, TIME_OF_FLIGHT_PRESETS};
+use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
@@ -130,7 +130,8 @@ impl From<Engine> for EngineKind {
 }
 
 fn preset_help() -> String {
-    let stereo = |platform: Platform| format!("{}: {}", platform.name(), platform.presets().join(", "));
+    let stereo =
+        |platform: Platform| format!("{}: {}", platform.name(), Preset::names_on(platform).join(", "));
     format!(
         "A preset of DepthAI for the model's platform: the mode and the filters.\n{}.\n{}.\nTime of flight: {}",
         stereo(Platform::Rvc2),
@@ -152,9 +153,9 @@ fn parameter_help() -> String {
          {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias.\ntime-of-flight: {}",
         single_view::Parameters::NAMES.join(", "),
         single_view::Assumptions::NAMES.join(", "),
-        stereo_noise::NAMES.join(", "),
+        stereo_noise::Parameters::names().join(", "),
         stereo_matching::NAMES.join(", "),
-        time_of_flight::NAMES.join(", ")
+        time_of_flight::Parameters::names().join(", ")
     )
 }
 

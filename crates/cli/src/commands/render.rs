@@ -193,7 +193,7 @@ fn check_memory(
     is_recorded: bool,
 ) -> Result<()> {
     let mut made = render::scene_annotators(annotators, !sensors.own.is_empty());
-    made.extend(annotators.iter().filter(|one| one.is_of_depth_sensor()));
+    made.extend(annotators.iter().filter(|one| one.is_depth_sensor()));
     let needs = |camera: &&PlacedCamera| {
         let size = camera.camera.intrinsics.size;
         let recorded = if is_recorded {

@@ -1,6 +1,6 @@
 use super::blur::MOST_SIGMA_PX;
 use crate::ParameterError;
-use crate::choice::choice;
+use oaktwin_parameter::choice;
 
 choice! {
     /// How many bits a recorded number has.

@@ -3,7 +3,8 @@
 mod stereo;
 mod time_of_flight;
 
-pub use stereo::{FilterStage, Platform, Preset, StereoConfig};
+pub use oaktwin_parameter::Platform;
+pub use stereo::{FilterStage, Preset, StereoConfig};
 pub use time_of_flight::{TIME_OF_FLIGHT_PRESETS, TimeOfFlightConfig, time_of_flight_filters};
 
 use oaktwin_diagnostic::{fold_name, nearest};

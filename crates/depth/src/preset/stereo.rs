@@ -1,40 +1,11 @@
+use oaktwin_parameter::Platform;
+
 use super::{PresetError, TIME_OF_FLIGHT_PRESETS, is_named};
 use crate::filter::{
     Brightness, Decimation, DecimationMode, Filter, Median, Spatial, Speckle, Temporal, Threshold,
 };
 use crate::stereo_matching::{self, AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 use crate::stereo_noise::{self, Subpixel};
-
-/// The processor of a device: presets differ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Platform {
-    /// Of the OAK-D series.
-    Rvc2,
-    /// Of the OAK 4 series.
-    Rvc4,
-}
-
-impl Platform {
-    /// `DepthAI`'s name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rvc2 => "RVC2",
-            Self::Rvc4 => "RVC4",
-        }
-    }
-
-    /// The names of its presets.
-    #[must_use]
-    pub fn presets(self) -> Vec<&'static str> {
-        let has = |preset: &&Preset| preset.on(self);
-        Preset::ALL
-            .iter()
-            .filter(has)
-            .map(|preset| preset.name())
-            .collect()
-    }
-}
 
 /// `StereoDepth`'s `PresetMode`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,6 +70,13 @@ impl Preset {
         platform == Platform::Rvc2 || !matches!(self, Self::HighAccuracy | Self::HighDensity)
     }
 
+    /// The names of a platform's presets.
+    #[must_use]
+    pub fn names_on(platform: Platform) -> Vec<&'static str> {
+        let on_platform = Self::ALL.iter().filter(|preset| preset.on(platform));
+        on_platform.map(|preset| preset.name()).collect()
+    }
+
     /// By its name; case, hyphens and underscores do not matter.
     ///
     /// # Errors
@@ -109,13 +87,13 @@ impl Preset {
             Some(preset) if preset.on(platform) => Ok(preset),
             Some(preset) => Err(PresetError {
                 what: format!("{} is a preset of RVC2, not of {place}", preset.name()),
-                remedy: format!("use one of {}", platform.presets().join(", ")),
+                remedy: format!("use one of {}", Self::names_on(platform).join(", ")),
             }),
             None if TIME_OF_FLIGHT_PRESETS.iter().any(|known| is_named(name, known)) => Err(PresetError {
                 what: format!("{name} is a preset of time-of-flight sensors, not of {place}'s stereo"),
-                remedy: format!("use one of {}", platform.presets().join(", ")),
+                remedy: format!("use one of {}", Self::names_on(platform).join(", ")),
             }),
-            None => Err(PresetError::unknown(name, place, &platform.presets())),
+            None => Err(PresetError::unknown(name, place, &Self::names_on(platform))),
         }
     }
 }

@@ -1,7 +1,7 @@
 use oaktwin_camera::{Camera, LensModel};
 
-use crate::choice::choice;
 use crate::preset::Platform;
+use oaktwin_parameter::choice;
 
 choice! {
     /// How pixels of the rectified images find their place in the raw ones.

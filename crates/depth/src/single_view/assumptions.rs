@@ -1,7 +1,8 @@
 use std::fmt;
 
 use crate::ParameterError;
-use crate::choice::{self, choice};
+use crate::choice;
+use oaktwin_parameter::choice;
 
 /// What public sources leave open. The defaults are what fits NVIDIA's wording and the vendor's published pictures best;
 /// each has the name that [`Assumptions::set`] knows it by.

@@ -1,5 +1,6 @@
 use crate::ParameterError;
-use crate::choice::{self, choice};
+use crate::choice;
+use oaktwin_parameter::choice;
 
 /// The attributes of `OmniSensorDepthSensorSingleViewAPI`, in their units.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,9 +2,9 @@ use oaktwin_camera::StereoGeometry;
 
 use super::rvc4::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 use crate::ParameterError;
-use crate::choice::choice;
 use crate::disparity::{DepthRounding, Fixed, Subpixel};
 use crate::preset::Platform;
+use oaktwin_parameter::choice;
 
 choice! {
     /// The window of the census transform, rows × columns.

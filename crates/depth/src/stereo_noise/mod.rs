@@ -46,7 +46,6 @@
 mod batch;
 mod dilation;
 mod field;
-mod names;
 mod parameters;
 mod rows;
 mod scale;
@@ -58,7 +57,6 @@ mod texture;
 mod window;
 
 pub use crate::disparity::{DepthRounding, Subpixel};
-pub use names::NAMES;
 pub use parameters::{DEVICE_BIAS_SIGMA_PX, Parameters};
 
 use std::fmt;

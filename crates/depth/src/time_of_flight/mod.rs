@@ -47,7 +47,6 @@ mod batch;
 mod closed_form;
 mod light;
 mod multipath;
-mod names;
 mod optics;
 mod parameters;
 mod receive;
@@ -56,7 +55,6 @@ mod sense;
 mod tests;
 mod unwrap;
 
-pub use names::NAMES;
 pub use parameters::{DEVICE_BIAS_SIGMA_M, INDOOR_E, OUTDOOR_E, Parameters};
 
 use oaktwin_image::{Image, ZDepth};

@@ -136,7 +136,7 @@ impl Source {
         scale: f64,
     ) -> Result<Self, FileError> {
         let codec = |error: CodecError| FileError::codec(path, &error);
-        let header = header_bytes(&beginning).min(Layout::MAX_BYTES_BEFORE);
+        let header = header_bytes(&beginning).min(Layout::MOST_BYTES_BEFORE);
         let missing = header.saturating_sub(beginning.len()) as u64;
         take(path, &mut reader, missing, &mut beginning)?;
         let layout = Layout::parse(&beginning).map_err(codec)?;

@@ -183,7 +183,12 @@ fn rectified(rectify: &Rectify, raw: &Recorded) -> Recorded {
     found.unwrap_or_else(|| raw.clone())
 }
 
-fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Result<StereoCamera, PairError> {
+fn eye(
+    twin: &Twin,
+    role: Role,
+    name: &'static str,
+    options: &PairOptions,
+) -> Result<StereoCamera, PairError> {
     let device = || twin.device.name.clone();
     let Some(camera) = twin.camera(role) else {
         return Err(PairError::NoCamera {

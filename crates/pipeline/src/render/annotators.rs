@@ -1,4 +1,4 @@
-//! Annotators by name.
+//! Names of annotators.
 
 use oaktwin_diagnostic::{nearest, suggestion};
 use oaktwin_image::annotation::Annotator;
@@ -20,18 +20,8 @@ pub struct UnknownAnnotator {
     pub nearest: Vec<&'static str>,
 }
 
-format!("there are {}", all().collect::<Vec<_>>().join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
-}
-
- =>  => format!("there are {}", all().collect::<Vec<_>>().join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
-}
-
 fn all() -> impl Iterator<Item = &'static str> {
-    Annotator::ALL.into_iter().map(Annotator::name)
+    Annotator::all().map(Annotator::name)
 }
 
 /// Returns the annotator with Replicator's name.
@@ -39,9 +29,7 @@ fn all() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// Returns an error with the nearest names if there is none.
 pub fn annotator(name: &str) -> Result<Annotator, UnknownAnnotator> {
-    let found = Annotator::ALL
-        .into_iter()
-        .find(|annotator| annotator.name() == name);
+    let found = Annotator::all().find(|annotator| annotator.name() == name);
     found.ok_or_else(|| UnknownAnnotator {
         name: name.to_owned(),
         nearest: nearest(name, all()),
@@ -54,7 +42,7 @@ mod tests {
 
     #[test]
     fn suggests_near_names() {
-        for one in Annotator::ALL {
+        for one in Annotator::all() {
             assert_eq!(annotator(one.name()), Ok(one));
         }
         let error = annotator("distance_to_image").unwrap_err().to_string();

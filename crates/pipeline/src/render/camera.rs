@@ -117,12 +117,3 @@ pub enum CameraError {
         error: SizeError,
     },
 }
-
-format!("there are {}", known.join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
-}
- =>  => format!("there are {}", known.join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
-}

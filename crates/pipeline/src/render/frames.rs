@@ -181,7 +181,7 @@ struct Station<'a> {
 
 impl<'a> Station<'a> {
     fn new(camera: &'a PlacedCamera, index: usize, has_folder: bool, options: &FrameOptions<'_>) -> Self {
-        let is_asked = options.annotators.iter().any(|one| one.is_of_depth_sensor());
+        let is_asked = options.annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));

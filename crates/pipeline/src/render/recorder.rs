@@ -255,10 +255,7 @@ mod tests {
         assert!(not_recorded(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
         let found = not_recorded(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
         assert_eq!(found.level, Level::Warning);
-        assert_eq!(
-            found.message,
-            "not recorded: normals, distance_to_camera"
-        );
+        assert_eq!(found.message, "not recorded: normals, distance_to_camera");
         assert_eq!(
             record_annotators(&[A::Pointcloud]),
             [A::DistanceToImagePlane, A::Pointcloud]

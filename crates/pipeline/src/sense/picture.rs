@@ -96,7 +96,10 @@ fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
         )
     };
     let [.., height, width, channels @ (3 | 4)] = array.shape[..] else {
-        return Err(wrong(format!("NPY: shape: unsupported array shape {:?}", array.shape)));
+        return Err(wrong(format!(
+            "NPY: shape: unsupported array shape {:?}",
+            array.shape
+        )));
     };
     let Values::U8(values) = array.values else {
         return Err(wrong("NPY: descr: unsupported dtype".to_owned()));
@@ -104,7 +107,10 @@ fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
     let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
     let pixels = height * width;
     if pixels == 0 {
-        return Err(wrong(format!("NPY: shape: unsupported array shape {:?}", array.shape)));
+        return Err(wrong(format!(
+            "NPY: shape: unsupported array shape {:?}",
+            array.shape
+        )));
     }
     let pictures = values.chunks_exact(pixels * channels).map(|picture| {
         let colors = picture.chunks_exact(channels).map(|pixel| match *pixel {

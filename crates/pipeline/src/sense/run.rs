@@ -156,11 +156,11 @@ struct Given {
 
 impl<'a> Run<'a, '_, '_> {
     fn sequence(&mut self, sequence: &Sequence<'a>) -> Result<ControlFlow<()>, SenseError> {
-        let mut current: Option<(Session<'a>, Sensor)> = seeing.insert => None => current.insert;
+        let mut current: Option<(Session<'a>, Sensor)> = None;
         for file in &sequence.files {
             let scale = self.options.depth_scale;
             let source = if file.is_standard_input {
-                Source::read(&file.path, Box::new(std::io::stdin()), seeing.insert => None => current.insert, scale)?
+                Source::read(&file.path, Box::new(std::io::stdin()), None, scale)?
             } else {
                 Source::open(&file.path, scale)?
             };
@@ -173,7 +173,7 @@ impl<'a> Run<'a, '_, '_> {
                     current.0.check_same(file, source.size)?;
                     current
                 }
-                seeing.insert => None => current.insert => seeing.insert(self.session(sequence, file, source.size)?),
+                None => current.insert(self.session(sequence, file, source.size)?),
             };
             check_outputs(self.options, sensor.engine(), has_rgb, file)?;
             if self.file(session, sensor, file, source, pictures)?.is_break() {
@@ -286,7 +286,7 @@ impl<'a> Run<'a, '_, '_> {
                 let Some(z) = source.next_image()? else { break };
                 let rgb = match &mut pictures {
                     Some(pictures) => Some(pictures.next(&file.path, source.size)?),
-                    seeing.insert => None => current.insert => seeing.insert => None => current.insert,
+                    None => None,
                 };
                 let number = item + given.len();
                 let (frame, item) = if self.options.is_sequence {
@@ -342,12 +342,9 @@ impl Session<'_> {
             return differs(format!("is {size}, but {first} before it is {}", self.size));
         }
         match &file.params {
-            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => {
-                differs(format!(
-                    "has another camera ({}) than {first} before it",
-                    params.display()
-                ))
-            }
+            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => differs(
+                format!("has another camera ({}) than {first} before it", params.display()),
+            ),
             _ => Ok(()),
         }
     }

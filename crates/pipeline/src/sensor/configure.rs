@@ -173,9 +173,9 @@ pub(super) const CALIBRATION_ERROR: &str = "bias";
 fn names(engine: EngineKind) -> Vec<&'static str> {
     match engine {
         EngineKind::SingleView => single_view_names(),
-        EngineKind::StereoNoise => stereo_noise::NAMES.to_vec(),
+        EngineKind::StereoNoise => stereo_noise::Parameters::names(),
         EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
-        EngineKind::TimeOfFlight => time_of_flight::NAMES.to_vec(),
+        EngineKind::TimeOfFlight => time_of_flight::Parameters::names(),
     }
 }
 

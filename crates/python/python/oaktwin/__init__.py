@@ -30,6 +30,7 @@ from ._oaktwin import (
     StereoMatcher,
     __version__,
     align,
+    annotators,
     look_at,
     models,
 )
@@ -50,6 +51,7 @@ __all__ = [
     "__version__",
     "accuracy",
     "align",
+    "annotators",
     "filters",
     "look_at",
     "models",

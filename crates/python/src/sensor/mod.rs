@@ -15,7 +15,7 @@ use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-use annotate::{sensed, sensor_annotator};
+use annotate::{sensor_annotator, sensor_array};
 use eye::{Eye, Source};
 use image_camera::field_of_view;
 
@@ -210,8 +210,7 @@ impl DepthSensor {
     ///
     /// depth: exact depth (H, W), as of a call.
     /// rgb: the picture, (H, W, 3 or 4) uint8, as of a call; the colours and the imager come from it.
-    /// annotators: Replicator's names: "depth_sensor_distance", "depth_sensor_point_cloud_position",
-    ///     "depth_sensor_point_cloud_color", "depth_sensor_imager", "depth_sensor_output_visualization".
+    /// annotators: names of Isaac Sim's depth sensor annotators, such as "depth_sensor_distance"; see `annotators()`.
     /// frame: as of a call.
     ///
     /// Returns a dictionary by name: "depth_sensor_distance" (H, W) float32 metres, 0 where nothing was measured, the same
@@ -256,7 +255,8 @@ impl DepthSensor {
         })?;
         let all = PyDict::new(py);
         for annotator in asked {
-            let image = sensed(py, annotator, &mut seen)?.ok_or_else(|| {
+            let data = seen.take(annotator).map(|data| sensor_array(py, data));
+            let image = data.transpose()?.flatten().ok_or_else(|| {
                 let is = "is not made of what was given";
                 let remedy = "give rgb=, or take the engine single-view";
                 wrong(annotator.name(), is, remedy)

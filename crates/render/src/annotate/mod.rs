@@ -58,7 +58,7 @@ impl Renderer {
         let depth_is_enough = annotators.iter().all(|annotator| match annotator {
             Annotator::DistanceToImagePlane | Annotator::CameraParams => true,
             Annotator::DistanceToCamera => view.clips_along_axis(),
-            other => other.is_of_depth_sensor(),
+            other => other.is_depth_sensor(),
         });
         if depth_is_enough {
             if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {

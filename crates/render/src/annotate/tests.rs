@@ -11,8 +11,7 @@ use crate::fixture::{cube, fisheye, look_at, placed, placed_at, rectangle, view}
 use crate::{Backend, Renderer, View};
 
 fn annotate(scene: &Scene, view: &View) -> Frame {
-    let all: Vec<_> = Annotator::ALL
-        .into_iter()
+    let all: Vec<_> = Annotator::all()
         .filter(|annotator| *annotator != Annotator::Rgb)
         .collect();
     let renderer = Renderer::new(scene.clone());

@@ -5,11 +5,11 @@ use crate::stage::Stage;
 use crate::text::UpAxis;
 
 impl<'a> OverrideBase<'a> {
-    /// What a layer of overrides must know of an asset, read from the asset itself: `stage` is it, `asset` its path as
-    /// the layer is to say it.
+    /// Reads the properties of an existing asset that a layer of overrides needs. `stage` is the opened asset and
+    /// `asset` the path under which the layer refers to it.
     ///
     /// # Errors
-    /// It has none of the twin's cameras, or not two prims deep as the sheet has them.
+    /// Returns an error if the asset lacks the twin's depth cameras, or if they are not two prims below the root.
     pub fn of(stage: &'a Stage, asset: &'a str, twin: &Twin) -> Result<Self, AssetError> {
         let not_found = |what: String| AssetError::NoBase {
             asset: stage.file.clone(),

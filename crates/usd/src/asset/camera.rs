@@ -5,7 +5,7 @@ use super::{AssetError, AssetOptions, IsaacVersion, Target, describe, float, len
 use crate::nvidia::SENSOR_SCHEMA;
 use crate::text::{Prim, Value};
 
-/// What a camera prim has of its own beside optics and place.
+/// Attributes of a camera prim other than optics and pose.
 pub(super) struct CameraTraits<'a> {
     pub(super) name: &'a str,
     pub(super) focus_distance: f64,
@@ -13,7 +13,7 @@ pub(super) struct CameraTraits<'a> {
     pub(super) stereo_role: &'a str,
 }
 
-/// The prim of one of the device's cameras.
+/// Creates the prim of one of the device's cameras.
 pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Result<Prim, AssetError> {
     let spec = &camera.spec;
     let traits = CameraTraits {
@@ -28,7 +28,7 @@ pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> 
     if let Some(lens) = &lens {
         lens.author(&mut prim, &twin.device.name)?;
     }
-    // The old names say "pinhole": beside a lens schema they would contradict it.
+    // The legacy attributes describe a pinhole, which would contradict a lens schema.
     let by_default = options.isaac == IsaacVersion::V5_1 && options.target == Target::Isaac && lens.is_none();
     if by_default || options.legacy_distortion {
         add_legacy_distortion(&mut prim, camera);
@@ -36,7 +36,7 @@ pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> 
     Ok(prim)
 }
 
-/// Optics and place, without lens schemas.
+/// Creates a camera prim with optics and pose, without lens schemas.
 pub(super) fn base(
     twin: &Twin,
     camera: &TwinCamera,
@@ -67,17 +67,17 @@ pub(super) fn base(
     prim
 }
 
-/// The optical attributes of a twin's camera, in millimetres.
+/// Returns the optical attributes of a twin's camera, in millimetres.
 pub(super) fn optics(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> UsdOptics {
     let offsets = match twin.origin {
-        // Centred in USD's convention. The sheet's formula means the numbers of a calibration file, not ours.
+        // Nominal cameras are centred; the sheet's formula applies to the numbers of a calibration file only.
         Origin::Nominal => ApertureOffsets::Zero,
         Origin::Calibration { .. } => options.aperture_offsets,
     };
     UsdOptics::from_intrinsics(&camera.intrinsics, camera.pixel_size_um, offsets)
 }
 
-/// `horizontalApertureOffset` and `verticalApertureOffset`.
+/// Adds `horizontalApertureOffset` and `verticalApertureOffset`.
 pub(super) fn add_offsets(prim: &mut Prim, optics: &UsdOptics) {
     prim.set(
         "horizontalApertureOffset",
@@ -89,7 +89,7 @@ pub(super) fn add_offsets(prim: &mut Prim, optics: &UsdOptics) {
     );
 }
 
-/// The sheet's distortion rows under the names that Isaac Sim read before 5.0. "Not Applicable" rows are no values.
+/// Adds the sheet's distortion rows under the names that Isaac Sim read before 5.0. "Not Applicable" rows are omitted.
 fn add_legacy_distortion(prim: &mut Prim, camera: &TwinCamera) {
     let ImageSize { width, height } = camera.intrinsics.size;
     let centre = camera.intrinsics.principal_point::<Usd>();

@@ -10,7 +10,7 @@ use crate::text::{Attribute, Prim, Value};
 
 /// The scope of the render variables that products share.
 const RENDER_VARS: &str = "RenderVars";
-/// What the depth sensor reads, then what it makes: Isaac Sim 6 and later take them from the asset.
+/// The depth sensor's inputs, then its outputs. Isaac Sim 6 and later read this list from the asset.
 const VARIABLES: [&str; 7] = [
     "LdrColor",
     "DistanceToImagePlaneSD",
@@ -22,7 +22,7 @@ const VARIABLES: [&str; 7] = [
 ];
 const OVRTX_VARIABLE: &str = "DepthSensorOutputVisualization";
 
-/// The virtual camera of a depth sensor: optics and place of the camera it stands for, a pinhole.
+/// Creates the virtual camera of a depth sensor: a pinhole with the optics and pose of its source camera.
 pub(super) fn virtual_camera(
     twin: &Twin,
     sensor: &TwinDepthSensor,
@@ -49,7 +49,7 @@ pub(super) fn virtual_camera(
     Ok(prim)
 }
 
-/// The camera whose optics and place a depth sensor has.
+/// Returns the camera whose optics and pose a depth sensor uses.
 pub(super) fn source<'a>(twin: &'a Twin, sensor: &TwinDepthSensor) -> Result<&'a TwinCamera, AssetError> {
     twin.camera(sensor.spec.camera)
         .ok_or_else(|| AssetError::MissingCamera {
@@ -59,7 +59,7 @@ pub(super) fn source<'a>(twin: &'a Twin, sensor: &TwinDepthSensor) -> Result<&'a
         })
 }
 
-/// The scope of render products, one for each depth sensor.
+/// Creates the scope of render products, one for each depth sensor.
 pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -> Result<Prim, AssetError> {
     let mut scope = Prim::def("Scope", PRODUCTS).documented(describe::PRODUCTS);
     let variables = variables(options);
@@ -103,7 +103,7 @@ fn variables(options: &AssetOptions) -> Vec<&'static str> {
     }
 }
 
-/// The full name of a depth attribute of the target.
+/// Returns the full name of a depth attribute for the target.
 pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     let namespace = match options.target {
         Target::Isaac => PRODUCT_NAMESPACE,
@@ -112,7 +112,7 @@ pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     format!("{namespace}{name}")
 }
 
-/// The rows of the sheet's depth-sensor tables, no others.
+/// Creates the attributes listed in the sheet's depth-sensor tables.
 fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
     let spec = &sensor.spec;
     let (max_disparity, min_distance) = if options.extended_disparity {
@@ -124,7 +124,7 @@ fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute
         (spec.max_disparity_px, spec.min_distance_m)
     };
     let range = spec.outlier_removal_range_px;
-    // One name, two types: a range in pixels in 5.x, a switch in 6.x.
+    // The attribute's type differs: an int range in pixels in 5.x, a bool in 6.x.
     let outlier_removal = match (options.target, options.isaac) {
         (Target::Isaac, IsaacVersion::V5_1) => Value::Int(i32::try_from(range).unwrap_or(i32::MAX)),
         (Target::Isaac, IsaacVersion::V6) | (Target::Ovrtx, _) => Value::Bool(range > 0),
@@ -145,7 +145,7 @@ fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute
     ]
 }
 
-/// What a user of the depth sensors should know.
+/// Returns a note for each depth sensor whose schema is experimental.
 pub(super) fn findings(twin: &Twin, options: &AssetOptions, device_path: &str) -> Vec<Finding> {
     if options.target != Target::Ovrtx {
         return Vec::new();
@@ -161,13 +161,13 @@ pub(super) fn findings(twin: &Twin, options: &AssetOptions, device_path: &str) -
                     "experimental: NVIDIA publishes no list of the attributes of {CAMERA_SCHEMA}; assumed: {}",
                     assumed_names(sensor, options)
                 ),
-                "compare them with the schema of your ovrtx",
+                "compare them with the schema of the installed ovrtx",
             )
         })
         .collect()
 }
 
-/// The attribute names that an asset for ovrtx assumes.
+/// Returns the attribute names that an asset for ovrtx assumes, comma-separated.
 pub(super) fn assumed_names(sensor: &TwinDepthSensor, options: &AssetOptions) -> String {
     let names: Vec<String> = attributes(sensor, options)
         .into_iter()
@@ -176,7 +176,7 @@ pub(super) fn assumed_names(sensor: &TwinDepthSensor, options: &AssetOptions) ->
     names.join(", ")
 }
 
-/// `stereo` or `time of flight`.
+/// Returns `stereo` or `time of flight`.
 pub(super) const fn kind_name(kind: DepthKind) -> &'static str {
     match kind {
         DepthKind::Stereo => "stereo",

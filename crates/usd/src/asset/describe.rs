@@ -1,4 +1,4 @@
-//! The documentation strings of an asset: what its numbers come from, its frames and units, what is estimated.
+//! The documentation strings of an asset: the sources of its numbers, its frames and units, its estimates.
 
 use oaktwin_catalog::{Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
 
@@ -13,7 +13,7 @@ pub(super) const PRODUCTS: &str = "Templates: Isaac Sim's depth sensor copies th
 
 const SHEET: &str = "Luxonis' parameter sheet of the OAK assets for Isaac Sim";
 
-/// The layer as a whole.
+/// Describes the layer.
 pub(super) fn layer(twin: &Twin, options: &AssetOptions) -> String {
     let device = &twin.device;
     let mut text = format!(
@@ -51,13 +51,13 @@ pub(super) fn layer(twin: &Twin, options: &AssetOptions) -> String {
     text
 }
 
-/// The default prim.
+/// Describes the default prim.
 pub(super) fn root(twin: &Twin) -> String {
     let device = &twin.device;
     format!("{} {}, {}.", device.manufacturer, device.name, device.variant)
 }
 
-/// The prim below it.
+/// Describes the device prim.
 pub(super) fn device(twin: &Twin, options: &AssetOptions) -> String {
     let [width, height, depth] = twin.device.body.dimensions_mm;
     let mut text = format!(
@@ -78,7 +78,7 @@ pub(super) fn device(twin: &Twin, options: &AssetOptions) -> String {
     text
 }
 
-/// A camera of the device.
+/// Describes a camera of the device.
 pub(super) fn camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> String {
     let spec = &camera.spec;
     let mut text = format!(
@@ -89,7 +89,7 @@ pub(super) fn camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -
         origin(twin)
     );
     if is_estimate(&spec.source, &spec.sources, "position_mm") && twin.origin == Origin::Nominal {
-        text.push_str(" Its place is an estimate.");
+        text.push_str(" Its position is an estimate.");
     }
     if let Some(lens) = lens::of_camera(twin, camera, options) {
         text.push_str(&format!(
@@ -101,10 +101,10 @@ pub(super) fn camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -
     text
 }
 
-/// The virtual camera of a depth sensor.
+/// Describes the virtual camera of a depth sensor.
 pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinCamera) -> String {
     let mut text = format!(
-        "The virtual camera of the depth sensor ({}): optics and place of {}.",
+        "The virtual camera of the depth sensor ({}): optics and pose of {}.",
         depth::kind_name(sensor.spec.kind),
         camera.spec.prim
     );
@@ -116,7 +116,7 @@ pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinC
     text
 }
 
-/// A render product.
+/// Describes a render product.
 pub(super) fn product(sensor: &TwinDepthSensor) -> String {
     format!(
         "The {} depth sensor's parameters.",
@@ -124,7 +124,7 @@ pub(super) fn product(sensor: &TwinDepthSensor) -> String {
     )
 }
 
-/// The inertial sensor.
+/// Describes the inertial sensor.
 pub(super) fn imu(twin: &Twin, options: &AssetOptions) -> String {
     let imu = &twin.device.imu;
     let place = is_estimate(&imu.source, &imu.sources, "position_mm")
@@ -141,11 +141,11 @@ pub(super) fn imu(twin: &Twin, options: &AssetOptions) -> String {
     )
 }
 
-/// A layer of overrides.
+/// Describes a layer of overrides.
 pub(super) fn overrides(twin: &Twin, base: &str) -> String {
     format!(
-        "{} {}: overrides on {base}, written by oaktwin {}.\nNumbers: {}.\nPlaces, apertures and the depth sensor's \
-         noise stay those of the base.",
+        "{} {}: overrides on {base}, written by oaktwin {}.\nNumbers: {}.\nCamera poses, apertures and the depth \
+         sensor's noise are those of the base.",
         twin.device.manufacturer,
         twin.device.name,
         env!("CARGO_PKG_VERSION"),
@@ -167,7 +167,7 @@ fn origin(twin: &Twin) -> String {
     }
 }
 
-/// What of the asset no source states.
+/// Returns the quantities that no source states.
 fn estimates(twin: &Twin) -> Vec<String> {
     let device = &twin.device;
     let body = |key| is_estimate(&device.body.source, &device.body.sources, key);
@@ -176,24 +176,24 @@ fn estimates(twin: &Twin) -> Vec<String> {
         estimates.push("outer dimensions".into());
     }
     if body("front_mm") {
-        estimates.push("where the front face lies".into());
+        estimates.push("position of the front face".into());
     }
     if body("mass_g") {
         estimates.push("mass".into());
     }
     if device.body.projector_mm.is_some() && body("projector_mm") {
-        estimates.push("the projector's place".into());
+        estimates.push("position of the projector".into());
     }
     if is_estimate(&device.imu.source, &device.imu.sources, "position_mm") {
-        estimates.push("the inertial unit's place".into());
+        estimates.push("position of the inertial unit".into());
     }
     if is_estimate(&device.imu.source, &device.imu.sources, "rotation") {
-        estimates.push("the inertial unit's axes".into());
+        estimates.push("axes of the inertial unit".into());
     }
     if twin.origin == Origin::Nominal {
         for camera in &device.cameras {
             if is_estimate(&camera.source, &camera.sources, "position_mm") {
-                estimates.push(format!("the place of {}", camera.prim));
+                estimates.push(format!("position of {}", camera.prim));
             }
         }
     }

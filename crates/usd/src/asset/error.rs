@@ -2,25 +2,25 @@ use thiserror::Error;
 
 use crate::usdz::UsdzError;
 
-/// What keeps a twin from becoming an asset.
+/// The reason why an asset cannot be made of a twin.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum AssetError {
-    /// The fisheye lens was asked of a model without wide stereo lenses.
+    /// The fisheye lens was requested for a model without wide stereo lenses.
     #[error("{model}: lens: its stereo cameras have no fisheye field of view; use the pinhole lens")]
     NoFisheyeLens {
         /// The device's name.
         model: String,
     },
-    /// The extended mode was asked of a model that lacks it.
-    #[error("{model}: {sensor}: no extended disparity mode is known for it; leave the option out")]
+    /// Extended disparity was requested for a model that lacks it.
+    #[error("{model}: {sensor}: extended disparity is not supported; omit the option")]
     NoExtendedDisparity {
         /// The device's name.
         model: String,
         /// The depth sensor's camera prim.
         sensor: String,
     },
-    /// A depth sensor stands on a camera that the device lacks.
-    #[error("{model}: {sensor}: the device has no {role} camera; name one of its own")]
+    /// A depth sensor refers to a camera that the device lacks.
+    #[error("{model}: {sensor}: the device has no {role} camera; name an existing camera")]
     MissingCamera {
         /// The device's name.
         model: String,
@@ -29,7 +29,7 @@ pub enum AssetError {
         /// The camera's role.
         role: String,
     },
-    /// A number that no asset may hold.
+    /// A number is infinite or NaN, or too large for 32 bits.
     #[error("{model}: {property}: not a finite 32-bit number; correct the catalog or the calibration")]
     NotFinite {
         /// The device's name.
@@ -37,18 +37,18 @@ pub enum AssetError {
         /// The property's path.
         property: String,
     },
-    /// A whole number beyond OpenUSD's `int`.
-    #[error("{model}: {place}: {value} is more than OpenUSD's int holds; use a smaller one")]
+    /// An integer exceeds OpenUSD's `int`.
+    #[error("{model}: {place}: {value} exceeds OpenUSD's int; use a smaller value")]
     TooLarge {
         /// The device's name.
         model: String,
-        /// What it is.
+        /// The quantity.
         place: String,
         /// The number.
         value: u32,
     },
-    /// A name that no prim may have.
-    #[error("{model}: {parent}: {name:?} is no prim name; use letters, digits and underscores")]
+    /// A name is not a valid prim name.
+    #[error("{model}: {parent}: invalid prim name {name:?}; use letters, digits and underscores")]
     Name {
         /// The device's name.
         model: String,
@@ -57,16 +57,16 @@ pub enum AssetError {
         /// The name.
         name: String,
     },
-    /// Two prims of one name.
-    #[error("{model}: {path}: two prims have this path; rename one")]
+    /// Two prims have the same path.
+    #[error("{model}: {path}: duplicate prim path; rename one of the two prims")]
     Duplicate {
         /// The device's name.
         model: String,
         /// The path.
         path: String,
     },
-    /// An asset that the overrides of a model do not fit.
-    #[error("{asset}: {what}, so it is no asset of an {model}; name the vendor's asset of that model")]
+    /// The overrides of a model do not fit the asset.
+    #[error("{asset}: {what}, so it is not an asset of the {model}; give the vendor's asset of that model")]
     NoBase {
         /// The asset's file.
         asset: String,
@@ -75,13 +75,13 @@ pub enum AssetError {
         /// What is missing.
         what: String,
     },
-    /// A layer of overrides was asked of a twin without a calibration.
-    #[error("{model}: nothing to override: its numbers are the nominal ones; give a calibration")]
+    /// Overrides were requested for a twin without a calibration.
+    #[error("{model}: nothing to override without a calibration; give one")]
     NothingToOverride {
         /// The device's name.
         model: String,
     },
-    /// The package could not be made.
+    /// The package could not be written.
     #[error(transparent)]
     Usdz(#[from] UsdzError),
 }

@@ -5,21 +5,21 @@ use oaktwin_diagnostic::Finding;
 
 use super::{AssetError, AssetOptions, Format, asset};
 
-/// The file of an asset, not yet written.
+/// The file of an asset, ready to be written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssetFile {
-    /// Its name, `oak_d_pro_poe.usd`.
+    /// The file name, such as `oak_d_pro_poe.usd`.
     pub name: String,
-    /// Its content.
+    /// The content.
     pub bytes: Vec<u8>,
-    /// What the user should know.
+    /// Notes and warnings about the asset.
     pub findings: Vec<Finding>,
 }
 
-/// The assets' files of several twins, in their order, made side by side on as many threads.
+/// Returns the asset files of several twins, in their order. Each twin is processed on a thread of its own.
 ///
 /// # Errors
-/// As [`asset`]: the first twin's that fails.
+/// Returns the first twin's error, as [`asset`] does.
 pub fn files(twins: &[Twin], options: &AssetOptions, format: Format) -> Result<Vec<AssetFile>, AssetError> {
     thread::scope(|scope| {
         let made: Vec<_> = twins

@@ -2,7 +2,7 @@ use super::float;
 use crate::body::{BodyMaterial, BodyPart};
 use crate::text::{Attribute, Prim, Value};
 
-/// The scopes `visuals` and `Looks`.
+/// Creates the scopes `visuals` and `Looks`.
 pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_path: &str) -> [Prim; 2] {
     let mut visuals = Prim::def("Scope", "visuals");
     for part in parts {
@@ -21,7 +21,7 @@ pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_pa
     [visuals, looks]
 }
 
-/// A polygon mesh: not subdivided, so it carries its normals.
+/// Creates a polygon mesh without subdivision, with normals.
 pub(super) fn mesh(part: BodyPart) -> Prim {
     let mut mesh = Prim::def("Mesh", part.name);
     mesh.set("extent", Value::Float3Array(extent(&part.points)));

@@ -3,8 +3,7 @@ use std::collections::BTreeSet;
 use super::AssetError;
 use crate::text::{Layer, Prim, Property, is_identifier};
 
-/// Refuses what no reader of the file could use: names that are none or occur twice, numbers that are not finite.
-/// All of them come from outside: a user's catalog, a calibration.
+/// Rejects invalid or duplicate prim names and non-finite numbers, which a user's catalog or calibration may contain.
 pub(super) fn check(layer: &Layer, model: &str) -> Result<(), AssetError> {
     check_children("", &layer.prims, model)
 }

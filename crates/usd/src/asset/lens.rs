@@ -14,9 +14,9 @@ pub(super) struct LensSchema {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
-    /// k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
+    /// The coefficients k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
     Pinhole([f64; 12]),
-    /// k1 k2 k3 k4.
+    /// The coefficients k1 k2 k3 k4.
     Fisheye([f64; 4]),
 }
 
@@ -26,8 +26,8 @@ const PINHOLE_NAMES: [&str; 12] = [
 ];
 const FISHEYE_NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
 
-/// The schema of a camera, if it has one. A calibrated camera always has one, since only the schema carries the
-/// principal point that Isaac Sim's renderer honours.
+/// Returns the lens schema of a camera, if it has one. A calibrated camera always has one, since Isaac Sim's renderer
+/// takes the principal point from the schema only.
 pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
     let optics = twin.optics(camera, options.lens);
     let kind = match (optics.lens, &twin.origin) {
@@ -36,10 +36,10 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
             coefficients.copy_from_slice(&lens.coefficients[..12]);
             Kind::Pinhole(coefficients)
         }
-        // All coefficients are written, because the schema's fallback value of k1 is not 0.
+        // All coefficients are written because the schema's fallback for k1 is not 0.
         (LensModel::OpenCvFisheye(lens), _) => Kind::Fisheye(lens.k),
         (LensModel::Pinhole, Origin::Calibration { .. }) => Kind::Pinhole([0.0; 12]),
-        // No calibration or catalog has the f-theta lens.
+        // Neither calibrations nor the catalog have f-theta lenses.
         (LensModel::Pinhole, Origin::Nominal) | (LensModel::FTheta(_), _) => return None,
     };
     Some(LensSchema {
@@ -48,8 +48,8 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
     })
 }
 
-/// The schema of a depth sensor's virtual camera. An OAK's depth image is rectified, so the camera has no
-/// distortion; only a calibrated principal point is carried.
+/// Returns the lens schema of a depth sensor's virtual camera. An OAK's depth image is rectified, so the schema has no
+/// distortion; it carries the calibrated principal point.
 pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSchema> {
     matches!(twin.origin, Origin::Calibration { .. }).then_some(LensSchema {
         intrinsics: camera.intrinsics,
@@ -93,7 +93,7 @@ impl LensSchema {
         Ok(())
     }
 
-    /// In words, for the prim's documentation.
+    /// Returns the lens model's name for the prim's documentation.
     pub(super) fn description(&self) -> &'static str {
         match &self.kind {
             Kind::Pinhole(_) => "OpenCV's rational and thin-prism model",
@@ -102,7 +102,7 @@ impl LensSchema {
     }
 }
 
-/// The image size as `int2`.
+/// Returns the image size as `int2`.
 pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetError> {
     let int = |value: u32| {
         i32::try_from(value).map_err(|_| AssetError::TooLarge {
@@ -117,7 +117,7 @@ pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetE
     ]))
 }
 
-/// What the schemas cannot say, and whose lens it is.
+/// Reports tilted sensors, which the schemas cannot express, and lens options that a calibration overrides.
 pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
     let mut findings = Vec::new();
     for camera in &twin.cameras {
@@ -131,11 +131,11 @@ pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
                     Level::Warning,
                     &path,
                     format!(
-                        "the lens schema has no sensor tilt (τx {}, τy {} rad): without it the image is off by up \
-                         to {error_px:.3} px",
+                        "the lens schema cannot express sensor tilt (τx {}, τy {} rad): the image is off by up to \
+                         {error_px:.3} px",
                         tilt[0], tilt[1]
                     ),
-                    "undistort with the calibration itself where that matters",
+                    "undistort with the calibration itself if that matters",
                 ));
             }
         }
@@ -146,7 +146,7 @@ pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
             "lens-from-calibration",
             Level::Note,
             format!("/{ROOT}/{}", twin.device.prim),
-            "the calibration has lens models of its own, which are used instead of the nominal fisheye",
+            "the calibration's lens models are used instead of the nominal fisheye",
             "",
         ));
     }

@@ -1,10 +1,10 @@
-//! The USD asset of an OAK camera: from a [`Twin`] to a layer.
+//! The USD asset of an OAK camera, written from a [`Twin`].
 //!
-//! # What an asset holds
+//! # Contents
 //! ```text
 //! /Root                                     Xform, default prim
 //! └── oak_d_pro                             Xform; with a rigid body: mass, collider
-//!     ├── Camera_pseudo_depth               Camera: the optics and place of the left one
+//!     ├── Camera_pseudo_depth               Camera: optics and pose of the left one
 //!     ├── Camera_rgb_imx378, …              Camera
 //!     ├── Imu_Sensor                        IsaacImuSensor
 //!     ├── visuals, Looks                    the body, its materials
@@ -12,15 +12,15 @@
 //!     └── TemplateRenderProducts            Scope
 //!         └── Camera_pseudo_depth_render_product   RenderProduct with the depth sensor's schema
 //! ```
-//! Names and values are those of Luxonis' parameter sheet. Z is up, a unit is a metre, and the origin lies midway
-//! between the left and right optical centres, x forward, y left, z up.
+//! Names and values are those of Luxonis' parameter sheet. The stage is Z up and in metres. The origin lies midway
+//! between the left and right optical centres; x is forward, y left, z up.
 //!
 //! # Numbers
-//! Optics are computed in `f64` and written as the nearest `f32`: `focalLength = 4.762592`, where the sheet prints
-//! 4.7626. Rounding to the sheet's four digits first would move fx by up to 0.03 px and make the file disagree with
-//! its own field of view. Focal lengths, apertures and offsets are numbers of *millimetres* in attributes that
-//! OpenUSD defines as tenths of a stage unit, as in the vendor's assets: projection depends on ratios alone, and
-//! `fStop = 0` switches off the depth of field that does not.
+//! Optics are computed in `f64` and written as the nearest `f32`: `focalLength = 4.762592` where the sheet prints
+//! 4.7626. Rounding to the sheet's four decimals would move fx by up to 0.03 px, and the field of view with it. Focal
+//! lengths, apertures and offsets are in *millimetres*, as in the vendor's assets, although OpenUSD defines these
+//! attributes in tenths of a stage unit: projection depends on ratios alone, and `fStop = 0` disables depth of field,
+//! which does not.
 
 mod base;
 mod camera;
@@ -57,35 +57,35 @@ use crate::body;
 use crate::text::{Dictionary, Layer, Prim, UpAxis, Value};
 use crate::usdz;
 
-/// The default prim's name.
+/// The name of the default prim.
 pub const ROOT: &str = "Root";
-/// The scope of the render products.
+/// The name of the scope of render products.
 pub const PRODUCTS: &str = "TemplateRenderProducts";
-/// The inertial sensor's prim.
+/// The name of the inertial sensor's prim.
 pub const IMU: &str = "Imu_Sensor";
 
 /// An asset, ready to be written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asset {
-    /// The file's name without its extension, `oak_d_pro_poe`.
+    /// The file name without its extension, such as `oak_d_pro_poe`.
     pub stem: String,
-    /// The document.
+    /// The layer.
     pub layer: Layer,
-    /// What the user should know.
+    /// Notes and warnings about the asset.
     pub findings: Vec<Finding>,
 }
 
 impl Asset {
-    /// The layer in OpenUSD's text format.
+    /// Returns the layer in OpenUSD's text format.
     #[must_use]
     pub fn text(&self) -> String {
         self.layer.text()
     }
 
-    /// The file's content. `.usda` and `.usd` hold the same text; `.usdz` packages it.
+    /// Returns the file's content. `.usda` and `.usd` hold the same text; `.usdz` packages it.
     ///
     /// # Errors
-    /// A stem that no package can hold, or more than 4 GiB of text.
+    /// Returns an error if a package cannot hold a file of that stem or more than 4 GiB of text.
     pub fn bytes(&self, format: Format) -> Result<Vec<u8>, AssetError> {
         let text = self.text().into_bytes();
         match format {
@@ -94,18 +94,18 @@ impl Asset {
         }
     }
 
-    /// The file's name, `oak_d_pro_poe.usd`.
+    /// Returns the file name, such as `oak_d_pro_poe.usd`.
     #[must_use]
     pub fn file_name(&self, format: Format) -> String {
         format!("{}.{}", self.stem, format.extension())
     }
 }
 
-/// The asset of a twin.
+/// Creates the asset of a twin.
 ///
 /// # Errors
-/// An option that the model cannot have (fisheye lenses, extended disparity), a twin whose depth sensor names a
-/// camera it lacks, names that are no prim names or occur twice, numbers that are not finite.
+/// Returns an error if the model does not support an option (fisheye lenses, extended disparity), if a depth sensor
+/// refers to a camera that the twin lacks, if a prim name is invalid or occurs twice, or if a number is not finite.
 pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
     options.check(twin)?;
     let device = &twin.device;
@@ -164,7 +164,7 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
     })
 }
 
-/// What a program recognises our assets by.
+/// Returns the layer data by which programs recognise these assets.
 fn layer_data(twin: &Twin, options: &AssetOptions) -> Dictionary {
     let origin = match &twin.origin {
         Origin::Nominal => "nominal",
@@ -182,16 +182,15 @@ fn layer_data(twin: &Twin, options: &AssetOptions) -> Dictionary {
     )])
 }
 
-/// The nearest 32-bit number.
+/// Returns the nearest 32-bit number.
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "rounding is meant; what overflows becomes infinite and is refused by guard::check"
+    reason = "rounding is intended; overflow becomes infinite, which guard::check rejects"
 )]
 fn f32_of(value: f64) -> f32 {
     value as f32
 }
 
-/// A `float` value.
 fn float(value: f64) -> Value {
     Value::Float(f32_of(value))
 }

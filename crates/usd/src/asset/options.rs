@@ -3,24 +3,24 @@ use oaktwin_catalog::{LensChoice, Twin};
 
 use super::AssetError;
 
-/// What to write into an asset.
+/// Options of an asset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AssetOptions {
-    /// The schema generation.
+    /// The Isaac Sim version whose schemas are used.
     pub isaac: IsaacVersion,
     /// The renderer.
     pub target: Target,
-    /// The stereo cameras' lenses, where no calibration says.
+    /// The stereo cameras' lenses if there is no calibration.
     pub lens: LensChoice,
-    /// How a calibrated principal point becomes aperture offsets.
+    /// The conversion of a calibrated principal point to aperture offsets.
     pub aperture_offsets: ApertureOffsets,
-    /// The depth sensor's extended mode: near objects, twice the disparity range.
+    /// Whether the depth sensor uses extended disparity: twice the disparity range, for near objects.
     pub extended_disparity: bool,
-    /// The old distortion attributes also where they are no longer the default.
+    /// Whether to write the legacy distortion attributes even if they are no longer the default.
     pub legacy_distortion: bool,
-    /// A rigid body with mass and collider.
+    /// Whether the device is a rigid body with mass and collider.
     pub rigid_body: bool,
-    /// The visible body.
+    /// Whether to include the visible body.
     pub body: bool,
 }
 
@@ -39,13 +39,13 @@ impl Default for AssetOptions {
     }
 }
 
-/// The Isaac Sim that an asset is for.
+/// The Isaac Sim version that an asset is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum IsaacVersion {
-    /// 5.1: `outlierRemovalEnabled` is an `int`, the old distortion attributes are still read.
+    /// 5.1: `outlierRemovalEnabled` is an `int`, and the legacy distortion attributes are still read.
     #[default]
     V5_1,
-    /// 6.x: `outlierRemovalEnabled` is a `bool`, render products list their render variables.
+    /// 6.x: `outlierRemovalEnabled` is a `bool`, and render products list their render variables.
     V6,
 }
 
@@ -59,20 +59,20 @@ pub enum Target {
     Ovrtx,
 }
 
-/// How an asset is stored.
+/// The file format of an asset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Format {
-    /// Text, named `.usda`.
+    /// Text with the extension `.usda`.
     Usda,
-    /// The same text under the name that Isaac Sim's asset paths use, `.usd`.
+    /// The same text with the extension `.usd`, which Isaac Sim's asset paths use.
     #[default]
     Usd,
-    /// The text in a package, `.usdz`.
+    /// A `.usdz` package of the text.
     Usdz,
 }
 
 impl Format {
-    /// The file name's extension, without the dot.
+    /// Returns the file extension without the dot.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
@@ -84,7 +84,7 @@ impl Format {
 }
 
 impl IsaacVersion {
-    /// `5.1` or `6`.
+    /// Returns `5.1` or `6`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -95,7 +95,7 @@ impl IsaacVersion {
 }
 
 impl Target {
-    /// `isaac` or `ovrtx`.
+    /// Returns `isaac` or `ovrtx`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -106,7 +106,7 @@ impl Target {
 }
 
 impl AssetOptions {
-    /// Whether the model can have all of this.
+    /// Rejects options that the model does not support.
     pub(super) fn check(&self, twin: &Twin) -> Result<(), AssetError> {
         let model = || twin.device.name.clone();
         let is_wide = twin

@@ -7,25 +7,25 @@ use super::{
 };
 use crate::text::{Layer, Prim, UpAxis};
 
-/// The asset that a layer of overrides stands on.
+/// The asset that a layer of overrides builds on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverrideBase<'a> {
-    /// Its path as the layer is to say it, relative to the layer's folder or absolute.
+    /// The asset's path as written in the layer: absolute or relative to the layer's folder.
     pub asset: &'a str,
-    /// Whose names its prims have.
+    /// The naming of its prims.
     pub names: PrimNames,
-    /// Its default prim.
+    /// The name of its default prim.
     pub root: &'a str,
-    /// The prim that its cameras are below.
+    /// The name of the prim that contains its cameras.
     pub device: &'a str,
-    /// Its `metersPerUnit`: OpenUSD takes the stage's from the strongest layer, which is ours.
+    /// Its `metersPerUnit`, repeated because OpenUSD takes the stage's from the strongest layer, which is the overrides.
     pub meters_per_unit: f64,
-    /// Its `upAxis`, for the same reason.
+    /// Its `upAxis`, repeated for the same reason.
     pub up_axis: UpAxis,
 }
 
 impl<'a> OverrideBase<'a> {
-    /// An asset laid out as the sheet has it.
+    /// Creates the description of an asset with the sheet's layout.
     #[must_use]
     pub fn new(asset: &'a str, twin: &'a Twin, names: PrimNames) -> Self {
         Self {
@@ -39,12 +39,12 @@ impl<'a> OverrideBase<'a> {
     }
 }
 
-/// A layer that gives an existing asset the numbers of one unit: focal lengths, aperture offsets, the lens schema,
-/// `focalLengthPixel`. Places stay the base's, whose origin and axes are its own affair, and so do apertures and
-/// the depth sensor's noise, which belong to the model.
+/// Creates a layer that gives an existing asset the numbers of one unit: focal lengths, aperture offsets, the lens
+/// schema and `focalLengthPixel`. Camera poses are not overridden, since the base may use another origin or other axes;
+/// nor are apertures and the depth sensor's noise, which belong to the model.
 ///
 /// # Errors
-/// A nominal twin; otherwise as [`asset`](super::asset).
+/// Returns an error if the twin is nominal, and in the cases of [`asset`](super::asset).
 pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -> Result<Asset, AssetError> {
     options.check(twin)?;
     let model = &twin.device.name;
@@ -102,8 +102,8 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
         "places-not-overridden",
         Level::Note,
         format!("/{}/{}", base.root, base.device),
-        "the cameras stay where the base asset has them: its origin and axes are not known to be ours",
-        "write a whole asset from the calibration to have its extrinsics",
+        "the cameras keep the poses of the base asset, whose origin and axes may differ",
+        "write a complete asset from the calibration to use its extrinsics",
     ));
     Ok(Asset {
         stem: format!("{}_calibrated", twin.device.id),

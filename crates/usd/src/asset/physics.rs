@@ -4,7 +4,7 @@ use super::{float, geometry};
 use crate::body::BodyPart;
 use crate::text::{Prim, Value};
 
-/// Makes the device a rigid body: its mass, and a convex hull that collides but is not seen.
+/// Makes the device a rigid body with its mass and an invisible convex collider.
 pub(super) fn add_rigid_body(device_prim: &mut Prim, device: &Device, collider: BodyPart) {
     device_prim
         .api_schemas

@@ -2,11 +2,11 @@ use oaktwin_camera::{Axes, RigidTransform};
 
 use crate::text::{Prim, Value};
 
-/// Places a prim: `xformOp:translate`, then `xformOp:orient`, the pair that Isaac Sim's own tools write.
+/// Sets a prim's pose with `xformOp:translate` and `xformOp:orient`, the pair that Isaac Sim's tools write.
 pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
     let t = parent_from_prim.translation;
     let q = parent_from_prim.quaternion();
-    // A picometre and 1e-15 of a rotation are noise of the arithmetic; without it the text reads 0.0375.
+    // Rounding to 1 pm and 1e-15 removes arithmetic noise, so that the text reads 0.0375.
     let metres = |x: f64| tidy(x, 1e12);
     let unit = |x: f64| tidy(x, 1e15);
     prim.set(
@@ -23,7 +23,7 @@ pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
     );
 }
 
-/// The pose of a camera prim (−z forward, y up) from that of the optical frame (z forward, y down).
+/// Converts the pose of an optical frame (z forward, y down) to that of a camera prim (−z forward, y up).
 pub(super) fn of_camera_prim(body_from_camera: &RigidTransform) -> RigidTransform {
     RigidTransform::new(
         body_from_camera.rotation * Axes::OpenCv.rotation_from(Axes::Usd),
@@ -31,7 +31,7 @@ pub(super) fn of_camera_prim(body_from_camera: &RigidTransform) -> RigidTransfor
     )
 }
 
-/// Rounded to a multiple of `1 / steps`; −0 becomes 0.
+/// Rounds to a multiple of `1 / steps`; −0 becomes 0.
 fn tidy(x: f64, steps: f64) -> f64 {
     (x * steps).round() / steps + 0.0
 }

@@ -6,7 +6,7 @@ use oaktwin_camera::{
 };
 use oaktwin_catalog::{Catalog, Origin, Twin};
 
-/// The five nominal twins, in the sheet's order.
+/// Returns the five nominal twins, in the sheet's order.
 pub(crate) fn nominal() -> Vec<Twin> {
     let catalog = Catalog::builtin();
     catalog
@@ -16,13 +16,13 @@ pub(crate) fn nominal() -> Vec<Twin> {
         .collect()
 }
 
-/// One of them.
+/// Returns the nominal twin of one model.
 pub(crate) fn nominal_of(id: &str) -> Twin {
     let catalog = Catalog::builtin();
     catalog.nominal(catalog.device(id).expect("a model of the sheet"))
 }
 
-/// A unit with every camera off its nominal numbers: rational lenses with a tilt, or fisheyes.
+/// Returns a unit whose cameras all differ from nominal: rational lenses with tilt, or fisheyes.
 pub(crate) fn calibrated(mut twin: Twin, fisheye: bool) -> Twin {
     for (i, camera) in (0u32..).zip(&mut twin.cameras) {
         let i = f64::from(i);

@@ -1,10 +1,9 @@
+mod calibration;
+mod every_option;
+
 use std::collections::BTreeSet;
-use std::path::Path;
 
-use oaktwin_camera::ApertureOffsets;
-use oaktwin_catalog::{Origin, Role};
-
-use super::sample::{calibrated, nominal, nominal_of};
+use super::sample::{calibrated, nominal_of};
 use super::*;
 
 fn plain() -> AssetOptions {
@@ -15,7 +14,7 @@ fn text(twin: &Twin, options: &AssetOptions) -> String {
     asset(twin, options).unwrap().text()
 }
 
-/// The prim at `/Root/DEVICE/PATH`.
+/// Returns the prim at `/Root/DEVICE/PATH`.
 fn prim<'a>(asset: &'a Asset, path: &str) -> &'a Prim {
     path.split('/')
         .fold(&asset.layer.prims[0].children[0], |prim, name| {
@@ -34,13 +33,13 @@ fn near(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{a} {b}");
 }
 
-/// A release changes the version in every asset and nothing else.
+/// Compares with a snapshot in which the version is masked, since every release changes it.
 fn snapshot(text: &str, name: &str) {
     insta::assert_snapshot!(name, text.replace(env!("CARGO_PKG_VERSION"), "VERSION"));
 }
 
 #[test]
-fn the_text_of_one_asset() {
+fn writes_the_expected_text_of_an_asset() {
     let options = AssetOptions {
         body: false,
         ..plain()
@@ -49,7 +48,7 @@ fn the_text_of_one_asset() {
 }
 
 #[test]
-fn the_text_of_overrides() {
+fn writes_the_expected_text_of_overrides() {
     let twin = calibrated(nominal_of("oak_d_tof"), false);
     let base = OverrideBase::new("./oak_d_tof.usd", &twin, PrimNames::Isaac);
     snapshot(&overrides(&twin, &plain(), &base).unwrap().text(), "overrides");
@@ -57,7 +56,7 @@ fn the_text_of_overrides() {
 
 /// The sheet's "Camera Parameters" table: focal length, apertures, by model.
 #[test]
-fn optics_are_those_of_the_sheet() {
+fn optics_match_the_sheet() {
     for (id, first, (f, w, h), (stereo_f, stereo)) in [
         (
             "oak_d_pro_poe",
@@ -110,7 +109,7 @@ fn optics_are_those_of_the_sheet() {
 }
 
 #[test]
-fn the_trees_of_the_sheet() {
+fn prim_names_match_the_sheet() {
     let names = |id: &str| {
         let asset = asset(
             &nominal_of(id),
@@ -154,9 +153,9 @@ fn the_trees_of_the_sheet() {
     );
 }
 
-/// A camera prim looks along −z with y up: that is forward and up in the body.
+/// A camera prim looks along −z with y up, which must be forward and up in the body frame.
 #[test]
-fn cameras_look_forward_right_way_up() {
+fn cameras_look_forward_and_are_upright() {
     let asset = asset(&nominal_of("oak_d_pro_poe"), &plain()).unwrap();
     let left = prim(&asset, "Camera_left_ov9282");
     let value = |name: &str| left.attribute(name).unwrap().value.clone().unwrap();
@@ -171,7 +170,7 @@ fn cameras_look_forward_right_way_up() {
 }
 
 #[test]
-fn the_version_decides_about_old_names_types_and_render_variables() {
+fn isaac_version_selects_attribute_names_types_and_render_variables() {
     let twin = nominal_of("oak_d_pro_poe");
     let product = "TemplateRenderProducts/Camera_pseudo_depth_render_product";
     let outlier = "omni:rtx:post:depthSensor:outlierRemovalEnabled";
@@ -214,7 +213,7 @@ fn the_version_decides_about_old_names_types_and_render_variables() {
 }
 
 #[test]
-fn ovrtx_has_its_schema_on_the_camera_and_says_that_it_guesses() {
+fn ovrtx_assets_apply_the_schema_to_the_camera_and_note_that_it_is_assumed() {
     let options = AssetOptions {
         target: Target::Ovrtx,
         ..plain()
@@ -234,7 +233,7 @@ fn ovrtx_has_its_schema_on_the_camera_and_says_that_it_guesses() {
 }
 
 #[test]
-fn extended_disparity() {
+fn extended_disparity_changes_range_and_is_rejected_for_tof() {
     let options = AssetOptions {
         extended_disparity: true,
         ..plain()
@@ -260,149 +259,7 @@ fn extended_disparity() {
 }
 
 #[test]
-fn fisheye_lenses_of_the_wide_models() {
-    let options = AssetOptions {
-        lens: LensChoice::Fisheye,
-        ..plain()
-    };
-    let made = asset(&nominal_of("oak4_d_wide"), &options).unwrap();
-    for name in ["Camera_left_ov9282", "Camera_right_ov9282"] {
-        let camera = prim(&made, name);
-        assert_eq!(camera.api_schemas, ["OmniLensDistortionOpenCvFisheyeAPI"]);
-        near(
-            number(camera, "omni:lensdistortion:opencvFisheye:fx"),
-            577.5,
-            0.05,
-        );
-        assert_eq!(number(camera, "omni:lensdistortion:opencvFisheye:cx"), 639.5);
-        assert_eq!(number(camera, "omni:lensdistortion:opencvFisheye:k1"), 0.0);
-    }
-    for name in ["Camera_rgb_imx586", "Camera_pseudo_depth"] {
-        assert!(prim(&made, name).api_schemas.is_empty());
-    }
-    for id in ["oak_d_pro_poe", "oak4_d", "oak_d_tof"] {
-        let error = asset(&nominal_of(id), &options).unwrap_err();
-        assert!(matches!(error, AssetError::NoFisheyeLens { .. }), "{error}");
-    }
-
-    // A calibration's own lens wins, and that is said.
-    let unit = calibrated(nominal_of("oak4_d_wide"), false);
-    let made = asset(&unit, &options).unwrap();
-    let left = prim(&made, "Camera_left_ov9282");
-    assert_eq!(left.api_schemas, ["OmniLensDistortionOpenCvPinholeAPI"]);
-    assert!(made.findings.iter().any(|f| f.code == "lens-from-calibration"));
-}
-
-#[test]
-fn a_calibration_is_authored_whole() {
-    let unit = calibrated(nominal_of("oak_d_pro_poe"), false);
-    let made = asset(&unit, &plain()).unwrap();
-    let left = prim(&made, "Camera_left_ov9282");
-    let source = unit.camera(Role::Left).unwrap();
-    let (fx, fy) = (source.intrinsics.fx, source.intrinsics.fy);
-    near(
-        number(left, "focalLength"),
-        3.0 * f64::midpoint(fx, fy) * 1e-3,
-        1e-6,
-    );
-    near(number(left, "horizontalAperture"), 3.84, 1e-6);
-    let lens = |name: &str| number(left, &format!("omni:lensdistortion:opencvPinhole:{name}"));
-    near(lens("fx"), fx, 1e-4);
-    near(lens("fy"), fy, 1e-4);
-    near(lens("cx"), 646.25, 1e-4);
-    near(lens("cy"), 397.5, 1e-4);
-    near(lens("k2"), 12.4, 1e-5);
-    near(lens("s4"), -4e-4, 1e-9);
-    // OpenUSD's sign and convention: h = −(646.25 + 0.5 − 640) · 3 µm, v = +(397.5 + 0.5 − 400) · 3 µm.
-    near(number(left, "horizontalApertureOffset"), -0.02025, 1e-8);
-    near(number(left, "verticalApertureOffset"), -0.006, 1e-8);
-    // The depth camera is the left one, rectified.
-    let depth = prim(&made, "Camera_pseudo_depth");
-    near(
-        number(depth, "omni:lensdistortion:opencvPinhole:cx"),
-        646.25,
-        1e-4,
-    );
-    assert_eq!(number(depth, "omni:lensdistortion:opencvPinhole:k1"), 0.0);
-    let product = prim(&made, "TemplateRenderProducts/Camera_pseudo_depth_render_product");
-    let focal_length_px = number(product, "omni:rtx:post:depthSensor:focalLengthPixel");
-    assert_eq!(focal_length_px, fx.round());
-    assert_eq!(number(product, "omni:rtx:post:depthSensor:noiseMean"), 0.25);
-    // The tilt cannot be written: two of the three cameras have one.
-    assert_eq!(
-        made.findings
-            .iter()
-            .filter(|f| f.code == "lens-tilt-lost")
-            .count(),
-        2
-    );
-    // Lens schema or old names, not both.
-    assert!(!made.text().contains("ftheta"));
-
-    let document = AssetOptions {
-        aperture_offsets: ApertureOffsets::Document,
-        ..plain()
-    };
-    let left = prim(&asset(&unit, &document).unwrap(), "Camera_left_ov9282").clone();
-    near(number(&left, "horizontalApertureOffset"), 0.01875, 1e-8);
-    // Nominal cameras are centred, whatever the formula.
-    let nominal = asset(&nominal_of("oak_d_pro_poe"), &document).unwrap();
-    assert_eq!(
-        number(prim(&nominal, "Camera_left_ov9282"), "horizontalApertureOffset"),
-        0.0
-    );
-}
-
-#[test]
-fn overrides_hold_what_a_calibration_changes() {
-    let twin = nominal_of("oak_d_tof");
-    let base = OverrideBase::new("../oak_d_tof.usd", &twin, PrimNames::Document);
-    let error = overrides(&twin, &plain(), &base).unwrap_err();
-    assert!(matches!(error, AssetError::NothingToOverride { .. }), "{error}");
-
-    let unit = calibrated(twin, false);
-    let base = OverrideBase::new("../oak_d_tof.usd", &unit, PrimNames::Document);
-    let made = overrides(&unit, &plain(), &base).unwrap();
-    assert_eq!(made.layer.sub_layers, ["../oak_d_tof.usd"]);
-    assert!(!made.text().contains("def "));
-    let names: BTreeSet<&str> = made.layer.prims[0].children[0]
-        .children
-        .iter()
-        .flat_map(|prim| {
-            prim.properties
-                .iter()
-                .chain(prim.children.iter().flat_map(|p| &p.properties))
-        })
-        .map(crate::text::Property::name)
-        .filter(|name| !name.starts_with("omni:lensdistortion:"))
-        .collect();
-    let expected = [
-        "focalLength",
-        "horizontalApertureOffset",
-        "omni:rtx:post:depthSensor:focalLengthPixel",
-        "verticalApertureOffset",
-    ];
-    assert_eq!(names, BTreeSet::from(expected));
-    let product = "TemplateRenderProducts/Camera_pseudo_depth_tof_render_product";
-    let fx = unit.camera(Role::Tof).unwrap().intrinsics.fx;
-    let focal_length_px = number(prim(&made, product), "omni:rtx:post:depthSensor:focalLengthPixel");
-    assert_eq!(focal_length_px, fx.round());
-
-    let base = OverrideBase::new("../oak_d_tof.usd", &unit, PrimNames::Isaac);
-    let made = overrides(&unit, &plain(), &base).unwrap();
-    for name in [
-        "Camera_33d",
-        "Camera_pseudo_depth",
-        "Camera_pseudo_depth_tof",
-        "Camera_left_ov9782",
-    ] {
-        prim(&made, name);
-    }
-    prim(&made, "TemplateRenderProducts/Camera_pseudo_depth_render_product");
-}
-
-#[test]
-fn bodies_and_rigid_bodies() {
+fn rigid_bodies_have_mass_collider_and_materials() {
     let twin = nominal_of("oak4_d");
     let made = asset(
         &twin,
@@ -423,12 +280,12 @@ fn bodies_and_rigid_bodies() {
     let Some(Value::Float3Array(extent)) = &collider.attribute("extent").unwrap().value else {
         panic!("an extent");
     };
-    // x is along the depth, y along the width, z along the height.
+    // x is the depth, y the width, z the height.
     let [width, height, depth] = twin.device.body.dimensions_mm;
     for (axis, mm) in [depth, width, height].into_iter().enumerate() {
         near(f64::from(extent[1][axis] - extent[0][axis]), mm * 1e-3, 2e-6);
     }
-    // Every mesh has a material that is there, and no material is there for nothing.
+    // Every mesh is bound to an existing material, and every material is bound.
     let bound: BTreeSet<String> = prim(&made, "visuals")
         .children
         .iter()
@@ -442,7 +299,7 @@ fn bodies_and_rigid_bodies() {
     let materials = looks.iter().map(|m| format!("/Root/oak4_d/Looks/{}", m.name));
     assert_eq!(bound, materials.collect());
 
-    // The collider needs no visible body.
+    // The collider does not depend on the visible body.
     let bare = AssetOptions {
         body: false,
         rigid_body: true,
@@ -453,13 +310,13 @@ fn bodies_and_rigid_bodies() {
 }
 
 #[test]
-fn bad_names_and_numbers_are_refused() {
+fn rejects_invalid_names_and_numbers() {
     let mut twin = nominal_of("oak4_d");
     twin.cameras[1].spec.prim = "Camera left".into();
     let error = asset(&twin, &plain()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "OAK4-D: /Root/oak4_d: \"Camera left\" is no prim name; use letters, digits and underscores"
+        "OAK4-D: /Root/oak4_d: invalid prim name \"Camera left\"; use letters, digits and underscores"
     );
     twin.cameras[1].spec.prim = "Imu_Sensor".into();
     assert!(matches!(
@@ -480,109 +337,4 @@ fn bad_names_and_numbers_are_refused() {
         asset(&twin, &plain()),
         Err(AssetError::MissingCamera { .. })
     ));
-}
-
-/// Every option that a model can have, nominal and calibrated.
-fn every_asset() -> Vec<(String, Asset)> {
-    let mut all = Vec::new();
-    for twin in nominal() {
-        for (kind, twin) in [
-            ("nominal", twin.clone()),
-            ("rational", calibrated(twin.clone(), false)),
-            ("fisheye", calibrated(twin.clone(), true)),
-        ] {
-            for (isaac, target) in [
-                (IsaacVersion::V5_1, Target::Isaac),
-                (IsaacVersion::V6, Target::Isaac),
-                (IsaacVersion::V6, Target::Ovrtx),
-            ] {
-                // Bodies are bulky and meet no other option but the rigid body.
-                let bodies = kind == "nominal" && (isaac, target) == (IsaacVersion::V5_1, Target::Isaac);
-                for flags in (0..16u8).chain([16, 24].into_iter().filter(|_| bodies)) {
-                    let flag = |bit: u8| flags >> bit & 1 == 1;
-                    let options = AssetOptions {
-                        isaac,
-                        target,
-                        lens: if flag(0) {
-                            LensChoice::Fisheye
-                        } else {
-                            LensChoice::Pinhole
-                        },
-                        extended_disparity: flag(1),
-                        legacy_distortion: flag(2),
-                        rigid_body: flag(3),
-                        body: flag(4),
-                        ..plain()
-                    };
-                    let Ok(made) = asset(&twin, &options) else {
-                        continue;
-                    };
-                    let name = format!("{}-{kind}-{}-{}-{flags}", made.stem, isaac.name(), target.name());
-                    all.push((name, made));
-                }
-            }
-            if twin.origin != Origin::Nominal {
-                for (name, names) in [("document", PrimNames::Document), ("isaac", PrimNames::Isaac)] {
-                    let base = format!("./{}-nominal-5.1-isaac-0.usda", twin.device.id);
-                    let base = OverrideBase::new(&base, &twin, names);
-                    let made = overrides(&twin, &plain(), &base).unwrap();
-                    all.push((format!("{}-{kind}-over-{name}", twin.device.id), made));
-                }
-            }
-        }
-    }
-    all
-}
-
-#[test]
-fn same_bytes_every_time_and_relationships_reach_something() {
-    for (name, made) in every_asset() {
-        assert_eq!(
-            made.bytes(Format::Usdz).unwrap(),
-            made.bytes(Format::Usdz).unwrap()
-        );
-        let mut paths = BTreeSet::new();
-        let mut targets = Vec::new();
-        for root in &made.layer.prims {
-            walk(root, "", &mut paths, &mut targets);
-        }
-        for target in targets {
-            let prim = target.split('.').next().unwrap();
-            assert!(paths.contains(prim), "{name}: {target}");
-        }
-    }
-}
-
-fn walk(prim: &Prim, parent: &str, paths: &mut BTreeSet<String>, targets: &mut Vec<String>) {
-    use crate::text::Property;
-    let path = format!("{parent}/{}", prim.name);
-    for property in &prim.properties {
-        targets.extend(match property {
-            Property::Relationship(relationship) => relationship.targets.clone(),
-            Property::Attribute(attribute) => attribute.connections.clone(),
-        });
-    }
-    for child in &prim.children {
-        walk(child, &path, paths, targets);
-    }
-    paths.insert(path);
-}
-
-/// Writes every asset to the folder that `OAKTWIN_WRITE_ASSETS` names, for OpenUSD and the validators to look at.
-#[test]
-fn write_for_openusd() {
-    let Some(folder) = std::env::var_os("OAKTWIN_WRITE_ASSETS") else {
-        println!("skipped: OAKTWIN_WRITE_ASSETS is not set");
-        return;
-    };
-    for (name, made) in every_asset() {
-        let path = Path::new(&folder).join(name);
-        for format in [Format::Usda, Format::Usdz] {
-            if format == Format::Usdz && !made.layer.sub_layers.is_empty() {
-                continue;
-            }
-            let path = format!("{}.{}", path.display(), format.extension());
-            std::fs::write(path, made.bytes(format).unwrap()).unwrap();
-        }
-    }
 }

@@ -8,8 +8,8 @@ use super::material;
 use super::mesh::Mesh;
 use super::outline::{COARSE, MEDIUM, circle, rounded_rectangle};
 
-/// A round socket for a screwed plug: M12 or M8 by its thread's radius. It stands `height` high on the wall at
-/// `base` and looks backward.
+/// Creates a round socket for a screw-on plug (M12 or M8, depending on the thread radius), `height` high on the wall at
+/// `base`, facing backward.
 pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -> [BodyPart; 2] {
     let frame = Frame::backward(base);
     let ring = |radius: f64| circle(DVec2::ZERO, radius, MEDIUM);
@@ -37,7 +37,7 @@ pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -
     ]
 }
 
-/// A USB-C receptacle in the wall at `base`, looking backward.
+/// Creates a USB-C receptacle in the wall at `base`, facing backward.
 pub(super) fn usb_c(base: DVec3, height: f64) -> BodyPart {
     let frame = Frame::backward(base);
     let slot = |grow: f64| rounded_rectangle(DVec2::ZERO, DVec2::new(4.2, 1.3) + grow, 1.3 + grow, COARSE);
@@ -50,7 +50,7 @@ pub(super) fn usb_c(base: DVec3, height: f64) -> BodyPart {
     loft(frame, &stations, End::Flat, End::Flat).into_part("usb_c", material::NICKEL)
 }
 
-/// The heads of socket screws on walls at `bases`, looking backward.
+/// Creates the heads of socket screws on walls at `bases`, facing backward.
 pub(super) fn screws(bases: impl IntoIterator<Item = DVec3>) -> BodyPart {
     let ring = |radius: f64| circle(DVec2::ZERO, radius, COARSE);
     let stations = [

@@ -8,21 +8,22 @@ use super::plate::{Opening, plate};
 use super::window::{self, Window};
 use super::{BodyPart, Envelope, Family};
 
-/// How far the glass lies behind the front face, mm.
+/// The distance of the glass behind the front face, mm.
 const INSET: f64 = 0.35;
-/// Its thickness, mm.
+/// The thickness of the glass, mm.
 const THICKNESS: f64 = 1.4;
 
-/// The front glass and the openings in it, mm.
+/// The front glass and its openings, mm.
 #[derive(Clone, Debug)]
 pub(super) struct Panel {
     centre: DVec2,
     half: DVec2,
     radius: f64,
-    /// Of the glass.
+    /// x of the front of the glass.
     front_x: f64,
+    /// x of the back of the glass.
     back_x: f64,
-    /// Of the pocket behind the glass.
+    /// x of the floor of the pocket behind the glass.
     pub(super) floor_x: f64,
     windows: Vec<Window>,
     cuts: Vec<f64>,
@@ -35,7 +36,7 @@ impl Panel {
             Family::Comb => 2.6,
         } * (envelope.half.min_element() / 20.0).min(1.0);
         let whole = envelope.half - rim;
-        // A tall front is glass only around the cameras.
+        // On a tall front, the glass covers the area around the cameras only.
         let half = DVec2::new(whole.x, whole.y.min(0.48 * whole.x));
         let cameras = twin
             .cameras
@@ -74,7 +75,7 @@ impl Panel {
         }
     }
 
-    /// The outline of the pocket that holds the glass.
+    /// Returns the outline of the pocket that holds the glass.
     pub(super) fn pocket(&self) -> Outline {
         self.outline(0.0)
     }
@@ -84,7 +85,7 @@ impl Panel {
     }
 }
 
-/// The glass and what is seen in and behind it.
+/// Creates the glass and the parts visible in and behind it.
 pub(super) fn parts(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let mut parts = vec![glass(panel)];
     for window in &panel.windows {
@@ -121,7 +122,7 @@ fn glass(panel: &Panel) -> BodyPart {
     mesh.into_part("front_glass", material::GLASS)
 }
 
-/// The stepped wall of the opening, from the lens to the glass.
+/// Creates the stepped wall of the opening, from the lens to the glass.
 fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
     let height = panel.back_x - window.lens_x;
     if height < 0.3 {
@@ -132,13 +133,13 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
     let mut stations = vec![(back_x, outer.clone()), (panel.back_x, outer)];
     let steps = [1.0, 2.1, 5.0]
         .into_iter()
-        .filter(|least| height > *least)
+        .filter(|min| height > *min)
         .count()
         .max(1);
     for step in (0..steps).rev() {
         let top = window.lens_x + height * fraction(step + 1, steps);
         let bottom = window.lens_x + height * fraction(step, steps);
-        // As wide as at its top all the way down: outside of what the camera sees.
+        // Each step is as wide as its top over its full height, so it stays outside the camera's view.
         let wall = window.outline(top, 0.0);
         stations.push((top, wall.clone()));
         stations.push((bottom, wall));
@@ -150,7 +151,7 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
     Some(mesh.into_part(&format!("hood_{}", window.suffix()), material::PLASTIC))
 }
 
-/// A thin ring on the glass around the opening.
+/// Creates a thin ring on the glass around the opening.
 fn bezel(window: &Window, panel: &Panel) -> BodyPart {
     let x = panel.front_x;
     let ring = |grow| window.outline(x, grow);
@@ -164,7 +165,7 @@ fn bezel(window: &Window, panel: &Panel) -> BodyPart {
         .into_part(&format!("bezel_{}", window.suffix()), material::NICKEL)
 }
 
-/// The barrel and the front element, just behind the optical centre.
+/// Creates the barrel and the front element, just behind the optical centre.
 fn lens(window: &Window, panel: &Panel) -> [BodyPart; 2] {
     let top = window.lens_x.min(panel.front_x) - 0.05;
     let radius = window.lens_radius - 0.03;
@@ -178,7 +179,7 @@ fn lens(window: &Window, panel: &Panel) -> [BodyPart; 2] {
         (top - 1.2, ring(0.74)),
     ];
     let barrel = loft(Frame::FORWARD, &barrel, End::Flat, End::Flat);
-    // A spherical cap: sagitta 0.3 of the base's radius.
+    // A spherical cap whose sagitta is 0.3 times the radius of its base.
     let (base_x, base, sagitta) = (top - 1.35, 0.76 * radius, 0.3 * 0.76 * radius);
     let sphere = (base * base + sagitta * sagitta) / (2.0 * sagitta);
     let widest = (base / sphere).asin();
@@ -195,7 +196,7 @@ fn lens(window: &Window, panel: &Panel) -> [BodyPart; 2] {
     ]
 }
 
-/// The dot projector and the flood light, or the emitter of a time-of-flight camera.
+/// Creates the dot projector and the flood light, or the emitter of a time-of-flight camera.
 fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let mut parts = Vec::new();
     let place = |role| {
@@ -209,7 +210,7 @@ fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
         rounded_rectangle(centre, half + grow, radius + grow, FINE)
     };
     let mut rectangle = |name: &str, centre: DVec2, half: DVec2| {
-        if !free(panel, centre, half) {
+        if !is_free(panel, centre, half) {
             return;
         }
         let frame = [
@@ -231,14 +232,14 @@ fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     if let Some([_, y, z]) = twin.device.body.projector_mm {
         let projector = DVec2::new(y, z);
         rectangle("dot_projector", projector, DVec2::new(2.9, 2.1));
-        // No source places the flood light: mirrored about the colour camera.
+        // No source states the flood light's position: it mirrors the projector about the colour camera.
         let about = place(Role::Rgb).map_or(envelope.front.y, |centre| centre.x);
         let flood = DVec2::new(2.0 * about - y, z);
-        if free(panel, flood, DVec2::splat(2.6)) {
+        if is_free(panel, flood, DVec2::splat(2.6)) {
             parts.extend(flood_light(flood, x));
         }
     } else if let Some(tof) = place(Role::Tof) {
-        // No source places the emitter: above its camera, midway to the edge of the glass.
+        // No source states the emitter's position: it is above its camera, midway to the edge of the glass.
         let opening = panel.windows.iter().find(|window| window.role == Role::Tof);
         let lower = tof.y + opening.map_or(0.0, |window| window.half().y);
         let upper = panel.centre.y + panel.half.y;
@@ -270,8 +271,8 @@ fn flood_light(centre: DVec2, x: f64) -> [BodyPart; 2] {
     ]
 }
 
-/// Whether a light of this size is on the panel and clear of all openings.
-fn free(panel: &Panel, centre: DVec2, half: DVec2) -> bool {
+/// Whether a light of this size fits on the panel without touching an opening.
+fn is_free(panel: &Panel, centre: DVec2, half: DVec2) -> bool {
     let half = half + 1.0;
     let inside = ((centre - panel.centre).abs() + half).cmple(panel.half).all();
     inside

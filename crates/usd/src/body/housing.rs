@@ -9,10 +9,10 @@ use super::mesh::Mesh;
 use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
 use super::{BodyPart, Envelope, Family, fastener};
 
-/// Segments of a rounded edge.
+/// The number of segments of a rounded edge.
 const FILLET: usize = 4;
 
-/// Everything behind the front glass.
+/// Creates everything behind the front glass.
 pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<BodyPart> {
     match family {
         Family::Bar => bar(envelope, panel),
@@ -21,8 +21,8 @@ pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<B
     }
 }
 
-/// A prism of the outer dimensions with the corners of its outline cut off: so few faces that no array of it is
-/// longer than 64, beyond which NVIDIA's validator asks for OpenUSD's binary format.
+/// Creates a prism of the outer dimensions with cut corners. Its arrays have at most 64 elements: above that, NVIDIA's
+/// validator requires OpenUSD's binary format.
 pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let outline = || rounded_rectangle(envelope.centre(), envelope.half, radius, 2);
@@ -30,7 +30,7 @@ pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
     loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
 }
 
-/// The block that holds the glass: from `back_x` to the front face, as wide and high as the envelope.
+/// Creates the block that holds the glass, from `back_x` to the front face, as wide and high as the envelope.
 fn shell(envelope: &Envelope, family: Family, panel: &Panel, back_x: f64, metal: &'static str) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let front_x = envelope.front.x;
@@ -67,7 +67,7 @@ fn shell(envelope: &Envelope, family: Family, panel: &Panel, back_x: f64, metal:
     loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
 }
 
-/// A vertical fin: its middle's y, its extents along x and z.
+/// Creates a vertical fin centred at `y` that spans `x` and `z`.
 fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
     let centre = DVec2::new((z[0] + z[1]) / 2.0, (x[0] + x[1]) / 2.0);
     let half = DVec2::new((z[1] - z[0]).abs() / 2.0, (x[1] - x[0]).abs() / 2.0);
@@ -87,7 +87,7 @@ fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
     )
 }
 
-/// Evenly spaced from `-half` to `half`, about `pitch` apart.
+/// Returns evenly spaced positions from `-half` to `half`, about `pitch` apart.
 fn spread(half: f64, pitch: f64) -> impl Iterator<Item = f64> {
     #[expect(
         clippy::cast_possible_truncation,
@@ -166,7 +166,7 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let block_back = (panel.floor_x - 3.0).max(back + 0.4 * envelope.depth);
     let mut parts = vec![shell(envelope, Family::Comb, panel, block_back, metal)];
 
-    // The core that the fins stand on, and the bay for the connectors.
+    // The core that carries the fins, and the bay for the connectors.
     let wall = back + 0.12 * envelope.depth;
     let fin_depth = 0.17 * half.y.min(40.0);
     let core_half = half - DVec2::new(0.5, fin_depth);
@@ -183,7 +183,7 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let thickness = 1.9;
     let reach = half.y;
     let mut fins = Mesh::default();
-    // As far as the block's round corners leave its full height.
+    // Fins cover the width over which the block's rounded corners leave its full height.
     for y in spread(half.x - radius.max(3.0) - thickness / 2.0, 4.8) {
         let bottom = if y.abs() < bay_half { 0.1 * half.y } else { -reach };
         let x = [back, block_back + 2.5];

@@ -3,7 +3,7 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use super::mesh::Mesh;
 use super::outline::Outline;
 
-/// Right-handed axes: outlines are drawn in (u, v) and swept along w.
+/// A right-handed frame: outlines lie in (u, v) and are swept along w.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     origin: DVec3,
@@ -13,7 +13,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Towards the front: (u, v, w) is (y, z, x).
+    /// The frame that points forward: (u, v, w) is (y, z, x).
     pub(super) const FORWARD: Self = Self {
         origin: DVec3::ZERO,
         u: DVec3::Y,
@@ -21,7 +21,7 @@ impl Frame {
         w: DVec3::X,
     };
 
-    /// Towards the back from a place: (u, v, w) is (-y, z, -x).
+    /// Returns the frame at `origin` that points backward: (u, v, w) is (-y, z, -x).
     pub(super) const fn backward(origin: DVec3) -> Self {
         Self {
             origin,
@@ -31,7 +31,7 @@ impl Frame {
         }
     }
 
-    /// Towards the left from a place: (u, v, w) is (z, x, y).
+    /// Returns the frame at `origin` that points left: (u, v, w) is (z, x, y).
     pub(super) const fn left(origin: DVec3) -> Self {
         Self {
             origin,
@@ -46,19 +46,19 @@ impl Frame {
     }
 }
 
-/// How a loft ends.
+/// The shape of an end of a loft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
-    /// With its outline, filled.
+    /// The filled outline.
     Flat,
-    /// In a point on the axis at this w.
+    /// A point on the axis at this w.
     Pole(f64),
-    /// At its own beginning: a ring.
+    /// No end: the loft is a ring that closes on itself.
     Closed,
 }
 
-/// Joins outlines of one count, in order. Outside is on the right hand of the path seen with the axis to its left:
-/// along +w the surface faces outward, along -w inward (the wall of a pocket).
+/// Joins outlines of equal length, in order. Along +w the surface faces outward, along -w inward (the wall of a
+/// pocket).
 pub(super) fn loft(frame: Frame, stations: &[(f64, Outline)], start: End, end: End) -> Mesh {
     let mut mesh = Mesh::default();
     let Some(count) = stations.first().map(|(_, outline)| outline.len()) else {
@@ -90,7 +90,7 @@ fn cap(mesh: &mut Mesh, frame: Frame, outline: &[DVec2], first: usize, end: End,
     let count = outline.len();
     match end {
         End::Flat => {
-            // Strips between mirrored points: no fans, no slivers at a centre.
+            // Strips between mirrored points avoid fans with slivers at a centre.
             for i in 0..count / 2 - 1 {
                 let [a, b, c, d] = [i, i + 1, count - 2 - i, count - 1 - i].map(|k| first + k);
                 if reversed {

@@ -1,9 +1,9 @@
 use super::BodyPart;
 
-/// Inputs of a `UsdPreviewSurface`.
+/// The inputs of a `UsdPreviewSurface`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyMaterial {
-    /// A valid prim name.
+    /// The name, valid as a prim name.
     pub name: &'static str,
     /// `diffuseColor`, linear.
     pub diffuse: [f32; 3],
@@ -11,7 +11,7 @@ pub struct BodyMaterial {
     pub metallic: f32,
     /// `roughness`.
     pub roughness: f32,
-    /// `opacity`: 1 everywhere, so that no renderer needs translucency.
+    /// `opacity`: 1 for all materials, so that renderers need not support translucency.
     pub opacity: f32,
     /// `ior`.
     pub ior: f32,
@@ -46,7 +46,7 @@ const fn new(
     }
 }
 
-/// In order of name.
+/// All materials, sorted by name.
 const ALL: [BodyMaterial; 8] = [
     new(ALUMINIUM, [0.19, 0.2, 0.215], 0.75, 0.42, 0.0),
     new(BLACK_ALUMINIUM, [0.045, 0.047, 0.052], 0.6, 0.45, 0.0),
@@ -58,7 +58,7 @@ const ALL: [BodyMaterial; 8] = [
     new(NICKEL, [0.55, 0.54, 0.51], 1.0, 0.3, 0.0),
 ];
 
-/// The materials that the parts name.
+/// Returns the materials that the parts use.
 pub(super) fn used(parts: &[BodyPart]) -> Vec<BodyMaterial> {
     ALL.into_iter()
         .filter(|material| parts.iter().any(|part| part.material == material.name))

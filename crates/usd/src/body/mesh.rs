@@ -2,10 +2,10 @@ use oaktwin_camera::math::DVec3;
 
 use super::BodyPart;
 
-/// Faces that meet at more than this are a crease: cos 35°.
+/// The cosine of the crease angle, 35°: faces that meet at a larger angle form a crease.
 const CREASE_COS: f64 = 0.819_152_044_288_991_8;
 
-/// A mesh being built, mm, in the body frame.
+/// A mesh under construction in the body frame, mm.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Mesh {
     pub(super) points: Vec<DVec3>,
@@ -32,7 +32,7 @@ impl Mesh {
             .extend(other.indices.iter().map(|index| first + index));
     }
 
-    /// The part in metres, with normals averaged by area across edges that are no creases.
+    /// Converts to a part in metres whose normals are averaged, weighted by area, across all edges except creases.
     pub(super) fn into_part(self, name: &str, material: &'static str) -> BodyPart {
         let normals = self.normals();
         let integer = |value: &usize| i32::try_from(*value).unwrap_or(i32::MAX);
@@ -50,7 +50,7 @@ impl Mesh {
         }
     }
 
-    /// A unit normal for each corner: the sum over those faces around its vertex that continue its own smoothly.
+    /// Returns a unit normal for each corner: the area-weighted sum over the faces at its vertex that join its own smoothly.
     fn normals(&self) -> Vec<[f32; 3]> {
         let mut face_of_corner = Vec::with_capacity(self.indices.len());
         let mut areas = Vec::with_capacity(self.counts.len());
@@ -69,7 +69,7 @@ impl Mesh {
         let mut normals = vec![[0.0; 3]; self.indices.len()];
         for vertex in 0..self.points.len() {
             let corners = vertices.corners(vertex);
-            // Which faces continue which, a bit each. No fan of ours has more blades than that; beyond, facets.
+            // A bit matrix of the faces that join smoothly. Vertices here have at most 64 faces; further ones are flat.
             let mut continues = [0_u64; 64];
             let count = corners.len().min(continues.len());
             let mut faces = [0; 64];
@@ -86,7 +86,7 @@ impl Mesh {
             for (i, &corner) in corners.iter().enumerate() {
                 let own = face_of_corner[corner];
                 let others = continues.get(i).copied().unwrap_or(0);
-                // Most corners of a vertex continue the same faces as the one before.
+                // Most corners of a vertex join the same faces as the previous one.
                 if others == 0 || others != known.0 {
                     let sum: DVec3 = (0..count)
                         .filter(|j| others >> j & 1 == 1)
@@ -100,10 +100,10 @@ impl Mesh {
         normals
     }
 
-    /// Twice the area, along the normal.
+    /// Returns a vector along the normal whose length is twice the area.
     fn area_vector(&self, face: &[usize]) -> DVec3 {
         match *face {
-            // By the diagonals.
+            // The cross product of the diagonals.
             [a, b, c, d] => (self.points[c] - self.points[a]).cross(self.points[d] - self.points[b]),
             [a, b, c] => (self.points[b] - self.points[a]).cross(self.points[c] - self.points[a]),
             _ => DVec3::ZERO,
@@ -111,7 +111,7 @@ impl Mesh {
     }
 }
 
-/// The corners of faces at each vertex, as one flat table.
+/// The face corners at each vertex, in one flat table.
 struct Vertices {
     starts: Vec<usize>,
     corners: Vec<usize>,
@@ -140,9 +140,9 @@ impl Vertices {
     }
 }
 
-/// `value × scale` to a multiple of `step`: short in text, and never `-0`.
+/// Rounds `value × scale` to a multiple of `step`, which keeps the text short. The result is never `-0`.
 fn rounded(value: DVec3, scale: f64, step: f64) -> [f32; 3] {
-    // Adding 1.5 × 2^52 leaves no fraction bits: rounding without a library call, for all that fits a body.
+    // Adding 1.5 × 2^52 leaves no fraction bits, which rounds without a library call for all values in range.
     const WHOLE: DVec3 = DVec3::splat(6_755_399_441_055_744.0);
     ((value * (scale / step) + WHOLE - WHOLE) * step + DVec3::ZERO)
         .as_vec3()

@@ -1,12 +1,11 @@
-//! The look of a camera: closed meshes and preview materials, built from the catalog's outer dimensions and the twin's
-//! optical centres. Pure geometry, no USD library.
+//! The visible body of a camera: closed meshes and preview materials, built from the catalog's outer dimensions and the
+//! twin's optical centres. Pure geometry, without the USD library.
 //!
-//! Outer dimensions, front face and lens places follow the data; all other proportions are our own, made to be
-//! recognized rather than measured.
+//! Outer dimensions, front face and lens positions follow the data. All other proportions are chosen to make the model
+//! recognizable; they are not measured.
 //!
-//! A twin's virtual cameras sit inside the body, where the real ones do. A renderer takes every triangle beyond a
-//! camera's near plane for scenery, so the front glass has real openings: nothing of the body lies inside the
-//! pyramid that a pinhole camera sees.
+//! A twin's virtual cameras are inside the body, like the real ones. Renderers draw every triangle beyond a camera's
+//! near plane, so the front glass has openings: no part of the body is inside a pinhole camera's view frustum.
 
 mod fastener;
 mod front;
@@ -25,53 +24,53 @@ use oaktwin_catalog::{Role, Twin};
 
 pub use material::BodyMaterial;
 
-/// One closed, outward-wound mesh in the body frame (x forward, y left, z up), m.
+/// A closed mesh with outward-facing normals in the body frame (x forward, y left, z up), in metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// A valid, unique prim name.
+    /// The name, valid and unique as a prim name.
     pub name: String,
-    /// Vertices, m, on a grid of 1 µm.
+    /// The vertices in metres, on a grid of 1 µm.
     pub points: Vec<[f32; 3]>,
-    /// Vertices of each face: 3 or 4.
+    /// The number of vertices of each face: 3 or 4.
     pub face_vertex_counts: Vec<i32>,
     /// Indices into `points`, counter-clockwise seen from outside.
     pub face_vertex_indices: Vec<i32>,
-    /// Unit normals, one per entry of `face_vertex_indices` (`faceVarying`), to 4 decimals.
+    /// The unit normals, one per entry of `face_vertex_indices` (`faceVarying`), rounded to 4 decimals.
     pub normals: Vec<[f32; 3]>,
     /// The name of a [`BodyMaterial`].
     pub material: &'static str,
 }
 
-/// A camera's body.
+/// The body of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyModel {
-    /// What is seen. Parts may touch and overlap; each is closed by itself.
+    /// The visible parts. They may touch and overlap; each is closed.
     pub parts: Vec<BodyPart>,
-    /// The materials that the parts name, each once, in order of name.
+    /// The materials that the parts use, sorted by name.
     pub materials: Vec<BodyMaterial>,
-    /// A convex mesh of the outer dimensions.
+    /// A convex mesh with the outer dimensions.
     pub collider: BodyPart,
 }
 
-/// The shapes that a body comes in.
+/// The basic shape of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
-    /// A long bar with fins between the connectors: RVC2.
+    /// A long bar with fins between the connectors (RVC2).
     Bar,
-    /// A bar in front of a comb of fins: RVC4.
+    /// A bar in front of a comb of fins (RVC4).
     Comb,
-    /// A short box: time of flight.
+    /// A short box (time of flight).
     Box,
 }
 
-/// The frame that all parts are fitted into, mm.
+/// The outer dimensions that all parts fit into, mm.
 #[derive(Clone, Copy, Debug)]
 struct Envelope {
     /// The centre of the front face.
     front: DVec3,
-    /// Half of the width and of the height.
+    /// Half the width and half the height.
     half: DVec2,
-    /// Along x.
+    /// The depth along x.
     depth: f64,
 }
 
@@ -85,7 +84,7 @@ impl Envelope {
         }
     }
 
-    /// The centre of the front face in the y-z plane.
+    /// Returns the centre of the front face in the y-z plane.
     fn centre(&self) -> DVec2 {
         DVec2::new(self.front.y, self.front.z)
     }
@@ -94,7 +93,7 @@ impl Envelope {
         self.front.x - self.depth
     }
 
-    /// Radius of the edges that run from front to back.
+    /// Returns the radius of the edges that run from front to back.
     fn corner_radius(&self, family: Family) -> f64 {
         let share = match family {
             Family::Bar => 0.46,
@@ -105,10 +104,10 @@ impl Envelope {
     }
 }
 
-/// Builds the body of a twin, the same for the same input.
+/// Builds the body of a twin. The result is deterministic.
 ///
-/// The data must be a checked catalog's: positive, finite dimensions. A camera that the front has no room for gets
-/// no opening.
+/// Dimensions must be positive and finite, as in a checked catalog. A camera that does not fit the front gets no
+/// opening.
 #[must_use]
 pub fn body(twin: &Twin) -> BodyModel {
     let envelope = Envelope::of(twin);

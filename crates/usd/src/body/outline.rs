@@ -2,18 +2,18 @@ use std::f64::consts::FRAC_PI_2;
 
 use oaktwin_camera::math::DVec2;
 
-/// Points of a convex outline in one quadrant.
+/// The number of points per quadrant of a convex outline.
 pub(super) const FINE: usize = 6;
-/// The same for connectors.
+/// The number of points per quadrant for connectors.
 pub(super) const MEDIUM: usize = 4;
-/// The same for small things.
+/// The number of points per quadrant for small parts.
 pub(super) const COARSE: usize = 2;
 
-/// A counter-clockwise convex polygon, symmetric about both of its axes, `4 × quadrant` points; it starts in the
-/// first quadrant. Outlines of one count are lofted into each other point by point.
+/// A counter-clockwise convex polygon of `4 × quadrant` points, symmetric about both axes, that starts in the first
+/// quadrant. Outlines of equal length are lofted into each other point by point.
 pub(super) type Outline = Vec<DVec2>;
 
-/// A rectangle with round corners. The radius is kept within what fits.
+/// Returns a rectangle with rounded corners. The radius is limited to what fits.
 pub(super) fn rounded_rectangle(centre: DVec2, half: DVec2, radius: f64, quadrant: usize) -> Outline {
     let radius = radius
         .min(0.999 * half.min_element())
@@ -32,7 +32,7 @@ pub(super) fn rounded_rectangle(centre: DVec2, half: DVec2, radius: f64, quadran
     points
 }
 
-/// A regular polygon whose vertices avoid the axes, so that it matches [`rounded_rectangle`] point by point.
+/// Returns a regular polygon whose vertices avoid the axes, so that it matches [`rounded_rectangle`] point by point.
 pub(super) fn circle(centre: DVec2, radius: f64, quadrant: usize) -> Outline {
     (0..4 * quadrant)
         .map(|step| {
@@ -42,12 +42,12 @@ pub(super) fn circle(centre: DVec2, radius: f64, quadrant: usize) -> Outline {
         .collect()
 }
 
-/// From `a` (0) to `b` (1), point by point.
+/// Interpolates from `a` (0) to `b` (1), point by point.
 pub(super) fn blend(a: &[DVec2], b: &[DVec2], share: f64) -> Outline {
     a.iter().zip(b).map(|(&a, &b)| a.lerp(b, share)).collect()
 }
 
-/// `part / whole` of two small counts.
+/// Returns `part / whole` of two small counts.
 pub(super) fn fraction(part: usize, whole: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "both are counts of a few dozen")]
     let (part, whole) = (part as f64, whole as f64);

@@ -4,20 +4,20 @@ use super::loft::Frame;
 use super::mesh::Mesh;
 use super::outline::Outline;
 
-/// A convex opening through a plate: its outlines at the front and the back, of one count.
+/// A convex opening through a plate, with front and back outlines of equal length.
 #[derive(Clone, Debug)]
 pub(super) struct Opening {
     pub(super) front: Outline,
     pub(super) back: Outline,
 }
 
-/// A plate with openings, from `back_x` to `front_x`; its front edge is bevelled.
+/// Creates a plate with openings whose outer outline is `outer[i]` at x = `levels[i]`, from back to front.
 ///
-/// The openings are in order of falling u, and `cuts` are the u of lines between them, one fewer.
+/// The openings are sorted by descending u. `cuts` holds the u of the lines between them, one fewer.
 pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening], cuts: &[f64]) -> Mesh {
     let frame = Frame::FORWARD;
     let mut mesh = Mesh::default();
-    // Seams cross the outer outline at the same share of the same edges on every level.
+    // Seams cross the outer outline at the same fraction of the same edges on every level.
     let splits = split(&outer[0], cuts);
     let rings: Vec<Vec<usize>> = outer
         .iter()
@@ -65,7 +65,7 @@ pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening]
     mesh
 }
 
-/// A place on an outline: a share of the edge that starts at a vertex; the cut that made it, if any.
+/// A point on an outline: a fraction of the edge that starts at a vertex, and the cut that created it, if any.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     edge: usize,
@@ -79,7 +79,7 @@ impl Place {
     }
 }
 
-/// The vertices of an outline, and where vertical lines cross it.
+/// Returns the vertices of an outline and its intersections with vertical lines.
 fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
     let mut places = Vec::with_capacity(outline.len() + 2 * cuts.len());
     for edge in 0..outline.len() {
@@ -105,16 +105,16 @@ fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
     places
 }
 
-/// The places of a cut: on the upper and on the lower side.
+/// Returns the upper and the lower point of a cut.
 fn seam(places: &[Place], flat: &[DVec2], cut: usize) -> (usize, usize) {
     let mut on_cut = (0..places.len()).filter(|&i| places[i].cut == Some(cut));
     let (a, b) = (on_cut.next().unwrap_or(0), on_cut.next().unwrap_or(0));
     if flat[a].y > flat[b].y { (a, b) } else { (b, a) }
 }
 
-/// The outline of the cell around an opening, counter-clockwise. Seams fall in u.
+/// Returns the outline of the cell around an opening, counter-clockwise. Seams are sorted by descending u.
 fn cell(count: usize, index: usize, seams: &[(usize, usize)]) -> Vec<usize> {
-    // From its right seam's lower end counter-clockwise to that seam's upper end, and on to the left seam.
+    // The outline runs counter-clockwise from the right seam's lower end to its upper end and on to the left seam.
     let left = seams.get(index);
     let right = index.checked_sub(1).and_then(|i| seams.get(i));
     let run = |from: usize, to: usize| {
@@ -140,8 +140,8 @@ fn walls(mesh: &mut Mesh, near: &[usize], far: &[usize]) {
 
 /// Fills the band between a convex opening and the convex cell around it, both counter-clockwise in (y, z).
 ///
-/// An edge of the one is joined to the vertex of the other that lies farthest along the edge's normal: by convexity no
-/// triangle turns over. In order of the edges' directions this walks around both once.
+/// Each edge of one ring is joined to the vertex of the other that lies farthest along the edge's normal; by convexity
+/// no triangle is flipped. Edges are visited in order of direction, once around both rings.
 fn bridge(mesh: &mut Mesh, hole: &[usize], cell: &[usize], reversed: bool) {
     let at = |mesh: &Mesh, i: usize| DVec2::new(mesh.points[i].y, mesh.points[i].z);
     let edge = |mesh: &Mesh, ring: &[usize], i: usize| {

@@ -63,7 +63,7 @@ fn volume(part: &BodyPart) -> f64 {
         .sum()
 }
 
-/// Closed, wound consistently and outward, without degenerate faces, with fitting unit normals.
+/// Asserts that a part is closed, consistently wound outward, without degenerate faces and with matching unit normals.
 fn check(part: &BodyPart, at: &str) {
     let points = points(part);
     assert!(points.iter().all(|point| point.is_finite()), "{at}");
@@ -121,9 +121,9 @@ fn every_part_is_a_closed_solid() {
     }
 }
 
-/// Calibrated units are never nominal, and users bring devices of their own.
+/// Calibrated units and user-defined devices differ from the nominal models.
 #[test]
-fn odd_twins_still_give_closed_solids() {
+fn unusual_twins_have_closed_solids() {
     for nominal in twins() {
         for (scale, shift_mm, turn) in [
             (1.0, 1.3, 0.05),
@@ -159,7 +159,7 @@ fn odd_twins_still_give_closed_solids() {
 }
 
 #[test]
-fn outer_dimensions_are_the_catalogs() {
+fn outer_dimensions_match_the_catalog() {
     for twin in twins() {
         let model = body(&twin);
         let [width, height, depth] = twin.device.body.dimensions_mm;
@@ -182,7 +182,7 @@ fn outer_dimensions_are_the_catalogs() {
 }
 
 #[test]
-fn names_and_materials_fit() {
+fn names_and_materials_are_consistent() {
     for twin in twins() {
         let BodyModel {
             parts,
@@ -237,7 +237,7 @@ fn the_collider_is_convex() {
     }
 }
 
-/// Distances along a ray to the triangles that it meets.
+/// Returns the distances along a ray to the triangles that it hits.
 fn hits<'a>(triangles: &'a [[DVec3; 3]], origin: DVec3, direction: DVec3) -> impl Iterator<Item = f64> + 'a {
     // Möller and Trumbore 1997.
     triangles.iter().filter_map(move |&[a, b, c]| {
@@ -255,7 +255,7 @@ fn hits<'a>(triangles: &'a [[DVec3; 3]], origin: DVec3, direction: DVec3) -> imp
     })
 }
 
-/// Every face within what a pinhole of the camera sees; the last item is z of the hit in the camera's frame, m.
+/// Returns the pixels at which a camera's pinhole sees the body, with z of the hit in the camera frame, in metres.
 fn seen_body(twin: &Twin, camera: &TwinCamera) -> Vec<(DVec2, f64)> {
     let all: Vec<[DVec3; 3]> = body(twin).parts.iter().flat_map(triangles).collect();
     let size = camera.intrinsics.size;
@@ -268,7 +268,7 @@ fn seen_body(twin: &Twin, camera: &TwinCamera) -> Vec<(DVec2, f64)> {
                 .intrinsics
                 .normalized_from_pixel(PixelPoint::<Usd>::new(pixel.x, pixel.y));
             let ray = camera.body_from_camera.rotation * pinhole.extend(1.0);
-            // The ray's z is 1 in the camera's frame, so its parameter is z.
+            // The ray's z is 1 in the camera frame, so its parameter is z.
             let found = hits(&all, camera.body_from_camera.translation, ray);
             seen.extend(found.map(|z| (pixel, z)));
         }
@@ -292,9 +292,9 @@ fn no_camera_sees_its_own_body() {
     }
 }
 
-/// Where triangles overlap, their areas add up to more than the outlines enclose.
+/// Overlapping triangles would include some with reversed winding.
 #[test]
-fn the_glass_covers_its_front_once() {
+fn glass_triangles_do_not_overlap() {
     for twin in twins() {
         let model = body(&twin);
         let glass = model
@@ -322,7 +322,7 @@ fn the_glass_covers_its_front_once() {
 }
 
 #[test]
-fn same_twin_same_body() {
+fn bodies_are_deterministic() {
     for twin in twins() {
         assert_eq!(body(&twin), body(&twin));
     }

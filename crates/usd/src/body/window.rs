@@ -4,21 +4,21 @@ use oaktwin_catalog::{Role, TwinCamera};
 
 use super::outline::{FINE, Outline, blend, circle, rounded_rectangle};
 
-/// Room between what a camera sees and the edge of its opening, at the front, mm.
+/// The margin between a camera's view frustum and the edge of its opening at the front, mm.
 const MARGIN: f64 = 0.7;
-/// The widest round opening that still looks like a lens, mm.
+/// The maximum radius of a round opening, mm.
 const MAX_ROUND: f64 = 14.0;
-/// The least room between two openings, mm.
+/// The minimum distance between two openings, mm.
 const WEB: f64 = 0.6;
 
-/// The opening in front of one camera: it grows from the lens, at the optical centre, to the front face, around the
-/// pyramid that the camera sees. mm.
+/// The opening in front of one camera, mm: it widens from the lens, at the optical centre, to the front face, around
+/// the camera's view frustum.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
     pub(super) role: Role,
-    /// In the y-z plane.
+    /// The centre in the y-z plane.
     pub(super) centre: DVec2,
-    /// Of the optical centre.
+    /// x of the optical centre.
     pub(super) lens_x: f64,
     pub(super) lens_radius: f64,
     front_x: f64,
@@ -35,7 +35,7 @@ impl Shape {
     fn outline(self, centre: DVec2, grow: f64) -> Outline {
         match self {
             Self::Round(radius) => circle(centre, radius + grow, FINE),
-            // A corner radius of 3.4 margins still leaves the pyramid's corner free.
+            // Up to a corner radius of 3.4 margins, the frustum's corner stays clear.
             Self::Rectangle(half) => rounded_rectangle(centre, half + grow, 3.0 * MARGIN + grow, FINE),
         }
     }
@@ -63,7 +63,7 @@ impl Shape {
 }
 
 impl Window {
-    /// The opening's outline where a plane x = const cuts it, that much larger all around.
+    /// Returns the opening's cross-section at `x`, enlarged by `grow` on all sides.
     pub(super) fn outline(&self, x: f64, grow: f64) -> Outline {
         let lens = circle(self.centre, self.lens_radius + grow, FINE);
         let span = self.front_x - self.lens_x;
@@ -74,12 +74,12 @@ impl Window {
         blend(&lens, &front, ((x - self.lens_x) / span).clamp(0.0, 1.0))
     }
 
-    /// Half of the opening's extent at the front.
+    /// Returns half the opening's extent at the front.
     pub(super) fn half(&self) -> DVec2 {
         self.shape.half()
     }
 
-    /// The name that parts of this camera end in.
+    /// Returns the suffix of the names of this camera's parts.
     pub(super) fn suffix(&self) -> &'static str {
         match self.role {
             Role::Rgb => "rgb",
@@ -90,13 +90,13 @@ impl Window {
     }
 }
 
-/// What one camera asks for.
-struct Wish {
+/// The opening that one camera requires.
+struct Candidate {
     window: Window,
     rectangle: DVec2,
 }
 
-impl Wish {
+impl Candidate {
     fn of(camera: &TwinCamera, front_x: f64) -> Option<Self> {
         let centre = camera.body_from_camera.translation * 1e3;
         let reach = (front_x - centre.x).max(0.0);
@@ -104,13 +104,13 @@ impl Wish {
         let mut radius: f64 = 0.0;
         for direction in border(camera) {
             if direction.x <= 1e-3 {
-                continue; // It never reaches the front; the limits below decide.
+                continue; // It never reaches the front; the limits below apply.
             }
             let offset = DVec2::new(direction.y, direction.z) * (reach / direction.x);
             extent = extent.max(offset.abs());
             radius = radius.max(offset.length());
         }
-        // A fisheye sees more, but its corners are within the near plane of any front that is nearer than 10 mm.
+        // A fisheye sees more, but at a front nearer than 10 mm its corners are within the near plane.
         if let Some(span) = camera.spec.fisheye_hfov_deg {
             let side = reach * (span.min(170.0) / 2.0).to_radians().tan();
             extent.x = extent.x.max(side);
@@ -121,7 +121,7 @@ impl Wish {
             (_, Some(_)) => 4.2,
             _ => 3.3,
         };
-        let least = lens_radius + MARGIN;
+        let min_half = lens_radius + MARGIN;
         (centre.is_finite() && extent.is_finite() && radius.is_finite()).then(|| Self {
             window: Window {
                 role: camera.spec.role,
@@ -129,14 +129,14 @@ impl Wish {
                 lens_x: centre.x,
                 lens_radius,
                 front_x,
-                shape: Shape::Round((radius + MARGIN).max(least)),
+                shape: Shape::Round((radius + MARGIN).max(min_half)),
             },
-            rectangle: (extent + MARGIN).max(DVec2::splat(least)),
+            rectangle: (extent + MARGIN).max(DVec2::splat(min_half)),
         })
     }
 }
 
-/// Rays through the corners and the middles of the sides of a camera's image, in the body frame.
+/// Returns the rays through the corners, edge midpoints and centre of a camera's image, in the body frame.
 fn border(camera: &TwinCamera) -> impl Iterator<Item = DVec3> + '_ {
     let size = camera.intrinsics.size;
     let (width, height) = (f64::from(size.width), f64::from(size.height));
@@ -149,7 +149,7 @@ fn border(camera: &TwinCamera) -> impl Iterator<Item = DVec3> + '_ {
     })
 }
 
-/// The openings of all cameras that the panel has room for, from left to right, and the cuts between them.
+/// Returns the openings of all cameras that fit the panel, from left to right, and the cuts between them.
 pub(super) fn fit(
     cameras: &[TwinCamera],
     front_x: f64,
@@ -158,34 +158,34 @@ pub(super) fn fit(
     panel_radius: f64,
 ) -> (Vec<Window>, Vec<f64>) {
     let room = |centre: DVec2| panel_half - WEB - (centre - panel_centre).abs();
-    let mut wishes: Vec<Wish> = cameras
+    let mut candidates: Vec<Candidate> = cameras
         .iter()
-        .filter_map(|camera| Wish::of(camera, front_x))
-        .filter(|wish| room(wish.window.centre).min_element() > 1.5)
+        .filter_map(|camera| Candidate::of(camera, front_x))
+        .filter(|candidate| room(candidate.window.centre).min_element() > 1.5)
         .collect();
-    wishes.sort_by(|a, b| b.window.centre.x.total_cmp(&a.window.centre.x));
-    wishes.dedup_by(|b, a| a.window.centre.x - b.window.centre.x < 4.0);
-    // Round where there is room, else as narrow as the image.
-    let tight: Vec<bool> = (0..wishes.len())
+    candidates.sort_by(|a, b| b.window.centre.x.total_cmp(&a.window.centre.x));
+    candidates.dedup_by(|b, a| a.window.centre.x - b.window.centre.x < 4.0);
+    // Openings are round if there is room, else rectangles as narrow as the image.
+    let tight: Vec<bool> = (0..candidates.len())
         .map(|i| {
-            let Window { centre, shape, .. } = &wishes[i].window;
+            let Window { centre, shape, .. } = &candidates[i].window;
             let radius = shape.half().x;
-            let meets = |other: &Wish| {
+            let meets = |other: &Candidate| {
                 let distance = (other.window.centre.x - centre.x).abs();
                 distance < radius + other.window.shape.half().x + WEB
             };
             radius > MAX_ROUND
                 || radius > room(*centre).min_element()
-                || i.checked_sub(1).is_some_and(|before| meets(&wishes[before]))
-                || wishes.get(i + 1).is_some_and(meets)
+                || i.checked_sub(1).is_some_and(|before| meets(&candidates[before]))
+                || candidates.get(i + 1).is_some_and(meets)
         })
         .collect();
-    for (wish, tight) in wishes.iter_mut().zip(tight) {
+    for (candidate, tight) in candidates.iter_mut().zip(tight) {
         if tight {
-            wish.window.shape = Shape::Rectangle(wish.rectangle);
+            candidate.window.shape = Shape::Rectangle(candidate.rectangle);
         }
     }
-    let mut windows: Vec<Window> = wishes.into_iter().map(|wish| wish.window).collect();
+    let mut windows: Vec<Window> = candidates.into_iter().map(|candidate| candidate.window).collect();
     let cuts: Vec<f64> = windows
         .windows(2)
         .map(|pair| {
@@ -217,7 +217,7 @@ pub(super) fn fit(
     (windows, cuts)
 }
 
-/// How far inside a rounded rectangle a point lies.
+/// Returns the distance of a point inside a rounded rectangle from its border.
 fn depth_inside(point: DVec2, half: DVec2, radius: f64) -> f64 {
     let corner = point.abs() - (half - radius);
     radius - corner.max(DVec2::ZERO).length() - corner.max_element().min(0.0)

@@ -10,33 +10,33 @@ use crate::stage::Value;
 pub(super) const CAMERA_TYPE: Rule = Rule {
     code: "camera-type",
     level: Level::Warning,
-    what: "a camera attribute has another type than OpenUSD's schema gives it: OpenUSD's own reader then takes the \
-           schema's fallback instead of the value",
+    what: "a camera attribute's type differs from OpenUSD's schema: OpenUSD then uses the schema's fallback instead of \
+           the value",
     remedy: "author it with the schema's type",
 };
 pub(super) const DEPTH_ATTRIBUTE_UNKNOWN: Rule = Rule {
     code: "depth-attribute-unknown",
     level: Level::Warning,
-    what: "a depth sensor's namespace holds an attribute that the schema does not have: it has no effect",
+    what: "an attribute in a depth sensor's namespace is not in the schema and has no effect",
     remedy: "correct its name, or remove it",
 };
 pub(super) const OUTLIER_REMOVAL_RANGE: Rule = Rule {
     code: "outlier-removal-range",
     level: Level::Warning,
-    what: "`outlierRemovalRange` is authored: it is how Isaac Sim 5.x labels the attribute \
-           `outlierRemovalEnabled`, not an attribute",
+    what: "`outlierRemovalRange` is authored, which is not an attribute but Isaac Sim 5.x's label for \
+           `outlierRemovalEnabled`",
     remedy: "author `int outlierRemovalEnabled = 3` for Isaac Sim 5.1, `bool outlierRemovalEnabled = 1` for 6.x",
 };
 pub(super) const DEPTH_ATTRIBUTE_TYPE: Rule = Rule {
     code: "depth-attribute-type",
     level: Level::Warning,
-    what: "a depth attribute has another type than the schema gives it",
+    what: "a depth attribute's type differs from the schema",
     remedy: "author it with the schema's type",
 };
 pub(super) const OUTLIER_REMOVAL_TYPE: Rule = Rule {
     code: "outlier-removal-type",
     level: Level::Note,
-    what: "the type of `outlierRemovalEnabled` says which Isaac Sim the file is for: int is 5.x, bool is 6.x",
+    what: "the type of `outlierRemovalEnabled` depends on the Isaac Sim version: int in 5.x, bool in 6.x",
     remedy: "",
 };
 
@@ -63,7 +63,7 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
             findings.push(CAMERA_TYPE.with_remedy(
                 camera.path(),
                 format!(
-                    "{name} is of type {}: OpenUSD's own reader takes the schema's fallback instead",
+                    "{name} has type {}, so OpenUSD uses the schema's fallback instead of its value",
                     attribute.type_name
                 ),
                 format!("author it as `{expected}`"),
@@ -81,7 +81,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             findings.push(OUTLIER_REMOVAL_RANGE.at(
                 path,
                 format!(
-                    "{full} is no attribute: it is how Isaac Sim 5.x labels {namespace}{OUTLIER_REMOVAL}"
+                    "{full} is not an attribute but Isaac Sim 5.x's label for {namespace}{OUTLIER_REMOVAL}"
                 ),
             ));
             continue;
@@ -95,7 +95,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
         } else if attribute.type_name != *expected {
             findings.push(DEPTH_ATTRIBUTE_TYPE.with_remedy(
                 path,
-                format!("{full} is of type {}", attribute.type_name),
+                format!("{full} has type {}", attribute.type_name),
                 format!("author it as `{expected}`"),
             ));
         }
@@ -122,17 +122,19 @@ fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Findin
     if generation == Generation::Camera {
         return DEPTH_ATTRIBUTE_UNKNOWN.note(
             path,
-            format!("{full} is not among the names that ovrtx's pages give; its full list is not public"),
+            format!(
+                "{full} is not among the attributes that ovrtx documents; its complete list is not public"
+            ),
         );
     }
     let near = nearest(name, ATTRIBUTES.iter().map(|(known, _)| *known));
     let remedy = match near.first() {
-        Some(near) => format!("write {PRODUCT_NAMESPACE}{near}, or remove it"),
+        Some(near) => format!("rename it to {PRODUCT_NAMESPACE}{near}, or remove it"),
         None => "remove it".to_owned(),
     };
     DEPTH_ATTRIBUTE_UNKNOWN.with_remedy(
         path,
-        format!("{full} is no attribute of the depth sensor and has no effect"),
+        format!("{full} is not an attribute of the depth sensor and has no effect"),
         remedy,
     )
 }
@@ -141,15 +143,15 @@ fn outlier_removal(path: &str, full: &str, type_name: &str, findings: &mut Vec<F
     findings.push(match type_name {
         "int" => OUTLIER_REMOVAL_TYPE.note(
             path,
-            format!("{full} is an int, a range in pixels: as Isaac Sim 5.x has it; 6.x takes it as on"),
+            format!("{full} is an int: a range in pixels in Isaac Sim 5.x; 6.x reads it as enabled"),
         ),
         "bool" => OUTLIER_REMOVAL_TYPE.note(
             path,
-            format!("{full} is a bool: as Isaac Sim 6.x has it; 5.x would take it as a range of 1 px"),
+            format!("{full} is a bool, for Isaac Sim 6.x; 5.x reads it as a range of 1 px"),
         ),
         other => DEPTH_ATTRIBUTE_TYPE.with_remedy(
             path,
-            format!("{full} is of type {other}"),
+            format!("{full} has type {other}"),
             "author it as `int` for Isaac Sim 5.x, as `bool` for 6.x",
         ),
     });

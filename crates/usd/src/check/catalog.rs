@@ -11,19 +11,19 @@ use crate::asset::PrimNames;
 pub(super) const CATALOG_VALUE: Rule = Rule {
     code: "catalog-value",
     level: Level::Warning,
-    what: "a value differs from the catalog's for this model",
+    what: "a value differs from the catalog's value for this model",
     remedy: "set it to the catalog's value (`oaktwin show MODEL`), or check against the right model (`--model`)",
 };
 pub(super) const CATALOG_MISSING: Rule = Rule {
     code: "catalog-missing",
     level: Level::Warning,
-    what: "the model has a camera or depth sensor that the file lacks",
+    what: "the file lacks a camera or depth sensor of the model",
     remedy: "check against the right model, or write the asset again with `oaktwin asset`",
 };
 
-/// The sheet prints four digits after the point.
+/// The tolerance of the sheet's four decimals, mm.
 const PRINTED_MM: f64 = 5.5e-5;
-/// A unit's focal length is within this of its model's. Factory calibrations of five units: up to 2.1 %.
+/// The maximum relative deviation of a unit's focal length from its model's. Five factory calibrations: up to 2.1 %.
 const CALIBRATED: f64 = 0.1;
 
 pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
@@ -39,10 +39,10 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
         )
     };
     let focal_length = camera.camera.focal_length();
-    // What is not a number, or slipped by a power of ten, has been told.
-    let told =
+    // Other rules report invalid values and those that are off by a power of ten.
+    let is_reported =
         |value: f64, expected: f64| !value.is_finite() || value <= 0.0 || slip(value, expected).is_some();
-    if !told(focal_length, expected.focal_length_mm)
+    if !is_reported(focal_length, expected.focal_length_mm)
         && (focal_length - expected.focal_length_mm).abs() > PRINTED_MM
     {
         let off = focal_length / expected.focal_length_mm - 1.0;
@@ -50,7 +50,7 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
             CATALOG_VALUE.note(
                 path,
                 format!(
-                    "focalLength is {}, {:+.2} % from {model}'s nominal {}: a calibrated unit's",
+                    "focalLength is {}, {:+.2} % from {model}'s nominal {}, as in a calibrated unit",
                     num(focal_length),
                     off * 100.0,
                     brief(expected.focal_length_mm)
@@ -72,7 +72,7 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
             expected.vertical_aperture_mm,
         ),
     ] {
-        if !told(value, expected) && (value - expected).abs() > PRINTED_MM {
+        if !is_reported(value, expected) && (value - expected).abs() > PRINTED_MM {
             findings.push(differs(name, value, expected));
         }
     }
@@ -145,14 +145,14 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
     let path = &sensor.prim.path;
     for (name, expected) in expected {
         let value = parameters.get(name);
-        // A noiseMean of 0 is told by its own rule, as the choice that it is.
+        // A noiseMean of 0 is reported by a rule of its own.
         if same(value, expected) || (name == "noiseMean" && value == 0.0) {
             continue;
         }
         let authored = if parameters.authored(name).is_some() {
             ""
         } else {
-            " (not authored: the schema's)"
+            " (schema default)"
         };
         findings.push(CATALOG_VALUE.with_remedy(
             path,
@@ -167,7 +167,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
     focal_length(path, known, parameters.get("focalLengthPixel"), findings);
 }
 
-/// A unit's rounded fx may differ from the model's by as much as calibration does.
+/// Checks `focalLengthPixel`, which may deviate from the model's value by as much as calibrations do.
 fn focal_length(path: &str, known: &TwinDepthSensor, value: f64, findings: &mut Vec<Finding>) {
     let expected = known.spec.focal_length_px;
     if same(value, expected) {
@@ -183,7 +183,7 @@ fn focal_length(path: &str, known: &TwinDepthSensor, value: f64, findings: &mut 
     findings.push(CATALOG_VALUE.at_or_note(off.abs() <= CALIBRATED, path, message));
 }
 
-/// Cameras and depth sensors of a model that are not there. A note where the model was only recognised.
+/// Reports missing cameras and depth sensors of a model, as a note if the model was only recognised.
 pub(super) fn scene_rules(scene: &Scene<'_>, model: Option<&Twin>, findings: &mut Vec<Finding>) {
     let mut twins: Vec<&Twin> = model.into_iter().collect();
     for camera in &scene.cameras {

@@ -9,8 +9,8 @@ use super::{num, same};
 pub(super) const DEPTH_VALUE: Rule = Rule {
     code: "depth-value",
     level: Level::Error,
-    what: "a depth sensor's value is zero, negative, infinite or not a number where that makes no sense",
-    remedy: "author a value that the sensor can have",
+    what: "a depth sensor's value is zero, negative, infinite or NaN where that is invalid",
+    remedy: "author a valid value",
 };
 pub(super) const CONFIDENCE_THRESHOLD: Rule = Rule {
     code: "confidence-threshold",
@@ -21,55 +21,55 @@ pub(super) const CONFIDENCE_THRESHOLD: Rule = Rule {
 pub(super) const NOISE_MEAN_ZERO: Rule = Rule {
     code: "noise-mean-zero",
     level: Level::Note,
-    what: "noiseMean is 0: the quantization of disparity and the jitter of noiseSigma are both off",
+    what: "noiseMean is 0, which disables both the quantization of disparity and the jitter of noiseSigma",
     remedy: "",
 };
 pub(super) const FOCAL_LENGTH_PIXEL: Rule = Rule {
     code: "focal-length-pixel",
     level: Level::Warning,
-    what: "focalLengthPixel is not the camera's fx on an image sensorSizePixel wide: depth and disparity then do not \
-           belong together",
+    what: "focalLengthPixel is not the camera's fx for an image sensorSizePixel wide: disparity is then inconsistent \
+           with depth",
     remedy: "set focalLengthPixel to sensorSizePixel × focalLength / horizontalAperture, rounded",
 };
 pub(super) const SENSOR_SIZE_PIXEL: Rule = Rule {
     code: "sensor-size-pixel",
     level: Level::Warning,
-    what: "sensorSizePixel is neither the width that is rendered nor the width of the camera's own image",
-    remedy: "set sensorSizePixel to the width of the sensor's image, and focalLengthPixel with it",
+    what: "sensorSizePixel is neither the rendered width nor the width of the camera's own image",
+    remedy: "set sensorSizePixel to the width of the sensor's image, and adjust focalLengthPixel",
 };
 pub(super) const DISTANCE_RANGE: Rule = Rule {
     code: "distance-range",
     level: Level::Error,
-    what: "minDistance is not below maxDistance: no depth is left",
+    what: "minDistance is not below maxDistance, so no depth is valid",
     remedy: "author 0 ≤ minDistance < maxDistance, in metres",
 };
 pub(super) const MIN_DISTANCE: Rule = Rule {
     code: "min-distance",
     level: Level::Warning,
-    what: "minDistance is below what maxDisparityPixel allows, focalLengthPixel × baselineMM / maxDisparityPixel: \
-           nearer depth is cut already there",
-    remedy: "raise minDistance, or raise maxDisparityPixel (191 is OAK's extended mode)",
+    what: "minDistance is below the minimum that maxDisparityPixel allows, focalLengthPixel × baselineMM / \
+           maxDisparityPixel: nearer depth is already cut off there",
+    remedy: "raise minDistance, or raise maxDisparityPixel (191 in OAK's extended mode)",
 };
 pub(super) const CLIPPED_RANGE: Rule = Rule {
     code: "clipped-range",
     level: Level::Warning,
     what: "the camera's clippingRange cuts into the depth sensor's range",
-    remedy: "widen clippingRange beyond minDistance and maxDistance; it is in stage units, they are in metres",
+    remedy: "extend clippingRange (in stage units) beyond minDistance and maxDistance (in metres)",
 };
 pub(super) const TOF_AS_STEREO: Rule = Rule {
     code: "tof-as-stereo",
     level: Level::Warning,
-    what: "a baseline of a few millimetres makes stereo of a time-of-flight sensor: disparity vanishes with distance, \
-           and a tenth of a pixel becomes a large part of the depth",
-    remedy: "do not take its noise for that of a time-of-flight sensor; simulate one as such",
+    what: "a time-of-flight sensor is modelled as stereo with a baseline of a few millimetres: disparity vanishes with \
+           distance, and noise of a tenth of a pixel becomes a large depth error",
+    remedy: "do not rely on its noise; simulate the sensor as time of flight",
 };
 
-/// No stereo camera's imagers stand closer, mm.
+/// The minimum baseline of a stereo camera, mm.
 const SHORTEST_BASELINE_MM: f64 = 5.0;
-/// Whole pixels, as the sheet writes them, and what `float` loses.
+/// The tolerance for rounding to integer pixels, as in the sheet, and to `float`.
 const FOCAL_LENGTH_TOLERANCE_PX: f64 = 0.5 + 1e-3;
 
-/// The schema's values where a file has none (Isaac Sim 5.1).
+/// The schema's defaults (Isaac Sim 5.1).
 const FALLBACKS: [(&str, f64); 10] = [
     ("baselineMM", 55.0),
     ("confidenceThreshold", 0.95),
@@ -83,7 +83,7 @@ const FALLBACKS: [(&str, f64); 10] = [
     ("sensorSizePixel", 1280.0),
 ];
 
-/// The numbers of a depth sensor, authored or the schema's.
+/// The parameters of a depth sensor, authored or the schema's defaults.
 #[derive(Clone, Copy)]
 pub(super) struct Parameters<'a> {
     sensor: &'a DepthSensor<'a>,
@@ -106,23 +106,23 @@ impl<'a> Parameters<'a> {
             .unwrap_or(f64::NAN)
     }
 
-    /// The distance at which disparity reaches its limit, m.
+    /// Returns the distance at which disparity reaches its limit, in metres.
     pub(super) fn nearest_by_disparity_m(&self) -> f64 {
         (self.get("baselineMM") * 1e-3).abs() * self.get("focalLengthPixel") / self.get("maxDisparityPixel")
     }
 
-    /// Disparity at a distance, px of the sensor.
+    /// Returns the disparity at a distance, in sensor pixels.
     fn disparity_px(&self, distance_m: f64) -> f64 {
         (self.get("baselineMM") * 1e-3).abs() * self.get("focalLengthPixel") / distance_m
     }
 
-    /// `805`, or `897 (not authored: the schema's)`.
-    fn say(&self, name: &str) -> String {
+    /// Formats a value: `805`, or `897 (schema default)` if it is not authored.
+    fn text(&self, name: &str) -> String {
         let value = num(self.get(name));
         if self.authored(name).is_some() {
             value
         } else {
-            format!("{value} (not authored: the schema's)")
+            format!("{value} (schema default)")
         }
     }
 }
@@ -143,7 +143,7 @@ pub(super) fn rules(scene: &Scene<'_>, sensor: &DepthSensor<'_>, findings: &mut 
     tof(path, &parameters, spec, findings);
 }
 
-/// Whether the numbers can be computed with.
+/// Reports invalid values. Returns whether all are valid.
 fn values(path: &str, parameters: &Parameters<'_>, findings: &mut Vec<Finding>) -> bool {
     let before = findings.len();
     let mut bad = |name: &str, remedy: &str| {
@@ -166,7 +166,10 @@ fn values(path: &str, parameters: &Parameters<'_>, findings: &mut Vec<Finding>) 
     }
     let baseline = parameters.get("baselineMM");
     if !(baseline.is_finite() && baseline != 0.0) {
-        bad("baselineMM", "author the distance of the imagers in millimetres");
+        bad(
+            "baselineMM",
+            "author the distance between the imagers in millimetres",
+        );
     }
     for name in ["noiseMean", "noiseSigma"] {
         if !(parameters.get(name).is_finite() && parameters.get(name) >= 0.0) {
@@ -179,8 +182,8 @@ fn values(path: &str, parameters: &Parameters<'_>, findings: &mut Vec<Finding>) 
             path,
             format!(
                 "minDistance is {} m and maxDistance {} m",
-                parameters.say("minDistance"),
-                parameters.say("maxDistance")
+                parameters.text("minDistance"),
+                parameters.text("maxDistance")
             ),
         ));
     }
@@ -212,18 +215,18 @@ fn focal_length(
     if !by_aperture.is_finite() || !camera.camera.is_perspective() {
         return;
     }
-    let written = parameters.get("focalLengthPixel");
-    let fits = |fx: f64| (written - fx).abs() <= FOCAL_LENGTH_TOLERANCE_PX;
+    let value = parameters.get("focalLengthPixel");
+    let fits = |fx: f64| (value - fx).abs() <= FOCAL_LENGTH_TOLERANCE_PX;
     if fits(by_aperture) || by_lens.is_some_and(fits) {
         return;
     }
     findings.push(FOCAL_LENGTH_PIXEL.with_remedy(
         path,
         format!(
-            "focalLengthPixel is {}, but {} has fx {by_aperture:.2} px on sensorSizePixel {}",
-            parameters.say("focalLengthPixel"),
+            "focalLengthPixel is {}, but fx of {} is {by_aperture:.2} px for sensorSizePixel {}",
+            parameters.text("focalLengthPixel"),
             camera.path(),
-            parameters.say("sensorSizePixel"),
+            parameters.text("sensorSizePixel"),
         ),
         format!("set focalLengthPixel to {}", by_aperture.round()),
     ));
@@ -235,31 +238,30 @@ fn sensor_size(
     parameters: &Parameters<'_>,
     findings: &mut Vec<Finding>,
 ) {
-    let written = parameters.get("sensorSizePixel");
+    let value = parameters.get("sensorSizePixel");
     let rendered = sensor.product.and_then(crate::stage::RenderProduct::resolution);
     let own = scene.camera(sensor).and_then(CheckedCamera::own_size);
     let path = &sensor.prim.path;
-    let is = |size: Option<oaktwin_camera::ImageSize>| {
-        size.is_some_and(|size| same(f64::from(size.width), written))
-    };
-    let says = parameters.say("sensorSizePixel");
+    let is =
+        |size: Option<oaktwin_camera::ImageSize>| size.is_some_and(|size| same(f64::from(size.width), value));
+    let value = parameters.text("sensorSizePixel");
     match (rendered, own) {
         (_, Some(own)) if !is(Some(own)) => findings.push(SENSOR_SIZE_PIXEL.with_remedy(
             path,
-            format!("sensorSizePixel is {says}, but the camera's image is {own}"),
+            format!("sensorSizePixel is {value}, but the camera's image is {own}"),
             format!(
-                "set it to {}, and focalLengthPixel to the fx of that width",
+                "set it to {}, and focalLengthPixel to fx for that width",
                 own.width
             ),
         )),
         (Some(rendered), Some(_)) if !is(Some(rendered)) => findings.push(SENSOR_SIZE_PIXEL.note(
             path,
-            format!("{rendered} is rendered of a sensor {says} px wide: disparity is scaled in between"),
+            format!("the product renders {rendered} for a sensor {value} px wide, so disparity is rescaled"),
         )),
         (Some(rendered), None) if !is(Some(rendered)) => findings.push(SENSOR_SIZE_PIXEL.with_remedy(
             path,
-            format!("sensorSizePixel is {says}, but the product renders {rendered}"),
-            "make them agree, or be sure that the simulated sensor has another width than the image",
+            format!("sensorSizePixel is {value}, but the product renders {rendered}"),
+            "make them equal, unless the simulated sensor and the image differ in width",
         )),
         _ => {}
     }
@@ -267,22 +269,21 @@ fn sensor_size(
 
 fn min_distance(path: &str, parameters: &Parameters<'_>, spec: Option<&Spec>, findings: &mut Vec<Finding>) {
     let limit = parameters.nearest_by_disparity_m();
-    let written = parameters.get("minDistance");
-    if written >= limit * (1.0 - 1e-3) {
+    let value = parameters.get("minDistance");
+    if value >= limit * (1.0 - 1e-3) {
         return;
     }
     let shipped = spec.is_some_and(|spec| {
-        same(written, spec.min_distance_m)
-            || spec.extended_min_distance_m.is_some_and(|min| same(written, min))
+        same(value, spec.min_distance_m) || spec.extended_min_distance_m.is_some_and(|min| same(value, min))
     });
     findings.push(MIN_DISTANCE.at_or_note(
         shipped,
         path,
         format!(
-            "minDistance is {} m, but disparity reaches its limit of {} px at {limit:.3} m already{}",
-            parameters.say("minDistance"),
-            parameters.say("maxDisparityPixel"),
-            if shipped { " (as the sheet has it)" } else { "" }
+            "minDistance is {} m, but disparity already reaches its limit of {} px at {limit:.3} m{}",
+            parameters.text("minDistance"),
+            parameters.text("maxDisparityPixel"),
+            if shipped { " (as in the sheet)" } else { "" }
         ),
     ));
 }
@@ -309,8 +310,8 @@ fn clipping(
                 camera.path(),
                 num(near),
                 num(far),
-                parameters.say("minDistance"),
-                parameters.say("maxDistance")
+                parameters.text("minDistance"),
+                parameters.text("maxDistance")
             ),
         ));
     }
@@ -336,11 +337,11 @@ fn tof(path: &str, parameters: &Parameters<'_>, spec: Option<&Spec>, findings: &
         path,
         format!(
             "baselineMM is {}: disparity is {} and {}{}",
-            parameters.say("baselineMM"),
+            parameters.text("baselineMM"),
             at("minDistance"),
             at("maxDistance"),
             if shipped {
-                "; the sheet writes its time-of-flight sensor so"
+                "; the sheet models its time-of-flight sensor this way"
             } else {
                 ""
             }

@@ -8,35 +8,35 @@ use crate::lens::{self, MODEL};
 pub(super) const LENS_MODEL: Rule = Rule {
     code: "lens-model",
     level: Level::Warning,
-    what: "`omni:lensdistortion:model` names another model than the applied lens schema, or several are applied",
+    what: "`omni:lensdistortion:model` does not match the applied lens schema, or several schemas are applied",
     remedy: "apply one lens schema and set `omni:lensdistortion:model` to its token",
 };
 pub(super) const LENS_VALUE: Rule = Rule {
     code: "lens-value",
     level: Level::Error,
-    what: "a lens schema's focal length, principal point, image size or coefficient is no usable number",
-    remedy: "author finite values, a positive focal length and the image size they hold for",
+    what: "a lens schema's focal length, principal point, image size or coefficient is invalid",
+    remedy: "author finite values, a positive focal length and the image size that they apply to",
 };
 pub(super) const LENS_FOCAL_LENGTH: Rule = Rule {
     code: "lens-focal-length",
     level: Level::Warning,
-    what: "the lens schema's fx and focalLength / horizontalAperture disagree by more than 1 %",
-    remedy: "derive both from the same intrinsics, at the schema's imageSize",
+    what: "the lens schema's fx and focalLength / horizontalAperture differ by more than 1 %",
+    remedy: "derive both from the same intrinsics at the schema's imageSize",
 };
 pub(super) const LEGACY_DISTORTION: Rule = Rule {
     code: "legacy-distortion",
     level: Level::Note,
-    what: "distortion attributes of Isaac Sim before 5.0 are authored: deprecated, and without effect on a pinhole",
+    what: "distortion attributes from before Isaac Sim 5.0 are authored: deprecated, and without effect on a pinhole",
     remedy: "",
 };
 pub(super) const PROJECTION_TYPE: Rule = Rule {
     code: "projection-type",
     level: Level::Warning,
-    what: "`cameraProjectionType` asks for a projection that Isaac Sim no longer has",
+    what: "`cameraProjectionType` requests a projection that Isaac Sim no longer supports",
     remedy: "set it to `pinhole`, and describe the lens with a lens-distortion schema",
 };
 
-/// `cameraProjectionType` values that Isaac Sim dropped.
+/// The values of `cameraProjectionType` that Isaac Sim no longer supports.
 const DROPPED_PROJECTIONS: [&str; 4] = [
     "fisheyeOrthographic",
     "fisheyeEquidistant",
@@ -62,10 +62,10 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     }
     let model = prim.text(MODEL);
     if model != Some(lens.model) {
-        let says = model.map_or_else(|| "not authored".to_owned(), |model| format!("`{model}`"));
+        let value = model.map_or_else(|| "not authored".to_owned(), |model| format!("`{model}`"));
         findings.push(LENS_MODEL.with_remedy(
             path,
-            format!("{MODEL} is {says}, but {} is applied", lens.schema),
+            format!("{MODEL} is {value}, but {} is applied", lens.schema),
             format!("set it to `{}`", lens.model),
         ));
     }
@@ -75,7 +75,7 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     let Some(intrinsics) = lens.intrinsics() else {
         findings.push(LENS_VALUE.at(
             path,
-            format!("fx, fy, cx, cy or imageSize of {} is not usable", lens.schema),
+            format!("fx, fy, cx, cy or imageSize of {} is invalid", lens.schema),
         ));
         return;
     };
@@ -89,8 +89,8 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
             findings.push(LENS_FOCAL_LENGTH.at(
                 path,
                 format!(
-                    "the lens schema's fx and fy are {} and {} px, focalLength / horizontalAperture gives {by_aperture:.2} \
-                     px at {}",
+                    "the lens schema has fx {} and fy {} px, but focalLength / horizontalAperture gives \
+                     {by_aperture:.2} px at {}",
                     num(intrinsics.fx),
                     num(intrinsics.fy),
                     intrinsics.size
@@ -116,11 +116,11 @@ fn legacy(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     if count > 0 {
         let effect = match projection {
             None | Some("pinhole") => "without effect on a pinhole",
-            Some(_) => "a lens-distortion schema takes their place",
+            Some(_) => "replaced by lens-distortion schemas",
         };
         findings.push(LEGACY_DISTORTION.note(
             path,
-            format!("{count} distortion attributes of Isaac Sim before 5.0: deprecated, {effect}"),
+            format!("{count} distortion attributes from before Isaac Sim 5.0: deprecated, {effect}"),
         ));
     }
 }

@@ -1,8 +1,8 @@
-//! The linter behind `oaktwin check`: what a USD file's cameras and depth sensors are, as Isaac Sim's renderer and as
-//! OpenUSD see them, and what is wrong with them.
+//! The linter behind `oaktwin check`: reports a USD file's cameras and depth sensors as Isaac Sim's renderer and as
+//! OpenUSD interpret them, and problems with them.
 //!
-//! Each theme is a file of small rules. [`RULES`] lists every code with its usual level; a finding's level is lower
-//! where the file has just what the catalog's source ships.
+//! Each module contains the rules of one topic. [`RULES`] lists every code with its default level; a finding's level is
+//! lower if the file has the value that the catalog's source ships.
 
 mod attributes;
 mod catalog;
@@ -28,12 +28,12 @@ use crate::stage::{Stage, StageError, open};
 pub use report::{CameraReport, DepthReport, LensReport, Report, ResolutionSource, View};
 pub use rule::{RULES, Rule};
 
-/// What to check against.
+/// Options of a check.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckOptions<'a> {
-    /// Where devices are recognised by the names of their prims or of the file.
+    /// The catalog whose devices are recognised by the names of their prims or of the file.
     pub catalog: &'a Catalog,
-    /// What every camera of the file is to be; without it, it is recognised.
+    /// The model that every camera of the file is checked against; recognised if `None`.
     pub model: Option<&'a Twin>,
 }
 
@@ -49,12 +49,12 @@ impl Default for CheckOptions<'static> {
 /// Opens a USD file and checks its cameras and depth sensors.
 ///
 /// # Errors
-/// As [`open`]: the file cannot be read as USD. What is wrong inside it is in the report's findings.
+/// Returns an error if the file cannot be read as USD, as [`open`] does. Problems in its content are findings.
 pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Report, StageError> {
     Ok(check_stage(&open(path)?, options))
 }
 
-/// Checks a stage that is open already.
+/// Checks an open stage.
 #[must_use]
 pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> Report {
     let twins = options.catalog.nominals();
@@ -84,7 +84,7 @@ pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> Report {
     report::report(&scene, findings)
 }
 
-/// Errors first, then by place and code, so that reports compare.
+/// Returns the sort key of a finding: errors first, then by place and code, so that reports can be compared.
 fn order(finding: &Finding) -> (u8, &str, &str, &str) {
     let level = match finding.level {
         Level::Error => 0,
@@ -94,21 +94,21 @@ fn order(finding: &Finding) -> (u8, &str, &str, &str) {
     (level, &finding.place, finding.code, &finding.message)
 }
 
-/// A number as a file would write it: the shortest that gives its `float` back.
+/// Formats a number with the shortest digits that identify its `float`, as files do.
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "the attributes are floats; rounding to one is meant"
+    reason = "the attributes are floats; rounding to one is intended"
 )]
 fn num(value: f64) -> String {
     (value as f32).to_string()
 }
 
-/// Whether two numbers are the same `float`, give or take its last digits.
+/// Whether two numbers are equal up to the last digits of a `float`.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
 }
 
-/// A number to suggest, with the four digits after the point that the sheet prints.
+/// Formats a suggested number with at most four decimals, as in the sheet.
 fn brief(value: f64) -> String {
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

@@ -8,19 +8,19 @@ use super::scene::CheckedCamera;
 pub(super) const APERTURE_OFFSET: Rule = Rule {
     code: "aperture-offset",
     level: Level::Warning,
-    what: "aperture offsets are not zero, but Isaac Sim's renderer ignores them (through 6.0)",
+    what: "aperture offsets are not zero, but are ignored by Isaac Sim's renderer (through 6.0)",
     remedy: "carry the principal point in a lens-distortion schema, `OmniLensDistortionOpenCvPinholeAPI` \
              (`oaktwin asset --calibration` does), or set the offsets to 0",
 };
 pub(super) const OFFSET_CONVENTION: Rule = Rule {
     code: "offset-convention",
     level: Level::Note,
-    what: "aperture offsets and the lens schema disagree about the principal point, as with the parameter sheet's \
-           formula, whose horizontal sign is not OpenUSD's",
+    what: "aperture offsets and the lens schema define different principal points, as with the parameter sheet's \
+           formula, whose horizontal sign is the opposite of OpenUSD's",
     remedy: "",
 };
 
-/// Half a pixel of convention, and rounding.
+/// The tolerance for half a pixel between conventions, and rounding.
 const AGREE_PX: f64 = 1.0;
 
 pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
@@ -41,7 +41,7 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         findings.push(APERTURE_OFFSET.at(
             path,
             format!(
-                "{offsets} move the principal point by ({dx:.2}, {dy:.2}) px of {} by OpenUSD; Isaac Sim's renderer \
+                "{offsets} move the principal point by ({dx:.2}, {dy:.2}) px at {} in OpenUSD; Isaac Sim's renderer \
                  ignores them",
                 k.size
             ),
@@ -58,13 +58,13 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         .openusd_intrinsics(lens.size)
         .principal_point::<OpenCv>();
     let by_lens = lens.principal_point::<OpenCv>();
-    let apart = (by_offsets.xy() - by_lens.xy()).abs();
-    if apart.max_element() > AGREE_PX {
+    let difference = (by_offsets.xy() - by_lens.xy()).abs();
+    if difference.max_element() > AGREE_PX {
         findings.push(OFFSET_CONVENTION.note(
             path,
             format!(
-                "by OpenUSD the offsets put the principal point at ({:.2}, {:.2}), the lens schema at ({:.2}, {:.2}) \
-                 px (OpenCV's convention)",
+                "the principal point is ({:.2}, {:.2}) px by OpenUSD's aperture offsets and ({:.2}, {:.2}) px by the \
+                 lens schema (OpenCV's convention)",
                 by_offsets.x, by_offsets.y, by_lens.x, by_lens.y
             ),
         ));

@@ -7,13 +7,13 @@ use super::{brief, num};
 pub(super) const CAMERA_VALUE: Rule = Rule {
     code: "camera-value",
     level: Level::Error,
-    what: "a focal length, aperture or other optical value is zero, negative, infinite or not a number",
+    what: "a focal length, aperture or other optical value is zero, negative, infinite or NaN",
     remedy: "author a positive number",
 };
 pub(super) const UNAUTHORED_OPTICS: Rule = Rule {
     code: "unauthored-optics",
     level: Level::Warning,
-    what: "focal length or apertures are partly left to OpenUSD's fallbacks (50, 20.955, 15.2908)",
+    what: "focal length or apertures are not authored, so OpenUSD's fallbacks (50, 20.955, 15.2908) apply",
     remedy: "author focalLength, horizontalAperture and verticalAperture together",
 };
 pub(super) const ANIMATED_OPTICS: Rule = Rule {
@@ -25,26 +25,26 @@ pub(super) const ANIMATED_OPTICS: Rule = Rule {
 pub(super) const NOT_PERSPECTIVE: Rule = Rule {
     code: "not-perspective",
     level: Level::Note,
-    what: "the camera is not a perspective one: it has no intrinsics, and most rules do not apply",
+    what: "the camera is not perspective: it has no intrinsics, and most rules do not apply",
     remedy: "",
 };
 pub(super) const NON_SQUARE_PIXELS: Rule = Rule {
     code: "non-square-pixels",
     level: Level::Warning,
-    what: "by OpenUSD, fx and fy differ at the camera's own image size; Isaac Sim's renderer makes pixels square",
+    what: "in OpenUSD, fx and fy differ at the camera's own image size; Isaac Sim's renderer uses square pixels",
     remedy: "set verticalAperture to horizontalAperture × height / width",
 };
 pub(super) const VERTICAL_APERTURE: Rule = Rule {
     code: "vertical-aperture",
     level: Level::Warning,
-    what: "the vertical aperture does not fit the resolution that a product renders",
-    remedy: "set verticalAperture to horizontalAperture × height / width, or render the camera's own aspect ratio",
+    what: "the vertical aperture does not match the aspect ratio of a render product",
+    remedy: "set verticalAperture to horizontalAperture × height / width, or render at the camera's own aspect ratio",
 };
 pub(super) const DEPTH_OF_FIELD: Rule = Rule {
     code: "depth-of-field",
     level: Level::Warning,
-    what: "depth of field is on (fStop above 0): it blurs by attributes whose unit is in doubt",
-    remedy: "set fStop to 0; an OAK's fixed focus keeps its range sharp",
+    what: "depth of field is enabled (fStop above 0), and depends on attributes whose unit is ambiguous",
+    remedy: "set fStop to 0; an OAK's fixed focus is sharp over its range",
 };
 pub(super) const CLIPPING_RANGE: Rule = Rule {
     code: "clipping-range",
@@ -53,25 +53,31 @@ pub(super) const CLIPPING_RANGE: Rule = Rule {
     remedy: "author (near, far) with 0 < near < far; the sheet has (0.01, 100) m",
 };
 
-/// Pixels count as square up to this ratio of fx to fy: rounding to four digits moves it by less.
+/// The maximum deviation of fx / fy from 1 for square pixels, above the effect of rounding to four decimals.
 const SQUARE: f64 = 1e-3;
 
 const OPTICAL: [&str; 3] = ["focalLength", "horizontalAperture", "verticalAperture"];
 
-/// The rules of a camera's optics. Whether intrinsics can be computed at all.
+/// Checks a camera's optics. Returns whether intrinsics can be computed.
 pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) -> bool {
     let prim = &camera.camera.prim;
     let path = camera.path();
     clipping_range(camera, findings);
     let f_stop = camera.camera.f_stop();
     if f_stop > 0.0 {
-        findings.push(DEPTH_OF_FIELD.at(path, format!("fStop is {}, so depth of field is on", num(f_stop))));
+        findings.push(DEPTH_OF_FIELD.at(
+            path,
+            format!("fStop is {}, which enables depth of field", num(f_stop)),
+        ));
     } else if !(f_stop == 0.0) {
         findings.push(CAMERA_VALUE.with_remedy(path, format!("fStop is {}", num(f_stop)), "set it to 0"));
     }
     if !camera.camera.is_perspective() {
         let projection = prim.text("projection").unwrap_or_default();
-        findings.push(NOT_PERSPECTIVE.note(path, format!("projection is `{projection}`: no intrinsics")));
+        findings.push(NOT_PERSPECTIVE.note(
+            path,
+            format!("projection is `{projection}`, which has no intrinsics"),
+        ));
         return false;
     }
     let animated: Vec<&str> = OPTICAL
@@ -99,7 +105,7 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) -> 
     true
 }
 
-/// Whether the optical values are numbers to compute with.
+/// Reports invalid optical values. Returns whether all are valid.
 fn values(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) -> bool {
     let path = camera.path();
     let mut sound = true;
@@ -134,20 +140,20 @@ fn unauthored(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         0 => {}
         3 => findings.push(UNAUTHORED_OPTICS.note(
             camera.path(),
-            "no focal length and no apertures are authored: OpenUSD's fallbacks (50, 20.955, 15.2908) hold",
+            "focal length and apertures are not authored: OpenUSD's fallbacks (50, 20.955, 15.2908) apply",
         )),
         _ => findings.push(UNAUTHORED_OPTICS.at(
             camera.path(),
             format!(
-                "{} is not authored, so OpenUSD's fallback (focalLength 50, apertures 20.955 and 15.2908) holds \
-                 beside values that were chosen",
+                "{} is not authored although others are: OpenUSD's fallback (focalLength 50, apertures 20.955 and \
+                 15.2908) applies",
                 missing.join(" and ")
             ),
         )),
     }
 }
 
-/// Square pixels at the camera's own size; at the products' sizes where their aspect ratio is another.
+/// Checks for square pixels at the camera's own size, and at products' sizes that have another aspect ratio.
 fn aspect(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     let optics = camera.camera.optics();
     let oblong = |size| {
@@ -162,7 +168,7 @@ fn aspect(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         findings.push(NON_SQUARE_PIXELS.with_remedy(
             camera.path(),
             format!(
-                "at its own {own}, fx is {:.2} px and fy {:.2} px by OpenUSD; Isaac Sim's renderer takes fy = fx",
+                "at the camera's own {own}, OpenUSD has fx {:.2} and fy {:.2} px; Isaac Sim's renderer uses fy = fx",
                 k.fx, k.fy
             ),
             format!("set verticalAperture to {}", fitting(own)),
@@ -177,14 +183,14 @@ fn aspect(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
             findings.push(VERTICAL_APERTURE.with_remedy(
                 camera.path(),
                 format!(
-                    "verticalAperture {} does not fit the {size} of {}: {:.2}° high by OpenUSD, {rendered:.2}° as \
-                     Isaac Sim's renderer shows it",
+                    "verticalAperture {} does not match the {size} of {}: the vertical field of view is {:.2}° in \
+                     OpenUSD, {rendered:.2}° in Isaac Sim's renderer",
                     num(optics.vertical_aperture_mm),
                     product.prim.path,
                     k.vfov().to_degrees(),
                 ),
                 format!(
-                    "set verticalAperture to {}, or render the camera's own aspect ratio",
+                    "set verticalAperture to {}, or render at the camera's own aspect ratio",
                     fitting(*size)
                 ),
             ));

@@ -7,13 +7,13 @@ use crate::stage::RenderProduct;
 pub(super) const PRODUCT_CAMERA: Rule = Rule {
     code: "product-camera",
     level: Level::Error,
-    what: "a render product has no camera, several, or one that is not there: Isaac Sim's template lookup skips it",
+    what: "a render product has no camera, several cameras or a missing one: Isaac Sim's template lookup skips it",
     remedy: "give its `camera` relationship exactly one target, a Camera",
 };
 pub(super) const PRODUCT_RESOLUTION: Rule = Rule {
     code: "product-resolution",
     level: Level::Warning,
-    what: "a depth product's resolution is missing, mistyped or not positive",
+    what: "a depth product's resolution is missing, of the wrong type or not positive",
     remedy: "author `uniform int2 resolution = (width, height)`, the size of the sensor's image",
 };
 
@@ -28,7 +28,7 @@ pub(super) fn rules(product: &RenderProduct, findings: &mut Vec<Finding>) {
             Some(type_name) => findings.push(PRODUCT_CAMERA.at(
                 path,
                 format!(
-                    "its camera {} is of type {}, not Camera",
+                    "its camera {} has type {}, not Camera",
                     target.path,
                     if type_name.is_empty() { "none" } else { type_name }
                 ),
@@ -56,13 +56,13 @@ pub(super) fn rules(product: &RenderProduct, findings: &mut Vec<Finding>) {
         Some(attribute) => findings.push(PRODUCT_RESOLUTION.at(
             path,
             format!(
-                "resolution is no pair of positive integers (type {})",
+                "resolution is not a pair of positive integers (type {})",
                 attribute.type_name
             ),
         )),
         None if is_depth => findings.push(PRODUCT_RESOLUTION.at(
             path,
-            "resolution is not authored; Isaac Sim 5.1 takes the sensor's from it",
+            "resolution is not authored; Isaac Sim 5.1 takes the sensor's resolution from it",
         )),
         None => {}
     }

@@ -8,101 +8,101 @@ use super::schema::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::lens::Lens;
 use crate::stage::StageMetadata;
 
-/// What `check` has to say about a file.
+/// The result of checking a file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// The file as the caller named it.
+    /// The file's path as given by the caller.
     pub file: String,
-    /// What its root layer says about the whole.
+    /// The root layer's metadata.
     pub stage: StageMetadata,
-    /// Its cameras, in the order of the stage.
+    /// The cameras, in stage order.
     pub cameras: Vec<CameraReport>,
-    /// Its depth sensors, in the order of the stage.
+    /// The depth sensors, in stage order.
     pub depth_sensors: Vec<DepthReport>,
-    /// What was found: errors first, then warnings, then notes, each by place.
+    /// The findings: errors, warnings, then notes, each sorted by place.
     pub findings: Vec<Finding>,
 }
 
-/// A camera as both sides see it.
+/// A camera as interpreted by Isaac Sim and by OpenUSD.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CameraReport {
-    /// Its prim.
+    /// The path of the camera prim.
     pub path: String,
-    /// The model it was checked against, if one was given or recognised.
+    /// The name of the model that it was checked against, if given or recognised.
     pub model: Option<String>,
-    /// The image that the intrinsics hold for.
+    /// The image size that the intrinsics apply to.
     pub resolution: ImageSize,
-    /// Where that size comes from.
+    /// The source of that size.
     pub resolution_from: ResolutionSource,
-    /// As Isaac Sim's renderer takes focal length and apertures: square pixels, centred. Absent where they are not
-    /// usable or the camera is not a perspective one.
+    /// Isaac Sim's intrinsics: square pixels, centred. `None` if the attributes are invalid or the camera is not
+    /// perspective.
     pub isaac: Option<View>,
-    /// As OpenUSD projects: each axis by its aperture, moved by the offsets.
+    /// OpenUSD's intrinsics: each axis by its aperture, with aperture offsets.
     pub openusd: Option<View>,
-    /// Its lens-distortion schema, whose parameters Isaac Sim's renderer takes instead.
+    /// The lens-distortion schema, whose parameters Isaac Sim's renderer uses instead.
     pub lens: Option<LensReport>,
 }
 
-/// Where a camera's image size comes from.
+/// The source of a camera's image size.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ResolutionSource {
     /// The render product of this path.
     Product(String),
-    /// The catalog's entry.
+    /// The catalog.
     Catalog,
     /// The lens schema's `imageSize`.
     LensSchema,
-    /// 1280 columns and as many rows as the apertures' ratio says.
+    /// A width of 1280 px with the apertures' aspect ratio.
     Apertures,
 }
 
-/// Pinhole intrinsics on the report's resolution.
+/// Pinhole intrinsics at the report's resolution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct View {
-    /// Horizontal focal length, px.
+    /// The horizontal focal length, px.
     pub fx: f64,
-    /// Vertical focal length, px.
+    /// The vertical focal length, px.
     pub fy: f64,
-    /// The principal point from the left edge, px (the first pixel's centre is at 0.5).
+    /// The principal point's x, px (the first pixel centre is at 0.5).
     pub cx: f64,
-    /// The principal point from the top edge, px (likewise).
+    /// The principal point's y, px (the first pixel centre is at 0.5).
     pub cy: f64,
-    /// Horizontal field of view, degrees.
+    /// The horizontal field of view, degrees.
     pub hfov_deg: f64,
-    /// Vertical field of view, degrees.
+    /// The vertical field of view, degrees.
     pub vfov_deg: f64,
-    /// Diagonal field of view, degrees.
+    /// The diagonal field of view, degrees.
     pub dfov_deg: f64,
 }
 
-/// A lens-distortion schema as authored, fallbacks filled in.
+/// A lens-distortion schema, with fallbacks for unauthored attributes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LensReport {
-    /// `OmniLensDistortionOpenCvPinholeAPI`.
+    /// The schema, such as `OmniLensDistortionOpenCvPinholeAPI`.
     pub schema: String,
-    /// `opencvPinhole`.
+    /// The model token, such as `opencvPinhole`.
     pub model: String,
-    /// The size that the parameters hold for.
+    /// The image size that the parameters apply to.
     pub image_size: Option<ImageSize>,
-    /// fx, fy, cx, cy of the OpenCV models, px (the first pixel's centre is at 0).
+    /// fx, fy, cx and cy of the OpenCV models, px (the first pixel centre is at 0).
     pub intrinsics: Option<[f64; 4]>,
-    /// The OpenCV models' coefficients, in the schema's order.
+    /// The coefficients of the OpenCV models, in the schema's order.
     pub coefficients: Vec<f64>,
 }
 
 /// A depth sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DepthReport {
-    /// The prim that carries its attributes.
+    /// The path of the prim that carries its attributes.
     pub path: String,
-    /// Whose schema it follows.
+    /// The schema.
     pub schema: &'static str,
-    /// The cameras that its product targets, or the camera that carries it.
+    /// The paths of the cameras that its product targets, or of the camera that carries it.
     pub cameras: Vec<String>,
-    /// What is rendered.
+    /// The rendered image size.
     pub resolution: Option<ImageSize>,
-    /// `baselineMM`, as the following authored or else the schema's fallback of Isaac Sim 5.1.
+    /// `baselineMM`. This and the following are authored values, or else the schema's defaults in Isaac Sim 5.1.
     pub baseline_mm: f64,
     /// `focalLengthPixel`.
     pub focal_length_px: f64,
@@ -114,18 +114,18 @@ pub struct DepthReport {
     pub min_distance_m: f64,
     /// `maxDistance`, m.
     pub max_distance_m: f64,
-    /// The distance at which disparity reaches `maxDisparityPixel`, m.
+    /// The distance at which disparity reaches `maxDisparityPixel`, in metres.
     pub nearest_by_disparity_m: f64,
 }
 
 impl Report {
-    /// The worst level among the findings.
+    /// Returns the most severe level among the findings.
     #[must_use]
     pub fn worst(&self) -> Option<Level> {
         self.findings.iter().map(|finding| finding.level).max()
     }
 
-    /// How many findings have this level.
+    /// Returns the number of findings with this level.
     #[must_use]
     pub fn count(&self, level: Level) -> usize {
         self.findings
@@ -189,7 +189,7 @@ fn lens_report(lens: &Lens) -> LensReport {
 
 fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
     let parameters = Parameters::of(sensor);
-    // As the file writes it: 0.2, not the double nearest to the float nearest to it.
+    // The shortest decimal that identifies the float: 0.2 rather than 0.20000000298.
     let decimal = |name| {
         let value = parameters.get(name);
         super::num(value).parse().unwrap_or(value)

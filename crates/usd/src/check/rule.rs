@@ -3,20 +3,20 @@ use serde::Serialize;
 
 use super::{attributes, catalog, depth, lens, offsets, optics, product, schema, stage, units};
 
-/// What `check` looks for under one code.
+/// A rule of `check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Rule {
-    /// The code of its findings.
+    /// The code of the rule's findings.
     pub code: &'static str,
-    /// Their level, unless a case is milder.
+    /// The default level of its findings.
     pub level: Level,
-    /// What it finds.
+    /// The problem that the rule reports.
     pub what: &'static str,
-    /// What to do about it.
+    /// The remedy; empty for notes.
     pub remedy: &'static str,
 }
 
-/// Every rule, by theme.
+/// All rules, grouped by topic.
 pub const RULES: &[Rule] = &[
     stage::NO_CAMERA,
     stage::COMPOSITION,
@@ -66,17 +66,17 @@ pub const RULES: &[Rule] = &[
 ];
 
 impl Rule {
-    /// A finding at the rule's own level.
+    /// Creates a finding at the rule's level.
     pub(super) fn at(&self, place: &str, message: impl Into<Message>) -> Finding {
         Finding::new(self.code, self.level, place, message, self.remedy)
     }
 
-    /// A finding that is only worth knowing.
+    /// Creates a note.
     pub(super) fn note(&self, place: &str, message: impl Into<Message>) -> Finding {
         Finding::new(self.code, Level::Note, place, message, "")
     }
 
-    /// A finding at the rule's own level, or a note where the file has what its source ships.
+    /// Creates a finding at the rule's level, or a note if the file has the value that its source ships.
     pub(super) fn at_or_note(&self, as_shipped: bool, place: &str, message: impl Into<Message>) -> Finding {
         if as_shipped {
             self.note(place, message)
@@ -85,7 +85,7 @@ impl Rule {
         }
     }
 
-    /// A finding with a remedy for just this case.
+    /// Creates a finding with a specific remedy.
     pub(super) fn with_remedy(
         &self,
         place: &str,

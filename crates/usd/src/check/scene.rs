@@ -1,5 +1,5 @@
-//! The stage with its parts joined: cameras with their products, lenses and catalog entries, depth sensors with
-//! their cameras.
+//! Links the parts of a stage: cameras with their products, lenses and catalog entries, and depth sensors with their
+//! cameras.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub(super) struct Scene<'a> {
     pub depth_sensors: Vec<DepthSensor<'a>>,
 }
 
-/// A camera and all that is known about it.
+/// A camera with its lens, catalog entry and products.
 pub(super) struct CheckedCamera<'a> {
     pub camera: &'a SceneCamera,
     pub lens: Option<Lens>,
@@ -36,14 +36,14 @@ pub(super) struct CheckedCamera<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Known<'a> {
     pub twin: &'a Twin,
-    /// The camera whose optics it has.
+    /// The camera that provides the optics.
     pub camera: &'a TwinCamera,
-    /// The depth sensor, where the prim is its virtual camera.
+    /// The depth sensor, if the prim is its virtual camera.
     pub sensor: Option<&'a TwinDepthSensor>,
 }
 
 impl Known<'_> {
-    /// What the camera's optical attributes nominally are.
+    /// Returns the nominal optical attributes.
     pub(super) fn optics(&self) -> UsdOptics {
         UsdOptics::from_intrinsics(
             &self.camera.intrinsics,
@@ -53,22 +53,22 @@ impl Known<'_> {
     }
 }
 
-/// The prim that carries a depth sensor's attributes, and the camera it is about.
+/// A prim with a depth sensor's attributes, and the sensor's camera.
 pub(super) struct DepthSensor<'a> {
     pub prim: &'a Prim,
     pub generation: Generation,
     pub product: Option<&'a RenderProduct>,
-    /// Its place in [`Scene::cameras`].
+    /// The camera's index in [`Scene::cameras`].
     pub camera: Option<usize>,
     pub known: Option<&'a TwinDepthSensor>,
 }
 
-/// Whose schema a depth sensor follows.
+/// The schema of a depth sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Generation {
-    /// Kit's, on the render product.
+    /// Kit's schema, on the render product.
     Product,
-    /// ovrtx's, on the camera.
+    /// ovrtx's schema, on the camera.
     Camera,
 }
 
@@ -128,7 +128,7 @@ impl<'a> Scene<'a> {
         self.cameras.get(sensor.camera?)
     }
 
-    /// Metres in a stage unit.
+    /// Returns the stage unit in metres.
     pub(super) fn meters_per_unit(&self) -> f64 {
         self.stage
             .metadata
@@ -175,19 +175,19 @@ impl<'a> CheckedCamera<'a> {
         &self.camera.prim.path
     }
 
-    /// The size of the camera's own image, whatever is rendered of it.
+    /// Returns the size of the camera's own image, independent of render products.
     pub(super) fn own_size(&self) -> Option<ImageSize> {
         let lens = self.lens.as_ref().and_then(|lens| lens.image_size);
         lens.or_else(|| Some(self.known?.camera.intrinsics.size))
     }
 
-    /// Whether it has the numbers of one unit rather than the model's: a lens schema, or a moved principal point.
+    /// Whether it has the values of one unit rather than of the model: a lens schema or an off-centre principal point.
     pub(super) fn is_calibrated(&self) -> bool {
         self.lens.is_some() || self.camera.aperture_offsets() != (0.0, 0.0)
     }
 }
 
-/// 1280 columns, and as many rows as the apertures' ratio says.
+/// Returns an image size 1280 px wide with the apertures' aspect ratio.
 fn size_by_apertures(camera: &SceneCamera) -> ImageSize {
     const WIDTH: u32 = 1280;
     let rows = f64::from(WIDTH) * camera.vertical_aperture() / camera.horizontal_aperture();
@@ -200,7 +200,7 @@ fn size_by_apertures(camera: &SceneCamera) -> ImageSize {
     ImageSize::new(WIDTH, height)
 }
 
-/// The device that a path leads through, or that the file is named after.
+/// Returns the device that a prim in the path, the file or the default prim is named after.
 fn recognise<'a>(stage: &Stage, path: &str, twins: &'a [Twin]) -> Option<&'a Twin> {
     let by_path = twins
         .iter()
@@ -214,7 +214,7 @@ fn recognise<'a>(stage: &Stage, path: &str, twins: &'a [Twin]) -> Option<&'a Twi
     })
 }
 
-/// The catalog's entry of a camera prim, by the sheet's name or by that of Isaac Sim's own asset.
+/// Returns the catalog entry of a camera prim, by the name in the sheet or in Isaac Sim's asset.
 fn known<'a>(twin: &'a Twin, name: &str) -> Option<Known<'a>> {
     let is = |spec: &str| spec == name || PrimNames::Isaac.of(spec) == name;
     let camera = twin.cameras.iter().find(|camera| is(&camera.spec.prim));

@@ -10,31 +10,31 @@ use crate::stage::Prim;
 pub(super) const SCHEMA_MISSING: Rule = Rule {
     code: "schema-missing",
     level: Level::Error,
-    what: "a schema's attributes are authored, but apiSchemas does not list the schema: they have no effect",
+    what: "a schema's attributes are authored but have no effect, since apiSchemas does not list the schema",
     remedy: "add the schema to the prim's apiSchemas",
 };
 pub(super) const SCHEMA_WRONG_PRIM: Rule = Rule {
     code: "schema-wrong-prim",
     level: Level::Error,
-    what: "a sensor or lens schema is on a prim of a type that it does not apply to",
-    remedy: "move schema and attributes to a prim of the right type",
+    what: "a sensor or lens schema is applied to a prim of an unsupported type",
+    remedy: "move the schema and its attributes to a prim of the right type",
 };
 pub(super) const SCHEMA_CONFLICT: Rule = Rule {
     code: "schema-conflict",
     level: Level::Error,
-    what: "two sensor schemas meet on one camera: the model then produces no output",
+    what: "two sensor schemas apply to one camera, so the model produces no output",
     remedy: "keep one of them",
 };
 pub(super) const OVRTX_SCHEMA: Rule = Rule {
     code: "ovrtx-schema",
     level: Level::Note,
-    what: "the depth sensor follows ovrtx's schema, whose attribute list is not public: Isaac Sim does not read it",
+    what: "the depth sensor uses ovrtx's schema, which Isaac Sim does not read; its attribute list is not public",
     remedy: "",
 };
 
 struct Family {
     schema: fn(&str) -> bool,
-    /// How it is called where none is applied.
+    /// The name used in messages if none is applied.
     name: &'static str,
     namespace: &'static str,
     prim_type: &'static str,
@@ -90,13 +90,13 @@ fn family_rules(prim: &Prim, family: &Family, findings: &mut Vec<Finding>) {
     match (applied, attribute) {
         (Some(schema), _) if !is_type => findings.push(SCHEMA_WRONG_PRIM.with_remedy(
             &prim.path,
-            format!("{schema} is on a prim of type {type_name}, where it has no effect"),
+            format!("{schema} has no effect on a prim of type {type_name}"),
             format!("move it and its attributes to the {}", family.prim_type),
         )),
         (None, Some((name, _))) if !is_type => findings.push(SCHEMA_WRONG_PRIM.with_remedy(
             &prim.path,
             format!(
-                "{}{name} is on a prim of type {type_name}, where it has no effect",
+                "{}{name} has no effect on a prim of type {type_name}",
                 family.namespace
             ),
             format!(
@@ -129,7 +129,7 @@ fn conflicts(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
         if let Some(other) = other {
             findings.push(SCHEMA_CONFLICT.at(
                 &prim.path,
-                format!("{CAMERA_SCHEMA} and {other} are on one camera: the model produces no output"),
+                format!("{CAMERA_SCHEMA} and {other} apply to one camera, so the model produces no output"),
             ));
         }
         for product in &scene.stage.products {
@@ -138,7 +138,7 @@ fn conflicts(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
                 findings.push(SCHEMA_CONFLICT.at(
                     &prim.path,
                     format!(
-                        "{CAMERA_SCHEMA} is on the camera and {PRODUCT_SCHEMA} on its product {}",
+                        "{CAMERA_SCHEMA} applies to the camera and {PRODUCT_SCHEMA} to its product {}",
                         product.prim.path
                     ),
                 ));

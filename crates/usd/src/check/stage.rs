@@ -11,36 +11,36 @@ pub(super) const NO_CAMERA: Rule = Rule {
     what: "the stage defines no camera",
     remedy: "give the file that defines the cameras, or a stage that references it",
 };
-/// Its findings come with the stage.
+/// Its findings are created while the stage is read.
 pub(super) const COMPOSITION: Rule = Rule {
     code: "composition",
     level: Level::Warning,
-    what: "a reference, payload or sublayer cannot be followed",
-    remedy: "put the file where the path says, or correct the path; what it holds is left out",
+    what: "a reference, payload or sublayer cannot be resolved",
+    remedy: "put the file at that path, or correct the path; its content is missing",
 };
-/// Its findings come with the stage.
+/// Its findings are created while the stage is read.
 pub(super) const PACKAGE_LAYOUT: Rule = Rule {
     code: "package-layout",
     level: Level::Warning,
-    what: "a USDZ package does not keep the format's alignment",
+    what: "a USDZ package violates the format's alignment",
     remedy: "package it again with `oaktwin asset --format usdz` or OpenUSD's `usdzip`",
 };
 pub(super) const UP_AXIS: Rule = Rule {
     code: "up-axis",
     level: Level::Note,
-    what: "the stage is not Z up, as Isaac Sim's stages are",
+    what: "the stage is not Z up; Isaac Sim's stages are",
     remedy: "",
 };
 pub(super) const STAGE_UNITS: Rule = Rule {
     code: "stage-units",
     level: Level::Note,
-    what: "a stage unit is not a metre, as in Isaac Sim's stages",
+    what: "the stage unit is not the metre; Isaac Sim's stages are in metres",
     remedy: "",
 };
 pub(super) const DEFAULT_PRIM: Rule = Rule {
     code: "default-prim",
     level: Level::Note,
-    what: "the stage has no default prim, so a plain reference to it brings nothing",
+    what: "the stage has no default prim, so references that name no prim are empty",
     remedy: "",
 };
 
@@ -50,7 +50,7 @@ pub(super) fn rules(stage: &Stage, findings: &mut Vec<Finding>) {
             NO_CAMERA.with_remedy(
                 "/",
                 format!("the file only overrides cameras ({first}) that another file defines"),
-                "put the file it stands on where its reference or sublayer says, and check again",
+                "put the missing file at the path of the reference or sublayer, and check again",
             )
         } else {
             NO_CAMERA.at("/", "the stage has no camera")
@@ -64,7 +64,10 @@ pub(super) fn rules(stage: &Stage, findings: &mut Vec<Finding>) {
             findings.push(UP_AXIS.note("/", format!("upAxis is {axis}; Isaac Sim's stages are Z up")));
         }
         None => {
-            findings.push(UP_AXIS.note("/", "upAxis is not said, so Y holds; Isaac Sim's stages are Z up"));
+            findings.push(UP_AXIS.note(
+                "/",
+                "upAxis is not authored and defaults to Y; Isaac Sim's stages are Z up",
+            ));
         }
     }
     match metadata.meters_per_unit {
@@ -75,7 +78,7 @@ pub(super) fn rules(stage: &Stage, findings: &mut Vec<Finding>) {
         )),
         None => findings.push(STAGE_UNITS.note(
             "/",
-            format!("metersPerUnit is not said, so {FALLBACK_METERS_PER_UNIT} (centimetres) holds; Isaac Sim's stages are in metres"),
+            format!("metersPerUnit is not authored and defaults to {FALLBACK_METERS_PER_UNIT} (centimetres); Isaac Sim's stages are in metres"),
         )),
     }
     if metadata.default_prim.is_none() {

@@ -8,27 +8,27 @@ use super::{brief, num};
 pub(super) const UNITS_SLIP: Rule = Rule {
     code: "units-slip",
     level: Level::Warning,
-    what: "focal length or apertures are 10, 100 or 1000 times what they should be: millimetres, centimetres and \
-           tenths of a stage unit mixed up",
-    remedy: "write focal length, apertures and offsets as numbers of millimetres, as vendors' assets for Isaac Sim do",
+    what: "focal length or apertures are off by a factor of 10, 100 or 1000: millimetres, centimetres and tenths of a \
+           stage unit are confused",
+    remedy: "author focal length, apertures and offsets in millimetres, like vendors' assets for Isaac Sim",
 };
 pub(super) const IMPLAUSIBLE_FOV: Rule = Rule {
     code: "implausible-fov",
     level: Level::Warning,
-    what: "the field of view is narrower than any telephoto's or wider than a pinhole can be",
-    remedy: "check focalLength against horizontalAperture: both must be in one unit",
+    what: "the field of view is narrower than that of a telephoto lens or wider than a pinhole allows",
+    remedy: "check that focalLength and horizontalAperture have the same unit",
 };
 
-/// How far from a power of ten a slip may be, in decades: a calibrated focal length is within 10 % of the nominal.
+/// The tolerance around a power of ten, in decades: a calibrated focal length is within 10 % of the nominal.
 const NEAR_A_POWER: f64 = 0.05;
-/// Apertures of image sensors, mm: phone modules to medium format. Renderers' film backs lie inside.
+/// The range of image sensor widths, mm: phone modules to medium format, including renderers' film backs.
 const SENSOR_WIDTHS_MM: (f64, f64) = (0.9, 80.0);
-/// Horizontal fields of view that cameras have, degrees.
+/// The range of plausible horizontal fields of view, degrees.
 const PLAUSIBLE_HFOV_DEG: (f64, f64) = (4.0, 160.0);
-/// Those that a slip is put right to: the usual ones.
+/// The range of common horizontal fields of view, to which a unit error is corrected.
 const USUAL_HFOV_DEG: (f64, f64) = (15.0, 130.0);
 
-/// Values off by a power of ten, against the catalog or against what sensors are.
+/// Reports values that are off by a power of ten compared with the catalog or with plausible sensors.
 pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     if let Some(known) = camera.known {
         against(camera, &known.optics(), findings);
@@ -37,7 +37,7 @@ pub(super) fn rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     }
 }
 
-/// The power of ten that `value` is off by, ±1 to ±3.
+/// Returns the power of ten by which `value` is off, ±1 to ±3.
 pub(super) fn slip(value: f64, expected: f64) -> Option<i32> {
     let exponent = (value / expected).log10();
     let power = exponent.round();
@@ -66,10 +66,10 @@ fn against(camera: &CheckedCamera<'_>, expected: &UsdOptics, findings: &mut Vec<
         ),
     ] {
         if let Some(power) = slip(value, expected) {
-            let said = format!("{name} {} (catalog: {} mm)", num(value), brief(expected));
-            match slips.iter_mut().find(|(of, _)| *of == power) {
-                Some((_, names)) => names.push(said),
-                None => slips.push((power, vec![said])),
+            let text = format!("{name} {} (catalog: {} mm)", num(value), brief(expected));
+            match slips.iter_mut().find(|(known, _)| *known == power) {
+                Some((_, names)) => names.push(text),
+                None => slips.push((power, vec![text])),
             }
         }
     }
@@ -86,7 +86,7 @@ fn by_plausibility(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
     let hfov_deg = optics.hfov().to_degrees();
     let width = optics.horizontal_aperture_mm;
     if !within(hfov_deg, PLAUSIBLE_HFOV_DEG) {
-        // Which of the two is off shows in the sensor's width.
+        // Find the power of ten of the focal length that gives a common field of view.
         let scaled = |power: i32| UsdOptics {
             focal_length_mm: optics.focal_length_mm * 10f64.powi(-power),
             ..optics
@@ -96,8 +96,8 @@ fn by_plausibility(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
             Some(power) => UNITS_SLIP.at(
                 camera.path(),
                 format!(
-                    "focalLength {} and horizontalAperture {} give a field of view of {hfov_deg:.2}°, but {:.1}° if \
-                     the focal length is {}",
+                    "focalLength {} and horizontalAperture {} give a field of view of {hfov_deg:.2}°; it would be \
+                     {:.1}° if the focal length is {}",
                     num(optics.focal_length_mm),
                     num(width),
                     scaled(power).hfov().to_degrees(),
@@ -113,25 +113,25 @@ fn by_plausibility(camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
         findings.push(UNITS_SLIP.at(
             camera.path(),
             format!(
-                "horizontalAperture {} is no sensor's width in millimetres, though the field of view of {hfov_deg:.1}° \
-                 is plausible: focal length and apertures are in another unit",
+                "horizontalAperture {} is not a plausible sensor width in millimetres, but the field of view of \
+                 {hfov_deg:.1}° is plausible: focal length and apertures have another unit",
                 num(width)
             ),
         ));
     }
 }
 
-fn within(value: f64, (least, most): (f64, f64)) -> bool {
-    value >= least && value <= most
+fn within(value: f64, (min, max): (f64, f64)) -> bool {
+    value >= min && value <= max
 }
 
 fn describe(power: i32) -> String {
     let factor = 10_u32.pow(power.unsigned_abs());
     let like = match power {
-        -1 => ", as of centimetres",
-        -2 => ", as of tenths of a metre",
-        -3 => ", as of metres",
-        3 => ", as of micrometres",
+        -1 => ", as if in centimetres",
+        -2 => ", as if in tenths of a metre",
+        -3 => ", as if in metres",
+        3 => ", as if in micrometres",
         _ => "",
     };
     if power < 0 {
@@ -146,7 +146,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slip_is_a_power_of_ten_and_nothing_else() {
+    fn detects_powers_of_ten_only() {
         assert_eq!(slip(24.138, 2.4138), Some(1));
         assert_eq!(slip(0.0024, 2.4138), Some(-3));
         assert_eq!(slip(2.45, 2.4138), None);

@@ -5,10 +5,10 @@ use quick_xml::reader::Reader;
 
 use super::MaterialXError;
 
-/// Deeper than any shading network.
-const DEEPEST: usize = 64;
+/// The maximum depth of elements.
+const MAX_DEPTH: usize = 64;
 
-/// An element of the document: what kind it is, its attributes, what is inside it.
+/// An element of the document.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Element {
     pub(super) category: String,
@@ -25,17 +25,17 @@ impl Element {
         self.get("name").unwrap_or_default()
     }
 
-    /// The child of that name.
+    /// Returns the child called `name`.
     pub(super) fn child(&self, name: &str) -> Option<&Self> {
         self.children.iter().find(|child| child.name() == name)
     }
 
-    /// The `input` children.
+    /// Returns the `input` children.
     pub(super) fn inputs(&self) -> impl Iterator<Item = &Self> {
         self.children.iter().filter(|child| child.category == "input")
     }
 
-    /// The input of that name.
+    /// Returns the input called `name`.
     pub(super) fn input(&self, name: &str) -> Option<&Self> {
         self.inputs().find(|input| input.name() == name)
     }
@@ -54,15 +54,15 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Element, MaterialXError> {
             .map_err(|error| fail(at, error.to_string()))?;
         let closed = match event {
             Event::Start(start) => {
-                if open.len() >= DEEPEST {
-                    return Err(fail(at, format!("elements nest more than {DEEPEST} deep")));
+                if open.len() >= MAX_DEPTH {
+                    return Err(fail(at, format!("elements nest more than {MAX_DEPTH} deep")));
                 }
                 open.push(element(&start).map_err(|what| fail(at, what))?);
                 None
             }
             Event::Empty(start) => Some(element(&start).map_err(|what| fail(at, what))?),
             Event::End(_) => open.pop(),
-            Event::Eof => return Err(fail(at, "there is no `materialx` element".to_owned())),
+            Event::Eof => return Err(fail(at, "missing `materialx` element".to_owned())),
             _ => None,
         };
         if let Some(closed) = closed {

@@ -1,9 +1,9 @@
-//! `MaterialX` documents as USD layers, in the place where OpenUSD's own plug-in puts them:
-//! `/MaterialX/Materials/NAME`, each a `Material` with the nodes it uses as `Shader` prims inside it.
+//! Converts `MaterialX` documents to USD layers with the layout of OpenUSD's plug-in: each material is a `Material` prim
+//! `/MaterialX/Materials/NAME` that contains its nodes as `Shader` prims.
 //!
-//! Only the network is brought over, with the types that a base colour needs; a node's definition is named
-//! `ND_CATEGORY_TYPE`, as the standard library names them. References to other documents (`xi:include`) and node
-//! definitions of the document's own are not followed.
+//! Only the network is converted, with the types that a base colour needs. A node's definition is named
+//! `ND_CATEGORY_TYPE`, as in the standard library. References to other documents (`xi:include`) and custom node
+//! definitions are not followed.
 
 mod document;
 
@@ -13,23 +13,23 @@ use document::Element;
 
 use crate::text::{Attribute, Layer, Prim, Value, is_identifier};
 
-/// Why a document could not be read.
+/// The reason why a document could not be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("not a MaterialX document: byte {offset}: {what}")]
 pub struct MaterialXError {
-    /// Where, bytes from the start.
+    /// The position in bytes from the start.
     pub offset: u64,
     /// What is wrong.
     pub what: String,
 }
 
-/// Deeper than networks are connected.
-const DEEPEST: usize = 128;
+/// The maximum depth of connections.
+const MAX_DEPTH: usize = 128;
 
-/// Brings a document over.
+/// Converts a document to a layer.
 ///
 /// # Errors
-/// Where the XML is malformed or holds no `materialx` element.
+/// Returns an error if the XML is malformed or has no `materialx` element.
 pub fn to_layer(document: &[u8]) -> Result<Layer, MaterialXError> {
     let document = document::parse(document)?;
     let mut materials = Prim::def("", "Materials");
@@ -67,17 +67,17 @@ fn material(document: &Element, element: &Element) -> Prim {
 /// The nodes that a material uses.
 struct Network<'a> {
     document: &'a Element,
-    /// The material's.
+    /// The path of the material.
     path: String,
     prim: Prim,
-    /// Those that were brought over, with the graph that they are in.
+    /// The graphs and names of the nodes converted so far.
     known: BTreeSet<(String, String)>,
 }
 
 impl Network<'_> {
-    /// The output that feeds an input of a node in `scope` (the document, or the graph named `graph`).
+    /// Returns the output connected to an input of a node in `scope` (the document, or the graph named `graph`).
     fn source(&mut self, scope: &Element, input: &Element, graph: &str, depth: usize) -> Option<String> {
-        if depth > DEEPEST {
+        if depth > MAX_DEPTH {
             return None;
         }
         if let Some(name) = input.get("nodegraph") {
@@ -131,7 +131,7 @@ impl Network<'_> {
         };
         shader.set_uniform("info:id", Value::Token(definition));
         for input in node.inputs() {
-            // What a graph exposes has its value where the graph says so.
+            // The value of an exposed input is authored on the graph.
             let value = match input.get("interfacename") {
                 Some(outer) => scope.input(outer).unwrap_or(input),
                 None => input,
@@ -170,7 +170,7 @@ impl Network<'_> {
         };
         match input.get("type")? {
             "filename" => {
-                // The prefix of the nearest element around it comes before it.
+                // The path is prefixed with the `fileprefix` of the nearest enclosing element.
                 let prefix = [input, node, scope, self.document]
                     .into_iter()
                     .find_map(|element| element.get("fileprefix"))
@@ -194,7 +194,7 @@ impl Network<'_> {
     }
 }
 
-/// A name that a prim may have: what it may not hold becomes `_`.
+/// Converts to a valid prim name: invalid characters become `_`. Empty if that fails.
 fn identifier(name: &str) -> String {
     let mut valid: String = name
         .chars()
@@ -210,7 +210,7 @@ fn identifier(name: &str) -> String {
     }
 }
 
-/// The same for each part of a name with namespaces.
+/// Applies [`identifier`] to each part of a namespaced name.
 fn namespaced(name: &str) -> String {
     name.split(':').map(identifier).collect::<Vec<_>>().join(":")
 }
@@ -242,7 +242,7 @@ mod tests {
 </materialx>"#;
 
     #[test]
-    fn a_network_becomes_prims() {
+    fn converts_a_network_to_prims() {
         let layer = to_layer(DOCUMENT).unwrap();
         let material = layer.prims[0]
             .child("Materials")
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_documents_are_refused_and_loops_end() {
+    fn rejects_malformed_documents_and_stops_at_cycles() {
         for bad in [
             "",
             "no xml",

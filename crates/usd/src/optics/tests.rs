@@ -52,7 +52,7 @@ fn codes(findings: &[Finding]) -> Vec<&str> {
 }
 
 #[test]
-fn isaac_ignores_what_openusd_honours() {
+fn isaac_projection_ignores_aperture_offsets() {
     let mut attributes = apertures(20.0, 20.0, 20.0);
     attributes.push(("horizontalApertureOffset", Value::Float(1.0)));
     let prim = prim_camera(&[], &attributes);
@@ -73,7 +73,7 @@ fn isaac_ignores_what_openusd_honours() {
 }
 
 #[test]
-fn nothing_authored_is_openusds_fallback() {
+fn unauthored_optics_use_openusd_fallbacks() {
     let prim = prim_camera(&[], &[]);
     assert_eq!(default_size(&prim).unwrap(), ImageSize::new(1280, 934));
     let (seen, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
@@ -82,13 +82,13 @@ fn nothing_authored_is_openusds_fallback() {
 }
 
 #[test]
-fn a_sliver_is_one_pixel_high() {
+fn default_size_is_at_least_one_pixel_high() {
     let prim = prim_camera(&[], &apertures(20.0, 20.0, 1e-9));
     assert_eq!(default_size(&prim).unwrap(), ImageSize::new(1280, 1));
 }
 
 #[test]
-fn unusable_numbers_are_named() {
+fn rejects_invalid_attributes_by_name() {
     for (focal, horizontal, vertical, attribute) in [
         (0.0, 20.0, 20.0, "focalLength is 0"),
         (-5.0, 20.0, 20.0, "focalLength is -5"),
@@ -107,11 +107,11 @@ fn unusable_numbers_are_named() {
     }
     let prim = prim_camera(&[], &[("projection", Value::Text("orthographic".to_owned()))]);
     let error = camera(&prim, SIZE, Projection::Isaac).unwrap_err().to_string();
-    assert!(error.contains("projection is `orthographic`"), "{error}");
+    assert!(error.contains("projection `orthographic`"), "{error}");
 }
 
 #[test]
-fn clipping_range_in_metres_or_a_finding() {
+fn clipping_range_is_in_metres_or_reported() {
     for (range, expected) in [
         ([1.0, 100.0], Some((0.01, 1.0))),
         ([0.0, 100.0], None),
@@ -127,7 +127,7 @@ fn clipping_range_in_metres_or_a_finding() {
 }
 
 #[test]
-fn an_opencv_lens_takes_the_place_of_the_apertures() {
+fn opencv_lens_replaces_apertures() {
     let values = [
         ("fx", 800.0),
         ("fy", 790.0),
@@ -158,7 +158,7 @@ fn an_opencv_lens_takes_the_place_of_the_apertures() {
 }
 
 #[test]
-fn a_lens_without_distortion_is_a_pinhole() {
+fn lens_without_distortion_is_a_pinhole() {
     let values = [("fx", 800.0), ("fy", 800.0), ("cx", 645.0), ("cy", 411.0)];
     let prim = with_lens(
         "OmniLensDistortionOpenCvPinholeAPI",
@@ -173,7 +173,7 @@ fn a_lens_without_distortion_is_a_pinhole() {
 }
 
 #[test]
-fn the_fisheye_of_the_wide_models() {
+fn reads_the_fisheye_of_wide_models() {
     let f = 1280.0 / 127f64.to_radians();
     let zeros = [("k1", 0.0), ("k2", 0.0), ("k3", 0.0), ("k4", 0.0)];
     let values = [&[("fx", f), ("fy", f), ("cx", 639.5), ("cy", 399.5)][..], &zeros].concat();
@@ -200,7 +200,7 @@ fn the_fisheye_of_the_wide_models() {
 }
 
 #[test]
-fn f_theta_by_its_fallbacks() {
+fn f_theta_uses_schema_fallbacks() {
     let mut prim = prim_camera(
         &["OmniLensDistortionFthetaAPI"],
         &[(MODEL, Value::Text("ftheta".to_owned()))],
@@ -230,7 +230,7 @@ fn f_theta_by_its_fallbacks() {
 }
 
 #[test]
-fn other_models_are_told_and_rendered_as_pinholes() {
+fn unsupported_models_are_reported_and_become_pinholes() {
     for (schema, token) in [
         ("OmniLensDistortionKannalaBrandtK3API", "kannalaBrandtK3"),
         ("OmniLensDistortionLutAPI", "lut"),
@@ -254,7 +254,7 @@ fn other_models_are_told_and_rendered_as_pinholes() {
 }
 
 #[test]
-fn the_token_decides_between_two_schemas() {
+fn model_token_selects_between_two_schemas() {
     let both = [
         "OmniLensDistortionOpenCvPinholeAPI",
         "OmniLensDistortionOpenCvFisheyeAPI",
@@ -268,7 +268,7 @@ fn the_token_decides_between_two_schemas() {
 }
 
 #[test]
-fn lens_values_that_are_none() {
+fn rejects_invalid_lens_values() {
     for (name, value) in [("fx", 0.0), ("fy", -1.0), ("cx", f64::NAN), ("k1", f64::INFINITY)] {
         let prim = with_lens(
             "OmniLensDistortionOpenCvPinholeAPI",
@@ -284,7 +284,7 @@ fn lens_values_that_are_none() {
 }
 
 proptest! {
-    /// What a pixel sees does not depend on the number of pixels.
+    /// The ray at a relative position does not depend on the image size.
     #[test]
     fn stretching_keeps_the_view(w in 1u32..4000, h in 1u32..4000, u in 0.0..1.0f64, v in 0.0..1.0f64, cx in 500.0..800.0f64) {
         let values = [("fx", 800.0), ("fy", 790.0), ("cx", cx), ("cy", 411.0)];

@@ -3,7 +3,7 @@ use openusd::{pcp, usd};
 
 use super::error::one_line;
 
-/// What went wrong while the stage was composed, sorted, each once.
+/// Returns the errors of the stage's composition, sorted and without duplicates.
 pub(super) fn findings(stage: &usd::Stage) -> Vec<Finding> {
     let mut findings: Vec<Finding> = stage
         .composition_errors()
@@ -17,9 +17,9 @@ pub(super) fn findings(stage: &usd::Stage) -> Vec<Finding> {
 
 fn composition_finding(error: &pcp::Error) -> Finding {
     use pcp::Error as E;
-    let said = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
+    let name = |arc: &pcp::ArcType| format!("{arc:?}").to_lowercase();
     let level = Level::Warning;
-    let mut remedy = "put the file where the path says, or correct the path; what it holds is left out";
+    let mut remedy = "put the file at that path, or correct the path; its content is missing";
     let (place, message) = match error {
         E::UnresolvedLayer {
             asset_path,
@@ -28,10 +28,10 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             ..
         } => {
             let message = if let Some(url) = url(asset_path) {
-                remedy = "download it beside the file and reference it there; what it holds is left out";
-                format!("the {} @{url}@ is not on this machine", said(arc))
+                remedy = "download it next to the file and reference it there; its content is missing";
+                format!("the {} @{url}@ is not a local file", name(arc))
             } else {
-                format!("the {} @{asset_path}@ cannot be found", said(arc))
+                format!("the {} @{asset_path}@ cannot be found", name(arc))
             };
             (site_path.to_string(), message)
         }
@@ -43,9 +43,9 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             ..
         } => {
             let message = if reason.contains("no file format registered") {
-                format!("the {} @{asset_path}@ is no USD layer", said(arc))
+                format!("the {} @{asset_path}@ is not a USD layer", name(arc))
             } else {
-                format!("the {} @{asset_path}@ cannot be read: {reason}", said(arc))
+                format!("the {} @{asset_path}@ cannot be read: {reason}", name(arc))
             };
             (site_path.to_string(), message)
         }
@@ -57,7 +57,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             ..
         } => (
             site_path.to_string(),
-            format!("the {} @{target_layer}@ has no prim <{prim_path}>", said(arc)),
+            format!("the {} @{target_layer}@ has no prim <{prim_path}>", name(arc)),
         ),
         E::MissingDefaultPrim {
             layer_id,
@@ -69,12 +69,12 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             arc,
             site_path,
         } => {
-            remedy = "name the prim in the reference, or give that layer a defaultPrim";
+            remedy = "name the prim in the reference, or author that layer's defaultPrim";
             (
                 site_path.to_string(),
                 format!(
                     "the {} @{layer_id}@ names no prim, and the layer has no default prim",
-                    said(arc)
+                    name(arc)
                 ),
             )
         }
@@ -82,7 +82,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             remedy = "remove one of them; OpenUSD ignores the last";
             (
                 chain.composing.to_string(),
-                "references or inherits lead back to themselves".to_owned(),
+                "references or inherits form a cycle".to_owned(),
             )
         }
         other => ("composition".to_owned(), other.to_string()),
@@ -90,7 +90,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
     Finding::new("composition", level, place, one_line(&message), remedy)
 }
 
-/// The address in an asset path that the library took for a file's, with the slash back that it dropped.
+/// Returns the URL in an asset path that the library parsed as a file path, with the dropped slash restored.
 fn url(asset_path: &str) -> Option<String> {
     ["https:/", "http:/", "omniverse:/"]
         .into_iter()

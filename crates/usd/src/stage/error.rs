@@ -2,12 +2,12 @@ use std::fmt;
 
 use super::inspect::Problem;
 
-/// Why a file could not be opened as a stage: `FILE: PLACE: what is wrong; what to do`, on one line.
+/// The reason why a file could not be opened as a stage, on one line: `FILE: PLACE: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct StageError {
-    /// The file as the caller named it.
+    /// The file's path as given by the caller.
     pub file: String,
-    /// Where in the file, as far as known: a line, a section, an entry of the package. May be empty.
+    /// The place in the file, if known: a line, a section or a package entry. May be empty.
     pub place: String,
     /// What is wrong.
     pub what: String,
@@ -45,11 +45,11 @@ impl fmt::Display for StageError {
     }
 }
 
-/// Makes one line of a message that another library laid out over several, and keeps it short.
+/// Joins the lines of another library's message and truncates it.
 pub(super) fn one_line(text: &str) -> String {
-    const LONGEST: usize = 300;
+    const MAX_CHARS: usize = 300;
     let mut line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    if let Some((end, _)) = line.char_indices().nth(LONGEST) {
+    if let Some((end, _)) = line.char_indices().nth(MAX_CHARS) {
         line.truncate(end);
         line.push('…');
     }

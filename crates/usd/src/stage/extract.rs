@@ -1,4 +1,4 @@
-//! From the USD library's stage to our plain values.
+//! Extracts plain values from the USD library's stage.
 
 use oaktwin_diagnostic::Finding;
 use oaktwin_scene::Up;
@@ -18,12 +18,12 @@ use super::{
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
-/// What marks a prim of another type as one that a rule may want to see.
+/// The namespaces whose attributes make a prim of any type relevant to the linter's rules.
 const SENSOR_NAMESPACES: [&str; 3] = [PRODUCT_NAMESPACE, CAMERA_NAMESPACE, "omni:lensdistortion:"];
-/// OpenUSD's unit where a stage does not say: the centimetre.
+/// OpenUSD's default unit, the centimetre.
 const FALLBACK_METERS_PER_UNIT: f64 = 0.01;
 
-/// Opens and composes `path` and takes out what concerns cameras.
+/// Opens and composes `path` and extracts cameras and sensors.
 pub(super) fn stage(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {
     let stage = open(file, path, &layer)?;
     let reader = Reader::new(stage, None);
@@ -50,7 +50,7 @@ pub(super) fn stage(file: &str, path: &str, layer: Inspected) -> Result<Stage, S
     })
 }
 
-/// Opens and composes `path` and makes a scene of it.
+/// Opens and composes `path` and builds a scene.
 pub(super) fn scene(
     file: &str,
     path: &str,
@@ -60,7 +60,7 @@ pub(super) fn scene(
     let stage = open(file, path, &layer)?;
     let reader = Reader::new(stage, options.time);
     let metadata = metadata(&reader.stage);
-    let (meters_per_unit, odd_unit) = meters_per_unit(&metadata);
+    let (meters_per_unit, invalid_unit) = meters_per_unit(&metadata);
     let up = match metadata.up_axis.as_deref() {
         Some("Z") => Up::Z,
         _ => Up::Y,
@@ -71,7 +71,7 @@ pub(super) fn scene(
         .run(&reader)
         .map_err(|error| failed(file, &layer, &error))?;
     let mut findings = layer.findings;
-    findings.extend(odd_unit);
+    findings.extend(invalid_unit);
     findings.append(&mut composition::findings(&reader.stage));
     findings.append(&mut extraction.findings.into_list());
     let scene = match extraction.builder {
@@ -108,11 +108,11 @@ fn failed(file: &str, layer: &Inspected, error: &dyn std::fmt::Display) -> Stage
             "cannot be read as USD: {}",
             one_line(reason.trim_start_matches("failed to parse USDA layer: "))
         ),
-        "repair it there, or export it again",
+        "correct it, or export it again",
     )
 }
 
-/// Metres in one of the stage's units; a finding where what it says makes no sense.
+/// Returns the stage unit in metres, and a finding if the authored value is invalid.
 fn meters_per_unit(metadata: &StageMetadata) -> (f64, Option<Finding>) {
     match metadata.meters_per_unit {
         None => (FALLBACK_METERS_PER_UNIT, None),
@@ -123,17 +123,17 @@ fn meters_per_unit(metadata: &StageMetadata) -> (f64, Option<Finding>) {
                 "stage-unit",
                 oaktwin_diagnostic::Level::Warning,
                 "stage",
-                format!("metersPerUnit is {unit}; a centimetre is taken instead"),
-                "write how many metres one of the stage's units is",
+                format!("invalid metersPerUnit {unit}; using 0.01 (centimetres)"),
+                "author the length of a stage unit in metres",
             )),
         ),
     }
 }
 
-/// Collects what was asked for on the way through the stage.
+/// Collects cameras, sensors and the scene during the traversal of a stage.
 struct Extraction {
     meters_per_unit: f64,
-    /// Where the scene is made; without one, only cameras and sensors are wanted.
+    /// The scene's builder; `None` if only cameras and sensors are needed.
     builder: Option<Builder>,
     cameras: Vec<SceneCamera>,
     products: Vec<RenderProduct>,
@@ -159,18 +159,18 @@ impl Extraction {
 
     fn camera(&mut self, reader: &Reader, path: &str, context: &Context) {
         let pose = pose(&context.stage_from_prim, self.meters_per_unit);
-        let mut tell = |what: &str| {
-            let remedy = "let it and what it is mounted on be moved and turned only";
+        let mut warn = |what: &str| {
+            let remedy = "use only translations and rotations on the camera and its ancestors";
             self.findings.warn("camera-transform", path, what, remedy);
         };
         let world_from_camera = match pose {
             Some((pose, None)) => pose,
             Some((pose, Some(removed))) => {
-                tell(&format!("its transform has {removed}, which is left out"));
+                warn(&format!("its transform contains {removed}, which is ignored"));
                 pose
             }
             None => {
-                tell("its transform leaves no direction to look in; it stands at the origin");
+                warn("its transform is singular; the camera is placed at the origin");
                 SceneCamera::default().world_from_camera
             }
         };
@@ -181,7 +181,7 @@ impl Extraction {
     }
 }
 
-/// The prim that the scene knows as `path`.
+/// Returns the prim at the scene path `path`.
 fn plain_at(reader: &Reader, path: &str, type_name: &str) -> Prim {
     match openusd::sdf::Path::new(path) {
         Ok(path) => plain_prim(&reader.stage.prim(path), type_name.to_owned()),
@@ -260,7 +260,7 @@ fn concerns_sensors(reader: &Reader, prim: &Record) -> bool {
             .any(schema)
 }
 
-/// Overrides without a definition, which OpenUSD's traversal leaves out.
+/// Returns the overrides of cameras without a definition, which OpenUSD's traversal skips.
 fn overridden_cameras(stage: &usd::Stage) -> Vec<String> {
     let mut all = Vec::new();
     if stage

@@ -4,17 +4,17 @@ use std::panic;
 use std::sync::Once;
 use std::thread;
 
-/// Deep enough for everything that `inspect` lets through (nesting is bounded there).
+/// The stack size: sufficient for everything that `inspect` accepts, which bounds nesting.
 const STACK_BYTES: usize = 256 << 20;
 
 thread_local! {
     static CONTAINED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work` on a thread of its own and returns its panic message as an error.
+/// Runs `work` on a separate thread and returns the message of a panic as an error.
 ///
-/// The panic is not printed: the hook that was in place is wrapped, once per process, by one that keeps quiet on
-/// threads that this function made. Every other thread's panics go to that hook as before.
+/// The panic is not printed: the current panic hook is wrapped, once per process, by one that ignores panics on threads
+/// created here. Panics on other threads reach the previous hook.
 pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, String> {
     static WRAP_HOOK: Once = Once::new();
     if !thread::panicking() {
@@ -35,7 +35,7 @@ pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, S
                 CONTAINED.with(|flag| flag.set(true));
                 work()
             })
-            .map_err(|error| format!("no thread to read it on: {error}"))?
+            .map_err(|error| format!("cannot start a thread: {error}"))?
             .join()
             .map_err(|payload| message(payload.as_ref()))
     })
@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panic_becomes_its_message() {
+    fn returns_the_panic_message() {
         assert_eq!(contained(|| 7), Ok(7));
         let index = [1, 2, 3].len();
         assert_eq!(

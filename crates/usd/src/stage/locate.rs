@@ -1,12 +1,12 @@
 use openusd::usda;
 
-/// Larger layers are not searched: each step parses up to all of it.
-const LARGEST: usize = 4 << 20;
+/// The maximum size of a layer to search, in bytes: each step parses up to the whole layer.
+const MAX_BYTES: usize = 4 << 20;
 
-/// The line at which parsing a text layer fails: the fewest lines that fail in the same words. The parser does not
-/// say where it stopped, but it reads in order, so more lines change nothing.
+/// Returns the line at which parsing a text layer fails: the end of the shortest prefix that fails with the same
+/// message. The parser does not report positions, but it reads in order, so later lines have no effect.
 pub(super) fn failing_line(text: &str) -> Option<usize> {
-    if text.len() > LARGEST {
+    if text.len() > MAX_BYTES {
         return None;
     }
     let message = |text: &str| usda::parse(text).err().map(|error| format!("{error:#}"));
@@ -16,21 +16,21 @@ pub(super) fn failing_line(text: &str) -> Option<usize> {
         .map(|(at, _)| at + 1)
         .chain([text.len()])
         .collect();
-    // A text that is cut short fails in these words from its first line on.
+    // A truncated text fails with this message from its first line on.
     if whole.contains("nexpected end") {
         return Some(text.lines().count());
     }
     let same = |lines: usize| message(&text[..ends[lines]]).is_some_and(|message| message == whole);
-    let (mut fewest, mut most) = (0, ends.len() - 1);
-    while fewest < most {
-        let middle = usize::midpoint(fewest, most);
+    let (mut low, mut high) = (0, ends.len() - 1);
+    while low < high {
+        let middle = usize::midpoint(low, high);
         if same(middle) {
-            most = middle;
+            high = middle;
         } else {
-            fewest = middle + 1;
+            low = middle + 1;
         }
     }
-    Some(fewest + 1)
+    Some(low + 1)
 }
 
 #[cfg(test)]
@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_wrong_value_is_found_and_a_missing_end_is_at_the_end() {
+    fn finds_invalid_values_and_truncation() {
         let wrong =
             "#usda 1.0\ndef Camera \"Cam\"\n{\n    float focalLength = \"wide\"\n}\ndef \"Next\"\n{\n}\n";
         assert_eq!(failing_line(wrong), Some(4));

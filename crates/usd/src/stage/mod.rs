@@ -1,8 +1,8 @@
-//! Opening OpenUSD files safely: what the linter needs of a stage, as plain values.
+//! Reads OpenUSD files safely, as plain values for the linter or as a scene.
 //!
-//! Only this module sees the USD library. It reads text, binary and packaged layers and composes them, but trusts
-//! its input more than we do; so every layer is looked over before it (see `inspect`), it runs on a thread of its
-//! own with a deep stack, and a panic inside becomes a [`StageError`] that names the file.
+//! This is the only module that uses the USD library. The library reads and composes text, binary and packaged layers,
+//! but does not validate its input; so every layer is validated first (see `inspect`), the library runs on a thread of
+//! its own with a large stack, and a panic becomes a [`StageError`] that names the file.
 
 mod composition;
 mod error;
@@ -28,30 +28,30 @@ pub use error::StageError;
 pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
 pub use scene::{SceneOptions, StageScene};
 
-/// The largest layer that is read, bytes. A text layer this large holds some 40 million quads.
+/// The maximum size of a layer, in bytes. A text layer of this size has about 40 million quads.
 pub const MAX_LAYER_BYTES: u64 = 2 << 30;
 
-/// What a USD file holds that concerns cameras and their sensors, composed over its sublayers, references, payloads
-/// and selected variants. Attribute values are the default ones, or the first time sample where there is no default.
+/// The cameras and sensors of a USD file, composed from sublayers, references, payloads and selected variants.
+/// Attribute values are the default ones, or the first time sample if there is no default.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
-    /// The file as the caller named it.
+    /// The file's path as given by the caller.
     pub file: String,
-    /// What the root layer says about the whole.
+    /// The root layer's metadata.
     pub metadata: StageMetadata,
-    /// Every active, defined `Camera`, those inside instances too, in the order of traversal.
+    /// All active, defined `Camera` prims, including those inside instances, in traversal order.
     pub cameras: Vec<SceneCamera>,
-    /// Every `RenderProduct`, likewise.
+    /// All active, defined `RenderProduct` prims, in traversal order.
     pub products: Vec<RenderProduct>,
-    /// Prims of other types that carry a sensor schema or a depth sensor's attributes.
+    /// The prims of other types with a sensor schema or a depth sensor's attributes.
     pub others: Vec<Prim>,
-    /// Prims that are only overridden (`over`) here and look like cameras: the file that defines them is missing.
+    /// The paths of overrides (`over`) with camera attributes but no definition: the file that defines them is missing.
     pub overridden_cameras: Vec<String>,
-    /// What went wrong on the way without making the stage useless: missing references and the like.
+    /// Problems that do not prevent the stage from being read, such as missing references.
     pub findings: Vec<Finding>,
 }
 
-/// What the root layer says about the whole stage; absent where it says nothing.
+/// The metadata of a stage's root layer; `None` for unauthored fields.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct StageMetadata {
     /// `upAxis`: `Y` (OpenUSD's fallback) or `Z`.
@@ -62,28 +62,29 @@ pub struct StageMetadata {
     pub default_prim: Option<String>,
 }
 
-/// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and extracts what concerns cameras.
+/// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and extracts its cameras and sensors.
 ///
 /// # Errors
-/// [`StageError`] where the file is missing, no file, empty, larger than [`MAX_LAYER_BYTES`], not what its name says,
-/// damaged, or more than the USD library can read. A reference or payload that cannot be followed is no error but a
-/// finding of [`Stage::findings`].
+/// Returns an error if the file is missing, not a regular file, empty, larger than [`MAX_LAYER_BYTES`], of another
+/// format than its extension, damaged, or not supported by the USD library. Unresolved references and payloads are
+/// reported in [`Stage::findings`].
 pub fn open(path: impl AsRef<Path>) -> Result<Stage, StageError> {
     contained(path.as_ref(), extract::stage)
 }
 
-/// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and makes a scene of what it shows: everything active, defined and
-/// visible whose purpose is `default` or `render`, in metres and in the stage's own axes.
+/// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and builds a scene of all active, defined and visible prims with the
+/// purpose `default` or `render`, in metres and in the stage's own axes.
 ///
 /// # Errors
-/// As [`open`]. What is missing, odd or not supported is a finding of [`StageScene::findings`], and the rest is there.
+/// Returns an error in the cases of [`open`]. Missing, invalid and unsupported prims are skipped and reported in
+/// [`StageScene::findings`].
 pub fn open_scene(path: impl AsRef<Path>, options: &SceneOptions) -> Result<StageScene, StageError> {
     contained(path.as_ref(), |name, utf8, layer| {
         extract::scene(name, utf8, layer, *options)
     })
 }
 
-/// Looks a file over and has it read where a panic does no harm.
+/// Validates a file and reads it on a thread whose panics are caught.
 fn contained<T: Send>(
     path: &Path,
     read: impl FnOnce(&str, &str, inspect::Inspected) -> Result<T, StageError> + Send,
@@ -105,8 +106,8 @@ fn contained<T: Send>(
         Err(StageError::new(
             &name,
             "",
-            format!("the USD reader gave up on damaged content ({panic})"),
-            "write the file again with OpenUSD (`usdcat --out`), or take an undamaged copy",
+            format!("the USD reader failed on damaged content ({panic})"),
+            "rewrite the file with OpenUSD (`usdcat --out`), or use an undamaged copy",
         ))
     })
 }

@@ -1,4 +1,4 @@
-//! From the USD library's prims and values to our plain ones.
+//! Converts the USD library's prims and values to plain ones.
 
 use std::collections::BTreeMap;
 
@@ -6,18 +6,18 @@ use openusd::{sdf, usd};
 
 use super::{Attribute, Prim, Target, Value};
 
-/// A prim's type.
+/// Returns a prim's type.
 pub(super) fn type_name(prim: &usd::Prim) -> Option<String> {
     Some(prim.type_name().ok()??.as_str().to_owned())
 }
 
-/// The API schemas that are applied to a prim.
+/// Returns the API schemas applied to a prim.
 pub(super) fn api_schemas(prim: &usd::Prim) -> Vec<String> {
     let tokens = prim.api_schemas().unwrap_or_default();
     tokens.iter().map(|token| token.as_str().to_owned()).collect()
 }
 
-/// A prim with all its attributes.
+/// Converts a prim with all its attributes.
 pub(super) fn plain_prim(prim: &usd::Prim, type_name: String) -> Prim {
     let attributes: BTreeMap<String, Attribute> = prim
         .attributes()
@@ -59,7 +59,7 @@ fn plain_attribute(attribute: &usd::Attribute) -> Attribute {
     }
 }
 
-/// Where a relationship points.
+/// Converts the target of a relationship.
 pub(super) fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
     let prim = stage.prim(target.clone());
     let exists = prim.is_valid().unwrap_or(false);
@@ -69,7 +69,7 @@ pub(super) fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
     }
 }
 
-/// A value, its type brought down to a few.
+/// Converts a value to one of the plain types.
 pub(super) fn plain_value(value: sdf::Value) -> Value {
     use sdf::Value as V;
     let floats = |components: &[f32]| Value::Floats(components.iter().map(|c| f64::from(*c)).collect());

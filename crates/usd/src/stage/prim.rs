@@ -4,37 +4,37 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, ImageSize, RigidTransform, UsdOptics};
 use serde::Serialize;
 
-/// A composed prim: its authored attributes and relationships, schema fallbacks not among them.
+/// A composed prim with its authored attributes, without schema fallbacks.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Prim {
-    /// `/Root/oak_d_pro/Camera_rgb_imx378`.
+    /// The path, such as `/Root/oak_d_pro/Camera_rgb_imx378`.
     pub path: String,
-    /// `Camera`; empty where the prim has no type.
+    /// The type, such as `Camera`; empty if the prim has none.
     pub type_name: String,
     /// The applied API schemas, strongest first.
     pub api_schemas: Vec<String>,
-    /// Attributes by name, namespaces included.
+    /// The attributes by full name.
     pub attributes: BTreeMap<String, Attribute>,
 }
 
 /// An authored attribute.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Attribute {
-    /// The declared type, `float`, `token[]`.
+    /// The declared type, such as `float` or `token[]`.
     pub type_name: String,
-    /// Its default value, or its first time sample. Absent where the attribute is declared or blocked only.
+    /// The default value, or else the first time sample. `None` if the attribute is only declared or blocked.
     pub value: Option<Value>,
     /// Whether it has time samples.
     pub animated: bool,
 }
 
-/// An attribute's value, its many types brought down to a few. Half and single precision become `f64` exactly.
+/// An attribute's value, converted to one of a few types. Half and single precision become `f64` exactly.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Value {
     /// `bool`.
     Bool(bool),
-    /// Any integer type that fits.
+    /// Any integer type whose value fits.
     Int(i64),
     /// `half`, `float`, `double`, `timecode`.
     Float(f64),
@@ -46,21 +46,21 @@ pub enum Value {
     Floats(Vec<f64>),
     /// `token[]`, `string[]`, `asset[]`.
     Texts(Vec<String>),
-    /// A type that no rule looks at, by its name in the USD library.
+    /// Any other type, by its name in the USD library.
     Other(String),
 }
 
-/// A camera of the scene.
+/// A camera of a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneCamera {
-    /// Its prim.
+    /// The camera prim.
     pub prim: Prim,
-    /// Where it stands: metres, the camera's axes being `OpenCV`'s, the world's the stage's own.
+    /// The pose, in metres. The camera's axes are `OpenCV`'s, the world's are the stage's.
     pub world_from_camera: RigidTransform,
 }
 
 impl Default for SceneCamera {
-    /// At the origin, as OpenUSD's cameras stand there: looking along −z, y up.
+    /// Returns a camera at the origin with OpenUSD's default orientation: looking along −z, y up.
     fn default() -> Self {
         Self {
             prim: Prim::default(),
@@ -69,10 +69,10 @@ impl Default for SceneCamera {
     }
 }
 
-/// A render product of the scene.
+/// A render product of a stage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RenderProduct {
-    /// Its prim.
+    /// The render product prim.
     pub prim: Prim,
     /// The targets of its `camera` relationship.
     pub cameras: Vec<Target>,
@@ -81,14 +81,14 @@ pub struct RenderProduct {
 /// A relationship's target.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Target {
-    /// Where it points.
+    /// The target path.
     pub path: String,
-    /// The type of the prim there; absent where there is none.
+    /// The type of the target prim; `None` if there is no such prim.
     pub type_name: Option<String>,
 }
 
 impl Value {
-    /// The number, if it is one.
+    /// Returns the value if it is a number.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
         match self {
@@ -100,20 +100,20 @@ impl Value {
             | Self::Other(_) => None,
             #[expect(
                 clippy::cast_precision_loss,
-                reason = "attributes hold no integers beyond 2^53"
+                reason = "attributes have no integers beyond 2^53"
             )]
             Self::Int(int) => Some(*int as f64),
             Self::Float(float) => Some(*float),
         }
     }
 
-    /// The numbers of a vector or an array.
+    /// Returns the numbers of a vector or an array.
     #[must_use]
     pub fn numbers(&self) -> Option<Vec<f64>> {
         match self {
             #[expect(
                 clippy::cast_precision_loss,
-                reason = "attributes hold no integers beyond 2^53"
+                reason = "attributes have no integers beyond 2^53"
             )]
             Self::Ints(ints) => Some(ints.iter().map(|int| *int as f64).collect()),
             Self::Floats(floats) => Some(floats.clone()),
@@ -123,25 +123,25 @@ impl Value {
 }
 
 impl Prim {
-    /// The last element of the path.
+    /// Returns the last element of the path.
     #[must_use]
     pub fn name(&self) -> &str {
         self.path.rsplit('/').next().unwrap_or(&self.path)
     }
 
-    /// The value of an attribute, if one is authored.
+    /// Returns the value of an attribute, if authored.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<&Value> {
         self.attributes.get(name)?.value.as_ref()
     }
 
-    /// The number that an attribute holds.
+    /// Returns the value of a numeric attribute.
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         self.value(name)?.number()
     }
 
-    /// The string or token that an attribute holds.
+    /// Returns the value of a string, token or asset attribute.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
         match self.value(name)? {
@@ -150,7 +150,7 @@ impl Prim {
         }
     }
 
-    /// The two numbers that an attribute holds.
+    /// Returns the value of an attribute with two numbers.
     #[must_use]
     pub fn pair(&self, name: &str) -> Option<(f64, f64)> {
         match *self.value(name)?.numbers()? {
@@ -159,7 +159,7 @@ impl Prim {
         }
     }
 
-    /// The image size that an `int2` attribute holds; `None` also where it is not positive.
+    /// Returns the value of an `int2` attribute as an image size; `None` if it is not positive.
     #[must_use]
     pub fn size(&self, name: &str) -> Option<ImageSize> {
         let Value::Ints(ints) = self.value(name)? else {
@@ -176,7 +176,7 @@ impl Prim {
         self.api_schemas.iter().any(|applied| applied == schema)
     }
 
-    /// The attributes whose name starts with `prefix`: what follows it, and the attribute.
+    /// Returns the attributes whose name starts with `prefix`, with the rest of their name.
     pub fn in_namespace<'a>(&'a self, prefix: &'a str) -> impl Iterator<Item = (&'a str, &'a Attribute)> {
         self.attributes
             .iter()
@@ -185,50 +185,50 @@ impl Prim {
 }
 
 impl SceneCamera {
-    /// `focalLength`, or the schema's fallback.
+    /// Returns `focalLength`, or the schema's fallback.
     #[must_use]
     pub fn focal_length(&self) -> f64 {
         self.prim.number("focalLength").unwrap_or(50.0)
     }
 
-    /// `horizontalAperture`, or the schema's fallback.
+    /// Returns `horizontalAperture`, or the schema's fallback.
     #[must_use]
     pub fn horizontal_aperture(&self) -> f64 {
         self.prim.number("horizontalAperture").unwrap_or(20.955)
     }
 
-    /// `verticalAperture`, or the schema's fallback.
+    /// Returns `verticalAperture`, or the schema's fallback.
     #[must_use]
     pub fn vertical_aperture(&self) -> f64 {
         self.prim.number("verticalAperture").unwrap_or(15.2908)
     }
 
-    /// `horizontalApertureOffset` and `verticalApertureOffset`, or the schema's fallbacks.
+    /// Returns `horizontalApertureOffset` and `verticalApertureOffset`, or the schema's fallbacks.
     #[must_use]
     pub fn aperture_offsets(&self) -> (f64, f64) {
         let of = |name| self.prim.number(name).unwrap_or(0.0);
         (of("horizontalApertureOffset"), of("verticalApertureOffset"))
     }
 
-    /// `fStop`, or the schema's fallback: 0, no depth of field.
+    /// Returns `fStop`, or the schema's fallback of 0: no depth of field.
     #[must_use]
     pub fn f_stop(&self) -> f64 {
         self.prim.number("fStop").unwrap_or(0.0)
     }
 
-    /// `clippingRange` in stage units, or the schema's fallback.
+    /// Returns `clippingRange` in stage units, or the schema's fallback.
     #[must_use]
     pub fn clipping_range(&self) -> (f64, f64) {
         self.prim.pair("clippingRange").unwrap_or((1.0, 1_000_000.0))
     }
 
-    /// Whether it projects in perspective, as it does unless `projection` says otherwise.
+    /// Whether the projection is perspective, which is the schema's fallback.
     #[must_use]
     pub fn is_perspective(&self) -> bool {
         self.prim.text("projection").unwrap_or("perspective") == "perspective"
     }
 
-    /// The optical attributes, whatever their unit.
+    /// Returns the optical attributes without unit conversion.
     #[must_use]
     pub fn optics(&self) -> UsdOptics {
         let (h, v) = self.aperture_offsets();
@@ -243,7 +243,7 @@ impl SceneCamera {
 }
 
 impl RenderProduct {
-    /// `resolution`, where it is authored and positive.
+    /// Returns `resolution` if it is authored and positive.
     #[must_use]
     pub fn resolution(&self) -> Option<ImageSize> {
         self.prim.size("resolution")

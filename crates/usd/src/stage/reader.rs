@@ -7,49 +7,49 @@ use openusd::usd;
 use super::scene::Own;
 use super::value::number;
 
-/// What the library says when it cannot go on.
+/// An error of the USD library.
 pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
 pub(super) type Outcome<T> = Result<T, Failure>;
 
-/// Reads composed prims and values of a stage at one time. Each question costs a walk over every layer that has an
-/// opinion, so a prim's properties are listed once and only those that exist are asked for.
+/// Reads composed prims and values of a stage at one time code. Each query visits every layer with an opinion, so a
+/// prim's properties are listed once and only existing ones are queried.
 pub(super) struct Reader {
     pub(super) stage: usd::Stage,
-    /// The time code at which values are wanted; `None` for default values.
+    /// The time code of values; `None` for default values.
     time: Option<f64>,
 }
 
-/// What the traversal wants to know of every prim.
+/// The data of a prim that the traversal needs.
 pub(super) struct Record {
-    /// Where its opinions are composed: for what instances share, a place inside their prototype.
+    /// The path at which it is composed; inside a prototype for prims shared by instances.
     pub(super) path: Path,
-    /// Its type; empty where it has none.
+    /// The type; empty if it has none.
     pub(super) type_name: Token,
-    /// The names of its authored properties.
+    /// The names of the authored properties.
     pub(super) properties: Vec<Token>,
-    /// The names of its children; an instance's own are its prototype's.
+    /// The names of the children; for an instance, those of its prototype.
     pub(super) children: Vec<Token>,
-    /// The prototype that holds the children of an instance.
+    /// The prototype with the children of an instance.
     pub(super) prototype: Option<Path>,
-    /// Not deactivated itself.
+    /// Whether the prim is active.
     pub(super) active: bool,
-    /// `def`, `over` or `class`.
+    /// The specifier: `def`, `over` or `class`.
     pub(super) specifier: sdf::Specifier,
     own: OnceCell<Own>,
 }
 
 impl Record {
-    /// Whether a property has an opinion anywhere.
+    /// Whether a property is authored in any layer.
     pub(super) fn has(&self, property: &str) -> bool {
         self.properties.iter().any(|name| name.as_str() == property)
     }
 
-    /// What it says that its children inherit; read once.
+    /// Returns the prim's own inheritable state, which is read once.
     pub(super) fn own(&self, reader: &Reader) -> &Own {
         self.own.get_or_init(|| Own::of(reader, self))
     }
 
-    /// The paths of the children.
+    /// Returns the names and paths of the children.
     pub(super) fn child_paths(&self) -> impl Iterator<Item = (&Token, Path)> {
         let parent = self.prototype.as_ref().unwrap_or(&self.path);
         self.children
@@ -58,7 +58,7 @@ impl Record {
     }
 }
 
-/// The path of a prim's child.
+/// Returns the path of a prim's child.
 pub(super) fn child_path(parent: &Path, name: &str) -> Option<Path> {
     if parent.is_abs_root() {
         return Path::new(&format!("/{name}")).ok();
@@ -71,7 +71,7 @@ impl Reader {
         Self { stage, time }
     }
 
-    /// The children of the stage itself.
+    /// Returns the root prims.
     pub(super) fn roots(&self) -> Outcome<Vec<Path>> {
         let root = Path::abs_root();
         let names = self.stage.root_prims()?;
@@ -81,9 +81,9 @@ impl Reader {
             .collect())
     }
 
-    /// A field of a prim or a property.
+    /// Returns a metadata field of a prim or a property.
     pub(super) fn field(&self, path: &Path, name: &str) -> Option<Value> {
-        // The library keeps its general accessor to itself, but an attribute's does not mind a prim's path.
+        // The library's general accessor is private, but that of attributes accepts prim paths.
         self.stage
             .attribute(path.clone())
             .get_metadata::<Value>(name)
@@ -127,8 +127,8 @@ impl Reader {
         })
     }
 
-    /// An attribute's value: at the time asked for, else the default value, else (where there is none) the first time
-    /// sample. OpenUSD's own default time knows no samples; a scene that is only animated would stand at its origin.
+    /// Returns an attribute's value at the reader's time code; without one, the default value or else the first time
+    /// sample. OpenUSD itself ignores samples at the default time, which would leave purely animated prims at the origin.
     pub(super) fn value(&self, record: &Record, name: &str) -> Option<Value> {
         if !record.has(name) {
             return None;
@@ -136,7 +136,7 @@ impl Reader {
         self.attribute_value(&record.path, name)
     }
 
-    /// Like [`Reader::value`], where it is not known whether there is such an attribute.
+    /// Like [`Reader::value`], for attributes that may not exist.
     pub(super) fn attribute_value(&self, prim: &Path, name: &str) -> Option<Value> {
         let attribute = self.stage.attribute(prim.append_property(name).ok()?);
         let at = |time| attribute.get_at::<Value>(time).ok().flatten();
@@ -153,7 +153,7 @@ impl Reader {
         value.filter(|value| !matches!(value, Value::None | Value::ValueBlock))
     }
 
-    /// The targets of a relationship, in the prim's own namespace.
+    /// Returns the targets of a relationship, in the prim's own namespace.
     pub(super) fn targets(&self, record: &Record, name: &str) -> Vec<Path> {
         if !record.has(name) {
             return Vec::new();
@@ -168,8 +168,8 @@ impl Reader {
     }
 }
 
-/// A number between samples. The library reads `0` in a text layer's samples as an integer and `0.5` as a double,
-/// whatever the attribute's type, and does not interpolate from one to the other.
+/// Returns a number interpolated between samples. In a text layer's samples the library reads `0` as an integer and
+/// `0.5` as a double, whatever the attribute's type, and does not interpolate between the two.
 fn scalar_at(attribute: &usd::Attribute, time: f64) -> Option<Value> {
     let at = |time| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
     let kind = attribute.type_name().ok().flatten();

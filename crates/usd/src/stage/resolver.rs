@@ -10,13 +10,13 @@ use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 use super::inspect;
 use crate::materialx;
 
-/// What is put behind the name of a `MaterialX` document, so that the library takes it for a text layer: it chooses
-/// its readers by name and has none for these.
+/// The suffix added to the name of a `MaterialX` document so that the library, which selects readers by name and has
+/// none for these, reads it as a text layer.
 const AS_TEXT: &str = ".usda";
-/// The largest document that is read, bytes.
+/// The maximum size of a document, in bytes.
 const MAX_DOCUMENT_BYTES: u64 = 64 << 20;
 
-/// The name under which the library sees a `MaterialX` document; `None` for other files.
+/// Returns the name of a `MaterialX` document as a text layer; `None` for other files.
 fn as_text_layer(path: &str) -> Option<String> {
     let (name, bracket) = match path.strip_suffix(']') {
         Some(name) => (name, "]"),
@@ -26,7 +26,7 @@ fn as_text_layer(path: &str) -> Option<String> {
     is_document.then(|| format!("{name}{AS_TEXT}{bracket}"))
 }
 
-/// The document behind such a name.
+/// Returns the document of such a text layer.
 fn materialx_document(path: &str) -> Option<String> {
     let (name, bracket) = match path.strip_suffix(']') {
         Some(name) => (name, "]"),
@@ -37,17 +37,17 @@ fn materialx_document(path: &str) -> Option<String> {
     is_document.then(|| format!("{document}{bracket}"))
 }
 
-/// OpenUSD's default resolver, with every file looked over before the library reads it.
+/// OpenUSD's default resolver, with validation of every file before the library reads it.
 pub(super) struct InspectingResolver {
     inner: DefaultResolver,
-    /// The packages that were found to be sound: one is asked for as often as it has files.
+    /// The packages found to be valid: the library opens a package once for each of its files.
     packages: RefCell<HashSet<String>>,
-    /// The layer that was looked over last, at first the stage's own: the library opens a layer several times in a row,
-    /// to see what it is and to read it.
+    /// The layer validated last, initially the stage's own: the library opens a layer several times in a row, to detect
+    /// its format and to read it.
     last: RefCell<(PathBuf, Arc<Vec<u8>>)>,
 }
 
-/// A file in memory that several readers share.
+/// A file in memory, shared by several readers.
 struct Shared {
     bytes: Arc<Vec<u8>>,
     at: u64,
@@ -83,7 +83,7 @@ impl Asset for Shared {
 }
 
 impl InspectingResolver {
-    /// For the stage in the file `root` with this content.
+    /// Creates the resolver of the stage in the file `root` with content `bytes`.
     pub(super) fn new(root: &str, bytes: Arc<Vec<u8>>) -> Self {
         let root = PathBuf::from(root);
         Self {
@@ -95,7 +95,7 @@ impl InspectingResolver {
 }
 
 impl InspectingResolver {
-    /// A `MaterialX` document as the text of a layer.
+    /// Opens a `MaterialX` document as the text of a layer.
     fn materialx(&self, path: &str) -> Result<Box<dyn Asset>, inspect::Problem> {
         let unreadable = |what: &dyn std::fmt::Display| inspect::Problem {
             place: String::new(),
@@ -148,21 +148,21 @@ impl Resolver for InspectingResolver {
     }
 
     fn open_asset(&self, resolved: &ResolvedPath) -> io::Result<Box<dyn Asset>> {
-        let refuse =
+        let invalid_data =
             |problem: inspect::Problem| io::Error::new(io::ErrorKind::InvalidData, problem.to_string());
         let text = resolved.to_string_lossy().into_owned();
         if let Some(document) = materialx_document(&text) {
-            return self.materialx(&document).map_err(refuse);
+            return self.materialx(&document).map_err(invalid_data);
         }
         if let Some((package, inner)) = ar::split_package_relative_path_outer(&text) {
-            inspect::file(Path::new(&package)).map_err(refuse)?;
+            inspect::file(Path::new(&package)).map_err(invalid_data)?;
             let bytes = self.inner.open_asset(resolved)?.read_all()?;
-            inspect::layer(&inner, &bytes).map_err(refuse)?;
+            inspect::layer(&inner, &bytes).map_err(invalid_data)?;
             return Ok(Box::new(Cursor::new(bytes)));
         }
         let path: &Path = resolved;
         if self.last.borrow().0 != path {
-            let bytes = inspect::file(path).map_err(refuse)?.bytes;
+            let bytes = inspect::file(path).map_err(invalid_data)?.bytes;
             self.last.replace((path.to_owned(), bytes));
         }
         let bytes = self.last.borrow().1.clone();

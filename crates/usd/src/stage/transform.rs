@@ -4,17 +4,17 @@ use openusd::sdf::Value;
 use super::reader::{Reader, Record};
 use super::value::{number, quaternion, texts, vec3};
 
-/// A prim's transform ops.
+/// The transform authored on a prim.
 #[derive(Clone, Copy)]
 pub(super) struct LocalTransform {
-    /// All ops together.
+    /// The product of all ops.
     pub(super) parent_from_prim: DAffine3,
-    /// Whether what its ancestors say does not count (`!resetXformStack!`).
+    /// Whether ancestors' transforms are ignored (`!resetXformStack!`).
     pub(super) resets: bool,
 }
 
-/// Types that have no place in space, whatever is authored on them: OpenUSD does not look there either.
-const PLACELESS: [&str; 8] = [
+/// The types without a transform: OpenUSD ignores ops authored on them, too.
+const UNTRANSFORMED_TYPES: [&str; 8] = [
     "",
     "Scope",
     "Material",
@@ -25,13 +25,13 @@ const PLACELESS: [&str; 8] = [
     "RenderSettings",
 ];
 
-/// The transform that a prim authors; `None` where it authors none.
+/// Returns the transform authored on a prim, if any.
 pub(super) fn local_transform(reader: &Reader, prim: &Record) -> Option<LocalTransform> {
-    if !prim.has("xformOpOrder") || PLACELESS.contains(&prim.type_name.as_str()) {
+    if !prim.has("xformOpOrder") || UNTRANSFORMED_TYPES.contains(&prim.type_name.as_str()) {
         return None;
     }
     let mut ops = texts(reader.value(prim, "xformOpOrder")?)?;
-    // Whatever is listed before the last reset counts no more than the ancestors.
+    // Ops before the last reset are ignored like ancestors.
     let reset = ops.iter().rposition(|op| op == "!resetXformStack!");
     if let Some(reset) = reset {
         ops.drain(..=reset);
@@ -45,7 +45,7 @@ pub(super) fn local_transform(reader: &Reader, prim: &Record) -> Option<LocalTra
         let Some(matrix) = reader.value(prim, name).and_then(|value| matrix(name, &value)) else {
             continue;
         };
-        // Listed first is applied last.
+        // The first op in the list is applied last.
         parent_from_prim *= if inverted { matrix.inverse() } else { matrix };
     }
     Some(LocalTransform {
@@ -54,7 +54,7 @@ pub(super) fn local_transform(reader: &Reader, prim: &Record) -> Option<LocalTra
     })
 }
 
-/// One op's matrix; `None` where its kind is unknown or its value of the wrong type, which OpenUSD passes over too.
+/// Returns the matrix of an op; `None` for unknown ops and values of the wrong type, which OpenUSD skips, too.
 fn matrix(name: &str, value: &Value) -> Option<DAffine3> {
     let kind = name.strip_prefix("xformOp:")?.split(':').next()?;
     Some(match kind {
@@ -77,7 +77,7 @@ fn matrix(name: &str, value: &Value) -> Option<DAffine3> {
     })
 }
 
-/// Rotations about the axes that `axes` names, the first one first; degrees.
+/// Returns the product of rotations about `axes`, applied in that order; angles are in degrees.
 fn euler(axes: &str, value: &Value) -> Option<DMat3> {
     let angles = match axes {
         "X" | "Y" | "Z" => DVec3::splat(number(value)?),
@@ -96,8 +96,8 @@ fn euler(axes: &str, value: &Value) -> Option<DMat3> {
     Some(rotation)
 }
 
-/// The rotation of a quaternion that need not be of length 1: its axis, and the angle whose half has the real part
-/// for its cosine, as OpenUSD's `GfRotation` takes it.
+/// Returns the rotation of a quaternion that may not be normalized, like OpenUSD's `GfRotation`: about its imaginary
+/// part, by twice the arc cosine of its real part.
 fn rotation(quaternion: DQuat) -> DMat3 {
     let imaginary = DVec3::new(quaternion.x, quaternion.y, quaternion.z);
     let length = imaginary.length();
@@ -108,8 +108,8 @@ fn rotation(quaternion: DQuat) -> DMat3 {
     DMat3::from_axis_angle(imaginary / length, angle)
 }
 
-/// The matrix of a quaternion as it stands, which for one that is not of length 1 is no rotation: OpenUSD's point
-/// instancers take theirs like this.
+/// Returns the matrix of a quaternion without normalization, like OpenUSD's point instancers. It is a rotation only if
+/// the quaternion is normalized.
 pub(super) fn unchecked_rotation(q: DQuat) -> DMat3 {
     let (xx, yy, zz) = (q.x * q.x, q.y * q.y, q.z * q.z);
     let (xy, xz, yz) = (q.x * q.y, q.x * q.z, q.y * q.z);
@@ -121,7 +121,7 @@ pub(super) fn unchecked_rotation(q: DQuat) -> DMat3 {
     )
 }
 
-/// A matrix as OpenUSD writes it, for row vectors, without its projective part.
+/// Converts OpenUSD's matrix for row vectors, ignoring its projective part.
 fn affine(rows: &[f64; 16]) -> DAffine3 {
     DAffine3::from_mat4(DMat4::from_cols_array(rows))
 }

@@ -1,10 +1,10 @@
-//! From the USD library's many types of value to few of ours.
+//! Converts the USD library's value types.
 
 use oaktwin_camera::math::{DQuat, DVec3};
 use openusd::gf::f16;
 use openusd::sdf::Value as V;
 
-/// A scalar of any precision.
+/// Converts a scalar of any precision.
 pub(super) fn number(value: &V) -> Option<f64> {
     Some(match value {
         V::Half(v) => v.to_f64(),
@@ -14,19 +14,22 @@ pub(super) fn number(value: &V) -> Option<f64> {
         V::Int(v) => (*v).into(),
         V::Uint(v) => (*v).into(),
         V::Uchar(v) => (*v).into(),
-        #[expect(clippy::cast_precision_loss, reason = "no attribute counts beyond 2^53")]
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "attributes have no integers beyond 2^53"
+        )]
         V::Int64(v) => *v as f64,
         _ => return None,
     })
 }
 
-/// A scalar in single precision.
-#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+/// Converts a scalar to single precision.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn single(value: &V) -> Option<f32> {
     number(value).map(|v| v as f32)
 }
 
-/// Three numbers of any precision.
+/// Converts a vector of any precision.
 pub(super) fn vec3(value: &V) -> Option<DVec3> {
     Some(match value {
         V::Vec3d(v) => DVec3::new(v.x, v.y, v.z),
@@ -37,8 +40,8 @@ pub(super) fn vec3(value: &V) -> Option<DVec3> {
     })
 }
 
-/// Three numbers, or the first three of four, in single precision.
-#[expect(clippy::cast_possible_truncation, reason = "colours are of single precision")]
+/// Converts a colour, or the first three components of a 4-vector, to single precision.
+#[expect(clippy::cast_possible_truncation, reason = "colours have single precision")]
 pub(super) fn color(value: &V) -> Option<[f32; 3]> {
     match value {
         V::Vec4f(v) => Some([v.x, v.y, v.z]),
@@ -48,8 +51,8 @@ pub(super) fn color(value: &V) -> Option<[f32; 3]> {
     }
 }
 
-/// Two numbers in single precision.
-#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+/// Converts a 2-vector to single precision.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn vec2(value: &V) -> Option<[f32; 2]> {
     Some(match value {
         V::Vec2f(v) => [v.x, v.y],
@@ -59,7 +62,7 @@ pub(super) fn vec2(value: &V) -> Option<[f32; 2]> {
     })
 }
 
-/// A quaternion of any precision, as it stands.
+/// Converts a quaternion of any precision, without normalization.
 pub(super) fn quaternion(value: &V) -> Option<DQuat> {
     Some(match value {
         V::Quatd(q) => DQuat::from_xyzw(q.x, q.y, q.z, q.w),
@@ -69,7 +72,7 @@ pub(super) fn quaternion(value: &V) -> Option<DQuat> {
     })
 }
 
-/// A token or a string.
+/// Converts a token, string or asset path.
 pub(super) fn text(value: V) -> Option<String> {
     match value {
         V::Token(v) => Some(v.as_str().to_owned()),
@@ -79,7 +82,7 @@ pub(super) fn text(value: V) -> Option<String> {
     }
 }
 
-/// Tokens or strings, one or many.
+/// Converts one or more tokens or strings.
 pub(super) fn texts(value: V) -> Option<Vec<String>> {
     match value {
         V::TokenVec(v) => Some(v.iter().map(|token| token.as_str().to_owned()).collect()),
@@ -90,7 +93,7 @@ pub(super) fn texts(value: V) -> Option<Vec<String>> {
     }
 }
 
-/// A truth value; integers count.
+/// Converts a `bool` or an `int`.
 pub(super) fn boolean(value: &V) -> Option<bool> {
     match value {
         V::Bool(v) => Some(*v),
@@ -99,21 +102,21 @@ pub(super) fn boolean(value: &V) -> Option<bool> {
     }
 }
 
-/// An array of integers.
+/// Converts an array of integers.
 pub(super) fn ints(value: V) -> Option<Vec<i32>> {
     match value {
         V::IntVec(v) => Some(v),
         V::UintVec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
         V::Int64Vec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
         V::UcharVec(v) => Some(v.into_iter().map(i32::from).collect()),
-        // What an empty array of a text file is read as.
+        // The library reads an empty array in a text file as this.
         V::ValueVec(v) if v.is_empty() => Some(Vec::new()),
         _ => None,
     }
 }
 
-/// An array of numbers, or one.
-#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+/// Converts a number or an array of numbers.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn floats(value: V) -> Option<Vec<f32>> {
     match value {
         V::FloatVec(v) => Some(v),
@@ -123,8 +126,8 @@ pub(super) fn floats(value: V) -> Option<Vec<f32>> {
     }
 }
 
-/// An array of points, vectors or colours, or one. What is of single precision already is not copied.
-#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+/// Converts a point, vector or colour or an array of them. Arrays in single precision are not copied.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn vec3s(value: V) -> Option<Vec<[f32; 3]>> {
     match value {
         V::Vec3fVec(v) => Some(v.into_iter().map(<[f32; 3]>::from).collect()),
@@ -143,8 +146,8 @@ pub(super) fn vec3s(value: V) -> Option<Vec<[f32; 3]>> {
     }
 }
 
-/// An array of texture coordinates, or one; of three components the first two.
-#[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+/// Converts texture coordinates or an array of them, taking the first two of three components.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn vec2s(value: V) -> Option<Vec<[f32; 2]>> {
     match value {
         V::Vec2fVec(v) => Some(v.into_iter().map(<[f32; 2]>::from).collect()),
@@ -155,7 +158,7 @@ pub(super) fn vec2s(value: V) -> Option<Vec<[f32; 2]>> {
     }
 }
 
-/// An array of quaternions, as they stand.
+/// Converts a quaternion or an array of them, without normalization.
 pub(super) fn quaternions(value: V) -> Option<Vec<DQuat>> {
     Some(match value {
         V::QuathVec(v) => v.into_iter().filter_map(|q| quaternion(&V::Quath(q))).collect(),
@@ -165,7 +168,7 @@ pub(super) fn quaternions(value: V) -> Option<Vec<DQuat>> {
     })
 }
 
-/// An array of ids.
+/// Converts an array of ids.
 pub(super) fn ids(value: V) -> Option<Vec<i64>> {
     match value {
         V::Int64Vec(v) => Some(v),

@@ -5,15 +5,15 @@ use openusd::sdf::{Path, Specifier};
 
 use super::reader::{Outcome, Reader, Record, child_path};
 
-/// Namespaces nest no deeper than this in what people make; references that nest layers in layers could.
-const DEEPEST: usize = 1000;
+/// The maximum depth of prims. Only layers that reference themselves through others exceed it.
+const MAX_DEPTH: usize = 1000;
 
-/// Something that is done with every prim.
+/// A visitor of all prims of a traversal.
 pub(super) trait Visitor {
-    /// What a prim hands down to its children.
+    /// The state that a prim passes on to its children.
     type Context;
 
-    /// The prim that the scene knows as `path`; `None` keeps away from its children.
+    /// Visits the prim with the scene path `path`. Returns the state for its children, or `None` to skip them.
     fn prim(
         &mut self,
         walk: &Walk<'_>,
@@ -23,19 +23,19 @@ pub(super) trait Visitor {
     ) -> Outcome<Option<Self::Context>>;
 }
 
-/// A depth-first traversal over active, defined and concrete prims and into instances. What instances share is read
-/// once.
+/// A depth-first traversal over active, defined and concrete prims, including those inside instances. Prims shared by
+/// instances are read once.
 pub(super) struct Walk<'a> {
     pub(super) reader: &'a Reader,
     shared: std::cell::RefCell<HashMap<Path, Rc<Record>>>,
 }
 
-/// Which prims a traversal comes by.
+/// The prims that a traversal visits.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Which {
-    /// What is defined and not a class.
+    /// Defined prims, except classes.
     Defined,
-    /// Whatever is not deactivated: what is drawn by a point instancer may lie in classes and overrides.
+    /// All active prims: a point instancer's prototypes may be classes and overrides.
     Active,
 }
 
@@ -47,7 +47,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The prim at `path`, from memory if it was read as a shared one.
+    /// Returns the prim at `path`; shared prims are cached.
     pub(super) fn record(&self, path: &Path, shared: bool) -> Outcome<Rc<Record>> {
         if !shared {
             return Ok(Rc::new(self.reader.record(path.clone())?));
@@ -69,7 +69,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Visits the prim composed at `composed`, which the scene knows as `path`, and all below it.
+    /// Visits the prim composed at `composed`, with the scene path `path`, and its descendants.
     pub(super) fn from<V: Visitor>(
         &self,
         visitor: &mut V,
@@ -82,7 +82,7 @@ impl<'a> Walk<'a> {
         self.below(visitor, composed, path, context, which, shared, 0)
     }
 
-    #[expect(clippy::too_many_arguments, reason = "what recursion carries along")]
+    #[expect(clippy::too_many_arguments, reason = "the state of the recursion")]
     fn below<V: Visitor>(
         &self,
         visitor: &mut V,
@@ -93,8 +93,8 @@ impl<'a> Walk<'a> {
         shared: bool,
         depth: usize,
     ) -> Outcome<()> {
-        if depth >= DEEPEST {
-            return Err(format!("<{path}>: prims nest more than {DEEPEST} deep").into());
+        if depth >= MAX_DEPTH {
+            return Err(format!("<{path}>: prims nest more than {MAX_DEPTH} deep").into());
         }
         let record = self.record(composed, shared)?;
         let wanted = match which {
@@ -120,7 +120,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Whether a path lies in what instances share.
+/// Whether a path is inside a prototype, which instances share.
 pub(super) fn is_in_prototype(path: &Path) -> bool {
     path.as_str().starts_with("/__Prototype_")
 }

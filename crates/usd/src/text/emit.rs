@@ -6,32 +6,15 @@ use super::quote::{push_asset, push_string};
 use super::{Attribute, Dictionary, Layer, Prim, Property, Relationship, Specifier, Value};
 
 impl Layer {
-    /// The layer in OpenUSD's text format, laid out as OpenUSD exports it.
+    /// Returns the layer in OpenUSD's text format, laid out as OpenUSD exports it.
     #[must_use]
     pub fn text(&self) -> String {
         let mut emitter = Emitter {
-            out: String::with_capacity(self.text_size()),
+            out: String::new(),
             depth: 0,
         };
         emitter.layer(self);
         emitter.out
-    }
-
-    /// About how long the text gets: growing a large one costs more than writing it.
-    fn text_size(&self) -> usize {
-        fn of(prim: &Prim) -> usize {
-            let arrays = prim.properties.iter().filter_map(|property| match property {
-                Property::Attribute(attribute) => attribute.value.as_ref(),
-                Property::Relationship(_) => None,
-            });
-            let arrays = arrays.map(|value| match value {
-                Value::IntArray(v) => 6 * v.len(),
-                Value::Point3fArray(v) | Value::Normal3fArray(v) | Value::Float3Array(v) => 29 * v.len(),
-                _ => 0,
-            });
-            512 + arrays.sum::<usize>() + prim.children.iter().map(of).sum::<usize>()
-        }
-        8192 + self.prims.iter().map(of).sum::<usize>()
     }
 }
 
@@ -113,7 +96,7 @@ impl Emitter {
         self.line("}");
     }
 
-    /// In the order of the fields' full names, as OpenUSD has it.
+    /// Emits the metadata sorted by the fields' full names, as OpenUSD does.
     fn prim_metadata(&mut self, prim: &Prim) {
         if !prim.api_schemas.is_empty() {
             self.indent();
@@ -204,7 +187,7 @@ impl Emitter {
         self.out.push('\n');
     }
 
-    /// `head` and one item, or a bracketed list with an item a line.
+    /// Emits `head` and a single item, or a bracketed list with one item per line.
     fn list(&mut self, head: &str, items: &[String]) {
         self.indent();
         self.list_after(head, items);
@@ -358,35 +341,11 @@ fn push_tuple<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String,
 }
 
 fn push_array<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String, T)) {
-    // Arrays are the bulk of a text; about this many bytes an item.
-    out.reserve(items.len() * (2 + 3 * size_of::<T>()));
     out.push('[');
     push_separated(out, items, push);
     out.push(']');
 }
 
-/// An array of vectors. The corners of faces share few normals: what was printed a while ago is copied.
 fn push_vectors(out: &mut String, vectors: &[[f32; 3]]) {
-    const SLOTS: usize = 256;
-    let mut printed = vec![([0; 3], 0..0); SLOTS];
-    out.reserve(vectors.len() * 24);
-    out.push('[');
-    for (i, &vector) in vectors.iter().enumerate() {
-        if i > 0 {
-            out.push_str(", ");
-        }
-        let bits = vector.map(f32::to_bits);
-        let hash = bits
-            .iter()
-            .fold(0_u32, |hash, &b| (hash ^ b).wrapping_mul(0x9e37_79b1));
-        let (key, text) = &mut printed[(hash >> 24) as usize % SLOTS];
-        if *key == bits && text.start < text.end {
-            out.extend_from_within(text.clone());
-        } else {
-            let begin = out.len();
-            push_tuple(out, &vector, push_f32);
-            (*key, *text) = (bits, begin..out.len());
-        }
-    }
-    out.push(']');
+    push_array(out, vectors, |out, vector| push_tuple(out, &vector, push_f32));
 }

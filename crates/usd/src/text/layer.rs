@@ -21,16 +21,16 @@ pub struct Layer {
     pub prims: Vec<Prim>,
 }
 
-/// Which axis of a stage points up.
+/// The up axis of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpAxis {
-    /// OpenUSD's default.
+    /// +y, OpenUSD's default.
     Y,
-    /// Isaac Sim's.
+    /// +z, Isaac Sim's default.
     Z,
 }
 
-/// Whether a prim is made here or changed here.
+/// Whether a layer defines a prim or overrides one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Specifier {
     /// `def`.
@@ -39,16 +39,16 @@ pub enum Specifier {
     Over,
 }
 
-/// A prim with what is below it.
+/// A prim and its descendants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prim {
     /// `def` or `over`.
     pub specifier: Specifier,
-    /// `Camera`; empty where none is authored.
+    /// The type, such as `Camera`; empty if none is authored.
     pub type_name: String,
-    /// The last element of its path.
+    /// The last element of the prim's path.
     pub name: String,
-    /// `prepend apiSchemas`, in their order.
+    /// `prepend apiSchemas`, strongest first.
     pub api_schemas: Vec<String>,
     /// `assetInfo`.
     pub asset_info: Dictionary,
@@ -60,9 +60,9 @@ pub struct Prim {
     pub kind: Option<String>,
     /// `prepend references`.
     pub references: Vec<Reference>,
-    /// In any order; the text sorts them.
+    /// The properties, in any order: the text sorts them.
     pub properties: Vec<Property>,
-    /// In the order of the text.
+    /// The children, in the order in which they are written.
     pub children: Vec<Self>,
 }
 
@@ -78,51 +78,51 @@ pub struct Reference {
 /// An attribute or a relationship.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Property {
-    /// A value.
+    /// An attribute.
     Attribute(Attribute),
-    /// Targets.
+    /// A relationship.
     Relationship(Relationship),
 }
 
 /// An attribute.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attribute {
-    /// With its namespaces, `omni:lensdistortion:model`.
+    /// The name with its namespaces, such as `omni:lensdistortion:model`.
     pub name: String,
-    /// The type's name; that of the value where there is one.
+    /// The name of the type; that of `value` if there is one.
     pub type_name: &'static str,
     /// The default value.
     pub value: Option<Value>,
-    /// `uniform`: does not vary over time.
+    /// Whether it is `uniform`: constant over time.
     pub uniform: bool,
-    /// `custom`: belongs to no schema.
+    /// Whether it is `custom`: not part of a schema.
     pub custom: bool,
     /// `doc`.
     pub documentation: Option<String>,
     /// `interpolation` of a primitive variable.
     pub interpolation: Option<&'static str>,
-    /// The paths of the attributes that feed it.
+    /// The paths of the attributes that it is connected to.
     pub connections: Vec<String>,
 }
 
 /// A relationship.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Relationship {
-    /// With its namespaces, `material:binding`.
+    /// The name with its namespaces, such as `material:binding`.
     pub name: String,
-    /// Absolute paths.
+    /// The absolute paths of the targets.
     pub targets: Vec<String>,
     /// `doc`.
     pub documentation: Option<String>,
 }
 
 impl Prim {
-    /// `def TYPE "NAME"`, with nothing in it.
+    /// Creates an empty `def TYPE "NAME"`.
     pub fn def(type_name: impl Into<String>, name: impl Into<String>) -> Self {
         Self::new(Specifier::Def, type_name.into(), name.into())
     }
 
-    /// `over "NAME"`, with nothing in it.
+    /// Creates an empty `over "NAME"`.
     pub fn over(name: impl Into<String>) -> Self {
         Self::new(Specifier::Over, String::new(), name.into())
     }
@@ -143,26 +143,26 @@ impl Prim {
         }
     }
 
-    /// With a documentation string.
+    /// Returns the same with a documentation string.
     #[must_use]
     pub fn documented(mut self, text: impl Into<String>) -> Self {
         self.documentation = Some(text.into());
         self
     }
 
-    /// With a child.
+    /// Returns the prim with another child.
     #[must_use]
     pub fn with_child(mut self, child: Self) -> Self {
         self.children.push(child);
         self
     }
 
-    /// Adds an attribute of a schema that may vary over time.
+    /// Adds a schema attribute that may vary over time.
     pub fn set(&mut self, name: impl Into<String>, value: Value) {
         self.add(Attribute::new(name, value));
     }
 
-    /// Adds an attribute of a schema that does not vary over time.
+    /// Adds a `uniform` schema attribute.
     pub fn set_uniform(&mut self, name: impl Into<String>, value: Value) {
         self.add(Attribute::new(name, value).uniform());
     }
@@ -181,7 +181,7 @@ impl Prim {
         }));
     }
 
-    /// The attribute of a name, if it is authored.
+    /// Returns the attribute called `name` if it is authored.
     #[must_use]
     pub fn attribute(&self, name: &str) -> Option<&Attribute> {
         self.properties.iter().find_map(|property| match property {
@@ -190,7 +190,7 @@ impl Prim {
         })
     }
 
-    /// The child of a name.
+    /// Returns the child called `name`.
     #[must_use]
     pub fn child(&self, name: &str) -> Option<&Self> {
         self.children.iter().find(|child| child.name == name)
@@ -198,7 +198,7 @@ impl Prim {
 }
 
 impl Attribute {
-    /// An attribute of a schema, varying, with a value.
+    /// Creates a schema attribute with a value.
     pub fn new(name: impl Into<String>, value: Value) -> Self {
         Self {
             type_name: value.type_name(),
@@ -207,7 +207,7 @@ impl Attribute {
         }
     }
 
-    /// An attribute of a schema that has a type but no value.
+    /// Creates a schema attribute with a type but no value.
     pub fn without_value(name: impl Into<String>, type_name: &'static str) -> Self {
         Self {
             name: name.into(),
@@ -221,14 +221,14 @@ impl Attribute {
         }
     }
 
-    /// Not varying over time.
+    /// Returns the attribute as `uniform`.
     #[must_use]
     pub fn uniform(mut self) -> Self {
         self.uniform = true;
         self
     }
 
-    /// With a documentation string.
+    /// Returns the same with a documentation string.
     #[must_use]
     pub fn documented(mut self, text: impl Into<String>) -> Self {
         self.documentation = Some(text.into());
@@ -248,7 +248,7 @@ impl Property {
 }
 
 impl UpAxis {
-    /// `Y` or `Z`.
+    /// Returns the token `Y` or `Z`.
     #[must_use]
     pub const fn token(self) -> &'static str {
         match self {

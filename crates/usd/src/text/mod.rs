@@ -1,9 +1,9 @@
-//! OpenUSD's text format: a document model and its text, laid out as OpenUSD itself writes it.
+//! OpenUSD's text format: a document model and an emitter that lays out text as OpenUSD does.
 //!
-//! The model holds what camera assets need and no more: definitions and overrides, applied schemas, dictionaries,
-//! attributes, relationships, connections, references and sublayers. [`Layer::text`] sorts properties and metadata
-//! as OpenUSD does and prints the shortest numbers that read back to the same bits, so that a file loaded and
-//! exported by OpenUSD comes out as it went in.
+//! The model covers what camera assets need: definitions and overrides, applied schemas, dictionaries, attributes,
+//! relationships, connections, references and sublayers. [`Layer::text`] sorts properties and metadata as OpenUSD does
+//! and prints the shortest numbers that parse back to the same bits, so that loading a file and exporting it with
+//! OpenUSD reproduces it.
 
 mod emit;
 mod layer;

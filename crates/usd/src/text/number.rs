@@ -1,20 +1,18 @@
-//! Numbers as OpenUSD prints them: the shortest digits that read back to the same value, `1` for 1.0, decimals
+//! Formats numbers as OpenUSD does: the shortest digits that parse back to the same value, `1` for 1.0, decimals
 //! from 1e-6 up to 1e15 and exponents (`1e15`, `1e-7`) beyond.
+
+use std::fmt::Write;
 
 use zmij::{Buffer, Float};
 
-/// Appends a whole number.
+/// Appends an integer.
 pub(super) fn push_i32(out: &mut String, value: i32) {
-    out.push_str(itoa::Buffer::new().format(value));
+    let _ = write!(out, "{value}");
 }
 
-/// Appends a 32-bit number: the digits that are enough for 32 bits.
+/// Appends a 32-bit number with the shortest digits that identify it among `f32` values.
 pub(super) fn push_f32(out: &mut String, value: f32) {
-    if value.to_bits() == 0 {
-        out.push('0');
-    } else if let Some(millionths) = millionths(value) {
-        push_millionths(out, millionths);
-    } else if value.is_finite() {
+    if value.is_finite() {
         push_finite(out, value);
     } else {
         push_special(out, value.is_nan(), value > 0.0);
@@ -30,77 +28,6 @@ pub(super) fn push_f64(out: &mut String, value: f64) {
     }
 }
 
-/// `value · 10⁶` where it is a whole number of at most six digits, or ±10⁶: nearly all of a mesh's numbers.
-///
-/// No two decimals of six digits are the same `f32`, so its decimal is the shortest one there is, and quick to print.
-fn millionths(value: f32) -> Option<i32> {
-    let scaled = f64::from(value) * 1e6;
-    // Not `round`, which is a call into the C library where the processor's own may not be assumed.
-    let near = scaled + 0.5_f64.copysign(scaled);
-    if near.abs() < 1.0 || near.abs() > 1_000_000.75 {
-        return None;
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "at most 10⁶, cut to the whole; and the nearest f32 is what is asked for"
-    )]
-    let (whole, nearest) = (near as i32, (f64::from(near as i32) / 1e6) as f32);
-    (nearest == value).then_some(whole)
-}
-
-fn push_millionths(out: &mut String, millionths: i32) {
-    let magnitude = millionths.unsigned_abs() as usize;
-    out.push_str(match (millionths < 0, magnitude) {
-        (true, 1_000_000) => return out.push_str("-1"),
-        (false, 1_000_000) => return out.push('1'),
-        (true, _) => "-0.",
-        (false, _) => "0.",
-    });
-    let (thousands, rest) = (magnitude / 1000, magnitude % 1000);
-    if rest == 0 {
-        out.push_str(without_zeros(thousands));
-    } else {
-        out.push_str(three_digits(thousands));
-        out.push_str(without_zeros(rest));
-    }
-}
-
-/// `000` to `999`, in one piece: text that needs no proof that it is text.
-const THREE_DIGITS: &str = {
-    const DIGITS: [u8; 3000] = {
-        let mut digits = [b'0'; 3000];
-        let mut i = 0;
-        while i < 1000 {
-            #[expect(clippy::cast_possible_truncation, reason = "single digits")]
-            let ones = [(i / 100) as u8, (i / 10 % 10) as u8, (i % 10) as u8];
-            digits[3 * i] += ones[0];
-            digits[3 * i + 1] += ones[1];
-            digits[3 * i + 2] += ones[2];
-            i += 1;
-        }
-        digits
-    };
-    match std::str::from_utf8(&DIGITS) {
-        Ok(digits) => digits,
-        Err(_) => panic!("digits are text"),
-    }
-};
-
-/// A number below 1000 with its leading zeros.
-fn three_digits(number: usize) -> &'static str {
-    &THREE_DIGITS[3 * number..3 * number + 3]
-}
-
-/// The same without its zeros at the end; not for 0.
-fn without_zeros(number: usize) -> &'static str {
-    let zeros = if number.is_multiple_of(100) {
-        2
-    } else {
-        usize::from(number.is_multiple_of(10))
-    };
-    &three_digits(number)[..3 - zeros]
-}
-
 fn push_special(out: &mut String, is_nan: bool, positive: bool) {
     out.push_str(match (is_nan, positive) {
         (true, _) => "nan",
@@ -109,7 +36,7 @@ fn push_special(out: &mut String, is_nan: bool, positive: bool) {
     });
 }
 
-/// The decimal exponents that OpenUSD (through double-conversion) writes without an `e`.
+/// The decimal exponents that OpenUSD (through double-conversion) writes in plain notation.
 const PLAIN_EXPONENTS: std::ops::Range<i32> = -6..15;
 
 fn push_finite<F: Float>(out: &mut String, value: F) {
@@ -137,7 +64,7 @@ fn push_finite<F: Float>(out: &mut String, value: F) {
         }
         return;
     }
-    // The two notations switch at different exponents: lay the digits out anew.
+    // The formatter and OpenUSD switch notation at different exponents, so the digits are laid out again.
     let digits = [whole, fraction].concat();
     let digits = digits.trim_matches('0');
     if PLAIN_EXPONENTS.contains(&exponent) {
@@ -193,9 +120,9 @@ mod tests {
         out
     }
 
-    /// What `Sdf.Layer.ExportToString()` of usd-core 24.5 prints for these.
+    /// Expected texts come from `Sdf.Layer.ExportToString()` of usd-core 24.5.
     #[test]
-    fn as_openusd_prints_them() {
+    fn matches_openusd() {
         for (value, text) in [
             (1e-5, "0.00001"),
             (1e-6, "0.000001"),
@@ -237,14 +164,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn reads_back_to_the_same_bits(bits in any::<u64>(), narrow in any::<u32>(), scale in -20i32..20, mantissa in -1e6..1e6f64) {
+        fn round_trips_to_the_same_bits(bits in any::<u64>(), narrow in any::<u32>(), scale in -20i32..20, mantissa in -1e6..1e6f64) {
             let shorter = mantissa * 10f64.powi(scale);
             for value in [f64::from_bits(bits), shorter] {
                 if value.is_finite() {
                     prop_assert_eq!(f64_text(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
                 }
             }
-            #[expect(clippy::cast_possible_truncation, reason = "any f32 will do")]
+            #[expect(clippy::cast_possible_truncation, reason = "any f32 is a valid test value")]
             for value in [f32::from_bits(narrow), shorter as f32] {
                 if value.is_finite() {
                     prop_assert_eq!(f32_text(value).parse::<f32>().unwrap().to_bits(), value.to_bits());
@@ -253,17 +180,7 @@ mod tests {
         }
 
         #[test]
-        fn millionths_print_as_all_numbers_do(millionths in -1_000_000i32..=1_000_000, ulps in -1i8..=1) {
-            #[expect(clippy::cast_possible_truncation, reason = "the nearest f32 is meant")]
-            let value = (f64::from(millionths) / 1e6) as f32;
-            let bits = value.to_bits().saturating_add_signed(ulps.into());
-            let mut general = String::new();
-            push_finite(&mut general, f32::from_bits(bits));
-            prop_assert_eq!(f32_text(f32::from_bits(bits)), general);
-        }
-
-        #[test]
-        fn exponents_where_openusd_has_them(digit in 1u32..10, exponent in -30i32..30) {
+        fn uses_exponents_in_the_same_range_as_openusd(digit in 1u32..10, exponent in -30i32..30) {
             let text = f64_text(format!("{digit}e{exponent}").parse().unwrap());
             prop_assert_eq!(text.contains('e'), !(-6..15).contains(&exponent), "{}", text);
         }

@@ -1,8 +1,8 @@
 use std::cmp::Ordering;
 
-/// Whether a name may stand bare: a letter or underscore, then letters, digits and underscores.
+/// Whether a name is a valid identifier: a letter or underscore, then letters, digits and underscores.
 ///
-/// OpenUSD 24.3 and later take more (any Unicode identifier); ASCII is what every tool around it takes.
+/// OpenUSD 24.3 and later accept any Unicode identifier; ASCII is what all tools accept.
 #[must_use]
 pub fn is_identifier(name: &str) -> bool {
     let mut bytes = name.bytes();
@@ -10,8 +10,8 @@ pub fn is_identifier(name: &str) -> bool {
         && bytes.all(|b| b.is_ascii_alphanumeric() || b == b'_')
 }
 
-/// OpenUSD's order of property names: case does not count and runs of digits compare as numbers, but where
-/// nothing else tells two names apart.
+/// Compares property names as OpenUSD does: case-insensitively, with runs of digits compared as numbers. Names that
+/// are equal in this sense are compared byte by byte.
 pub(super) fn dictionary_order(a: &str, b: &str) -> Ordering {
     let (left, right) = (a.as_bytes(), b.as_bytes());
     let (mut i, mut j) = (0, 0);
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sorts_as_openusd_does() {
+    fn sorts_names_like_openusd() {
         let mut names = [
             "user:d10",
             "user:d2",
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn identifiers() {
+    fn accepts_ascii_identifiers_only() {
         for name in ["a", "_", "Camera_rgb_imx378"] {
             assert!(is_identifier(name), "{name}");
         }

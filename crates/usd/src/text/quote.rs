@@ -1,6 +1,7 @@
 use std::fmt::Write;
 
-/// Appends a quoted string: double quotes unless only they occur in it, tripled where it has line breaks.
+/// Appends a quoted string: in single quotes if it holds double but no single quotes, else in double quotes, which are
+/// tripled if it has line breaks.
 pub(super) fn push_string(out: &mut String, text: &str) {
     let quote = if text.contains('"') && !text.contains('\'') {
         '\''
@@ -26,7 +27,7 @@ pub(super) fn push_string(out: &mut String, text: &str) {
     out.extend(std::iter::repeat_n(quote, marks));
 }
 
-/// Appends an asset path between at signs, three of them where it holds one itself.
+/// Appends an asset path between at signs: three on each side if the path holds one.
 pub(super) fn push_asset(out: &mut String, path: &str) {
     if path.contains('@') {
         out.push_str("@@@");
@@ -49,9 +50,9 @@ mod tests {
         out
     }
 
-    /// What usd-core 24.5 prints for these.
+    /// The expected texts come from usd-core 24.5.
     #[test]
-    fn as_openusd_quotes_them() {
+    fn quotes_strings_like_openusd() {
         for (text, quoted) in [
             ("plain é", "\"plain é\""),
             ("has \"quote\"", "'has \"quote\"'"),
@@ -65,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn asset_paths_with_at_signs() {
+    fn quotes_asset_paths_with_at_signs() {
         let mut out = String::new();
         push_asset(&mut out, "./a.usd");
         push_asset(&mut out, "a@b.usd");

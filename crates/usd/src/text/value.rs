@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-/// Named values, in the order of their names.
+/// Named values, sorted by name.
 pub type Dictionary = BTreeMap<String, Value>;
 
 /// A value with its OpenUSD type.
@@ -18,7 +18,7 @@ pub enum Value {
     String(String),
     /// `token`.
     Token(String),
-    /// `asset`: a path.
+    /// `asset`, a path.
     Asset(String),
     /// `int2`.
     Int2([i32; 2]),
@@ -28,7 +28,7 @@ pub enum Value {
     Color3f([f32; 3]),
     /// `double3`.
     Double3([f64; 3]),
-    /// `quatd`: the real part first.
+    /// `quatd`, the real part first.
     Quatd([f64; 4]),
     /// `matrix4d`, row by row, translation in the last row.
     Matrix4d([[f64; 4]; 4]),
@@ -46,22 +46,22 @@ pub enum Value {
     Normal3fArray(Vec<[f32; 3]>),
     /// `color3f[]`.
     Color3fArray(Vec<[f32; 3]>),
-    /// `dictionary`: in metadata only.
+    /// `dictionary`, valid in metadata only.
     Dictionary(Dictionary),
 }
 
 impl Value {
-    /// A token.
+    /// Creates a token.
     pub fn token(text: impl Into<String>) -> Self {
         Self::Token(text.into())
     }
 
-    /// A string.
+    /// Creates a string.
     pub fn string(text: impl Into<String>) -> Self {
         Self::String(text.into())
     }
 
-    /// The type's name as OpenUSD spells it.
+    /// Returns OpenUSD's name of the type.
     #[must_use]
     pub const fn type_name(&self) -> &'static str {
         match self {
@@ -89,7 +89,7 @@ impl Value {
         }
     }
 
-    /// Whether no number in it is infinite or not a number.
+    /// Whether all numbers in it are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         match self {

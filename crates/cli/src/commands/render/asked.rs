@@ -27,15 +27,12 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
         ("--pair", args.pair.pair),
     ];
     match files.iter().find(|(_, is_given)| *is_given) {
-        Some((option, _)) => Err(format!(
-            "{option} writes files beside the recording; set an output folder with -o"
-        )
-        .into()),
+        Some((option, _)) => {
+            Err(format!("{option} writes files beside the recording; set an output folder with -o").into())
+        }
         None => Ok(None),
     }
 }
-
-
 
 /// The annotators that are named, and those that additional files require.
 pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
@@ -48,7 +45,7 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     }
     for name in &args.outputs.annotators {
         match name.trim() {
-            "all" => chosen.extend(Annotator::ALL),
+            "all" => chosen.extend(Annotator::all()),
             name => chosen.push(render::annotator(name)?),
         }
     }
@@ -81,7 +78,7 @@ fn senses(args: &RenderArgs) -> bool {
 /// A warning about a depth sensor option without effect.
 pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
     let option = args.sensor.given().filter(|_| args.sweep.is_empty())?;
-    let is_used = annotators.iter().any(|one| one.is_of_depth_sensor());
+    let is_used = annotators.iter().any(|one| one.is_depth_sensor());
     (!is_used).then(|| {
         Finding::new(
             "sensor-unused",
@@ -103,7 +100,7 @@ pub(super) fn everything(args: &RenderArgs) -> bool {
         .annotators
         .iter()
         .filter_map(|name| render::annotator(name.trim()).ok());
-    !named.into_iter().any(Annotator::is_of_depth_sensor)
+    !named.into_iter().any(Annotator::is_depth_sensor)
 }
 
 /// The sweep, if there is one.

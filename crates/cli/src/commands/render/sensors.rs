@@ -28,7 +28,7 @@ impl Sensors {
         oak: Option<&Oak>,
     ) -> Result<Self> {
         let sweep = asked::sweep(args)?;
-        if !annotators.iter().any(|one| one.is_of_depth_sensor()) && sweep.is_none() {
+        if !annotators.iter().any(|one| one.is_depth_sensor()) && sweep.is_none() {
             return Ok(Self::default());
         }
         let sensor = args.sensor.options()?;
@@ -66,10 +66,7 @@ pub(super) fn pair(
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
     if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
         return match args.pair.given() {
-            Some(option) => Err(format!(
-                "{option} requires --engine stereo-matching"
-            )
-            .into()),
+            Some(option) => Err(format!("{option} requires --engine stereo-matching").into()),
             None => Ok(None),
         };
     }

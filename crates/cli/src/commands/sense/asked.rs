@@ -40,7 +40,7 @@ fn annotators(args: &SenseArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
     for name in &args.outputs.annotators {
         let annotator = render::annotator(name.trim())?;
-        if !annotator.is_of_depth_sensor() {
+        if !annotator.is_depth_sensor() {
             return Err(format!(
                 "--annotators {}: is ground truth, not an output of a depth sensor; remove it",
                 annotator.name()

@@ -2,6 +2,7 @@
 
 mod errors;
 mod geometry;
+mod parameters;
 mod same_bytes;
 
 use oaktwin_camera::StereoGeometry;

@@ -1,5 +1,4 @@
 use super::*;
-use crate::time_of_flight::NAMES;
 
 #[test]
 fn each_name_changes_what_it_reads() {
@@ -9,7 +8,7 @@ fn each_name_changes_what_it_reads() {
         "0.03", "0", "0.3",
     ];
     let default = Parameters::new(457.0, 640);
-    for (name, value) in NAMES.iter().zip(values) {
+    for (name, value) in Parameters::names().into_iter().zip(values) {
         let mut p = default;
         assert_ne!(p.get(name).unwrap(), value, "{name}");
         p.set(name, value).unwrap();
@@ -22,7 +21,7 @@ fn each_name_changes_what_it_reads() {
 }
 
 #[test]
-fn words_for_light_and_names_forgive() {
+fn accepts_words_for_ambient_light_and_loose_names() {
     let mut p = Parameters::new(457.0, 640);
     p.set("ambient", "outdoor").unwrap();
     assert_eq!(p.ambient_e, 500.0);
@@ -30,7 +29,7 @@ fn words_for_light_and_names_forgive() {
     assert!(!p.enable_fppn_correction);
     assert_eq!(
         p.set("ambiance", "1").unwrap_err().to_string(),
-        "ambiance: no such parameter of time-of-flight; did you mean ambient?"
+        "ambiance: unknown parameter of time-of-flight; did you mean 'ambient'?"
     );
 }
 
@@ -67,7 +66,7 @@ fn wrong_values_change_nothing() {
     p.contrast = f64::NAN;
     assert_eq!(
         TimeOfFlight::new(p).unwrap_err().to_string(),
-        "contrast: it is no number; give 0 to 1 of the signal"
+        "contrast: must not be NaN; expected a number: 0 to 1"
     );
 }
 

@@ -16,7 +16,7 @@ const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane]
 #[must_use]
 pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annotator> {
     let mut needed = annotators.to_vec();
-    needed.retain(|one| !one.is_of_depth_sensor());
+    needed.retain(|one| !one.is_depth_sensor());
     if is_sensed {
         needed.extend(INPUTS);
     }

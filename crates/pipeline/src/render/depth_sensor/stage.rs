@@ -129,10 +129,7 @@ fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
         "depth-attribute-unknown",
         Level::Warning,
         &stage.prim().path,
-        format!(
-            "unknown attribute {}, ignored",
-            stage.full_name(name)
-        ),
+        format!("unknown attribute {}, ignored", stage.full_name(name)),
         remedy,
     ))
 }

@@ -140,9 +140,7 @@ fn rejects_unknown_and_ambiguous_names() {
         error(&["Camera"]),
         "room.usda: 'Camera' is ambiguous: /A/Camera, /B/Camera; give the whole path"
     );
-    assert!(
-        error(&["/B/Dept"]).starts_with("room.usda: unknown camera '/B/Dept'; did you mean '/B/Depth'")
-    );
+    assert!(error(&["/B/Dept"]).starts_with("room.usda: unknown camera '/B/Dept'; did you mean '/B/Depth'"));
     assert!(error(&["xyz"]).contains("expected one of /A/Camera, /B/Camera"));
     let empty = SceneFile {
         path: "empty.usda".into(),

@@ -4,40 +4,41 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use openusd::usdc::CrateFile;
 
 use super::values::Values;
-use super::{DEEPEST, Problem, TAKE_ANOTHER};
+use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
-/// More prims, paths or fields than any stage that fits in memory here; bounds what a table may make a reader allocate.
-const MOST_ENTRIES: u64 = 1 << 25;
-/// LZ4 makes at most 255 bytes of one.
+/// The maximum number of prims, paths or fields, which bounds the allocations of a reader.
+const MAX_ENTRIES: u64 = 1 << 25;
+/// The maximum compression ratio of LZ4.
 pub(super) const LZ4_RATIO: u64 = 255;
-/// Integers are packed to no less than a quarter of a byte before LZ4.
+/// The maximum number of integers per byte: they are packed to at least a quarter of a byte each before LZ4.
 pub(super) const INTS_PER_BYTE: u64 = 4 * LZ4_RATIO;
 
-const WRITE_AGAIN: &str = "write it again with OpenUSD: `usdcat --out NEW.usdc OLD.usdc`";
+const WRITE_AGAIN: &str = "rewrite it with OpenUSD: `usdcat --out NEW.usdc OLD.usdc`";
 
-/// A binary layer: its table of contents, the tables' claims and every value's length against the bytes there are.
+/// Validates a binary layer: compares its table of contents, the sizes of the tables and the length of every value with
+/// the file's size.
 ///
-/// The library allocates what a length claims before it reads, and a failed allocation ends the process.
+/// The library allocates the claimed length before it reads, and a failed allocation aborts the process.
 pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
-    let damaged = |place: &str, what: &str| Problem::new(place, what, TAKE_ANOTHER);
+    let damaged = |place: &str, what: &str| Problem::new(place, what, USE_ANOTHER_COPY);
     let mut cursor = Cursor::new(bytes, 8);
     let version = (|| Some((cursor.u8()?, cursor.u8()?, cursor.u8()?)))();
     let toc = Cursor::new(bytes, 16).u64();
     let (Some(version), Some(toc)) = (version, toc) else {
-        return Err(damaged("header", "is cut short"));
+        return Err(damaged("header", "is truncated"));
     };
     if !((0, 4, 0)..(0, 13, 0)).contains(&version) {
         let (major, minor, patch) = version;
         return Err(Problem::new(
             "header",
-            format!("binary version {major}.{minor}.{patch} cannot be read (0.4.0 to 0.12.0 can)"),
+            format!("binary version {major}.{minor}.{patch} is not supported (0.4.0 to 0.12.0 are)"),
             WRITE_AGAIN,
         ));
     }
     let mut contents = Cursor::new(bytes, toc);
     let count = contents
         .u64()
-        .ok_or_else(|| damaged("table of contents", "lies outside the file: it is cut short"))?;
+        .ok_or_else(|| damaged("table of contents", "is outside the file, which is truncated"))?;
     if count == 0 || count > 64 {
         return Err(damaged("table of contents", &format!("claims {count} sections")));
     }
@@ -46,7 +47,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
             .take(16)
             .and_then(|name| Some((name, contents.u64()?, contents.u64()?)));
         let Some((name, start, size)) = section else {
-            return Err(damaged("table of contents", "is cut short"));
+            return Err(damaged("table of contents", "is truncated"));
         };
         let name = String::from_utf8_lossy(name.split(|byte| *byte == 0).next().unwrap_or_default());
         let bounds = start
@@ -60,10 +61,10 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
             ));
         };
         if !table_fits(&name, section, bytes.len()) {
-            return Err(damaged(&place, "claims more entries than its bytes can hold"));
+            return Err(damaged(&place, "claims more entries than fit in its bytes"));
         }
     }
-    // The library's own reader decodes the tables; whatever it trips over there, it would trip over later.
+    // Decode the tables with the library's own reader to detect panics early.
     let decoded = catch_unwind(AssertUnwindSafe(|| CrateFile::open(IoCursor::new(bytes))));
     let file = match decoded {
         Ok(Ok(file)) => file,
@@ -75,12 +76,12 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
         }
         Err(_) => return Err(damaged("tables", "contradict each other")),
     };
-    let deep = |path: &str| path.bytes().filter(|byte| *byte == b'/').count() > DEEPEST;
+    let deep = |path: &str| path.bytes().filter(|byte| *byte == b'/').count() > MAX_DEPTH;
     if let Some(path) = file.paths.iter().find(|path| deep(path.as_str())) {
         let start: String = path.as_str().chars().take(60).collect();
         return Err(Problem::new(
             format!("{start}…"),
-            format!("prims nest more than {DEEPEST} deep"),
+            format!("prims nest more than {MAX_DEPTH} deep"),
             "flatten the stage",
         ));
     }
@@ -97,7 +98,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Whether a table's own counts fit its bytes.
+/// Whether a table's counts fit its bytes.
 fn table_fits(name: &str, section: &[u8], file_length: usize) -> bool {
     let length = u64::try_from(section.len()).unwrap_or(u64::MAX);
     let file_length = u64::try_from(file_length).unwrap_or(u64::MAX);
@@ -106,7 +107,7 @@ fn table_fits(name: &str, section: &[u8], file_length: usize) -> bool {
         cursor.u64().filter(|count| {
             *count <= length.saturating_mul(INTS_PER_BYTE)
                 && *count <= file_length.saturating_mul(64)
-                && *count <= MOST_ENTRIES
+                && *count <= MAX_ENTRIES
         })
     };
     let fits = match name {
@@ -129,7 +130,7 @@ fn table_fits(name: &str, section: &[u8], file_length: usize) -> bool {
     fits.is_some()
 }
 
-/// A place in bytes, little-endian; every read past the end is `None`.
+/// A little-endian reader; reads past the end return `None`.
 #[derive(Clone, Copy)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -176,7 +177,7 @@ impl<'a> Cursor<'a> {
         Some(i64::from_le_bytes(self.take(8)?.try_into().ok()?))
     }
 
-    /// Past blocks that are each preceded by their length.
+    /// Skips blocks that are each preceded by their length.
     fn chunks(&mut self, count: usize) -> Option<()> {
         for _ in 0..count {
             let length = self.u64()?;

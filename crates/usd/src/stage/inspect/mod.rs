@@ -1,5 +1,7 @@
-//! Looks a layer over before the USD library reads it: the right kind of file, sizes that the file can justify,
-//! nesting that a stack can bear, names that stay inside the package.
+//! Validates a layer before the USD library reads it: its format, the sizes it claims, the depth of nesting, and the
+//! names in a package.
+//!
+//! Needed because `openusd` 0.6.0 panics, allocates without bound or overflows the stack on damaged files.
 
 mod binary;
 mod package;
@@ -16,16 +18,16 @@ use oaktwin_diagnostic::Finding;
 
 use super::MAX_LAYER_BYTES;
 
-/// A file that may be handed to the USD library.
+/// A file that the USD library can read safely.
 #[derive(Debug)]
 pub(super) struct Inspected {
-    /// Its content.
+    /// The content.
     pub bytes: Arc<Vec<u8>>,
-    /// Oddities that do not keep it from being read.
+    /// Problems that do not prevent it from being read.
     pub findings: Vec<Finding>,
 }
 
-/// Why a file may not be handed to the USD library.
+/// The reason why the USD library cannot read a file safely.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Problem {
     pub place: String,
@@ -52,12 +54,12 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Deeper than people nest prims or dictionaries. The library's time grows with the cube of the depth.
-const DEEPEST: usize = 256;
-const TAKE_ANOTHER: &str = "take an undamaged copy";
+/// The maximum depth of prims and dictionaries. The library's run time grows with the cube of the depth.
+const MAX_DEPTH: usize = 256;
+const USE_ANOTHER_COPY: &str = "use an undamaged copy";
 const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
 
-/// Reads a file and looks it over.
+/// Reads and validates a file.
 pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
     let io_problem = |error: &std::io::Error| {
         let remedy = match error.kind() {
@@ -71,7 +73,7 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
     if metadata.is_dir() {
         return Err(Problem::new("", "is a directory", "give the USD file inside it"));
     }
-    // A pipe or a device could deliver without end.
+    // A pipe or a device may be endless.
     if !metadata.is_file() {
         return Err(Problem::new("", "is not a regular file", NOT_USD));
     }
@@ -79,14 +81,14 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         return Err(Problem::new(
             "",
             format!(
-                "has {} bytes, more than the {MAX_LAYER_BYTES} that are read",
+                "has {} bytes, more than the maximum of {MAX_LAYER_BYTES}",
                 metadata.len()
             ),
             "split it into layers",
         ));
     }
     let mut opened = fs::File::open(path).map_err(|error| io_problem(&error))?;
-    // The first bytes decide, so that a large file of another kind is not read whole.
+    // The first bytes determine the format, so that large files of other formats are not read.
     let mut bytes = Vec::new();
     opened
         .by_ref()
@@ -99,19 +101,19 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         .take(MAX_LAYER_BYTES)
         .read_to_end(&mut bytes)
         .map_err(|error| io_problem(&error))?;
-    let findings = look_over(kind, &bytes)?;
+    let findings = validate(kind, &bytes)?;
     Ok(Inspected {
         bytes: Arc::new(bytes),
         findings,
     })
 }
 
-/// Looks over a layer that is in memory, an entry of a package.
+/// Validates a layer in memory, such as a package entry.
 pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<(), Problem> {
-    look_over(kind(name, bytes)?, bytes).map(drop)
+    validate(kind(name, bytes)?, bytes).map(drop)
 }
 
-/// The bytes of an entry of a package that was looked over.
+/// Returns the bytes of an entry of a validated package.
 pub(super) fn packaged<'a>(package: &'a [u8], name: &str) -> Option<&'a [u8]> {
     package::find(package, name)
 }
@@ -123,7 +125,7 @@ enum Kind {
     Package,
 }
 
-fn look_over(kind: Kind, bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
+fn validate(kind: Kind, bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
     match kind {
         Kind::Text => text::inspect(bytes).map(|()| Vec::new()),
         Kind::Binary => binary::inspect(bytes).map(|()| Vec::new()),
@@ -131,7 +133,7 @@ fn look_over(kind: Kind, bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
     }
 }
 
-/// What a file is by its first bytes; an error where that is not what its name says.
+/// Detects a file's format from its first bytes; an error if its extension does not match.
 fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
     if head.is_empty() {
         return Err(Problem::new("", "is empty", "export the stage again"));
@@ -155,7 +157,7 @@ fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
     } else {
         return Err(Problem::new(
             "start",
-            "is no USD file: it begins neither with `#usda`, nor with `PXR-USDC`, nor as a package",
+            "is not a USD file: it starts neither with `#usda` or `PXR-USDC` nor as a package",
             NOT_USD,
         ));
     };
@@ -170,7 +172,7 @@ fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
     } else {
         Err(Problem::new(
             "start",
-            format!("holds {is}, which its name does not say"),
+            format!("contains {is}, which does not match its extension"),
             format!("rename it to end in .{should_be}"),
         ))
     }

@@ -2,19 +2,19 @@ use std::collections::BTreeSet;
 
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::{Problem, TAKE_ANOTHER};
+use super::{Problem, USE_ANOTHER_COPY};
 
 const CODE: &str = "package-layout";
 const REPACK: &str = "package it again with `oaktwin asset --format usdz` or OpenUSD's `usdzip`";
 
-/// The directory of a USDZ package: entries stored, inside the file, under names that stay inside the package.
-/// What a strict reader would mind but ours does not (alignment) comes back as findings.
+/// Validates the directory of a USDZ package: entries must be uncompressed, inside the file and have names that stay
+/// inside the package. Violations that only strict readers reject (alignment) are returned as findings.
 pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
     let end = end_record(bytes).ok_or_else(|| {
         Problem::new(
             "package",
-            "has no directory at its end: it is cut short",
-            TAKE_ANOTHER,
+            "has no directory at its end: it is truncated",
+            USE_ANOTHER_COPY,
         )
     })?;
     let (count, length, start) = (
@@ -23,29 +23,29 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
         u32_at(bytes, end + 16),
     );
     let (Some(count), Some(length), Some(start)) = (count, length, start) else {
-        return Err(lying("package", "its directory ends early"));
+        return Err(damaged("package", "its directory is truncated"));
     };
     if start.checked_add(length).is_none_or(|after| after > end) {
-        return Err(lying("package", "its directory lies outside the file"));
+        return Err(damaged("package", "its directory is outside the file"));
     }
     let mut findings = Vec::new();
     let mut names = BTreeSet::new();
     let mut at = start;
     for index in 0..count {
         let entry =
-            entry(bytes, at, start).map_err(|what| lying(&format!("package entry {}", index + 1), what))?;
+            entry(bytes, at, start).map_err(|what| damaged(&format!("package entry {}", index + 1), what))?;
         let place = format!("package entry `{}`", entry.name);
         if index == 0 && !is_layer(&entry.name) {
             return Err(Problem::new(
                 place,
-                "comes first, but the first entry must be the root layer",
+                "is the first entry, which must be the root layer",
                 REPACK,
             ));
         }
         if !stays_inside(&entry.name) {
             return Err(Problem::new(
                 place,
-                "has a name that leads out of the package",
+                "has a name that points outside the package",
                 "do not use this file; package the originals again",
             ));
         }
@@ -61,22 +61,25 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
                 CODE,
                 Level::Warning,
                 place,
-                "its data does not start at a multiple of 64 bytes, as USDZ demands",
+                "its data does not start at a multiple of 64 bytes, as USDZ requires",
                 REPACK,
             ));
         }
         at = entry.next;
         if !names.insert(entry.name.clone()) {
-            return Err(lying(&format!("package entry `{}`", entry.name), "appears twice"));
+            return Err(damaged(
+                &format!("package entry `{}`", entry.name),
+                "appears twice",
+            ));
         }
     }
     if names.is_empty() {
-        return Err(Problem::new("package", "holds nothing", REPACK));
+        return Err(Problem::new("package", "is empty", REPACK));
     }
     Ok(findings)
 }
 
-/// The bytes of an entry of a package that [`inspect`] let through.
+/// Returns the bytes of an entry of a package that [`inspect`] accepted.
 pub(super) fn find<'a>(bytes: &'a [u8], name: &str) -> Option<&'a [u8]> {
     let end = end_record(bytes)?;
     let (count, start) = (u16_at(bytes, end + 10)?, u32_at(bytes, end + 16)?);
@@ -91,30 +94,30 @@ pub(super) fn find<'a>(bytes: &'a [u8], name: &str) -> Option<&'a [u8]> {
     None
 }
 
-fn lying(place: &str, what: &str) -> Problem {
-    Problem::new(place, what, TAKE_ANOTHER)
+fn damaged(place: &str, what: &str) -> Problem {
+    Problem::new(place, what, USE_ANOTHER_COPY)
 }
 
 struct Entry {
     name: String,
     method: usize,
     encrypted: bool,
-    /// Where its data starts.
+    /// The offset of the data.
     data: usize,
-    /// How many bytes it has.
+    /// The size of the data, in bytes.
     size: usize,
-    /// Where the directory's next entry starts.
+    /// The offset of the next directory entry.
     next: usize,
 }
 
-/// The entry of the directory at `at`, checked against its header before its data.
+/// Reads the directory entry at `at` and checks it against the local header.
 fn entry(bytes: &[u8], at: usize, directory: usize) -> Result<Entry, &'static str> {
-    const CUT: &str = "its directory entry is cut short";
+    const CUT: &str = "its directory entry is truncated";
     if bytes
         .get(at..)
         .is_none_or(|rest| !rest.starts_with(b"PK\x01\x02"))
     {
-        return Err("is no directory entry");
+        return Err("is not a directory entry");
     }
     let word = |offset| u16_at(bytes, at + offset).ok_or(CUT);
     let long = |offset| u32_at(bytes, at + offset).ok_or(CUT);
@@ -128,7 +131,7 @@ fn entry(bytes: &[u8], at: usize, directory: usize) -> Result<Entry, &'static st
         .get(header..)
         .is_none_or(|rest| !rest.starts_with(b"PK\x03\x04"))
     {
-        return Err("its header is not where the directory says");
+        return Err("its header is not at the offset in the directory");
     }
     let local_name = u16_at(bytes, header + 26).ok_or(CUT)?;
     let data = header + 30 + local_name + u16_at(bytes, header + 28).ok_or(CUT)?;
@@ -162,7 +165,7 @@ fn stays_inside(name: &str) -> bool {
         && name.split('/').all(|part| part != "..")
 }
 
-/// Where the record at the end of the directory starts.
+/// Returns the offset of the end-of-directory record.
 fn end_record(bytes: &[u8]) -> Option<usize> {
     let last = bytes.len().checked_sub(22)?;
     (last.saturating_sub(usize::from(u16::MAX))..=last)

@@ -1,6 +1,6 @@
-use super::{DEEPEST, Problem, TAKE_ANOTHER};
+use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
-/// UTF-8, no zero bytes, and no nesting deeper than a recursive reader can bear.
+/// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
 pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
     if let Err(error) = std::str::from_utf8(bytes) {
@@ -13,8 +13,8 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
         return Err(Problem::new(
             format!("line {}", line_at(offset)),
-            "holds a zero byte",
-            TAKE_ANOTHER,
+            "contains a zero byte",
+            USE_ANOTHER_COPY,
         ));
     }
     let mut depth = 0_usize;
@@ -22,10 +22,10 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
         match byte {
             b'{' | b'(' | b'[' => {
                 depth += 1;
-                if depth > DEEPEST {
+                if depth > MAX_DEPTH {
                     return Err(Problem::new(
                         format!("line {}", line_at(offset)),
-                        format!("brackets nest more than {DEEPEST} deep"),
+                        format!("brackets nest more than {MAX_DEPTH} deep"),
                         "flatten the stage",
                     ));
                 }
@@ -47,7 +47,7 @@ impl<'a> Structure<'a> {
         Self { bytes, at: 0 }
     }
 
-    /// Past the delimiter that closes what opens here; to the end where nothing does.
+    /// Skips to the end of a delimited text, or to the end of the layer if it is not closed.
     fn skip_delimited(&mut self, delimiter: &[u8], escapes: bool) {
         self.at += delimiter.len();
         while self.at < self.bytes.len() {
@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn brackets_in_strings_comments_and_asset_paths_do_not_count() {
+    fn ignores_brackets_in_strings_comments_and_asset_paths() {
         let text = br#"#usda 1.0 (((
 def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string t = 'don\'t(' }"#;
         let seen: Vec<u8> = Structure::new(text).map(|(_, byte)| byte).collect();
@@ -110,8 +110,8 @@ def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string 
     }
 
     #[test]
-    fn deep_nesting_and_foreign_encodings_are_told_with_their_line() {
-        let deep = format!("#usda 1.0\n{}", "{".repeat(DEEPEST + 1));
+    fn reports_the_line_of_deep_nesting_and_invalid_utf8() {
+        let deep = format!("#usda 1.0\n{}", "{".repeat(MAX_DEPTH + 1));
         assert_eq!(inspect(deep.as_bytes()).unwrap_err().place, "line 2");
         assert_eq!(inspect(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
         assert_eq!(inspect(b"#usda 1.0\n"), Ok(()));

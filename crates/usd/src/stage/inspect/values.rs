@@ -1,4 +1,4 @@
-//! The lengths that the values of a binary layer claim. Layout: OpenUSD's `crateFile.cpp`, by its reader's order.
+//! Checks the lengths of the values in a binary layer. The layout follows the reader in OpenUSD's `crateFile.cpp`.
 
 use super::binary::{Cursor, INTS_PER_BYTE};
 
@@ -7,14 +7,14 @@ const INLINED: u64 = 1 << 62;
 const COMPRESSED: u64 = 1 << 61;
 const PAYLOAD: u64 = (1 << 48) - 1;
 
-/// Elements of one compressed array: a gigabyte of integers.
-const MOST_ELEMENTS: u64 = 1 << 28;
-/// Dictionaries inside dictionaries.
-const DEEPEST: usize = 64;
-/// Entries of dictionaries and time samples in all, so that offsets that point back cannot make it endless.
-const MOST_STEPS: usize = 50_000_000;
+/// The maximum number of elements of a compressed array: a gigabyte of integers.
+const MAX_ELEMENTS: u64 = 1 << 28;
+/// The maximum depth of dictionaries.
+const MAX_DEPTH: usize = 64;
+/// The maximum total number of dictionary entries and time samples, so that offsets pointing back cannot cause a loop.
+const MAX_STEPS: usize = 50_000_000;
 
-/// Checks values of one layer; `None` is a value that claims more than there is.
+/// Checks the values of one layer. Checks return `None` for a value that claims more bytes than the file has.
 pub(super) struct Values<'a> {
     bytes: &'a [u8],
     version: (u8, u8, u8),
@@ -30,10 +30,10 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// One value by its 8-byte representation.
+    /// Checks a value by its 8-byte representation.
     pub(super) fn check(&mut self, value: u64, depth: usize) -> Option<()> {
         self.steps += 1;
-        if depth > DEEPEST || self.steps > MOST_STEPS {
+        if depth > MAX_DEPTH || self.steps > MAX_STEPS {
             return None;
         }
         if value & INLINED != 0 {
@@ -93,7 +93,7 @@ impl<'a> Values<'a> {
         let packed = at.u64()?;
         let fits = packed <= at.remaining()
             && count <= packed.saturating_mul(INTS_PER_BYTE)
-            && count <= MOST_ELEMENTS;
+            && count <= MAX_ELEMENTS;
         fits.then_some(())
     }
 
@@ -119,7 +119,7 @@ impl<'a> Values<'a> {
         Some(())
     }
 
-    /// Follows an offset that counts from where it stands.
+    /// Follows an offset relative to its own position.
     fn jump(&self, at: &mut Cursor<'a>) -> Option<()> {
         let from = at.position();
         let offset = at.i64()?;
@@ -128,20 +128,20 @@ impl<'a> Values<'a> {
     }
 }
 
-/// A count of things of at least `size` bytes that the rest can hold.
+/// Reads a count of items of at least `size` bytes that fit in the remaining bytes.
 fn counted(at: &mut Cursor, size: u64) -> Option<u64> {
     let count = at.u64()?;
     (count <= at.remaining() / size).then_some(count)
 }
 
-/// A counted run of elements of `size` bytes.
+/// Skips a counted run of elements of `size` bytes.
 fn elements(at: &mut Cursor, size: u64) -> Option<()> {
     let count = counted(at, size)?;
     at.take(count * size)?;
     Some(())
 }
 
-/// A list operation: a byte that says which of its lists follow.
+/// Checks a list operation, whose first byte is a bit set of the lists that follow.
 fn lists<'a>(at: &mut Cursor<'a>, mut list: impl FnMut(&mut Cursor<'a>) -> Option<()>) -> Option<()> {
     const FOLLOWING: u8 = 0b0111_1110;
     let header = at.u8()?;
@@ -151,7 +151,7 @@ fn lists<'a>(at: &mut Cursor<'a>, mut list: impl FnMut(&mut Cursor<'a>) -> Optio
     Some(())
 }
 
-/// Bytes of one element of an uncompressed array.
+/// Returns the size of an element of an uncompressed array, in bytes.
 fn element_size(kind: u64) -> u64 {
     match kind {
         1 | 2 => 1,

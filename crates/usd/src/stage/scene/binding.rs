@@ -1,5 +1,5 @@
-//! Which material a prim is bound to, by OpenUSD's rules: the nearest binding wins unless one further up is stronger
-//! than its descendants'; on one prim collections come before direct bindings.
+//! Material bindings by OpenUSD's rules: the nearest binding applies unless an ancestor's is stronger than its
+//! descendants'; on one prim, collection bindings take precedence over direct ones.
 
 use std::rc::Rc;
 
@@ -8,33 +8,32 @@ use openusd::sdf::Path;
 use super::super::reader::{Reader, Record};
 use super::super::value::{boolean, text};
 
-/// For which purpose a material is bound, in the order in which they are tried: for the final picture, for all, for a
-/// quick look.
+/// The purposes of bindings, in the order in which they are tried: full, all-purpose, preview.
 const PURPOSES: [&str; 3] = [":full", "", ":preview"];
 const PREFIX: &str = "material:binding";
 
-/// A material that a prim binds for itself and what is below it.
+/// A material binding of a prim and its descendants.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Binding {
-    /// Into [`PURPOSES`].
+    /// The index in [`PURPOSES`].
     purpose: usize,
     material: Path,
     stronger_than_descendants: bool,
-    /// What it is bound to; `None` for all.
+    /// The collection that it applies to; `None` for all prims.
     collection: Option<Collection>,
 }
 
-/// Prims that are named.
+/// A collection of prims.
 #[derive(Clone, Debug, PartialEq)]
 struct Collection {
     includes: Vec<Path>,
     excludes: Vec<Path>,
-    /// Whether what is below the included prims belongs to it too.
+    /// Whether it includes the descendants of included prims.
     expands: bool,
     everything: bool,
 }
 
-/// The bindings that a prim authors, those to collections first.
+/// Returns the bindings authored on a prim, collection bindings first.
 pub(super) fn bindings(reader: &Reader, prim: &Record) -> Vec<Binding> {
     if !prim.properties.iter().any(|name| name.starts_with(PREFIX)) {
         return Vec::new();
@@ -106,7 +105,7 @@ impl Collection {
         })
     }
 
-    /// Whether a prim belongs to it: the nearest of it and its ancestors that is named decides.
+    /// Whether it contains a prim, depending on the nearest included or excluded ancestor or the prim itself.
     fn contains(&self, prim: &Path) -> bool {
         if !self.expands {
             return self.includes.contains(prim);
@@ -125,7 +124,7 @@ impl Collection {
     }
 }
 
-/// The bindings of a prim and its ancestors, its own first.
+/// The bindings of a prim and its ancestors, the prim's own first.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bindings(Option<Rc<Level>>);
 
@@ -136,7 +135,7 @@ struct Level {
 }
 
 impl Bindings {
-    /// What holds for a prim that itself binds `own`.
+    /// Returns the bindings of a child with the bindings `own`.
     pub(super) fn with(&self, own: &[Binding]) -> Self {
         if own.is_empty() {
             return self.clone();
@@ -147,8 +146,8 @@ impl Bindings {
         })))
     }
 
-    /// The materials of a prim in the order in which they are to be tried. It is composed at `composed`, and the
-    /// scene knows it as `path`; collections may name it either way.
+    /// Returns the materials of a prim in the order in which to try them. Collections may contain its composed path or
+    /// its scene path.
     pub(super) fn candidates(&self, composed: &Path, path: &str) -> Vec<&Path> {
         let path = Path::new(path).unwrap_or_else(|_| composed.clone());
         let mut found = [None; PURPOSES.len()];

@@ -1,18 +1,18 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_camera::{Axes, RigidTransform};
 
-/// How far a camera's axes may be from orthonormal before it is worth a word.
+/// The tolerance of a camera's axes being orthonormal.
 const TOLERANCE: f64 = 1e-5;
 
-/// Where a camera stands: its transform without scale, shear and mirroring, which OpenUSD's transforms may have, and
-/// what of these it had.
+/// Returns a camera's pose: its transform without scale, shear and mirroring, and which of these was removed. `None` if
+/// the transform is singular.
 pub(in crate::stage) fn pose(
     stage_from_prim: &DAffine3,
     meters_per_unit: f64,
 ) -> Option<(RigidTransform, Option<&'static str>)> {
     let axes = stage_from_prim.matrix3;
     let translation = stage_from_prim.translation * meters_per_unit;
-    // Where it looks is kept, then where up is.
+    // The viewing direction is kept exactly, the up direction as far as possible.
     let backward = axes.z_axis.try_normalize()?;
     let up = (axes.y_axis - backward * backward.dot(axes.y_axis)).try_normalize()?;
     let rotation = DMat3::from_cols(up.cross(backward), up, backward);
@@ -27,7 +27,7 @@ pub(in crate::stage) fn pose(
     );
     let shear = RigidTransform::new(unscaled, DVec3::ZERO).orthonormality_error();
     let removed = if axes.determinant() < 0.0 {
-        Some("a mirroring")
+        Some("a reflection")
     } else if shear.is_nan() || shear > TOLERANCE {
         Some("a shear")
     } else if (lengths - 1.0).abs().max_element() > TOLERANCE {

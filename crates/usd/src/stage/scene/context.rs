@@ -8,21 +8,21 @@ use super::super::reader::Record;
 use super::binding::Bindings;
 use super::own::{Own, Purpose};
 
-/// What a prim inherits from its ancestors.
+/// The state that a prim inherits from its ancestors.
 #[derive(Clone)]
 pub(in crate::stage) struct Context {
-    /// From the prim's frame into the stage's, both in the stage's unit.
+    /// The transform from the prim's frame to the stage's, both in stage units.
     pub(in crate::stage) stage_from_prim: DAffine3,
-    /// Whether it is drawn: visible, and not a point instancer's original.
+    /// Whether it is drawn: visible, and not a point instancer's prototype.
     pub(in crate::stage) drawn: bool,
     pub(super) purpose: Purpose,
-    /// Its own semantic labels first, then its parent's, and so on.
+    /// The semantic labels: the prim's own first, then its parent's, and so on.
     pub(super) labels: Rc<[Label]>,
     pub(super) bindings: Bindings,
     pub(super) primvars: Option<Rc<Primvars>>,
 }
 
-/// The nearest ancestors that have primvars.
+/// A linked list of ancestors with primvars, nearest first.
 pub(super) struct Primvars {
     pub(super) prim: Path,
     pub(super) names: Vec<openusd::tf::Token>,
@@ -43,7 +43,7 @@ impl Default for Context {
 }
 
 impl Context {
-    /// What holds for the child that the scene knows as `path` and that says `own` of itself.
+    /// Returns the state of the child at scene path `path` with the opinions `own`.
     pub(in crate::stage) fn with(&self, own: &Own, path: &str) -> Self {
         let mut inner = self.clone();
         if let Some(local) = &own.transform {
@@ -69,7 +69,7 @@ impl Context {
         inner
     }
 
-    /// The same for the children of `prim`.
+    /// Returns the state that the children of `prim` inherit.
     pub(in crate::stage) fn hand_down(mut self, prim: &Record, own: &Own) -> Self {
         if own.has_primvars {
             self.primvars = Some(Rc::new(Primvars {
@@ -86,7 +86,7 @@ impl Context {
         self
     }
 
-    /// The nearest ancestor that has a primvar.
+    /// Returns the nearest ancestor with a primvar.
     pub(super) fn ancestor_with(&self, primvar: &str) -> Option<&Path> {
         let mut at = self.primvars.as_deref();
         while let Some(primvars) = at {
@@ -98,7 +98,7 @@ impl Context {
         None
     }
 
-    /// Whether its geometry belongs into a picture.
+    /// Whether its geometry is rendered.
     pub(super) fn is_drawn(&self) -> bool {
         self.drawn && self.purpose != Purpose::Other
     }

@@ -2,10 +2,10 @@ use std::collections::BTreeMap;
 
 use oaktwin_diagnostic::{Finding, Level, Message};
 
-/// More of one kind are only counted.
-const MOST_OF_A_KIND: usize = 20;
+/// The maximum number of findings with the same code; more are only counted.
+const MAX_PER_CODE: usize = 20;
 
-/// Collects findings; of each kind a bounded number.
+/// Collects findings, a bounded number per code.
 #[derive(Default)]
 pub(in crate::stage) struct Findings {
     list: Vec<Finding>,
@@ -13,7 +13,7 @@ pub(in crate::stage) struct Findings {
 }
 
 impl Findings {
-    /// Something odd: the rest is rendered all the same.
+    /// Adds a warning.
     pub(in crate::stage) fn warn(
         &mut self,
         code: &'static str,
@@ -24,19 +24,19 @@ impl Findings {
         self.push(Finding::new(code, Level::Warning, place, message, remedy));
     }
 
-    /// Takes a finding in.
+    /// Adds a finding.
     pub(in crate::stage) fn push(&mut self, finding: Finding) {
         let count = self.counts.entry(finding.code).or_default();
         *count += 1;
-        if *count <= MOST_OF_A_KIND {
+        if *count <= MAX_PER_CODE {
             self.list.push(finding);
         }
     }
 
-    /// All of them, and for each kind of which there were too many a line that says how many.
+    /// Returns the findings, and for each code with too many a finding with the number of omitted ones.
     pub(in crate::stage) fn into_list(mut self) -> Vec<Finding> {
         for (code, count) in self.counts {
-            if let Some(more) = count.checked_sub(MOST_OF_A_KIND)
+            if let Some(more) = count.checked_sub(MAX_PER_CODE)
                 && more > 0
             {
                 self.list.push(Finding::new(

@@ -8,19 +8,19 @@ use super::super::transform::unchecked_rotation;
 use super::super::value::{ids, ints, quaternions, vec3s};
 use super::findings::Findings;
 
-/// A point instancer: which of its prototypes stands where.
+/// A point instancer: prototypes and their transforms.
 pub(super) struct PointInstancer {
     pub(super) prototypes: Vec<Path>,
     pub(super) points: Vec<Point>,
 }
 
-/// One of its instances.
+/// An instance of a point instancer.
 pub(super) struct Point {
-    /// Its place in the arrays.
+    /// The index in the instancer's arrays.
     pub(super) index: usize,
-    /// Into the prototypes.
+    /// The index of the prototype.
     pub(super) prototype: usize,
-    /// Scale, then rotation, then translation.
+    /// The transform: scale, then rotation, then translation.
     pub(super) instancer_from_prototype: DAffine3,
 }
 
@@ -46,7 +46,7 @@ impl PointInstancer {
         let mut matching = |name: &str, length: usize| {
             let fits = length == 0 || length == which.len();
             if !fits {
-                let message = format!("{length} {name} for {} instances; they are left out", which.len());
+                let message = format!("{length} {name} for {} instances; they are ignored", which.len());
                 findings.warn(CODE, path, message, REMEDY);
             }
             fits && length > 0
@@ -55,7 +55,7 @@ impl PointInstancer {
             .value(prim, "scales")
             .and_then(vec3s)
             .filter(|scales| matching("scales", scales.len()));
-        // The single-precision ones are the newer and win.
+        // The newer single-precision attribute takes precedence.
         let orientations = reader
             .value(prim, "orientationsf")
             .and_then(quaternions)
@@ -65,7 +65,7 @@ impl PointInstancer {
         let hidden = hidden(reader, prim);
         let names = reader.value(prim, "ids").and_then(ids);
         let mut points = Vec::with_capacity(count);
-        let mut strays = 0_usize;
+        let mut invalid = 0_usize;
         for index in 0..count {
             let name = names
                 .as_ref()
@@ -78,7 +78,7 @@ impl PointInstancer {
                 .ok()
                 .filter(|prototype| *prototype < prototypes.len())
             else {
-                strays += 1;
+                invalid += 1;
                 continue;
             };
             let mut transform = DAffine3::from_translation(vector(positions[index]));
@@ -94,15 +94,15 @@ impl PointInstancer {
                 instancer_from_prototype: transform,
             });
         }
-        if strays > 0 {
-            let message = format!("{strays} instances of prototypes that it does not have are left out");
+        if invalid > 0 {
+            let message = format!("{invalid} instances with an invalid prototype index are skipped");
             findings.warn(CODE, path, message, REMEDY);
         }
         Self { prototypes, points }
     }
 }
 
-/// The ids of what is not drawn.
+/// Returns the ids of invisible and inactive instances.
 fn hidden(reader: &Reader, prim: &Record) -> HashSet<i64> {
     let invisible = reader
         .value(prim, "invisibleIds")

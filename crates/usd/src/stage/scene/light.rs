@@ -7,8 +7,8 @@ use super::super::value::{boolean, color, single, text};
 use super::findings::Findings;
 use super::material::Materials;
 
-/// Reads a light; `None` where it is of a kind that does not shine here.
-#[expect(clippy::too_many_arguments, reason = "a light has many relatives")]
+/// Reads a light; `None` for unsupported types.
+#[expect(clippy::too_many_arguments, reason = "a dome light reads textures, too")]
 pub(super) fn read(
     reader: &Reader,
     prim: &Record,
@@ -20,7 +20,7 @@ pub(super) fn read(
     findings: &mut Findings,
 ) -> Option<Light> {
     let input = |name: &str| -> Option<Value> {
-        // Before 2021 lights had the same attributes without the prefix.
+        // Before 2021, lights had the same attributes without the prefix.
         reader
             .value(prim, &format!("inputs:{name}"))
             .or_else(|| reader.value(prim, name))
@@ -44,7 +44,7 @@ pub(super) fn read(
         },
         "CylinderLight" => {
             let (radius, length) = (number("radius", 0.5), number("length", 1.0));
-            let message = "a cylinder light shines like a ball of the same area";
+            let message = "cylinder lights are not supported; using a sphere light of the same area";
             findings.warn("unsupported-prim", path, message, "");
             // 4 π r² = 2 π radius length
             LightKind::Sphere {
@@ -59,7 +59,7 @@ pub(super) fn read(
                 Some(_) => false,
             };
             if along_z {
-                // What is at +y in the image's frame points along +z.
+                // The image's +y becomes +z.
                 let turn = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_2);
                 world_from_light *= DAffine3::from_mat3(turn);
             }
@@ -109,7 +109,7 @@ fn dome_texture(
         .add(reader, value, &attribute, None, path, textures, findings)
 }
 
-/// The linear Rec. 709 colour of a black body, of luminance 1. Its chromaticity is Kim's cubic fit to the Planckian
+/// Returns the linear Rec. 709 colour of a black body, with luminance 1. Its chromaticity is Kim's cubic fit to the Planckian
 /// locus (`https://en.wikipedia.org/wiki/Planckian_locus#Approximation`), which holds from 1667 K to 25 000 K.
 fn black_body(kelvin: f32) -> [f32; 3] {
     let t = if kelvin.is_nan() {
@@ -136,7 +136,7 @@ fn black_body(kelvin: f32) -> [f32; 3] {
         -0.969_266 * big_x + 1.876_010_8 + 0.041_556 * big_z,
         0.055_643_4 * big_x - 0.204_025_9 + 1.057_225_2 * big_z,
     ];
-    #[expect(clippy::cast_possible_truncation, reason = "colours are of single precision")]
+    #[expect(clippy::cast_possible_truncation, reason = "colours have single precision")]
     linear.map(|channel| channel.max(0.0) as f32)
 }
 
@@ -145,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_black_body_goes_from_red_to_blue() {
+    fn black_body_colour_changes_from_red_to_blue() {
         let warm = black_body(2000.0);
         let white = black_body(6500.0);
         let cold = black_body(20_000.0);

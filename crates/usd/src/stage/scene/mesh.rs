@@ -7,18 +7,23 @@ use super::super::value::{boolean, floats, ints, text, vec2s, vec3s};
 use super::context::Context;
 use super::primvar::{attribute, primvar};
 
-/// Which surface values of a mesh are wanted.
-pub(super) struct Wanted<'a> {
-    /// The primvar with texture coordinates, without its prefix; `None` where no material wants any.
+/// The surface data to read for a mesh.
+pub(super) struct MeshRequest<'a> {
+    /// The primvar with texture coordinates, without its prefix; `None` if no material needs them.
     pub(super) uv: Option<&'a str>,
-    /// Whether its own colours show.
+    /// Whether its own colours are visible.
     pub(super) colors: bool,
-    /// Whether it is going to be refined.
+    /// Whether it will be subdivided.
     pub(super) refined: bool,
 }
 
-/// Reads a `Mesh`; its materials are the caller's.
-pub(super) fn read(reader: &Reader, prim: &Record, context: &Context, wanted: &Wanted<'_>) -> PolygonMesh {
+/// Reads a `Mesh` without materials.
+pub(super) fn read(
+    reader: &Reader,
+    prim: &Record,
+    context: &Context,
+    request: &MeshRequest<'_>,
+) -> PolygonMesh {
     let integers = |name: &str| reader.value(prim, name).and_then(ints).unwrap_or_default();
     let token = |name: &str| reader.value(prim, name).and_then(text);
     let normals = primvar(reader, prim, context, "primvars:normals", vec3s).or_else(|| {
@@ -35,18 +40,18 @@ pub(super) fn read(reader: &Reader, prim: &Record, context: &Context, wanted: &W
             .value(prim, "doubleSided")
             .is_some_and(|v| boolean(&v) == Some(true)),
         normals,
-        uvs: wanted.uv.and_then(|name| {
+        uvs: request.uv.and_then(|name| {
             primvar(reader, prim, context, &format!("primvars:{name}"), vec2s)
                 .or_else(|| primvar(reader, prim, context, "primvars:st", vec2s))
         }),
-        colors: wanted
+        colors: request
             .colors
             .then(|| primvar(reader, prim, context, "primvars:displayColor", vec3s))
             .flatten()
             .filter(|colors| !colors.values.is_empty()),
         face_materials: Vec::new(),
         material: None,
-        subdivision: subdivision(reader, prim, wanted.refined),
+        subdivision: subdivision(reader, prim, request.refined),
     }
 }
 
@@ -92,7 +97,7 @@ fn subdivision(reader: &Reader, prim: &Record, refined: bool) -> Subdivision {
     subdivision
 }
 
-/// Creases are stored end to end: sharpnesses one for each crease, or one for each of their edges.
+/// Reads creases, which are stored consecutively with one sharpness per crease or per edge.
 fn creases(indices: &[i32], lengths: &[i32], sharpnesses: &[f32]) -> Vec<Crease> {
     let per_crease = sharpnesses.len() == lengths.len();
     let (mut point, mut edge) = (0, 0);
@@ -119,7 +124,7 @@ fn creases(indices: &[i32], lengths: &[i32], sharpnesses: &[f32]) -> Vec<Crease>
     creases
 }
 
-/// The faces that a `GeomSubset` names, if it is there for a material.
+/// Returns the faces of a `GeomSubset` that binds a material.
 pub(super) fn subset_faces(reader: &Reader, subset: &Record) -> Option<Vec<i32>> {
     let token = |name: &str| reader.value(subset, name).and_then(text);
     let of_faces = token("elementType").is_none_or(|kind| kind == "face");
@@ -128,7 +133,7 @@ pub(super) fn subset_faces(reader: &Reader, subset: &Record) -> Option<Vec<i32>>
     reader.value(subset, "indices").and_then(ints)
 }
 
-/// Faces with a material of their own.
+/// Creates a subset of faces with a material of its own.
 pub(super) fn face_material(faces: Vec<i32>, material: u32) -> FaceMaterial {
     FaceMaterial { faces, material }
 }

@@ -1,4 +1,4 @@
-//! From composed prims to a [`Scene`].
+//! Converts composed prims to a [`Scene`].
 
 mod binding;
 mod builder;
@@ -24,27 +24,27 @@ pub(super) use own::Own;
 
 use super::{RenderProduct, SceneCamera, StageMetadata};
 
-/// How a stage is to be read.
+/// Options for reading a stage as a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SceneOptions {
-    /// The time code at which values are taken, between samples interpolated as OpenUSD does. `None` takes default
-    /// values, and the first sample of what has no default value.
+    /// The time code of values, interpolated between samples as in OpenUSD. With `None`, values are the defaults, or the
+    /// first sample if there is no default.
     pub time: Option<f64>,
-    /// How often subdivision meshes are refined; 0 leaves their control cages, as Isaac Sim does.
+    /// The subdivision level of meshes; 0 keeps the control cages, as in Isaac Sim.
     pub subdivide: u32,
 }
 
-/// A stage as it is rendered.
+/// A stage, ready to be rendered.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StageScene {
-    /// What is seen, what it looks like and what lights it.
+    /// The geometry, materials and lights.
     pub scene: Scene,
-    /// Every active, defined `Camera`, those inside instances too, in the order of traversal.
+    /// All active, defined `Camera` prims, including those inside instances, in traversal order.
     pub cameras: Vec<SceneCamera>,
-    /// Every `RenderProduct`, likewise.
+    /// All active, defined `RenderProduct` prims, in traversal order.
     pub products: Vec<RenderProduct>,
-    /// What the root layer says about the whole.
+    /// The root layer's metadata.
     pub metadata: StageMetadata,
-    /// What is missing or was left out.
+    /// Missing, invalid and unsupported prims.
     pub findings: Vec<Finding>,
 }

@@ -3,25 +3,25 @@ use super::super::transform::{LocalTransform, local_transform};
 use super::super::value::{text, texts};
 use super::binding::{Binding, bindings};
 
-/// What a prim itself says of what its children inherit.
+/// The inheritable opinions authored on a prim itself.
 pub(in crate::stage) struct Own {
     pub(super) transform: Option<LocalTransform>,
     pub(super) invisible: bool,
     pub(super) purpose: Option<Purpose>,
     pub(super) labels: Vec<(String, String)>,
     pub(super) bindings: Vec<Binding>,
-    /// Whether it has primvars that its children may inherit.
+    /// Whether it has primvars, which its descendants may inherit.
     pub(super) has_primvars: bool,
 }
 
-/// What a part of the scene is for.
+/// The purpose of a prim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purpose {
-    /// For all.
+    /// `default`.
     Default,
-    /// For the final picture.
+    /// `render`.
     Render,
-    /// For a quick look, or for people who work on the scene.
+    /// `proxy` or `guide`, which are not rendered.
     Other,
 }
 
@@ -43,7 +43,7 @@ impl Own {
     }
 }
 
-/// Semantic labels: OpenUSD's `semantics:labels:TAXONOMY` and the older
+/// Returns semantic labels: OpenUSD's `semantics:labels:TAXONOMY` and the older
 /// `semantic:NAME:params:semanticType`/`semanticData` of Isaac Sim.
 fn labels(reader: &Reader, prim: &Record) -> Vec<(String, String)> {
     let mut labels = Vec::new();

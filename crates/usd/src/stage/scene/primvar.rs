@@ -5,7 +5,7 @@ use super::super::reader::{Reader, Record};
 use super::super::value::{ints, text};
 use super::context::Context;
 
-/// A primvar of a prim, or one that it inherits; only those that hold for the whole of an ancestor are inherited.
+/// Returns a primvar of a prim or an inherited one. Only constant primvars are inherited.
 pub(super) fn primvar<T>(
     reader: &Reader,
     prim: &Record,
@@ -23,7 +23,7 @@ pub(super) fn primvar<T>(
         .filter(|inherited| inherited.interpolation == Interpolation::Constant)
 }
 
-/// An attribute with its interpolation and indices.
+/// Returns an attribute with its interpolation and indices.
 pub(super) fn attribute<T>(
     reader: &Reader,
     prim: &Path,

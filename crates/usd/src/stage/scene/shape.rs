@@ -7,7 +7,7 @@ use super::context::Context;
 use super::primvar::primvar;
 use oaktwin_scene::polygon::Interpolation;
 
-/// A shape of OpenUSD with its measures in the unit of its own frame; the schema's fallbacks where it says nothing.
+/// A primitive shape with dimensions in its own frame; unauthored ones have the schema's fallbacks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shape {
     kind: Kind,
@@ -25,7 +25,7 @@ enum Kind {
 }
 
 impl Shape {
-    /// Reads a prim of such a type, and what is odd about it; `None` for other types.
+    /// Reads a shape, and a warning about unsupported attributes; `None` for other types.
     pub(super) fn read(reader: &Reader, prim: &Record) -> Option<(Self, Option<&'static str>)> {
         let measure = |name: &str, fallback: f64| {
             reader
@@ -38,12 +38,12 @@ impl Shape {
             Some("Y") => Axis::Y,
             _ => Axis::Z,
         };
-        let mut odd = None;
-        // The newer versions have a radius for each end.
+        let mut warning = None;
+        // The newer schemas have a radius for each end.
         let mut ends = |fallback: f64| {
             let (bottom, top) = (measure("radiusBottom", fallback), measure("radiusTop", fallback));
             if bottom.to_bits() != top.to_bits() {
-                odd = Some("its two radii differ; it is drawn with the larger one");
+                warning = Some("different radii are not supported; using the larger one");
             }
             bottom.max(top)
         };
@@ -92,10 +92,10 @@ impl Shape {
                 .value(prim, "doubleSided")
                 .and_then(|value| boolean(&value)),
         };
-        Some((shape, odd))
+        Some((shape, warning))
     }
 
-    /// Whether its measures make sense.
+    /// Whether its dimensions are finite.
     pub(super) fn is_finite(&self) -> bool {
         match self.kind {
             Kind::Cube { size } => size.is_finite(),
@@ -107,7 +107,7 @@ impl Shape {
         }
     }
 
-    /// Its triangles.
+    /// Returns its triangle mesh.
     pub(super) fn mesh(&self) -> Mesh {
         let mut mesh = match self.kind {
             Kind::Cube { size } => shape::cube(size),
@@ -124,7 +124,7 @@ impl Shape {
     }
 }
 
-/// The colour of a shape, if it is of one colour: there are no vertices that other colours could belong to.
+/// Returns the colour of a shape if it has a single one; others would need authored vertices.
 pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<Attribute<[f32; 3]>> {
     let colors = primvar(reader, prim, context, "primvars:displayColor", vec3s)?;
     (colors.interpolation == Interpolation::Constant || colors.values.len() == 1).then_some(())?;

@@ -1,4 +1,4 @@
-//! What surfaces look like: the base colour of a material's shading network.
+//! Reads materials: base colour, roughness, metalness and emission of a shading network.
 
 mod network;
 mod surface;
@@ -18,23 +18,23 @@ use network::{Node, surface_shader};
 
 pub(super) use texture::Textures;
 
-/// The materials that were come by.
+/// The materials read so far.
 pub(super) struct Materials {
     known: HashMap<Path, Option<Rc<Surface>>>,
     pub(super) textures: Textures,
-    /// The first instance of each prototype, to call what is in it by a name that the scene knows.
+    /// The first instance of each prototype, which provides scene paths for the prototype's prims.
     prototypes: HashMap<String, String>,
 }
 
-/// A material of the scene, and what a mesh needs to know of it.
+/// A material of the scene, with the properties that meshes depend on.
 pub(super) struct Surface {
-    /// Into the scene's materials.
+    /// The index of the material in the scene.
     pub(super) index: u32,
-    /// The primvar that its texture is laid out by.
+    /// The primvar with its texture coordinates.
     pub(super) uv: Option<String>,
-    /// Whether the colours of the mesh show.
+    /// Whether the mesh's own colours are visible.
     pub(super) shows_mesh_colors: bool,
-    /// Whether its shading network is one that we read.
+    /// Whether its shading network is supported.
     pub(super) understood: bool,
 }
 
@@ -53,7 +53,7 @@ impl Materials {
             .or_insert_with(|| path.to_owned());
     }
 
-    /// A path that the scene knows for one inside a prototype.
+    /// Returns the scene path of a path inside a prototype.
     pub(in crate::stage::scene) fn scene_path(&self, path: &Path) -> String {
         let text = path.as_str();
         if is_in_prototype(path) {
@@ -65,7 +65,7 @@ impl Materials {
         text.to_owned()
     }
 
-    /// The surface of the material at `path`; `None` where there is no material.
+    /// Returns the surface of the material at `path`, or `None` if there is no material.
     pub(super) fn surface(
         &mut self,
         reader: &Reader,
@@ -77,7 +77,7 @@ impl Materials {
         if let Some(known) = self.known.get(path) {
             return known.clone();
         }
-        // Through an instance, the material is its prototype's.
+        // A material inside an instance is its prototype's.
         let canonical = if is_in_prototype(path) || self.prototypes.is_empty() {
             None
         } else {
@@ -107,7 +107,7 @@ impl Materials {
             .flatten()
             .is_none_or(|kind| kind.as_str() != "Material")
         {
-            let message = format!("is bound to the material <{name}>, which is not there");
+            let message = format!("is bound to the material <{name}>, which does not exist");
             findings.warn(
                 "missing-material",
                 user,
@@ -134,7 +134,7 @@ impl Materials {
                 read.findings.warn(
                     "unsupported-material",
                     &name,
-                    "has no surface that can be read; it is grey",
+                    "has no surface shader; using grey",
                     "",
                 );
                 false
@@ -158,7 +158,7 @@ impl Materials {
     }
 }
 
-/// A node of a shading network by its identifier.
+/// Returns the identifier of a node of a shading network.
 fn identifier(reader: &Reader, node: &Node) -> String {
     use super::super::value::text;
     let token = |name| reader.attribute_value(&node.shader, name).and_then(text);

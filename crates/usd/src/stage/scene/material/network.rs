@@ -2,10 +2,10 @@ use openusd::sdf::{Path, Value};
 
 use super::super::super::reader::Reader;
 
-/// Longer chains of connections lead nowhere.
-const LONGEST: usize = 64;
+/// The maximum length of a chain of connections.
+const MAX_CONNECTIONS: usize = 64;
 
-/// The outputs of a material that may hold its surface, the most portable first.
+/// The outputs of a material for its surface, most portable first.
 const SURFACES: [&str; 4] = [
     "outputs:surface",
     "outputs:mtlx:surface",
@@ -13,21 +13,21 @@ const SURFACES: [&str; 4] = [
     "outputs:mdl:surface",
 ];
 
-/// A shader whose output is used.
+/// A shader of a network.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) shader: Path,
 }
 
-/// What feeds an input.
+/// The source of an input.
 pub(super) enum Input {
-    /// A value, and the attribute that holds it.
+    /// A value and the attribute that defines it.
     Value(Value, Path),
-    /// A shader.
+    /// A shader's output.
     Node(Node),
 }
 
-/// The shader that a material's surface comes from.
+/// Returns the surface shader of a material.
 pub(super) fn surface_shader(reader: &Reader, material: &Path) -> Option<Node> {
     SURFACES
         .into_iter()
@@ -37,10 +37,10 @@ pub(super) fn surface_shader(reader: &Reader, material: &Path) -> Option<Node> {
         })
 }
 
-/// What feeds a property, through the interfaces of materials and node graphs; `None` where nothing does.
+/// Returns the source of a property, following connections through materials and node graphs.
 pub(super) fn input(reader: &Reader, prim: &Path, name: &str) -> Option<Input> {
     let mut at = prim.append_property(name).ok()?;
-    for _ in 0..LONGEST {
+    for _ in 0..MAX_CONNECTIONS {
         let connections = reader
             .stage
             .attribute(at.clone())

@@ -7,14 +7,14 @@ use super::network::{Input, Node, input};
 use super::texture::Textures;
 use super::{identifier, uv};
 
-/// The base colour where a material says nothing that can be read.
+/// The base colour of unsupported materials.
 pub(super) const GREY: [f32; 3] = [0.18; 3];
 /// `UsdPreviewSurface`'s fallback for the diffuse colour.
 const PREVIEW_DIFFUSE: [f32; 3] = [0.18; 3];
-/// Nodes that only pass a colour on are followed so far.
-const DEEPEST: usize = 16;
+/// The maximum number of pass-through nodes that are followed.
+const MAX_DEPTH: usize = 16;
 
-/// Reads one material.
+/// The state of reading one material.
 pub(super) struct Reading<'a> {
     pub(super) reader: &'a Reader,
     /// The material's path.
@@ -22,12 +22,12 @@ pub(super) struct Reading<'a> {
     pub(super) textures: &'a mut Textures,
     pub(super) scene_textures: &'a mut Vec<Texture>,
     pub(super) findings: &'a mut Findings,
-    /// The primvar that the base colour's texture is laid out by.
+    /// The primvar with the base colour's texture coordinates.
     pub(super) uv: Option<String>,
 }
 
 impl Reading<'_> {
-    /// Reads a surface shader; whether it is one that we know.
+    /// Reads a surface shader. Returns whether it is supported.
     pub(super) fn shader(&mut self, shader: &Node, material: &mut Material) -> bool {
         let id = identifier(self.reader, shader);
         match id.as_str() {
@@ -80,28 +80,28 @@ impl Reading<'_> {
             }
             _ => {
                 let what = if id.is_empty() {
-                    "its own source (MDL or other)".to_owned()
+                    "in source code (MDL or other)".to_owned()
                 } else {
                     format!("`{id}`")
                 };
                 let (understood, instead) = if self.mdl_diffuse(shader, material) {
                     (true, "only its diffuse inputs are used")
                 } else {
-                    (false, "it is grey")
+                    (false, "using grey")
                 };
                 self.findings.warn(
                     "unsupported-material",
                     self.place,
-                    format!("its surface is {what}, which is not read; {instead}"),
-                    "give it a UsdPreviewSurface or a MaterialX standard surface as well",
+                    format!("its surface shader {what} is not supported; {instead}"),
+                    "add a UsdPreviewSurface or a MaterialX standard surface",
                 );
                 understood
             }
         }
     }
 
-    /// The diffuse inputs of `OmniPBR`, the MDL material that Isaac Sim's assets use most, and of those that took over
-    /// its names.
+    /// Reads the diffuse inputs of `OmniPBR`, the most common MDL material in Isaac Sim's assets, and of materials with
+    /// the same input names. Returns whether there are any.
     fn mdl_diffuse(&mut self, shader: &Node, material: &mut Material) -> bool {
         let constant = self.color_input(shader, "inputs:diffuse_color_constant");
         let tint = self
@@ -142,7 +142,7 @@ impl Reading<'_> {
         }
     }
 
-    /// Metalness, roughness and what it gives off; values that vary over the surface keep their fallbacks.
+    /// Reads metalness, roughness and emission. Textured inputs keep their fallbacks.
     fn common(&mut self, shader: &Node, material: &mut Material, [metallic, roughness, emissive]: [&str; 3]) {
         if let Some(metallic) = self.number(shader, metallic) {
             material.metallic = metallic.clamp(0.0, 1.0);
@@ -167,7 +167,7 @@ impl Reading<'_> {
         material.emissive = tint.unwrap_or([1.0; 3]).map(|channel| channel * weight);
     }
 
-    /// A factor of the base colour.
+    /// Multiplies the base colour by a weight.
     fn weight(&mut self, shader: &Node, name: &str, material: &mut Material) {
         let weight = self.number(shader, name).unwrap_or(1.0);
         if let Some(color) = &mut material.base_color {
@@ -175,7 +175,7 @@ impl Reading<'_> {
         }
     }
 
-    /// The base colour: a value, an image, or the mesh's own colours.
+    /// Reads the base colour: a value, an image or the mesh's own colours.
     fn base_color(&mut self, shader: &Node, name: &str, material: &mut Material) {
         match input(self.reader, &shader.shader, name) {
             None => {}
@@ -196,7 +196,7 @@ impl Reading<'_> {
             self.materialx_image(node, material);
         } else if id.starts_with("UsdPrimvarReader_") || id.starts_with("ND_geompropvalue_") {
             self.mesh_color(node, material);
-        } else if let Some(next) = self.passes_on(node).filter(|_| depth < DEEPEST) {
+        } else if let Some(next) = self.passes_on(node).filter(|_| depth < MAX_DEPTH) {
             match next {
                 Input::Node(next) => self.color_of(&next, material, depth + 1),
                 Input::Value(value, _) => material.base_color = color(&value).or(material.base_color),
@@ -205,13 +205,13 @@ impl Reading<'_> {
             self.findings.warn(
                 "unsupported-material",
                 self.place,
-                format!("its base colour comes from `{id}`, which is not read"),
-                "connect an image or give a colour",
+                format!("its base colour node `{id}` is not supported"),
+                "connect an image or author a colour",
             );
         }
     }
 
-    /// The colour that a node of arithmetic starts from.
+    /// Returns the colour input of an arithmetic node.
     fn passes_on(&self, node: &Node) -> Option<Input> {
         const COLORS: [&str; 6] = [
             "inputs:in",
@@ -229,7 +229,7 @@ impl Reading<'_> {
         (!inputs.is_empty()).then(|| inputs.swap_remove(image.unwrap_or(0)))
     }
 
-    /// A colour that the mesh carries.
+    /// Reads a base colour that is a primvar of the mesh.
     fn mesh_color(&mut self, node: &Node, material: &mut Material) {
         let name = ["inputs:varname", "inputs:geomprop"]
             .into_iter()
@@ -251,7 +251,7 @@ impl Reading<'_> {
                 self.findings.warn(
                     "unsupported-material",
                     self.place,
-                    format!("its base colour is the primvar `{name}`, which is not read"),
+                    format!("its base colour is the primvar `{name}`, which is not supported"),
                     "use displayColor",
                 );
             }
@@ -324,21 +324,21 @@ impl Reading<'_> {
         match input(self.reader, &node.shader, name)? {
             Input::Value(value, _) => color(&value).or_else(|| {
                 let grey = number(&value)?;
-                #[expect(clippy::cast_possible_truncation, reason = "colours are of single precision")]
+                #[expect(clippy::cast_possible_truncation, reason = "colours have single precision")]
                 Some([grey as f32; 3])
             }),
             Input::Node(_) => None,
         }
     }
 
-    /// The image that a node reads from its `file`.
+    /// Returns the texture of a node's file input.
     fn image(&mut self, node: &Node, name: &str, space: Option<&str>) -> Option<u32> {
         let Some(Input::Value(value, attribute)) = input(self.reader, &node.shader, name) else {
             self.findings.warn(
                 "missing-texture",
                 self.place,
-                "its texture names no file",
-                "name one",
+                "its texture has no file",
+                "author an image file",
             );
             return None;
         };

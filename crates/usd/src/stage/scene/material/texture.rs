@@ -13,19 +13,19 @@ use super::super::findings::Findings;
 
 const CODE: &str = "missing-texture";
 
-/// The images of a scene, each once.
+/// The textures of a scene, without duplicates.
 #[derive(Default)]
 pub(in crate::stage::scene) struct Textures {
     known: HashMap<(String, ColorSpaceKey), u32>,
-    /// The package that was read last: its images come in a row.
+    /// The package read last, since its images are usually read in sequence.
     package: Option<(PathBuf, inspect::Inspected)>,
 }
 
 type ColorSpaceKey = u8;
 
 impl Textures {
-    /// Adds the image that `attribute`'s value names; into the scene's textures.
-    #[expect(clippy::too_many_arguments, reason = "a texture has many relatives")]
+    /// Adds the image named by `attribute`'s value to the scene's textures and returns its index.
+    #[expect(clippy::too_many_arguments, reason = "the state of reading a material")]
     pub(in crate::stage::scene) fn add(
         &mut self,
         reader: &Reader,
@@ -37,7 +37,12 @@ impl Textures {
         findings: &mut Findings,
     ) -> Option<u32> {
         let Value::AssetPath(asset) = value else {
-            findings.warn(CODE, place, "its texture is no asset path", "name an image file");
+            findings.warn(
+                CODE,
+                place,
+                "its texture is not an asset path",
+                "author an image file",
+            );
             return None;
         };
         let authored = asset.asset_path().to_owned();
@@ -51,7 +56,7 @@ impl Textures {
                 CODE,
                 place,
                 message,
-                "put the file where the path says, or correct the path",
+                "put the file at that path, or correct the path",
             );
             return None;
         };
@@ -84,7 +89,7 @@ impl Textures {
         Some(index)
     }
 
-    /// The bytes of an image inside a package.
+    /// Returns the bytes of an image inside a package.
     fn packaged(&mut self, package: &str, entry: &str) -> Result<Arc<[u8]>, String> {
         let path = FilePath::new(package);
         if self.package.as_ref().is_none_or(|(known, _)| known != path) {
@@ -101,7 +106,7 @@ impl Textures {
     }
 }
 
-/// How an image's numbers are meant: by the node, else by the attribute that names the file.
+/// Returns an image's colour space, as authored on the node or else on the file attribute.
 fn color_space(reader: &Reader, attribute: &Path, space: Option<&str>) -> ColorSpace {
     let authored = reader.field(attribute, "colorSpace").and_then(text);
     match space.filter(|space| *space != "auto").or(authored.as_deref()) {
@@ -111,7 +116,7 @@ fn color_space(reader: &Reader, attribute: &Path, space: Option<&str>) -> ColorS
     }
 }
 
-/// Of an image in tiles (UDIM) the first, beside the layer that names it.
+/// Returns the path of the first tile of a UDIM texture, relative to the layer that names it.
 fn first_tile(
     reader: &Reader,
     attribute: &Path,
@@ -126,7 +131,7 @@ fn first_tile(
     let (layer, _) = layers.first()?;
     let path = FilePath::new(layer).parent()?.join(first);
     let path = path.canonicalize().ok()?;
-    let message = format!("its texture @{authored}@ has tiles, of which only the first is used");
+    let message = format!("its texture @{authored}@ has UDIM tiles; only the first is used");
     findings.warn("udim-texture", place, message, "merge them into one image");
     path.to_str().map(str::to_owned)
 }

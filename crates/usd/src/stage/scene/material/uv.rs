@@ -3,19 +3,19 @@ use super::super::super::value::{number, text, vec2};
 use super::identifier;
 use super::network::{Input, Node, input};
 
-/// How an image is laid out over a mesh.
+/// The texture coordinates of an image.
 pub(super) struct Placement {
-    /// The primvar with the texture coordinates, without its prefix; `None` where the network does not say.
+    /// The primvar with the texture coordinates, without its prefix; `None` if the network does not specify it.
     pub(super) primvar: Option<String>,
-    /// Rows of the matrix that takes them to the image's.
+    /// The rows of the matrix from texture coordinates to image coordinates.
     pub(super) image_from_uv: [[f32; 3]; 2],
 }
 
-/// Transforms in a row are followed so far.
-const DEEPEST: usize = 8;
+/// The maximum number of chained transforms.
+const MAX_DEPTH: usize = 8;
 
 impl Placement {
-    /// With coordinates that run so many times over the image.
+    /// Returns the placement with the image repeated `tiling` times.
     pub(super) fn tiled(mut self, tiling: [f32; 2]) -> Self {
         for (row, factor) in self.image_from_uv.iter_mut().zip(tiling) {
             *row = row.map(|v| v * factor);
@@ -24,14 +24,14 @@ impl Placement {
     }
 }
 
-/// Follows an image's coordinates back to the primvar that they come from.
+/// Follows an image's texture coordinates to their primvar.
 pub(super) fn placement(reader: &Reader, image: &Node, name: &str) -> Placement {
     let mut placement = Placement {
         primvar: None,
         image_from_uv: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
     };
     let (mut node, mut name) = (image.clone(), name);
-    for _ in 0..DEEPEST {
+    for _ in 0..MAX_DEPTH {
         let Some(Input::Node(source)) = input(reader, &node.shader, name) else {
             return placement;
         };
@@ -68,7 +68,7 @@ fn value(reader: &Reader, node: &Node, name: &str) -> Option<openusd::sdf::Value
     }
 }
 
-/// `UsdTransform2d`: scale, then rotate counter-clockwise, then translate.
+/// Returns the matrix of `UsdTransform2d`: scale, then counter-clockwise rotation, then translation.
 fn transform_2d(reader: &Reader, node: &Node) -> [[f32; 3]; 2] {
     let pair = |name, fallback| {
         value(reader, node, name)
@@ -81,8 +81,8 @@ fn transform_2d(reader: &Reader, node: &Node) -> [[f32; 3]; 2] {
     [[cos * sx, -sin * sy, tx], [sin * sx, cos * sy, ty]]
 }
 
-/// The node `place2d` of `MaterialX` in its default order: about the pivot, divide by the scale, rotate clockwise, subtract the
-/// offset.
+/// Returns the matrix of `MaterialX`'s `place2d` in its default order: about the pivot, division by the scale, then
+/// clockwise rotation, then subtraction of the offset.
 fn place_2d(reader: &Reader, node: &Node) -> [[f32; 3]; 2] {
     let pair = |name, fallback| {
         value(reader, node, name)
@@ -101,14 +101,14 @@ fn place_2d(reader: &Reader, node: &Node) -> [[f32; 3]; 2] {
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "image coordinates are of single precision"
+    reason = "image coordinates have single precision"
 )]
 fn angle(reader: &Reader, node: &Node, name: &str) -> f32 {
     let degrees = value(reader, node, name).and_then(|v| number(&v)).unwrap_or(0.0);
     degrees.to_radians() as f32
 }
 
-/// First `b`, then `a`.
+/// Returns the transform that applies `b`, then `a`.
 fn product(a: [[f32; 3]; 2], b: [[f32; 3]; 2]) -> [[f32; 3]; 2] {
     a.map(|[ax, ay, at]| {
         [

@@ -1,0 +1,229 @@
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use serde::Serialize;
+
+use crate::Platform;
+
+/// The kind of values that a parameter takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// `true` or `false`.
+    Flag,
+    /// A whole number.
+    Integer,
+    /// A number.
+    Number,
+    /// One of these names.
+    Choice(&'static [&'static str]),
+    /// A text of this description.
+    Text(&'static str),
+}
+
+impl Kind {
+    /// The name of the kind: `boolean`, `integer`, `number`, `enum` or `string`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Flag => "boolean",
+            Self::Integer => "integer",
+            Self::Number => "number",
+            Self::Choice(_) => "enum",
+            Self::Text(_) => "string",
+        }
+    }
+}
+
+/// The source of a parameter's default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// `DepthAI`'s default.
+    DepthAi,
+    /// NVIDIA's schema.
+    Nvidia,
+    /// The camera that the parameters are for.
+    Camera,
+    /// A choice or a fit of this project, as described here.
+    Own(&'static str),
+    /// An estimate: there is no public number.
+    Estimate,
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::DepthAi => "DepthAI",
+            Self::Nvidia => "NVIDIA",
+            Self::Camera => "camera",
+            Self::Own(source) => source,
+            Self::Estimate => "estimate",
+        })
+    }
+}
+
+impl Serialize for Source {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// The static description of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct About {
+    /// The name: `DepthAI`'s or NVIDIA's where there is one.
+    pub name: &'static str,
+    /// Another name that is accepted too; empty if there is none.
+    pub alias: &'static str,
+    /// The kind of values.
+    pub kind: Kind,
+    /// The unit of the value and of its range; empty if it has none.
+    pub unit: &'static str,
+    /// The smallest number. [`f64::MIN_POSITIVE`] excludes 0.
+    pub min: f64,
+    /// The largest number. [`f64::MAX`] excludes infinity only.
+    pub max: f64,
+    /// The step from the smallest number to the next; 0 if every number in the range is valid.
+    pub step: f64,
+    /// The platform without which the parameter has no effect.
+    pub platform: Option<Platform>,
+    /// The source of the default.
+    pub source: Source,
+    /// What the parameter does.
+    pub doc: &'static str,
+}
+
+impl About {
+    /// Returns the description of a parameter with `DepthAI`'s default and without a unit or a range.
+    #[must_use]
+    pub const fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            alias: "",
+            kind: Kind::Flag,
+            unit: "",
+            min: f64::MIN,
+            max: f64::MAX,
+            step: 0.0,
+            platform: None,
+            source: Source::DepthAi,
+            doc: "",
+        }
+    }
+
+    /// The same with another accepted name.
+    #[must_use]
+    pub const fn alias(self, alias: &'static str) -> Self {
+        Self { alias, ..self }
+    }
+
+    /// The same with a unit.
+    #[must_use]
+    pub const fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The same with a range.
+    #[must_use]
+    pub const fn range(self, range: RangeInclusive<f64>) -> Self {
+        let (min, max) = (*range.start(), *range.end());
+        Self { min, max, ..self }
+    }
+
+    /// The same for numbers above 0.
+    #[must_use]
+    pub const fn positive(self) -> Self {
+        self.range(f64::MIN_POSITIVE..=f64::MAX)
+    }
+
+    /// The same for every `step`th number of the range.
+    #[must_use]
+    pub const fn step(self, step: f64) -> Self {
+        Self { step, ..self }
+    }
+
+    /// The same for a parameter of one platform.
+    #[must_use]
+    pub const fn on(self, platform: Platform) -> Self {
+        Self {
+            platform: Some(platform),
+            ..self
+        }
+    }
+
+    /// The same with an estimated default.
+    #[must_use]
+    pub const fn estimate(self) -> Self {
+        self.source(Source::Estimate)
+    }
+
+    /// The same with a default that the camera provides.
+    #[must_use]
+    pub const fn from_camera(self) -> Self {
+        self.source(Source::Camera)
+    }
+
+    /// The same with a default whose source is described here.
+    #[must_use]
+    pub const fn own(self, source: &'static str) -> Self {
+        self.source(Source::Own(source))
+    }
+
+    /// The same with another source of the default.
+    #[must_use]
+    pub const fn source(self, source: Source) -> Self {
+        Self { source, ..self }
+    }
+
+    /// The same with the kind of values and the documentation.
+    #[must_use]
+    pub const fn of(self, kind: Kind, doc: &'static str) -> Self {
+        let doc = doc.trim_ascii();
+        Self { kind, doc, ..self }
+    }
+
+    /// Whether the parameter accepts this number.
+    #[must_use]
+    pub fn accepts(&self, number: f64) -> bool {
+        let is_on_step = || self.step == 0.0 || (number - self.min).rem_euclid(self.step) == 0.0;
+        (self.min..=self.max).contains(&number) && is_on_step()
+    }
+
+    /// The range in words: `0 to 10 px`, `1, 3, 5 or 7`, `a number above 0`; `None` if any finite number is valid.
+    #[must_use]
+    pub fn range_text(&self) -> Option<String> {
+        let (min, max, step) = (self.min, self.max, self.step);
+        let range = match (min, max) {
+            (f64::MIN, f64::MAX) => return None,
+            (f64::MIN_POSITIVE, f64::MAX) => "above 0".to_owned(),
+            (_, f64::MAX) => format!("{min} or more"),
+            _ if step > 0.0 && (max - min) / step < 5.0 => {
+                let numbers = std::iter::successors(Some(min), |n| Some(n + step));
+                let mut numbers: Vec<String> =
+                    numbers.take_while(|n| *n <= max).map(|n| n.to_string()).collect();
+                let last = numbers.pop().unwrap_or_default();
+                format!("{} or {last}", numbers.join(", "))
+            }
+            _ if step > 0.0 => format!("{min}, {}, … {max}", min + step),
+            _ => format!("{min} to {max}"),
+        };
+        Some(format!("{range} {}", self.unit).trim_end().to_owned())
+    }
+
+    /// What a valid value is, for an error: `expected a number: 0 to 10 px`.
+    #[must_use]
+    pub fn expectation(&self) -> String {
+        let what = match self.kind {
+            Kind::Flag => return "expected true or false".to_owned(),
+            Kind::Choice([names @ .., last]) => return format!("expected {} or {last}", names.join(", ")),
+            Kind::Choice([]) => return String::new(),
+            Kind::Integer => "a whole number",
+            Kind::Number => "a number",
+            Kind::Text(what) => what,
+        };
+        match self.range_text() {
+            Some(range) => format!("expected {what}: {range}"),
+            None if self.unit.is_empty() => format!("expected {what}"),
+            None => format!("expected {what} in {}", self.unit),
+        }
+    }
+}

@@ -1,0 +1,96 @@
+use oaktwin_diagnostic::{fold_name, suggest};
+
+use crate::ParameterError;
+
+/// An enumeration whose variants have names that a user can write. [`choice!`](crate::choice!) implements it.
+pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
+    /// All variants, in order.
+    const VARIANTS: &'static [Self];
+    /// The names of [`VARIANTS`](Self::VARIANTS), in the same order.
+    const NAMES: &'static [&'static str];
+    /// One line about each of [`VARIANTS`](Self::VARIANTS), in the same order.
+    const ABOUT: &'static [&'static str];
+
+    /// The name of the variant.
+    #[must_use]
+    fn text(self) -> &'static str {
+        let found = Self::VARIANTS.iter().position(|variant| *variant == self);
+        found.map_or("", |index| Self::NAMES[index])
+    }
+
+    /// The variant of this name; case, hyphens and underscores do not matter.
+    #[must_use]
+    fn find(name: &str) -> Option<Self> {
+        let folded = fold_name(name);
+        let found = Self::NAMES.iter().position(|known| fold_name(known) == folded);
+        found.map(|index| Self::VARIANTS[index])
+    }
+}
+
+/// The variant of this name as the value of `option`.
+///
+/// # Errors
+/// Returns an error that suggests the nearest names if there is no such variant.
+pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> {
+    C::find(name).ok_or_else(|| {
+        let remedy = suggest(name, C::NAMES.iter().copied());
+        ParameterError::new(option, format!("invalid value '{name}'"), remedy)
+    })
+}
+
+/// Declares an enumeration whose variants have names; the first variant is the default.
+///
+/// ```
+/// oaktwin_parameter::choice! {
+///     /// The rounding of depth to whole millimetres.
+///     Rounding {
+///         /// To the nearest; halves up.
+///         Nearest = "nearest",
+///         /// Down.
+///         Truncate = "truncate",
+///     }
+/// }
+/// assert_eq!(Rounding::default().name(), "nearest");
+/// assert_eq!(Rounding::from_name("TRUNCATE"), Some(Rounding::Truncate));
+/// ```
+#[macro_export]
+macro_rules! choice {
+    ($(#[$about:meta])* $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $text:literal,)+ }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $name {
+            $(#[doc = concat!("`", $text, "`:")] $(#[doc = $doc])+ $variant,)+
+        }
+
+        impl $name {
+            /// All variants, the default first.
+            pub const ALL: &[Self] = &[$(Self::$variant),+];
+
+            /// The name that a user writes.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $text,)+
+                }
+            }
+
+            /// The variant of this name; case, hyphens and underscores do not matter.
+            #[must_use]
+            pub fn from_name(name: &str) -> Option<Self> {
+                <Self as $crate::Choice>::find(name)
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self::ALL[0]
+            }
+        }
+
+        impl $crate::Choice for $name {
+            const VARIANTS: &'static [Self] = Self::ALL;
+            const NAMES: &'static [&'static str] = &[$($text),+];
+            const ABOUT: &'static [&'static str] = &[$(concat!($($doc),+)),+];
+        }
+    };
+}

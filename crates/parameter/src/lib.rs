@@ -1,0 +1,23 @@
+//! Parameters and enumerations that are declared once.
+//!
+//! [`parameters!`] declares a struct of parameters: each has a name, a type, a unit, a range, a default, a line of
+//! documentation and the source of its default. From this one declaration come the struct, its defaults, parsing, the check
+//! of ranges, access by name and the [`Listing`] that help texts, schemas and manual pages are made of. [`choice!`] does
+//! the same for an enumeration.
+
+mod about;
+mod choice;
+mod declare;
+mod error;
+mod group;
+mod platform;
+mod table;
+mod value;
+
+pub use about::{About, Kind, Source};
+pub use choice::{Choice, choose};
+pub use error::ParameterError;
+pub use group::{Group, Listing};
+pub use platform::Platform;
+pub use table::{Row, Table};
+pub use value::{Hexadecimal, Numbered, Plain, Value, View};
