@@ -62,19 +62,6 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
-    #[command(flatten)]
-    pub(crate) outputs: OutputArgs,
-
-    /// The layout of the data set
-    #[arg(
-        long,
-        value_name = "NAME",
-        default_value = LAYOUTS[0].name,
-        value_parser = PossibleValuesParser::new(LAYOUTS.iter().map(layout)),
-        help_heading = "Outputs"
-    )]
-    pub(crate) writer: String,
-
     /// The image size, such as 1280x800; a model's cameras are resized and cropped as by DepthAI, the scene's keep their
     /// apertures
     #[arg(long, value_name = "WxH")]
@@ -159,6 +146,19 @@ pub(crate) struct RenderArgs {
     /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
     #[arg(long, help_heading = "Scene and trajectory")]
     pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    /// The layout of the data set
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = LAYOUTS[0].name,
+        value_parser = PossibleValuesParser::new(LAYOUTS.iter().map(layout)),
+        help_heading = "Outputs"
+    )]
+    pub(crate) writer: String,
 
     /// The visibility backend; auto rasterizes pinholes and casts rays for other lenses
     #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "Execution")]
