@@ -10,27 +10,27 @@ use crate::{Options, Shot, WriteError, Writer, json};
 /// The layout of Replicator's `BasicWriter` 0.0.2: names, types, shapes and keys.
 ///
 /// # Extensions
-/// What [`Extras`](crate::Extras) asks for has names that `BasicWriter` never writes (with `colorize_depth` it puts a grey
+/// The files of [`Extras`](crate::Extras) have names that `BasicWriter` never uses (its `colorize_depth` writes a grey
 /// `distance_to_image_plane_0000.png` beside the array):
 ///
-/// | file | what |
+/// | file | contents |
 /// |---|---|
 /// | `distance_to_image_plane_millimetres_0000.png` | 16-bit grey, see [`from_metres`](oaktwin_image::millimetres::from_metres) |
 /// | `distance_to_image_plane_0000.exr` | `float32`, see [`exr`](oaktwin_image::exr) |
-/// | `distance_to_image_plane_preview_0000.png` | a picture for people, see [`preview`](oaktwin_image::preview) |
+/// | `distance_to_image_plane_preview_0000.png` | a colour-mapped image, see [`preview`](oaktwin_image::preview) |
 /// | `pointcloud_0000.ply` | the point cloud with its normals and colours, scene units |
 ///
-/// and the first three for `distance_to_camera` and `depth_sensor_distance` too. What a depth sensor reports, for which
-/// `BasicWriter` has no files, has the names of Isaac Sim 6's annotators:
+/// and the first three also for `distance_to_camera` and `depth_sensor_distance`. Sensor outputs, for which `BasicWriter` has no
+/// files, have the names of Isaac Sim 6's annotators:
 ///
-/// | file | what |
+/// | file | contents |
 /// |---|---|
 /// | `depth_sensor_distance_0000.npy` | `float32` (H, W), metres, 0 where nothing was measured |
 /// | `depth_sensor_point_cloud_position_0000.npy` | `float32` (H, W, 4), see [`Frame`](oaktwin_image::annotation::Frame) |
 /// | `depth_sensor_point_cloud_color_0000.npy` | `uint8` (H, W, 4) |
 /// | `depth_sensor_imager_0000.npy` | `float32` (H, W) |
 /// | `depth_sensor_output_visualization_0000.png` | RGBA |
-/// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours where those are there |
+/// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours if those are rendered |
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
     options: Options,
@@ -74,11 +74,11 @@ impl Writer for BasicWriter {
     }
 }
 
-/// A name as one folder's.
+/// A name as that of a single folder.
 fn folder(name: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let name: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
-    // Neither this folder nor the one above, nor none at all.
+    // Neither `.`, `..` nor an empty name.
     if name.trim_matches('.').is_empty() {
         return "_".repeat(name.len().max(1));
     }

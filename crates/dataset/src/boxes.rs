@@ -13,7 +13,7 @@ const FIELDS: [Field; 6] = [
     Field::of::<f32>("occlusionRatio"),
 ];
 
-/// The boxes as a structured array.
+/// Encodes boxes as a structured array.
 pub(crate) fn encode(boxes: &Boxes2d) -> Result<Vec<u8>, Fault> {
     let record = |b: &Box2d| {
         [

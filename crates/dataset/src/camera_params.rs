@@ -3,29 +3,29 @@ use serde::Serialize;
 
 use crate::matrices::{projection, view_transform};
 
-/// A camera as it rendered a frame.
+/// The camera of a rendered frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The camera prim's own numbers.
+    /// The attributes of the camera prim.
     pub optics: UsdOptics,
-    /// The camera that rendered: its resolution, its lens and, for a pinhole, its focal lengths and principal point.
+    /// The rendering camera: resolution, lens and, for a pinhole, focal lengths and principal point.
     pub camera: Camera,
-    /// Metres, OpenCV's axes in the camera.
+    /// The pose of the camera (OpenCV's axes) in metres.
     pub world_from_camera: RigidTransform,
-    /// Nearest and farthest, scene units.
+    /// The clipping range in scene units.
     pub clipping_range: [f64; 2],
-    /// Metres in a scene unit.
+    /// The metres per scene unit.
     pub meters_per_unit: f64,
-    /// Scene units.
+    /// The focus distance in scene units.
     pub focus_distance: f64,
-    /// 0 for no depth of field.
+    /// The f-number; 0 without depth of field.
     pub f_stop: f64,
 }
 
-/// What Replicator's `camera_params` annotator says of a camera; fields and JSON keys are its own, in its order.
+/// The output of Replicator's `camera_params` annotator, with its fields and JSON keys in its order.
 ///
-/// Numbers that Replicator holds in `float32` are rounded to it. An infinite clipping distance, which JSON does not
-/// have, becomes the largest of `float32`.
+/// Numbers that are `float32` in Replicator are rounded to it. An infinite clipping distance, which JSON cannot represent,
+/// becomes the maximum of `float32`.
 ///
 /// # Use
 /// With points as rows, `point_in_clip = point_in_world · camera_view_transform · camera_projection`, in scene units;
@@ -33,8 +33,8 @@ pub struct View {
 /// `u = (x/w + 1)/2 · width`, `v = (1 − y/w)/2 · height`.
 ///
 /// # Lenses
-/// The projection of a pinhole is that of the image it comes with, offsets included. For other lenses it is, as in
-/// Isaac Sim, the one of the focal length and the horizontal aperture alone, and the lens is in the other fields:
+/// The projection of a pinhole is that of the image, including offsets. For other lenses it is, as in Isaac Sim, that of the
+/// focal length and the horizontal aperture only, and the other fields describe the lens:
 ///
 /// | model | `opencv_fx`, `fy`, `optical_centre` | `polynomial` | `lens_p`, `lens_s` |
 /// |---|---|---|---|
@@ -42,51 +42,50 @@ pub struct View {
 /// | `fisheyeOpenCV` | OpenCV's, px | k1 to k4, 0 | |
 /// | `fisheyePolynomial` | centre in px of the nominal image | θ(r) by rising power, rad | |
 ///
-/// Replicator's documentation does not say where the coefficients of OpenCV's pinhole go; its nodes name `lens_p` the
-/// tangential and `lens_s` the thin-prism ones, which leaves the radial ones for `polynomial`. A sensor's tilt has no
-/// place in it.
+/// Replicator's documentation does not specify the fields of the coefficients of OpenCV's pinhole; its nodes name `lens_p` the
+/// tangential and `lens_s` the thin-prism ones, which leaves `polynomial` for the radial ones. A sensor tilt is not included.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CameraParams {
-    /// Horizontal and vertical, as the prim has them.
+    /// The horizontal and vertical aperture of the prim.
     #[serde(rename = "cameraAperture")]
     pub aperture: [f64; 2],
-    /// Horizontal and vertical, as the prim has them.
+    /// The horizontal and vertical aperture offset of the prim.
     #[serde(rename = "cameraApertureOffset")]
     pub aperture_offset: [f64; 2],
-    /// Tangential distortion.
+    /// The tangential distortion.
     #[serde(rename = "cameraFisheyeLensP")]
     pub lens_p: Vec<f64>,
-    /// Thin-prism distortion.
+    /// The thin-prism distortion.
     #[serde(rename = "cameraFisheyeLensS")]
     pub lens_s: Vec<f64>,
-    /// Degrees; 0 where the lens has no limit.
+    /// The maximum field of view in degrees; 0 without a limit.
     #[serde(rename = "cameraFisheyeMaxFOV")]
     pub max_fov_deg: f64,
-    /// Rows of the image that the lens is described in, px.
+    /// The height of the lens's nominal image, px.
     #[serde(rename = "cameraFisheyeNominalHeight")]
     pub nominal_height: u32,
-    /// Columns of the image that the lens is described in, px.
+    /// The width of the lens's nominal image, px.
     #[serde(rename = "cameraFisheyeNominalWidth")]
     pub nominal_width: u32,
-    /// Of every lens but the plain pinhole, px.
+    /// The optical centre of every lens except the plain pinhole, px.
     #[serde(rename = "cameraFisheyeOpticalCentre")]
     pub optical_centre: [f64; 2],
-    /// The lens's polynomial.
+    /// The polynomial of the lens.
     #[serde(rename = "cameraFisheyePolynomial")]
     pub polynomial: Vec<f64>,
-    /// As the prim has it.
+    /// The focal length of the prim.
     #[serde(rename = "cameraFocalLength")]
     pub focal_length: f64,
-    /// Scene units.
+    /// The focus distance in scene units.
     #[serde(rename = "cameraFocusDistance")]
     pub focus_distance: f64,
-    /// 0 for no depth of field.
+    /// The f-number; 0 without depth of field.
     #[serde(rename = "cameraFStop")]
     pub f_stop: f64,
-    /// The lens's name.
+    /// The name of the lens model.
     #[serde(rename = "cameraModel")]
     pub model: &'static str,
-    /// Scene units.
+    /// The clipping range in scene units.
     #[serde(rename = "cameraNearFar")]
     pub near_far: [f64; 2],
     /// OpenCV's horizontal focal length, px; 0 for a lens of another kind.
@@ -101,16 +100,16 @@ pub struct CameraParams {
     /// Four rows of the matrix from world to camera, for points as rows, in scene units.
     #[serde(rename = "cameraViewTransform")]
     pub view_transform: [f64; 16],
-    /// Metres in a scene unit.
+    /// The metres per scene unit.
     #[serde(rename = "metersPerSceneUnit")]
     pub meters_per_scene_unit: f64,
-    /// Width and height, px.
+    /// The width and height, px.
     #[serde(rename = "renderProductResolution")]
     pub resolution: [u32; 2],
 }
 
 impl CameraParams {
-    /// Of a camera as it rendered a frame.
+    /// Returns the parameters of a rendered frame's camera.
     #[must_use]
     pub fn new(view: &View) -> Self {
         let optics = &view.optics;
@@ -180,7 +179,7 @@ impl CameraParams {
     }
 }
 
-/// As `float32` holds it.
+/// Rounds to `float32`.
 fn single(value: f64) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "rounded, as documented")]
     let single = value as f32;
@@ -203,13 +202,13 @@ mod tests {
 
     #[test]
     #[ignore = "needs OAKTWIN_TEST_DATA"]
-    fn as_isaac_sim_writes_them() {
+    fn equals_isaac_sim() {
         let data = std::env::var_os("OAKTWIN_TEST_DATA").expect("OAKTWIN_TEST_DATA names the test data");
         let folder = PathBuf::from(data).join("conformance/isaac-camera-params");
         let diagonal = DVec3::new(1.0, -1.0, 0.0).normalize();
         let forward = DVec3::new(1.0, 1.0, -2.0).normalize();
         let poses = [
-            // Straight down, and from a corner; both look at the origin.
+            // From above and from a corner, both towards the origin.
             ("rp1", DVec3::new(0.0, 0.0, 10.0), DVec3::Y, DVec3::NEG_X),
             (
                 "rp2",
@@ -256,8 +255,8 @@ mod tests {
     }
 
     #[test]
-    fn a_camera_computed_by_hand() {
-        // 3 m up, looking along +y, in a stage in centimetres whose z is up.
+    fn equals_a_manual_calculation() {
+        // 3 m above the origin, facing +y, in a stage with centimetres and z up.
         let mut view = view(DVec3::new(1.0, 2.0, 3.0), DVec3::X, DVec3::Z, [1.0, 3.0]);
         view.meters_per_unit = 0.01;
         view.optics.horizontal_aperture_mm = 24.0;
@@ -281,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn lenses() {
+    fn describes_lenses() {
         let mut view = view(DVec3::ZERO, DVec3::X, DVec3::Y, [0.5, f64::INFINITY]);
         let size = ImageSize::new(1280, 800);
         let intrinsics = Intrinsics::new(size, 800.0, 801.0, PixelPoint::<OpenCv>::new(640.5, 400.25));

@@ -20,7 +20,7 @@ pub(crate) fn rgb(rgb: &[[u8; 4]]) -> Result<Vec<u8>, Fault> {
     Ok(npy::encode(&[rgb.len(), 4], rgb.as_flattened())?)
 }
 
-/// `(N,)` of Replicator's uint8, or of uint32 where an id is larger than that holds.
+/// `(N,)` of Replicator's uint8, or of uint32 if an id does not fit.
 pub(crate) fn ids(ids: &[u32]) -> Result<Vec<u8>, Fault> {
     let bytes: Option<Vec<u8>> = ids.iter().map(|&id| u8::try_from(id).ok()).collect();
     Ok(match bytes {
@@ -43,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn types_and_shapes() {
+    fn encodes_types_and_shapes() {
         let says =
             |descr, shape| format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}");
         assert_eq!(header(points(&[[0.0; 3]; 5])), says("<f4", "(5, 3)"));

@@ -1,14 +1,14 @@
-//! JSON on one line with a space after `,` and `:`, as Python's `json` writes it.
+//! JSON on one line with a space after `,` and `:`, like Python's `json`.
 
 use std::io;
 
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-/// The text of a value.
+/// Encodes a value.
 pub(crate) fn encode(value: &impl Serialize) -> Vec<u8> {
     let mut out = Vec::new();
-    // What this crate serializes has string keys, and a `Vec` takes all that is written.
+    // All keys are strings, and writing to a `Vec` does not fail.
     let written = value.serialize(&mut Serializer::with_formatter(&mut out, Spaced));
     debug_assert!(written.is_ok(), "{written:?}");
     out
@@ -35,7 +35,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn as_python_writes_it() {
+    fn equals_pythons_json() {
         let value = json!({"a": [1, 2.0], "b": {"c": "d", "e": []}});
         assert_eq!(
             super::encode(&value),

@@ -1,6 +1,11 @@
-use oaktwin_image::annotation::{Annotator, Boxes2d, PointCloud};
+use std::collections::BTreeMap;
+
+use oaktwin_image::annotation::{
+    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, Segmentation, SemanticSegmentation,
+};
 use oaktwin_image::npy::Element;
 use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
+use serde::Serialize;
 
 use crate::file::{Array, Content, DatasetFile, Fault};
 use crate::segmentation::{self, Kind};
@@ -12,8 +17,7 @@ pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>
         extras: options.extras,
         list: Vec::new(),
     };
-    files.push_ground_truth(shot, options);
-    files.push_depth_sensor(shot);
+    files.push_annotations(&shot.frame, options);
     if let Some(params) = &shot.camera_params {
         let name = Annotator::CameraParams.name();
         files.push(name, name, "json", move || Ok(json::encode(params)));
@@ -97,108 +101,67 @@ impl<'a> Files<'a> {
         }
     }
 
-    fn push_ground_truth(&mut self, shot: &'a Shot, options: &Options) {
-        let frame = &shot.frame;
-        if let Some(rgb) = &frame.rgb {
-            self.push("rgb", "rgb", "png", move || Ok(png::encode(rgb)?));
-        }
-        if let Some(depth) = &frame.distance_to_image_plane {
-            self.push_depth("distance_to_image_plane", "distance_to_image_plane", &depth.0);
-        }
-        if let Some(depth) = &frame.distance_to_camera {
-            self.push_depth("distance_to_camera", "distance_to_camera", &depth.0);
-        }
-        if let Some(image) = &frame.normals {
-            self.push("normals", "normals", "png", move || {
-                Ok(png::encode(&normals::colorize(image))?)
-            });
-        }
-        if let Some(segmentation) = &frame.instance_id_segmentation {
-            let colorized = options.colorize_instance_id_segmentation;
-            let (annotator, kind) = (Annotator::InstanceIdSegmentation, Kind::InstanceId);
-            self.push_ids(annotator, kind, &segmentation.ids, colorized);
-            self.push(
-                annotator.name(),
-                "instance_id_segmentation_mapping",
-                "json",
-                move || {
-                    Ok(json::encode(&segmentation::legend(
-                        kind,
-                        &segmentation.prim_paths,
-                        colorized,
-                    )))
-                },
-            );
-        }
-        if let Some(segmentation) = &frame.semantic_segmentation {
-            let colorized = options.colorize_semantic_segmentation;
-            let (annotator, kind) = (Annotator::SemanticSegmentation, Kind::Semantic);
-            self.push_ids(annotator, kind, &segmentation.ids, colorized);
-            self.push(
-                annotator.name(),
-                "semantic_segmentation_labels",
-                "json",
-                move || {
-                    Ok(json::encode(&segmentation::legend(
-                        kind,
-                        &segmentation.labels,
-                        colorized,
-                    )))
-                },
-            );
-        }
-        if let Some(boxes) = &frame.bounding_box_2d_tight {
-            self.push_boxes(Annotator::BoundingBox2dTight, boxes);
-        }
-        if let Some(boxes) = &frame.bounding_box_2d_loose {
-            self.push_boxes(Annotator::BoundingBox2dLoose, boxes);
-        }
-        if let Some(cloud) = &frame.pointcloud {
-            self.push_cloud(cloud);
-        }
-    }
-
-    fn push_depth_sensor(&mut self, shot: &'a Shot) {
-        let frame = &shot.frame;
-        if let Some(distance) = &frame.depth_sensor_distance {
-            let name = Annotator::DepthSensorDistance.name();
-            self.push_depth(name, name, &distance.0);
-        }
-        let colors = frame.depth_sensor_point_cloud_color.as_ref();
-        if let Some(positions) = &frame.depth_sensor_point_cloud_position {
-            let name = Annotator::DepthSensorPointCloudPosition.name();
-            self.push_vectors(name, positions);
-            if self.extras.ply {
-                self.push(name, "depth_sensor_point_cloud", "ply", move || {
-                    Ok(ply::encode_measured(positions, colors, |point| point)?)
-                });
+    fn push_annotations(&mut self, frame: &'a Frame, options: &Options) {
+        for (annotator, data) in frame.annotations() {
+            let name = annotator.name();
+            match data {
+                AnnotationRef::Color(image) => {
+                    self.push(name, name, "png", move || Ok(png::encode(image)?));
+                }
+                AnnotationRef::ZDepth(depth) => self.push_depth(name, name, &depth.0),
+                AnnotationRef::RangeDepth(depth) => self.push_depth(name, name, &depth.0),
+                AnnotationRef::Normals(image) => self.push(name, name, "png", move || {
+                    Ok(png::encode(&normals::colorize(image))?)
+                }),
+                AnnotationRef::InstanceIds(Segmentation { ids, prim_paths }) => {
+                    let legend = &format!("{name}_mapping");
+                    let colorized = options.colorize_instance_id_segmentation;
+                    self.push_ids(name, legend, Kind::InstanceId, ids, prim_paths, colorized);
+                }
+                AnnotationRef::SemanticIds(SemanticSegmentation { ids, labels }) => {
+                    let legend = &format!("{name}_labels");
+                    let colorized = options.colorize_semantic_segmentation;
+                    self.push_ids(name, legend, Kind::Semantic, ids, labels, colorized);
+                }
+                AnnotationRef::Boxes(boxes) => self.push_boxes(name, boxes),
+                AnnotationRef::Points(cloud) => self.push_cloud(name, cloud),
+                AnnotationRef::PixelPoints(positions) => {
+                    self.push_vectors(name, positions);
+                    if self.extras.ply {
+                        let colors = frame.depth_sensor_point_cloud_color.as_ref();
+                        self.push(name, "depth_sensor_point_cloud", "ply", move || {
+                            Ok(ply::encode_measured(positions, colors, |point| point)?)
+                        });
+                    }
+                }
+                AnnotationRef::PixelColors(colors) => self.push_vectors(name, colors),
+                AnnotationRef::Scalar(image) => self.push_image(name, name, image),
             }
         }
-        if let Some(colors) = colors {
-            self.push_vectors(Annotator::DepthSensorPointCloudColor.name(), colors);
-        }
-        if let Some(imager) = &frame.depth_sensor_imager {
-            let name = Annotator::DepthSensorImager.name();
-            self.push_image(name, name, imager);
-        }
-        if let Some(view) = &frame.depth_sensor_output_visualization {
-            let name = Annotator::DepthSensorOutputVisualization.name();
-            self.push(name, name, "png", move || Ok(png::encode(view)?));
-        }
     }
 
-    fn push_ids(&mut self, annotator: Annotator, kind: Kind, ids: &'a Image<u32>, colorized: bool) {
-        self.push(annotator.name(), annotator.name(), "png", move || {
+    fn push_ids<T: Serialize + Sync>(
+        &mut self,
+        name: &'static str,
+        legend: &str,
+        kind: Kind,
+        ids: &'a Image<u32>,
+        names: &'a BTreeMap<u32, T>,
+        colorized: bool,
+    ) {
+        self.push(name, name, "png", move || {
             Ok(if colorized {
                 png::encode(&segmentation::colorize(kind, ids))?
             } else {
                 png::encode(&segmentation::grey(ids)?)?
             })
         });
+        self.push(name, legend, "json", move || {
+            Ok(json::encode(&segmentation::legend(kind, names, colorized)))
+        });
     }
 
-    fn push_boxes(&mut self, annotator: Annotator, boxes: &'a Boxes2d) {
-        let name = annotator.name();
+    fn push_boxes(&mut self, name: &'static str, boxes: &'a Boxes2d) {
         self.push(name, name, "npy", move || boxes::encode(boxes));
         self.push(name, &format!("{name}_labels"), "json", move || {
             Ok(json::encode(&boxes.labels))
@@ -209,33 +172,32 @@ impl<'a> Files<'a> {
     }
 
     /// The arrays of a cloud that are there: every one, where it has no points.
-    fn push_cloud(&mut self, cloud: &'a PointCloud) {
-        let annotator = Annotator::Pointcloud.name();
+    fn push_cloud(&mut self, name: &'static str, cloud: &'a PointCloud) {
         let all = cloud.points.is_empty();
         let given = move |length: usize| all || length > 0;
-        self.push(annotator, "pointcloud", "npy", move || {
+        self.push(name, "pointcloud", "npy", move || {
             cloud::points(&cloud.points)
         });
         if given(cloud.rgb.len()) {
-            self.push(annotator, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
+            self.push(name, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
         }
         if given(cloud.normals.len()) {
-            self.push(annotator, "pointcloud_normals", "npy", move || {
+            self.push(name, "pointcloud_normals", "npy", move || {
                 cloud::normals(&cloud.normals)
             });
         }
         if given(cloud.semantic.len()) {
-            self.push(annotator, "pointcloud_semantic", "npy", move || {
+            self.push(name, "pointcloud_semantic", "npy", move || {
                 cloud::ids(&cloud.semantic)
             });
         }
         if given(cloud.instance.len()) {
-            self.push(annotator, "pointcloud_instance", "npy", move || {
+            self.push(name, "pointcloud_instance", "npy", move || {
                 cloud::ids(&cloud.instance)
             });
         }
         if self.extras.ply {
-            self.push(annotator, "pointcloud", "ply", move || {
+            self.push(name, "pointcloud", "ply", move || {
                 Ok(ply::encode(&ply::Cloud {
                     points: &cloud.points,
                     normals: given(cloud.normals.len()).then_some(&cloud.normals),

@@ -5,7 +5,7 @@ use oaktwin_camera::{Axes, LensModel, Usd};
 
 use crate::View;
 
-/// From camera to clip space.
+/// The matrix from camera to clip space.
 pub(crate) fn projection(view: &View) -> [f64; 16] {
     let size = view.camera.intrinsics.size;
     let (width, height) = (f64::from(size.width), f64::from(size.height));
@@ -15,7 +15,7 @@ pub(crate) fn projection(view: &View) -> [f64; 16] {
     };
     let centre = intrinsics.principal_point::<Usd>();
     let [near, far] = view.clipping_range;
-    // With an infinite far plane, the limits of n/(f − n) and n f/(f − n).
+    // For an infinite far plane the limits of n/(f − n) and n f/(f − n).
     let (depth, depth_offset) = if far.is_finite() {
         (near / (far - near), near * far / (far - near))
     } else {
@@ -32,7 +32,7 @@ pub(crate) fn projection(view: &View) -> [f64; 16] {
     m
 }
 
-/// From world to camera, scene units.
+/// The matrix from world to camera, scene units.
 pub(crate) fn view_transform(view: &View) -> [f64; 16] {
     let usd_from_opencv = Axes::Usd.rotation_from(Axes::OpenCv);
     let camera_from_world = view.world_from_camera.inverse();
@@ -74,7 +74,7 @@ pub(crate) mod tests {
     }
 
     proptest! {
-        /// What the documentation says of the two matrices puts a point where the camera sees it.
+        /// The documented use of the two matrices projects points like the camera.
         #[test]
         fn a_point_lands_on_its_pixel(
             axis in prop::array::uniform3(-1.0..1.0f64), angle in -3.0..3.0f64, eye in prop::array::uniform3(-9.0..9.0f64),

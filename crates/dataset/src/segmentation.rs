@@ -1,7 +1,7 @@
-//! Segmentations as `BasicWriter` has them: a picture, and what its values stand for.
+//! Segmentations in `BasicWriter`'s form: an image, and the meaning of its values.
 //!
-//! Colorized, a pixel is RGBA and the JSON's keys are `"(r, g, b, a)"`; otherwise a pixel is the id in 16 bits of grey
-//! (all that PNG has; `BasicWriter` hands 32 bits to its encoder, which cuts them) and the keys are ids.
+//! Colorized, a pixel is RGBA and the JSON's keys are `"(r, g, b, a)"`; otherwise a pixel is the id as 16-bit grey (the
+//! maximum of PNG; `BasicWriter` passes 32 bits to its encoder, which truncates them) and the keys are ids.
 
 use std::collections::BTreeMap;
 
@@ -11,23 +11,23 @@ use serde_json::{Map, Value, json};
 
 use crate::file::Fault;
 
-/// What a pixel of no thing is called.
+/// The name of pixels without a prim.
 const BACKGROUND: &str = "BACKGROUND";
 
-/// What a thing without labels is called.
+/// The name of prims without labels.
 const UNLABELLED: &str = "UNLABELLED";
 
-/// What ids are of.
+/// The kind of ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// 0 is the background, others are prims.
     InstanceId,
-    /// 0 is the background, 1 what has no label, others are sets of labels.
+    /// 0 is the background, 1 a prim without labels, others are sets of labels.
     Semantic,
 }
 
 impl Kind {
-    /// The color of an id, the same one in every image.
+    /// The colour of an id, the same in every image.
     fn color(self, id: u32) -> [u8; 4] {
         match (self, id) {
             (_, 0) => [0; 4],
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// RGBA for each id.
+/// An RGBA image of ids.
 pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
     let mut last = (0, kind.color(0));
     ids.map(|&id| {
@@ -56,17 +56,17 @@ pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
     })
 }
 
-/// 16 bits for each id.
+/// A 16-bit image of ids.
 pub(crate) fn grey(ids: &Image<u32>) -> Result<Image<u16>, Fault> {
     if let Some(&id) = ids.pixels().iter().find(|&&id| id > u32::from(u16::MAX)) {
         return Err(Fault::IdTooLarge(id));
     }
-    #[expect(clippy::cast_possible_truncation, reason = "just looked at")]
+    #[expect(clippy::cast_possible_truncation, reason = "checked above")]
     let grey = ids.map(|&id| id as u16);
     Ok(grey)
 }
 
-/// What the picture's values stand for. Background and, colorized, unlabelled are always among them, as in Replicator.
+/// The meaning of the image's values. As in Replicator it always includes the background and, if colorized, unlabelled prims.
 pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, colorized: bool) -> Value {
     let key = |id: u32| {
         if colorized {
@@ -85,7 +85,7 @@ pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, coloriz
     legend.insert(key(0), kind.named(BACKGROUND));
     legend.insert(unlabelled, kind.named(UNLABELLED));
     for (&id, name) in names {
-        // Strings and maps of strings: never an error.
+        // Strings and maps of strings do not fail.
         legend.insert(key(id), serde_json::to_value(name).unwrap_or_default());
     }
     Value::Object(legend)
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colors_and_their_names() {
+    fn maps_colours_to_labels() {
         let ids = Image::new(3, 1, vec![0, 3, 2]).unwrap();
         let picture = colorize(Kind::Semantic, &ids);
         assert_eq!(picture.pixels()[0], [0; 4]);
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn prims_are_their_paths() {
+    fn maps_ids_to_prim_paths() {
         let names = BTreeMap::from([(1, "/World/Cup".to_owned())]);
         assert_eq!(
             legend(Kind::InstanceId, &names, true).to_string(),
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_bits() {
+    fn rejects_ids_above_16_bits() {
         let fits = Image::new(2, 1, vec![0, 65535]).unwrap();
         assert!(matches!(grey(&fits), Ok(grey) if grey.pixels() == [0, 65535]));
         let too_large = Image::new(2, 1, vec![65536, 70000]).unwrap();

@@ -1,24 +1,24 @@
-//! The serialization of ROS 2's messages.
+//! The serialization of ROS 2 messages.
 
-/// Writes plain CDR, little-endian, as RTPS frames it: four bytes that say so, then the fields one after the other, each
-/// aligned to its own size counted from behind those four (OMG "DDS-XTypes" 7.4.1, "DDSI-RTPS" 10).
+/// Writes plain little-endian CDR in RTPS's encapsulation: a header of four bytes, then the fields, each aligned to its own size
+/// relative to the end of the header (OMG "DDS-XTypes" 7.4.1, "DDSI-RTPS" 10).
 #[derive(Debug, Default)]
 pub(super) struct Cdr {
     bytes: Vec<u8>,
 }
 
-/// The representation identifier of little-endian plain CDR, and no options.
+/// The representation identifier of little-endian plain CDR, without options.
 const LITTLE_ENDIAN: [u8; 4] = [0, 1, 0, 0];
 
 impl Cdr {
-    /// Forgets the last message and begins the next one, in the same memory.
+    /// Begins the next message in the same memory.
     pub(super) fn begin(&mut self) -> &mut Self {
         self.bytes.clear();
         self.bytes.extend(LITTLE_ENDIAN);
         self
     }
 
-    /// The message.
+    /// The serialized message.
     pub(super) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
@@ -50,7 +50,7 @@ impl Cdr {
         self
     }
 
-    /// An array of fixed length, or one number.
+    /// Writes an array of fixed length, or a single number.
     pub(super) fn f64s(&mut self, values: &[f64]) -> &mut Self {
         for value in values {
             self.align(8);
@@ -59,26 +59,26 @@ impl Cdr {
         self
     }
 
-    /// Its length with the zero that ends it, then both.
+    /// Writes the length including the terminating zero, then both.
     pub(super) fn string(&mut self, text: &str) -> &mut Self {
         self.length(text.len() + 1);
         self.bytes.extend(text.as_bytes());
         self.u8(0)
     }
 
-    /// What a sequence begins with.
+    /// Writes the length of a sequence.
     pub(super) fn length(&mut self, length: usize) -> &mut Self {
-        // Images have at most 2^31 pixels; a message that is longer still is refused before it is begun.
+        // Images have at most 2^31 pixels, and longer messages are rejected earlier.
         self.u32(u32::try_from(length).unwrap_or(u32::MAX))
     }
 
-    /// A sequence of bytes, `length` of them, that `fill` appends.
+    /// Writes a sequence of `length` bytes that `fill` appends.
     pub(super) fn byte_sequence(&mut self, length: usize, fill: impl FnOnce(&mut Vec<u8>)) -> &mut Self {
         self.length(length);
         self.bytes.reserve(length);
         let start = self.bytes.len();
         fill(&mut self.bytes);
-        debug_assert_eq!(self.bytes.len() - start, length, "what was announced");
+        debug_assert_eq!(self.bytes.len() - start, length, "the announced length");
         self
     }
 }
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_aligned_from_behind_the_header() {
+    fn aligns_relative_to_the_header() {
         let mut cdr = Cdr::default();
         cdr.begin().u8(7).u32(0x0102_0304).bool(true).f64s(&[1.0]);
         let expected = [
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn strings_and_sequences_begin_with_their_length() {
+    fn prefixes_strings_and_sequences_with_their_length() {
         let mut cdr = Cdr::default();
         cdr.begin()
             .string("ab")
@@ -120,11 +120,11 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_sequence_is_its_length() {
+    fn encodes_empty_sequences() {
         let mut cdr = Cdr::default();
         cdr.begin().length(0).u8(5);
         assert_eq!(cdr.bytes(), [0, 1, 0, 0, 0, 0, 0, 0, 5]);
-        // The next message begins anew.
+        // The next message.
         assert_eq!(cdr.begin().u8(1).bytes(), [0, 1, 0, 0, 1]);
     }
 }

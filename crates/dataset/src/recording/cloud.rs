@@ -1,11 +1,11 @@
-//! From depth to points.
+//! Point clouds of depth images.
 
 use oaktwin_camera::{Camera, PixelPoint, Usd};
 use oaktwin_image::Image;
 
 use super::DepthView;
 
-/// Where the ray of each pixel's centre meets the plane z = 1; NaN where a pixel has no ray that does.
+/// The intersection of the ray of each pixel centre with the plane z = 1; NaN if there is none.
 pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
     let size = camera.intrinsics.size;
     let mut rays = Image::filled(size.width, size.height, [f32::NAN; 2]);
@@ -23,7 +23,7 @@ pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
     rays
 }
 
-/// The point of each pixel, metres in the camera's optical frame; NaN where there is none.
+/// The point of each pixel in the camera's optical frame, metres; NaN for invalid depth.
 pub(super) fn points<'a>(
     rays: &'a Image<[f32; 2]>,
     depth: DepthView<'a>,

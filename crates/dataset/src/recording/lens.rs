@@ -1,15 +1,15 @@
-//! A lens as ROS says it.
+//! Lens models of ROS.
 
 use oaktwin_camera::LensModel;
 
-/// The name of the distortion model, and its coefficients.
+/// A distortion model: name and coefficients.
 pub(super) struct Distortion {
     pub(super) model: &'static str,
     pub(super) d: Vec<f64>,
 }
 
-/// ROS's models: `plumb_bob` (k1 k2 p1 p2 k3), `rational_polynomial` (and k4 k5 k6), `equidistant` (k1 k2 k3 k4). `None`
-/// for what is none of them.
+/// The ROS model of a lens: `plumb_bob` (k1 k2 p1 p2 k3), `rational_polynomial` (and k4 k5 k6), `equidistant` (k1 k2 k3 k4).
+/// `None` for other lenses.
 pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
     let coefficients = match lens {
         LensModel::Pinhole => [0.0; 14],
@@ -36,13 +36,13 @@ pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
     })
 }
 
-/// What a recording's camera information cannot say of a lens; the images and the clouds of points are right all the same.
+/// Returns what ROS's camera information does not store of a lens; images and point clouds are correct nevertheless.
 #[must_use]
 pub fn ros_lens_loss(lens: &LensModel) -> Option<&'static str> {
     match lens {
-        LensModel::FTheta(_) => Some("ROS has no f-theta lens: its camera_info is left out"),
+        LensModel::FTheta(_) => Some("ROS does not support f-theta lenses; camera_info is skipped"),
         LensModel::OpenCvPinhole(lens) if lens.coefficients[8..].iter().any(|c| *c != 0.0) => {
-            Some("ROS has no thin prism and no tilt: its camera_info has the first eight coefficients only")
+            Some("ROS does not support thin prism and tilt; camera_info has only the first eight coefficients")
         }
         LensModel::Pinhole | LensModel::OpenCvPinhole(_) | LensModel::OpenCvFisheye(_) => None,
     }
@@ -54,7 +54,7 @@ mod tests {
     use oaktwin_camera::{OpenCvFisheye, OpenCvPinhole};
 
     #[test]
-    fn each_lens_has_its_model() {
+    fn maps_lenses_to_ros_models() {
         let opencv = |numbers: &[f64]| LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(numbers).unwrap());
         let of = |lens: &LensModel| distortion(lens).map(|found| (found.model, found.d));
         assert_eq!(of(&LensModel::Pinhole), Some(("plumb_bob", vec![0.0; 5])));

@@ -1,4 +1,4 @@
-//! Recordings as MCAP files of ROS 2's messages.
+//! Recordings as MCAP files with ROS 2 messages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -20,45 +20,45 @@ use super::{
     names,
 };
 
-/// Bytes of messages that are compressed at once, so that a reader finds its way; a longer message is a chunk of its own.
+/// The uncompressed size of a chunk, which limits the cost of seeking; a longer message is a chunk of its own.
 const CHUNK: u64 = 4 << 20;
 
-/// The root of all frames.
+/// The root frame.
 const WORLD: &str = "world";
 
-/// Writes MCAP, profile `ros2`: the same moments give the same bytes.
+/// Writes MCAP with the profile `ros2`. The same moments give the same bytes.
 ///
 /// | topic | message |
 /// |---|---|
 /// | `/NAME/rgb` | `sensor_msgs/msg/Image`, `rgb8` |
 /// | `/NAME/depth`, `/NAME/measured` | `sensor_msgs/msg/Image`, `32FC1` metres or `16UC1` millimetres |
 /// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
-/// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, a point a pixel, NaN where there is none |
+/// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
-/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, in which images and clouds are; a camera without a body is
-/// `world` → `NAME` itself. Chunks are compressed with zstd, on one thread.
+/// The frames are `world` → the body → `NAME` → `NAME_optical_frame`, that of images and point clouds; for a camera without a body
+/// `world` → `NAME`. Chunks are compressed with zstd on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
-    /// A message, whose memory all share.
+    /// The buffer of messages.
     cdr: Cdr,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
     bodies: Vec<Carrier>,
     channels: BTreeMap<String, Channel>,
-    /// Whether a camera has come since the static transforms were last written.
+    /// Whether a camera was added after the static transforms were written.
     statics_are_due: bool,
 }
 
-/// A camera, and what its messages need.
+/// A camera with the data of its messages.
 struct Station {
     camera: RecordedCamera,
     optical_frame: String,
-    /// Its own axes' frame, on a carrier or moving itself.
+    /// The camera's frame, on a body or moving itself.
     frame: String,
-    /// Into the bodies; `None` where the camera moves itself.
+    /// The index of the body; `None` if the camera moves itself.
     carrier: Option<usize>,
-    /// Made for the first cloud.
+    /// Computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
     last: Option<(Time, RigidTransform)>,
 }
@@ -80,16 +80,16 @@ impl<W: Write> Mcap<W> {
     /// Begins a recording.
     ///
     /// # Errors
-    /// The output cannot be written.
+    /// Returns an error if the output cannot be written.
     pub fn new(output: W) -> Result<Self, RecordingError> {
         let options = WriteOptions::new()
             .profile("ros2")
             .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
             .chunk_size(Some(CHUNK))
-            // The fastest: noise does not compress, whatever the effort.
+            // The fastest level, because noise does not compress.
             .compression(Some(Compression::Zstd))
             .compression_level(1)
-            // Where several compress, the bytes depend on how many.
+            // With several threads the bytes depend on their number.
             .compression_threads(0)
             .disable_seeking(true);
         Ok(Self {
@@ -103,7 +103,7 @@ impl<W: Write> Mcap<W> {
         })
     }
 
-    /// Writes the message that `self.cdr` holds.
+    /// Writes the message in `self.cdr`.
     fn put(&mut self, topic: &str, schema: Schema, time: Time) -> Result<(), RecordingError> {
         let channel = match self.channels.get_mut(topic) {
             Some(channel) => channel,
@@ -132,7 +132,7 @@ impl<W: Write> Mcap<W> {
             .map_err(failed)
     }
 
-    /// All transforms that never change, in one message: who subscribes late gets the last message only.
+    /// Writes all static transforms in one message, because late subscribers receive only the last message.
     fn put_statics(&mut self, time: Time) -> Result<(), RecordingError> {
         let header = |frame| Header { time, frame };
         let mut all = Vec::new();
@@ -155,7 +155,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf_static", Schema::Tf, time)
     }
 
-    /// Where the camera or its body stands, unless another camera has said so.
+    /// Writes the pose of the camera or its body, unless another camera already did.
     fn put_pose(&mut self, at: usize, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let Some(station) = self.cameras.get_mut(at) else {
             return Err(RecordingError::NoCamera);
@@ -180,7 +180,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf", Schema::Tf, moment.time)
     }
 
-    /// What is seen: `station` is on loan from `self.cameras`.
+    /// Writes the images; `station` is temporarily taken from `self.cameras`.
     fn put_images(&mut self, station: &mut Station, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let time = moment.time;
         let head = Header {
@@ -257,7 +257,7 @@ impl<W: Write> Recorder for Mcap<W> {
             self.put_statics(moment.time)?;
         }
         self.put_pose(camera.0, moment)?;
-        // Out of the list while its images are written.
+        // Taken from the list while its images are written.
         let mut cameras = std::mem::take(&mut self.cameras);
         let written = match cameras.get_mut(camera.0) {
             Some(station) => self.put_images(station, moment),
@@ -282,13 +282,13 @@ impl<W: Write> fmt::Debug for Mcap<W> {
     }
 }
 
-/// From a camera's own axes, a body's, to those of its optical frame.
+/// The rotation from the camera's body axes to its optical frame.
 fn optical_from_camera() -> RigidTransform {
     RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Ros), DVec3::ZERO)
 }
 
-/// What a player has to know: that static transforms are kept for who comes late (the numbers are those of `rmw`: keep the
-/// last one, reliable, transient local, automatic, no limits).
+/// The QoS profile of static transforms, which are kept for late subscribers (the values of `rmw`: keep last 1, reliable,
+/// transient local, automatic, no limits).
 fn metadata(topic: &str) -> BTreeMap<String, String> {
     let forever = "{sec: 9223372036, nsec: 854775807}";
     let qos = format!(

@@ -1,4 +1,4 @@
-//! ROS 2's messages, field by field.
+//! ROS 2 messages, field by field.
 
 use oaktwin_camera::{ImageSize, Intrinsics, RigidTransform};
 use oaktwin_image::{Image, ImageView};
@@ -10,18 +10,18 @@ use super::{DepthView, Time, cloud};
 /// `sensor_msgs/PointField.FLOAT32`.
 const FLOAT32: u8 = 7;
 
-/// When, and in which frame.
+/// The time and frame of a message.
 #[derive(Clone, Copy)]
 pub(super) struct Header<'a> {
     pub(super) time: Time,
     pub(super) frame: &'a str,
 }
 
-/// A frame in another.
+/// The transform between two frames.
 pub(super) struct Transform<'a> {
     pub(super) header: Header<'a>,
     pub(super) child: &'a str,
-    /// `header.frame` from `child`.
+    /// The transform `header.frame` from `child`.
     pub(super) parent_from_child: RigidTransform,
 }
 
@@ -30,11 +30,11 @@ fn header(cdr: &mut Cdr, header: Header<'_>) {
     cdr.i32(seconds).u32(nanoseconds).string(header.frame);
 }
 
-/// What precedes an image's bytes.
+/// The fields before an image's bytes.
 fn image_head(cdr: &mut Cdr, head: Header<'_>, size: ImageSize, encoding: &str, bytes_per_pixel: u32) {
     header(cdr.begin(), head);
     cdr.u32(size.height).u32(size.width).string(encoding);
-    // Not big-endian.
+    // is_bigendian
     cdr.u8(0).u32(size.width * bytes_per_pixel);
 }
 
@@ -48,7 +48,7 @@ pub(super) fn rgb(cdr: &mut Cdr, head: Header<'_>, image: ImageView<'_, [u8; 4]>
     });
 }
 
-/// `sensor_msgs/Image`, `32FC1` or `16UC1`, with the invalid values of REP-117 and REP-118.
+/// `sensor_msgs/Image`, `32FC1` or `16UC1`, with invalid values as in REP-117 and REP-118.
 pub(super) fn depth(cdr: &mut Cdr, head: Header<'_>, depth: DepthView<'_>) {
     let size = depth.size();
     match depth {
@@ -70,7 +70,7 @@ pub(super) fn depth(cdr: &mut Cdr, head: Header<'_>, depth: DepthView<'_>) {
     }
 }
 
-/// `sensor_msgs/CameraInfo`: K and D of the image as it is, P of one without the distortion.
+/// `sensor_msgs/CameraInfo`: K and D of the image, and P of the image without distortion.
 pub(super) fn camera_info(cdr: &mut Cdr, head: Header<'_>, intrinsics: &Intrinsics, distortion: &Distortion) {
     let k = intrinsics.opencv_matrix();
     header(cdr.begin(), head);
@@ -81,13 +81,12 @@ pub(super) fn camera_info(cdr: &mut Cdr, head: Header<'_>, intrinsics: &Intrinsi
     cdr.f64s(k.as_flattened())
         .f64s(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0])
         .f64s(k.map(|[a, b, c]| [a, b, c, 0.0]).as_flattened());
-    // Neither binning nor a region.
+    // No binning, no region of interest.
     cdr.u32(0).u32(0);
     cdr.u32(0).u32(0).u32(0).u32(0).bool(false);
 }
 
-/// `sensor_msgs/PointCloud2`: a point a pixel, in rows, NaN where there is none; with a picture its colour too, as PCL
-/// packs it into a number.
+/// `sensor_msgs/PointCloud2`: one point per pixel, NaN if invalid; with a colour image also packed colours as in PCL.
 pub(super) fn points(
     cdr: &mut Cdr,
     head: Header<'_>,
@@ -149,7 +148,7 @@ mod tests {
     const HEAD: &[u8] = &[0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, b'c', 0];
 
     #[test]
-    fn an_image_byte_by_byte() {
+    fn encodes_images() {
         let mut cdr = Cdr::default();
         let metres = [1.0f32, 0.0, f32::INFINITY];
         let view = ImageView::new(3, 1, &metres).unwrap();
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_camera_info_byte_by_byte() {
+    fn encodes_camera_info() {
         let intrinsics = Intrinsics::new(
             ImageSize::new(4, 2),
             1.0,
@@ -208,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_transform_byte_by_byte() {
+    fn encodes_transforms() {
         let mut cdr = Cdr::default();
         let turn = DMat3::from_cols(DVec3::NEG_X, DVec3::NEG_Y, DVec3::Z);
         let one = Transform {
@@ -232,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cloud_byte_by_byte() {
+    fn encodes_point_clouds() {
         let rays = Image::new(2, 1, vec![[0.5, -0.5], [1.0, 1.0]]).unwrap();
         let (metres, picture) = ([2.0f32, 0.0], [[1u8, 2, 3, 255]; 2]);
         let view = DepthView::Metres(ImageView::new(2, 1, &metres).unwrap());

@@ -1,22 +1,22 @@
-//! Recordings of cameras that move: what they see, what a depth sensor reports of it, and where everything stands.
+//! Recordings of moving cameras: images, depth, sensor outputs and poses.
 //!
-//! A [`Recorder`] is told of its cameras, then of one [`Moment`] after the other, and writes each at once. What a recording
-//! holds does not depend on its format:
+//! A [`Recorder`] first receives its cameras, then one [`Moment`] after the other, which it writes at once. The contents do
+//! not depend on the format:
 //!
-//! | of a camera | what |
+//! | channel of a camera | contents |
 //! |---|---|
-//! | `rgb` | the picture |
-//! | `depth` | exact depth, along the optical axis |
-//! | `measured` | what the sensor reports |
-//! | `depth_points`, `measured_points` | clouds of both, in the camera's optical frame, with the picture's colours |
+//! | `rgb` | the colour image |
+//! | `depth` | ground-truth z-depth |
+//! | `measured` | the depth sensor's output |
+//! | `depth_points`, `measured_points` | point clouds of both in the camera's optical frame, with colours |
 //!
-//! and the camera's intrinsics and lens, and the transforms world → body → camera → its optical frame (ROS's REP-103 and
-//! REP-105): the world's and the optical frame's axes are the caller's, a camera's are a body's (x forward, y left, z up).
+//! and the camera's intrinsics and lens, and the transforms world → body → camera → optical frame (ROS's REP-103 and
+//! REP-105): the axes of the world and the optical frame are the caller's, those of a camera are a body's (x forward, y left, z up).
 //!
-//! Invalid depth is as REP-117 and REP-118 have it: NaN for what is no measurement (0 in a sensor's output), `+inf` where
-//! nothing is in reach, 0 in millimetres.
+//! Invalid depth follows REP-117 and REP-118: NaN for no measurement (0 in a sensor's output), `+inf` for a miss, 0 in
+//! millimetres.
 //!
-//! [`Mcap`] writes ROS 2's messages; with the feature `rerun`, `Rrd` what Rerun reads.
+//! [`Mcap`] writes ROS 2 messages, and with the feature `rerun`, `Rrd` writes Rerun's format.
 //!
 //! ```
 //! use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
@@ -62,27 +62,28 @@ pub use mcap::Mcap;
 pub use rrd::Rrd;
 pub use time::Time;
 
-/// Writes a recording, into an output of its own.
+/// Writes a recording.
 pub trait Recorder {
-    /// Where it writes to.
+    /// The output.
     type Output;
 
-    /// Adds a camera, any time before its first moment. Its name is made one that ROS allows, and unique.
+    /// Adds a camera, before its first moment. Its name is converted to a valid, unique ROS name.
     ///
     /// # Errors
-    /// The output cannot be written, or the camera's images are too large.
+    /// Returns an error if the output cannot be written or the camera's images are too large.
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError>;
 
-    /// Records what there is of a camera at a moment.
+    /// Records a camera at a moment.
     ///
     /// # Errors
-    /// The output cannot be written, an image has another size than the camera's, or the camera is another recorder's.
+    /// Returns an error if the output cannot be written, an image does not have the camera's size, or the camera is not one of this
+    /// recorder.
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError>;
 
-    /// Writes what is left, after which the recording is whole.
+    /// Completes the recording.
     ///
     /// # Errors
-    /// The output cannot be written.
+    /// Returns an error if the output cannot be written.
     fn finish(self) -> Result<Self::Output, RecordingError>;
 }
 
@@ -93,44 +94,44 @@ pub struct CameraId(usize);
 /// A camera to be recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedCamera {
-    /// What it is called: the first part of its topics' names, and of its frames'.
+    /// The name: the first part of the names of its topics and frames.
     pub name: String,
-    /// Intrinsics and lens.
+    /// The intrinsics and lens.
     pub camera: Camera,
-    /// What carries it, where that is something else than the camera itself.
+    /// The body that carries the camera, if any.
     pub body: Option<Body>,
 }
 
-/// Something that moves and carries cameras.
+/// A moving body with cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// What it is called. Cameras whose bodies have one name are on one body.
+    /// The name. Bodies with the same name are the same body.
     pub name: String,
-    /// The place of the camera's optical frame on it, metres.
+    /// The pose of the camera's optical frame in the body, metres.
     pub body_from_camera: RigidTransform,
 }
 
-/// What there is of a camera at one time. Images have the camera's size.
+/// The data of a camera at one time. Images have the camera's size.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
-    /// When it is.
+    /// The time.
     pub time: Time,
-    /// Where the camera's body stands, or the camera's optical frame if it has none, metres.
+    /// The pose of the camera's body, or of its optical frame without a body, metres.
     pub world_from_mount: RigidTransform,
-    /// The picture, sRGB; the fourth channel is left out.
+    /// The colour image, sRGB; alpha is ignored.
     pub rgb: Option<ImageView<'a, [u8; 4]>>,
-    /// Exact depth.
+    /// The ground-truth depth.
     pub depth: Option<DepthView<'a>>,
-    /// What the sensor reports.
+    /// The depth sensor's output.
     pub measured: Option<DepthView<'a>>,
-    /// Whether there is a cloud of the exact depth.
+    /// Whether the point cloud of the ground truth is recorded.
     pub depth_points: bool,
-    /// Whether there is a cloud of what the sensor reports.
+    /// Whether the point cloud of the sensor's output is recorded.
     pub measured_points: bool,
 }
 
 impl Moment<'_> {
-    /// Without images.
+    /// Creates a moment without images.
     #[must_use]
     pub fn new(time: Time, world_from_mount: RigidTransform) -> Self {
         Self {
@@ -145,7 +146,7 @@ impl Moment<'_> {
     }
 }
 
-/// Depth along the optical axis. What is not above 0 is invalid.
+/// Z-depth. Values that are not above 0 are invalid.
 #[derive(Clone, Copy, Debug)]
 pub enum DepthView<'a> {
     /// `float32`: ROS's `32FC1`.
@@ -163,52 +164,52 @@ impl DepthView<'_> {
     }
 }
 
-/// Why something cannot be recorded.
+/// An error while something is recorded.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {
-    /// No stamp can say the time.
-    #[error("{seconds} s is no time of a recording; give seconds from 0 to 2^31")]
+    /// The time is out of range.
+    #[error("the time {seconds} s is out of range; give 0 to 2^31 seconds")]
     Time {
         /// The time, seconds.
         seconds: f64,
     },
-    /// An image of another size than its camera's.
+    /// An image does not have its camera's size.
     #[error(
-        "{camera}: {image} is {found}, the camera's images are {expected}; give the camera of the images"
+        "{camera}: {image} is {found}, but the camera's images are {expected}; give images of the camera's size"
     )]
     Size {
         /// The camera.
         camera: String,
-        /// Which image.
+        /// The name of the image.
         image: &'static str,
         /// Its size.
         found: ImageSize,
         /// The camera's size.
         expected: ImageSize,
     },
-    /// An image whose message would be longer than messages can be.
-    #[error("{camera}: images of {size} do not fit into a message; record smaller ones")]
+    /// A message would exceed the maximum size.
+    #[error("{camera}: images of {size} exceed the message size; record smaller images")]
     TooLarge {
         /// The camera.
         camera: String,
         /// Its images' size.
         size: ImageSize,
     },
-    /// A camera of another recorder.
+    /// The camera belongs to another recorder.
     #[error("the camera is not one of this recording; add it first")]
     NoCamera,
     /// The output cannot be written.
     #[error("cannot be written ({0})")]
     Io(#[from] io::Error),
-    /// The format's own library cannot go on.
+    /// The library of the format failed.
     #[error("{0}")]
     Format(String),
 }
 
-/// Refuses cameras whose images are too large for a message.
+/// Rejects cameras with images that are too large for a message.
 fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
     let size = camera.camera.intrinsics.size;
-    // 16 bytes a pixel are the most, those of a point.
+    // At most 16 bytes per pixel, for points.
     if u64::from(size.width) * u64::from(size.height) > u64::from(u32::MAX) / 16 {
         return Err(RecordingError::TooLarge {
             camera: camera.name.clone(),
@@ -218,7 +219,7 @@ fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
     Ok(())
 }
 
-/// Refuses images that are not the camera's.
+/// Rejects images that do not have the camera's size.
 fn check_moment(camera: &RecordedCamera, moment: &Moment<'_>) -> Result<(), RecordingError> {
     let expected = camera.camera.intrinsics.size;
     let rgb = moment

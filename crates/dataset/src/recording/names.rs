@@ -1,13 +1,13 @@
-//! Names that ROS allows.
+//! Valid ROS names.
 
 use std::collections::BTreeSet;
 
-/// Letters, digits and `_`, not beginning with a digit, and none that is taken already: what else there is becomes `_`
-/// (ROS 2's rules for a part of a topic's name; frames have the same here).
+/// Converts a name to letters, digits and `_`, without a leading digit, and makes it unique (ROS 2's rules for a part of a
+/// topic name, also applied to frames here).
 pub(super) fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
     let allowed = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let mut clean: String = name.chars().map(allowed).collect();
-    // Two in a row are not allowed.
+    // Two `_` in a row are not allowed.
     while clean.contains("__") {
         clean = clean.replace("__", "_");
     }
@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_becomes_of_names() {
+    fn converts_names() {
         let mut taken = BTreeSet::from(["world".to_owned()]);
         let names = ["left", "OAK-D Pro/left", "left", "3d", "ä..b_", "", "world"];
         let made = names.map(|name| unique(name, &mut taken));

@@ -1,4 +1,4 @@
-//! Recordings that Rerun's viewer opens.
+//! Recordings for Rerun's viewer.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,47 +16,47 @@ use super::{
     names,
 };
 
-/// The timeline that everything is on.
+/// The timeline.
 const TIMELINE: &str = "time";
 
-/// Writes Rerun's own format.
+/// Writes Rerun's format.
 ///
-/// | entity | what |
+/// | entity | contents |
 /// |---|---|
-/// | `world` | `ViewCoordinates`: which way is up |
+/// | `world` | `ViewCoordinates`: the up axis |
 /// | `world/BODY`, `world/BODY/NAME` | `Transform3D`; an entity's axes are the camera's optical frame |
 /// | `world/BODY/NAME/image` | `Pinhole`: the frustum |
 /// | `world/BODY/NAME/image/rgb` | `Image` |
 /// | `world/BODY/NAME/image/depth`, `…/measured` | `DepthImage`, with its `meter` |
 /// | `world/BODY/NAME/depth_points`, `…/measured_points` | `Points3D` |
 ///
-/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is as it comes: the viewer
-/// leaves out what is 0 or infinite. The file has ids and clock times of Rerun's, so that no two have the same bytes.
+/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is written unchanged: the viewer
+/// ignores 0 and infinity. The file contains ids and clock times of Rerun, so its bytes differ between runs.
 pub struct Rrd<W: Write> {
     stream: RecordingStream,
-    /// What the stream says, until it is written.
+    /// The buffered stream.
     said: MemorySinkStorage,
     encoder: Encoder<W>,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
-    /// Names and entities.
+    /// The entities by name.
     bodies: Vec<(String, String)>,
 }
 
 struct Station {
     camera: RecordedCamera,
     entity: String,
-    /// What moves.
+    /// The moving entity.
     mount: String,
-    /// Made for the first cloud.
+    /// Computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
 }
 
 impl<W: Write> Rrd<W> {
-    /// Begins a recording in a world whose z axis is up, or else its y axis.
+    /// Begins a recording in a world with z up, or else y.
     ///
     /// # Errors
-    /// The output cannot be written.
+    /// Returns an error if the output cannot be written.
     pub fn new(output: W, is_z_up: bool) -> Result<Self, RecordingError> {
         let (stream, said) = RecordingStreamBuilder::new("oaktwin").memory().map_err(failed)?;
         let version = rerun::build_info().version;
@@ -77,7 +77,7 @@ impl<W: Write> Rrd<W> {
         })
     }
 
-    /// Writes what was said since the last time.
+    /// Writes the buffered stream.
     fn write(&mut self) -> Result<(), RecordingError> {
         for message in self.said.take() {
             self.encoder.append(&message).map_err(not_written)?;
@@ -130,7 +130,7 @@ impl<W: Write> Recorder for Rrd<W> {
         let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
         check_moment(&station.camera, moment)?;
         let stream = &self.stream;
-        // Of the calling thread, which may be another one each time.
+        // The time is set per thread, and the calling thread may change.
         stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
         stream
             .log(station.mount.as_str(), &transform(&moment.world_from_mount))
@@ -184,7 +184,7 @@ impl<W: Write> fmt::Debug for Rrd<W> {
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "Rerun's numbers are in single precision"
+    reason = "Rerun uses single precision"
 )]
 fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     let q = parent_from_child.quaternion();
@@ -193,10 +193,10 @@ fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     rerun::Transform3D::from_translation_rotation(translation, rotation)
 }
 
-/// Its depth clouds have pixel (0, 0) at 0, as OpenCV has.
+/// The pinhole of Rerun, whose depth clouds have the centre of pixel (0, 0) at 0, like OpenCV.
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "Rerun's numbers are in single precision"
+    reason = "Rerun uses single precision"
 )]
 fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
     let intrinsics = camera.camera.intrinsics;

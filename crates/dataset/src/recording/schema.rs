@@ -1,5 +1,4 @@
-//! The definitions of ROS 2's messages that a recording carries, in the form "ros2msg": fields, and those of the types
-//! they are made of.
+//! The definitions of the recorded ROS 2 messages in the format "ros2msg": their fields, and those of nested types.
 
 /// A message type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,7 +9,7 @@ pub(super) enum Schema {
     Tf,
 }
 
-/// A type and its fields, without constants, which no reader needs.
+/// A type and its fields, without constants, which readers do not need.
 struct Definition {
     name: &'static str,
     fields: &'static [&'static str],
@@ -72,7 +71,7 @@ impl Schema {
         }
     }
 
-    /// The message's own fields, and the types below it.
+    /// The message's own fields, and its nested types.
     fn definition(self) -> (&'static [&'static str], &'static [Definition]) {
         match self {
             Self::Image => (
@@ -124,7 +123,7 @@ impl Schema {
         }
     }
 
-    /// The definition: the types below it follow behind lines of 80 equals signs.
+    /// The definition; nested types follow lines of 80 equals signs.
     pub(super) fn text(self) -> String {
         let (fields, below) = self.definition();
         let mut text = fields.join("\n") + "\n";
@@ -140,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_type_is_defined() {
+    fn defines_every_type() {
         for schema in [Schema::Image, Schema::CameraInfo, Schema::PointCloud2, Schema::Tf] {
             let text = schema.text();
             for line in text.lines().filter(|line| !line.starts_with('=')) {

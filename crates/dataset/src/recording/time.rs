@@ -1,8 +1,8 @@
-//! When something was.
+//! Times of a recording.
 
 use super::RecordingError;
 
-/// Nanoseconds since the clock's beginning.
+/// A time in nanoseconds since the start of the clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Time {
     nanoseconds: u64,
@@ -10,16 +10,16 @@ pub struct Time {
 
 const SECOND: u64 = 1_000_000_000;
 
-/// The stamps of ROS 2 count seconds in 31 bits.
+/// ROS 2's stamps have 31 bits of seconds.
 const END_S: f64 = 2_147_483_648.0;
 
 impl Time {
-    /// Seconds, rounded to the nearest nanosecond.
+    /// Creates a time from seconds, rounded to the nearest nanosecond.
     ///
     /// # Errors
-    /// Before the clock's beginning, or from 2³¹ s on, which no stamp of ROS can say.
+    /// Returns an error for negative times and those from 2³¹ s, which ROS's stamps cannot represent.
     pub fn from_seconds(seconds: f64) -> Result<Self, RecordingError> {
-        // False for a NaN.
+        // Also rejects NaN.
         let fits = (0.0..END_S).contains(&seconds);
         if !fits {
             return Err(RecordingError::Time { seconds });
@@ -29,7 +29,7 @@ impl Time {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "both are whole, and in their ranges"
+            reason = "both are integers in range"
         )]
         let nanoseconds = whole as u64 * SECOND + rest as u64;
         Ok(Self {
@@ -37,23 +37,23 @@ impl Time {
         })
     }
 
-    /// The time of a frame, from 0 on, of a film of `rate` frames a second.
+    /// Returns the time of a frame, counted from 0, at `rate` frames per second.
     ///
     /// # Errors
-    /// As [`from_seconds`](Self::from_seconds).
+    /// Returns the errors of [`from_seconds`](Self::from_seconds).
     pub fn of_frame(frame: u64, rate: f64) -> Result<Self, RecordingError> {
         #[expect(clippy::cast_precision_loss, reason = "there are fewer than 2^53 frames")]
         let seconds = frame as f64 / rate;
         Self::from_seconds(seconds)
     }
 
-    /// Nanoseconds since the clock's beginning.
+    /// A time in nanoseconds since the start of the clock.
     #[must_use]
     pub fn nanoseconds(self) -> u64 {
         self.nanoseconds
     }
 
-    /// Whole seconds, and the nanoseconds after them.
+    /// The seconds, and the remaining nanoseconds.
     pub(super) fn stamp(self) -> (i32, u32) {
         let (seconds, rest) = (self.nanoseconds / SECOND, self.nanoseconds % SECOND);
         (

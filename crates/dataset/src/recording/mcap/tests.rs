@@ -26,7 +26,7 @@ fn at(seconds: f64) -> Moment<'static> {
     Moment::new(Time::from_seconds(seconds).unwrap(), pose)
 }
 
-/// Two cameras of a body, one of its own, two frames.
+/// Two cameras on a body, one without a body, two frames.
 fn recording() -> Vec<u8> {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let cameras = [
@@ -52,7 +52,7 @@ fn recording() -> Vec<u8> {
 }
 
 #[test]
-fn the_reference_library_reads_it() {
+fn is_read_by_the_reference_library() {
     let file = recording();
     let messages: Vec<_> = ::mcap::MessageStream::new(&file)
         .unwrap()
@@ -114,7 +114,7 @@ fn the_same_moments_give_the_same_bytes() {
 }
 
 #[test]
-fn a_lens_that_ros_has_not_has_no_camera_info() {
+fn unsupported_lenses_have_no_camera_info() {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let mut fisheye = camera("left", None);
     let lens = FTheta::new(&[0.0, 0.3], ImageSize::new(4, 3), PixelPoint::new(2.0, 1.5), 3.0);
@@ -137,7 +137,7 @@ fn a_lens_that_ros_has_not_has_no_camera_info() {
 }
 
 #[test]
-fn what_is_refused() {
+fn rejects_invalid_input() {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let id = recorder.add_camera(&camera("left", None)).unwrap();
     let other = Image::filled(3, 4, 1.5f32);
@@ -147,7 +147,7 @@ fn what_is_refused() {
     };
     assert_eq!(
         recorder.record(id, &moment).unwrap_err().to_string(),
-        "left: depth is 3x4, the camera's images are 4x3; give the camera of the images"
+        "left: depth is 3x4, but the camera's images are 4x3; give images of the camera's size"
     );
     assert!(matches!(
         recorder.record(CameraId(1), &at(0.5)),
@@ -161,7 +161,7 @@ fn what_is_refused() {
     ));
 }
 
-/// A disk with room for so much.
+/// A disk with limited space.
 struct Disk(usize);
 
 impl Write for Disk {
@@ -179,7 +179,7 @@ impl Write for Disk {
 }
 
 #[test]
-fn a_full_disk_is_an_error_wherever_it_ends() {
+fn reports_full_disks_at_any_size() {
     let whole = recording().len();
     for room in [0, 5, 40, 3000, whole, 200_000] {
         let filled = || -> Result<(), RecordingError> {
@@ -187,7 +187,7 @@ fn a_full_disk_is_an_error_wherever_it_ends() {
             let mut large = camera("left", None);
             large.camera.intrinsics = Intrinsics::from_hfov(ImageSize::new(128, 128), 1.2);
             let id = recorder.add_camera(&large)?;
-            // More than a chunk.
+            // More than one chunk.
             for frame in 0u8..100 {
                 let random: Vec<[u8; 4]> = (0..128u32 * 128)
                     .map(|at| {

@@ -53,13 +53,8 @@ pub fn sense_frame(
     frame: &mut Frame,
 ) -> Vec<Annotator> {
     fill(sensor, camera, number, pair, asked, frame);
-    let is_missing = |annotator: &Annotator| match annotator {
-        Annotator::DepthSensorDistance => frame.depth_sensor_distance.is_none(),
-        Annotator::DepthSensorPointCloudPosition => frame.depth_sensor_point_cloud_position.is_none(),
-        Annotator::DepthSensorPointCloudColor => frame.depth_sensor_point_cloud_color.is_none(),
-        Annotator::DepthSensorImager => frame.depth_sensor_imager.is_none(),
-        Annotator::DepthSensorOutputVisualization => frame.depth_sensor_output_visualization.is_none(),
-        _ => false,
+    let is_missing = |annotator: &Annotator| {
+        annotator.is_depth_sensor() && !frame.annotations().any(|(present, _)| present == *annotator)
     };
     asked.iter().copied().filter(is_missing).collect()
 }
