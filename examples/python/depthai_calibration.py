@@ -1,11 +1,11 @@
-"""One calibration file, read by DepthAI's own library and by oaktwin: every number side by side.
+"""One calibration file, read by DepthAI's own library and by oaktwin: all numbers side by side.
 
     pip install depthai
     python examples/python/depthai_calibration.py calibration.json [--model OAK-D-Pro-PoE] [-o rows.json]
 
-The file is what `CalibrationHandler.eepromToJsonFile` writes; no camera need be there. Each row has the largest difference
-of its numbers in the units of oaktwin: px, metres, degrees. DepthAI computes in single precision, oaktwin in double, so about
-seven digits agree. A row marked * is a convention in which the two differ on purpose.
+The file is written by `CalibrationHandler.eepromToJsonFile`; no camera is required. Each row ends with the maximum difference
+of its numbers in oaktwin's units: px, metres, degrees. DepthAI computes in single precision, oaktwin in double, so about
+seven digits agree. A row marked * is a convention in which the two differ intentionally.
 """
 
 import argparse
@@ -28,7 +28,7 @@ def socket(role):
 
 
 def row(what, unit, theirs, ours, note=""):
-    """One line. DepthAI's lengths are centimetres and stay so; the difference is in oaktwin's unit."""
+    """One row. DepthAI's lengths are shown in centimetres; the difference is in oaktwin's unit."""
     theirs, ours = np.ravel(theirs).astype(float), np.ravel(ours).astype(float)
     scale = 1 / CM_PER_M if unit == "m" else 1.0
     return {
@@ -47,14 +47,14 @@ def camera_rows(handler, device, role):
     camera, where = device.cameras[role], socket(role)
     stored = (handler.getSourceWidth(where), handler.getSourceHeight(where))
     for size in dict.fromkeys([camera.size, *SIZES]):
-        # DepthAI invents the rows that a 4:3 image has more than a wide one, and only if the stored image is the wide one.
+        # DepthAI extends a wide calibration image by the additional rows of a 4:3 image, but not vice versa.
         if size[0] / size[1] <= 1.34 and not 1.5 < stored[0] / stored[1] <= 1.778:
             continue
         theirs = np.array(handler.getCameraIntrinsics(where, *size))
         ours = camera.resized(*size).K
         pick = lambda k: [k[0, 0], k[1, 1], k[0, 2], k[1, 2]]  # noqa: E731
         yield row(f"{role} fx fy cx cy, {size[0]}x{size[1]}", "px", pick(theirs), pick(ours))
-    # As many as the file has there, as many as the lens has here: what is left out is 0.
+    # DepthAI returns as many coefficients as the file, oaktwin as many as the lens model; missing ones are 0.
     both = np.zeros((2, 14))
     for coefficients, found in zip(both, [handler.getDistortionCoefficients(where), camera.distortion]):
         coefficients[: len(found)] = found
@@ -65,18 +65,18 @@ def camera_rows(handler, device, role):
 
 
 def pair_rows(handler, device, source, target):
-    """Extrinsics: both take points of the first camera to the second; DepthAI's are centimetres."""
+    """Extrinsics: both transform points from the first camera to the second; DepthAI's are in centimetres."""
     try:
         theirs = np.array(handler.getCameraExtrinsics(socket(source), socket(target)))
     except RuntimeError:
-        return  # The file does not join the two; oaktwin keeps the nominal place, and says so in its findings.
+        return  # The file has no such extrinsics; oaktwin uses the nominal pose and reports it in its findings.
     ours = device.extrinsics(source, target)
     yield row(f"{target}_from_{source} rotation", "", theirs[:3, :3], ours[:3, :3])
     yield row(f"{target}_from_{source} translation", "m", theirs[:3, 3], ours[:3, 3])
 
 
 def stereo_rows(handler, device):
-    """Baseline and rectifying rotations."""
+    """Baseline and rectification rotations."""
     rectified = device.rectification()
     calibrated = handler.getBaselineDistance(socket("right"), socket("left"), useSpecTranslation=False)
     yield row("baseline", "m", calibrated, rectified.baseline)
@@ -90,14 +90,14 @@ def imu_rows(handler, device, role):
     try:
         theirs = np.array(handler.getImuToCameraExtrinsics(socket(role)))
     except RuntimeError:
-        return  # The file does not place the inertial unit, as many do not.
+        return  # Many files have no extrinsics of the IMU.
     ours = device.extrinsics("imu", role)
     yield row(f"{role}_from_imu rotation", "", theirs[:3, :3], ours[:3, :3])
     yield row(f"{role}_from_imu translation", "m", theirs[:3, 3], ours[:3, 3])
 
 
 def compare(path, model=None):
-    """All rows, and what oaktwin finds odd in the file."""
+    """All rows, and oaktwin's findings about the file."""
     device = oaktwin.Device.from_calibration(path, model, force=True)
     handler = dai.CalibrationHandler(str(path))
     roles = [role for role in device.cameras if socket(role) in handler.getEepromData().cameraData]
@@ -120,13 +120,13 @@ def shown(values, unit):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("calibration", nargs="?", type=Path, default=EXAMPLE)
-    parser.add_argument("--model", help="which model the unit is, where the file does not say it")
+    parser.add_argument("--model", help="the model of the unit, if the file does not contain it")
     parser.add_argument("-o", "--output", type=Path, help="write the rows as JSON")
     arguments = parser.parse_args()
 
     try:
         device, rows = compare(arguments.calibration, arguments.model)
-    except (RuntimeError, oaktwin.Error) as error:  # DepthAI's and ours: no calibration, or none of this model
+    except (RuntimeError, oaktwin.Error) as error:  # DepthAI's and oaktwin's errors for invalid files
         raise SystemExit(f"{arguments.calibration.name}: {error}") from error
     print(f"{device.name}, {arguments.calibration.name}: DepthAI {dai.__version__} and oaktwin {oaktwin.__version__}")
     print(f"  {'':32}{'DepthAI':47}{'oaktwin':47}largest difference")

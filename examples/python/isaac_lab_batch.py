@@ -3,9 +3,9 @@
     pip install torch matplotlib     # both optional
     python examples/python/isaac_lab_batch.py --envs 1024 --steps 10 -o batch/
 
-Steps through made-up depth of as many environments, (1024, 60, 106) float32 metres: torch tensors where torch is installed,
-else NumPy's. The sensor reads them where they lie, by DLPack, and writes into `out`. Each step and each environment has noise
-of its own; the same seed and step have the same noise again.
+Steps through synthetic depth of that many environments, (1024, 60, 106) float32 metres: torch tensors if torch is installed,
+otherwise NumPy arrays. The sensor reads them without a copy, by DLPack, and writes to `out`. The noise of steps and environments
+is independent; the same seed and step give the same noise.
 
 In Isaac Lab, `OakDepth` below is a modifier of an observation term of a TiledCamera or a RayCasterCamera:
 
@@ -17,14 +17,14 @@ In Isaac Lab, `OakDepth` below is a modifier of an observation term of a TiledCa
         func=mdp.image,
         params={
             "sensor_cfg": SceneEntityCfg("tiled_camera"),
-            "data_type": "distance_to_image_plane",  # z, as the sensor wants it; not distance_to_camera
-            "normalize": False,  # leaves inf where nothing is
+            "data_type": "distance_to_image_plane",  # z, as required by the sensor; not distance_to_camera
+            "normalize": False,  # keeps inf for misses
         },
         modifiers=[ModifierCfg(func=OakDepth, params={"model": "OAK4-D", "hfov_deg": 77.0, "seed": 7})],
     )
 
-with the camera's PinholeCameraCfg(focal_length=..., horizontal_aperture=...) of the same field of view (this script prints
-one). Not run here: Isaac Lab itself; names are those of its version 2. Tensors of a GPU are copied to the CPU and back.
+with a camera whose PinholeCameraCfg(focal_length=..., horizontal_aperture=...) has the same field of view (printed by this
+script). Isaac Lab itself was not run; names are those of version 2. GPU tensors are copied to the CPU and back.
 """
 
 import argparse
@@ -47,7 +47,7 @@ except ImportError:
 
 
 class OakDepth(ModifierBase):
-    """A modifier of Isaac Lab: exact depth (N, H, W, 1) in, an OAK's out, 0 where nothing was measured.
+    """A modifier of Isaac Lab: ground-truth depth (N, H, W, 1) in, an OAK's depth out, 0 where invalid.
 
     cfg.params: "model"; "hfov_deg", the images' field of view; "seed".
     """
@@ -58,32 +58,32 @@ class OakDepth(ModifierBase):
         oak = oaktwin.Device(options["model"])
         self._sensor = oaktwin.DepthSensor(oak, hfov_deg=options["hfov_deg"], seed=options["seed"])
         self._step = 0
-        # Of the images' size, made at the first call.
+        # Has the images' size; created in the first call.
         self._exact = self._measured = None
 
     def reset(self, env_ids=None):
-        """Nothing to forget: noise depends on the step alone."""
+        """Does nothing: the noise depends only on the step."""
 
     def __call__(self, data):
         images = data.squeeze(-1)
         if self._measured is None:
-            # Pinned, a copy from and to the GPU is fast.
+            # Copies between pinned memory and the GPU are fast.
             self._measured = torch.empty(images.shape, pin_memory=data.is_cuda)
             self._exact = torch.empty_like(self._measured, pin_memory=True) if data.is_cuda else None
         exact = self._exact.copy_(images) if data.is_cuda else images.contiguous()
         self._sensor(exact, frame=self._step, out=self._measured)
         self._step += 1
-        # Isaac Lab hands modifiers a copy of their own.
+        # Isaac Lab passes a separate copy to modifiers.
         return images.copy_(self._measured).unsqueeze(-1)
 
 
 def made_up_depth(envs: int, height: int, width: int, hfov_deg: float) -> np.ndarray:
-    """What robots see 0.6 m above the ground, looking 20 degrees down at two boxes: (N, H, W), metres, inf in the sky."""
+    """The depth of cameras 0.6 m above the ground that face two boxes, 20 degrees down: (N, H, W), metres, inf in the sky."""
     random = np.random.default_rng(1)
     focal = width / 2 / np.tan(np.radians(hfov_deg) / 2)
     sine, cosine = np.sin(np.radians(20)), np.cos(np.radians(20))
     y = (np.arange(height) + 0.5 - height / 2) / focal
-    down = sine + y * cosine  # of a ray, a metre along the axis
+    down = sine + y * cosine  # of a ray, per metre along the axis
     ground = np.where(down > 0.03, 0.6 / np.maximum(down, 0.03), np.inf)
     depth = np.empty((envs, height, width), np.float32)
     depth[:] = ground[:, None]
@@ -98,7 +98,7 @@ def made_up_depth(envs: int, height: int, width: int, hfov_deg: float) -> np.nda
 
 
 def picture(path: Path, exact: np.ndarray, measured: np.ndarray) -> None:
-    """Some environments: exact depth, measured depth, error."""
+    """Plots ground-truth depth, measured depth and error of several environments."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -139,7 +139,7 @@ def main() -> None:
     parser.add_argument("--size", type=int, nargs=2, default=[106, 60], metavar=("WIDTH", "HEIGHT"))
     parser.add_argument("--model", default="OAK4-D", help="one of oaktwin.models()")
     parser.add_argument("--seed", type=int, default=7)
-    parser.add_argument("--numpy", action="store_true", help="NumPy's arrays, also where torch is installed")
+    parser.add_argument("--numpy", action="store_true", help="use NumPy arrays even if torch is installed")
     parser.add_argument("-o", "--output", type=Path, help="folder for batch.npz (of the first environments) and batch.png")
     options = parser.parse_args()
     width, height = options.size
@@ -158,7 +158,7 @@ def main() -> None:
     sensor = oaktwin.DepthSensor(device, hfov_deg=hfov, seed=options.seed)
     times = []
     for step in range(options.steps):
-        depth[:] = there * (1 - 0.01 * step)  # the simulator's step: everything comes nearer
+        depth[:] = there * (1 - 0.01 * step)  # the simulator's step: everything approaches
 
         began = time.perf_counter()
         sensor(depth, frame=step, out=out)  # <- the noise hook
@@ -171,7 +171,7 @@ def main() -> None:
     print(f"median {1000 * median:.1f} ms a step: {rate:.0f} images/s, {rate * height * width / 1e6:.0f} Mpx/s")
 
     if uses_torch:
-        # As Isaac Lab calls it: a last axis of one channel, and a copy of its own.
+        # Like a call by Isaac Lab: with a last axis of one channel, and a separate copy.
         cfg = argparse.Namespace(params={"model": options.model, "hfov_deg": hfov, "seed": options.seed})
         modifier = OakDepth(cfg, (*depth.shape, 1))
         for step in range(options.steps):

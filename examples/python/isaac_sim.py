@@ -1,17 +1,18 @@
-"""An OAK in Isaac Sim 5.1 or 6: our asset, its depth sensor's annotators, frames on disk.
+"""An OAK in Isaac Sim 5.1 or 6: its asset, the annotators of its depth sensor, and frames on disk.
 
-With Isaac Sim's own Python, which gets this package once (an RTX GPU is needed):
+Run it with Isaac Sim's own Python after installing this package once (an RTX GPU is required):
 
     ./python.sh -m pip install ./crates/python      # or the wheel
     ./python.sh examples/python/isaac_sim.py --model OAK4-D --frames 3 -o oak/ --compare
 
-Writes the model's asset for the version that runs, puts it before three boxes, makes depth sensors of the asset's template
-render products as Isaac Sim's own asset loaders do, and writes of each frame and depth sensor what a Replicator data set has:
-distance_to_image_plane_0000.npy (exact), depth_sensor_distance_0000.npy (Isaac Sim's depth sensor), rgb_0000.png. `--compare`
-runs our model of that sensor on the same exact depth and says how far both agree; noise is each one's own.
+Writes the model's asset for the running version, places it in front of three boxes, creates depth sensors from the asset's
+template render products like Isaac Sim's own asset loaders, and writes the files of a Replicator data set for each frame and
+depth sensor: distance_to_image_plane_0000.npy (ground truth), depth_sensor_distance_0000.npy (Isaac Sim's depth sensor),
+rgb_0000.png. `--compare` runs oaktwin's model of that sensor on the same ground truth and prints how well both agree; their
+noise is independent.
 
-NOT RUN by its authors: Isaac Sim, neither version. Modules, classes, arguments and annotators are checked name by name
-against the sources of 5.1 and 6.0 to 6.1; what needs only USD (scene, reference, templates) is run with usd-core.
+NOT RUN by its authors in any version of Isaac Sim. Modules, classes, arguments and annotators are checked by name
+against the sources of 5.1 and 6.0 to 6.1; the parts that require only USD (scene, reference, templates) are run with usd-core.
 """
 
 import argparse
@@ -21,13 +22,13 @@ import numpy as np
 
 import oaktwin
 
-OAK = "/World/oak"  # the asset's place in the stage: its body looks along x, z is up
+OAK = "/World/oak"  # the asset's path in the stage: its body faces along x, z is up
 PLACE = (-2.5, 0.0, 0.8)
 PREFIX = "omni:rtx:post:depthSensor:"
-WARM_UP = 20  # frames; the first ones of the depth sensor may be empty
+WARM_UP = 20  # frames; the depth sensor may return empty images at first
 
 
-# USD alone.
+# This part requires only USD.
 
 
 def build_scene(stage) -> None:
@@ -52,7 +53,7 @@ def build_scene(stage) -> None:
 
 
 def reference_asset(stage, asset: Path) -> None:
-    """The asset at its place in the stage."""
+    """References the asset in the stage."""
     from pxr import Gf, UsdGeom
 
     prim = UsdGeom.Xform.Define(stage, OAK)
@@ -61,7 +62,7 @@ def reference_asset(stage, asset: Path) -> None:
 
 
 def templates(stage) -> list:
-    """The asset's template render products: prims of that type and schema that name one camera, as Isaac Sim looks for them."""
+    """Finds the asset's template render products like Isaac Sim: prims of that type and schema with one camera."""
     from pxr import Usd
 
     found = []
@@ -74,12 +75,12 @@ def templates(stage) -> list:
     return found
 
 
-# Isaac Sim. Each makes the depth sensors and returns how to make a frame and how to read it:
-# {camera's path: (exact depth, measured depth, picture)}.
+# This part requires Isaac Sim. Each function creates the depth sensors and returns functions that render and read a frame:
+# {path of the camera: (ground-truth depth, measured depth, colour image)}.
 
 
 def isaac_5(app, asset: Path):
-    """5.1: the loader finds the templates in the asset, makes a sensor of each and copies its parameters."""
+    """5.1: the loader finds the templates in the asset, creates a sensor for each and copies its parameters."""
     import omni.usd
     from isaacsim.core.api import World
     from isaacsim.sensors.camera import SingleViewDepthSensorAsset
@@ -103,7 +104,7 @@ def isaac_5(app, asset: Path):
 
 
 def isaac_6(app, asset: Path):
-    """6: a sensor for each template's camera. Where the version does not copy the template's parameters, this does."""
+    """6: creates a sensor for each template's camera, and copies the template's parameters, which some versions do not."""
     import omni.replicator.core as rep
     import omni.timeline
     import omni.usd
@@ -111,12 +112,12 @@ def isaac_6(app, asset: Path):
 
     stage = omni.usd.get_context().get_stage()
     build_scene(stage)
-    # By hand: RtxCamera.create(usd_path=...) would wrap the asset's first camera only.
+    # RtxCamera.create(usd_path=...) would only wrap the asset's first camera.
     reference_asset(stage, asset)
     sensors, pictures = {}, {}
     for template in templates(stage):
         path = str(template.GetRelationship("camera").GetTargets()[0])
-        # 6.0 wraps no camera without it, 6.1 applies it.
+        # Required by 6.0; 6.1 applies it itself.
         stage.GetPrimAtPath(path).ApplyAPI("OmniSensorAPI")
         width, height = template.GetAttribute("resolution").Get()
         sensor = SingleViewDepthCameraSensor(
@@ -129,7 +130,7 @@ def isaac_6(app, asset: Path):
             if attribute.GetName().startswith(PREFIX) and product.HasAttribute(attribute.GetName()):
                 product.GetAttribute(attribute.GetName()).Set(attribute.Get())
         sensor.set_enabled_post_processing(True)
-        # The depth sensor has no picture among its annotators.
+        # The depth sensor has no annotator for the colour image.
         pictures[path] = rep.AnnotatorRegistry.get_annotator("rgb")
         pictures[path].attach([str(product.GetPath())])
         sensors[path] = sensor
@@ -152,11 +153,11 @@ def isaac_6(app, asset: Path):
     return app.update, read
 
 
-# And ours.
+# This part requires oaktwin.
 
 
 def compare(device: oaktwin.Device, camera: str, isaac: str, exact, measured, rgb) -> str:
-    """How far Isaac Sim's depth sensor and our model of it agree, on the same exact depth and picture."""
+    """Compares Isaac Sim's depth sensor with oaktwin's model of it, for the same ground truth and colour image."""
     kind = next((kind for kind, about in device.depth_sensors.items() if about["prim"] == camera), None)
     sensor = oaktwin.DepthSensor(device, sensor=kind, engine="single-view", isaac=isaac)
     ours = sensor(exact, rgb)
@@ -173,7 +174,7 @@ def main() -> None:
     parser.add_argument("--model", default="OAK4-D", help="one of oaktwin.models()")
     parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("-o", "--output", type=Path, default=Path("isaac-sim-oak"), help="folder for the asset and the frames")
-    parser.add_argument("--compare", action="store_true", help="also run our model of Isaac Sim's sensor on the exact depth")
+    parser.add_argument("--compare", action="store_true", help="also run oaktwin's model of Isaac Sim's sensor on the ground truth")
     parser.add_argument("--window", action="store_true", help="show Isaac Sim's window")
     options, _ = parser.parse_known_args()
 
@@ -191,7 +192,7 @@ def main() -> None:
 
     device = oaktwin.Device(options.model)
     options.output.mkdir(parents=True, exist_ok=True)
-    # Not .usda: a loader of Isaac Sim 6 takes the root of such an asset for a camera.
+    # Not .usda: a loader of Isaac Sim 6 turns the root of such an asset into a camera.
     asset = (options.output / f"{options.model.lower().replace(' ', '_')}.usd").resolve()
     device.write_usd(asset, isaac=isaac)
 

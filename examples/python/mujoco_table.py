@@ -1,10 +1,10 @@
-"""An OAK above a table in MuJoCo: exact depth in, what the camera would have measured out.
+"""An OAK above a table in MuJoCo: ground-truth depth in, the depth that the camera would measure out.
 
     pip install mujoco matplotlib
     python examples/python/mujoco_table.py -o table/
 
-MuJoCo renders off screen with its own OpenGL renderer; where no OpenGL context is to be had, its ray casting takes over
-(`--renderer rays`). Written are frames.npz (exact and measured depth, colour, the camera) and table.png.
+MuJoCo renders off screen with its own OpenGL renderer, or by ray casting if no OpenGL context is available
+(`--renderer rays`). Writes frames.npz (ground-truth and measured depth, colour, the camera) and table.png.
 """
 
 import argparse
@@ -18,17 +18,17 @@ import numpy as np
 
 import oaktwin
 
-# No window: EGL where nothing else is asked for. It must be said before MuJoCo is imported.
+# Renders without a window, by EGL unless configured otherwise. Must be set before MuJoCo is imported.
 if sys.platform == "linux":
     os.environ.setdefault("MUJOCO_GL", "egl")
 try:
     import mujoco
-except AttributeError:  # the OpenGL library that MUJOCO_GL names is not on this machine
+except AttributeError:  # the OpenGL library in MUJOCO_GL is not installed
     os.environ["MUJOCO_GL"] = "off"
     import mujoco
 
 EYE, TARGET = (0.8, -0.62, 0.78), (-0.01, 0.0, 0.03)
-STEPS_PER_FRAME = 40  # of 2.5 ms
+STEPS_PER_FRAME = 40  # of 2.5 ms each
 View = Callable[[mujoco.MjData], tuple[np.ndarray, np.ndarray]]
 
 SCENE = """
@@ -91,13 +91,13 @@ SCENE = """
 
 
 def table_scene(camera: oaktwin.Camera, world_from_camera: np.ndarray) -> mujoco.MjModel:
-    """The scene with a MuJoCo camera that sees what `camera` sees."""
+    """The scene with a MuJoCo camera equivalent to `camera`."""
 
     def text(*numbers: float) -> str:
         return " ".join(f"{number:.12g}" for number in numbers)
 
-    # MuJoCo's camera looks along its -z with y up, OpenCV's along +z with y down: x stays, y turns round. Its one field of
-    # view is the vertical one, degrees, around the middle of the image.
+    # MuJoCo's camera faces along its -z axis with y up, OpenCV's along +z with y down. Its only field of view is the
+    # vertical one in degrees, centred on the image.
     x, y = world_from_camera[:3, 0], world_from_camera[:3, 1]
     scene = SCENE.format(
         width=camera.width,
@@ -110,7 +110,7 @@ def table_scene(camera: oaktwin.Camera, world_from_camera: np.ndarray) -> mujoco
 
 
 def opengl_view(model: mujoco.MjModel, camera: oaktwin.Camera) -> View:
-    """Depth (H, W), metres along the axis, inf where nothing is, and colour (H, W, 3), by MuJoCo's renderer."""
+    """Renders depth (H, W), metres along the axis, inf for a miss, and colour (H, W, 3), with MuJoCo's renderer."""
     renderer = mujoco.Renderer(model, camera.height, camera.width)
     far = model.vis.map.zfar * model.stat.extent
 
@@ -120,7 +120,7 @@ def opengl_view(model: mujoco.MjModel, camera: oaktwin.Camera) -> View:
         renderer.enable_depth_rendering()
         depth = renderer.render().copy()
         renderer.disable_depth_rendering()
-        # MuJoCo says the far plane's distance where there is nothing.
+        # For a miss MuJoCo returns the distance of the far plane.
         depth[depth >= 0.999 * far] = np.inf
         return depth, rgb
 
@@ -128,8 +128,8 @@ def opengl_view(model: mujoco.MjModel, camera: oaktwin.Camera) -> View:
 
 
 def ray_view(model: mujoco.MjModel, camera: oaktwin.Camera) -> View:
-    """The same by ray casting; colour is the geoms' own, shaded, without textures."""
-    # Rays of pixels' middles in MuJoCo's camera. They are 1 long along the axis, so that distances are depth.
+    """Renders the same by ray casting; the colours of geoms are shaded, without textures."""
+    # Rays through pixel centres in MuJoCo's camera, scaled to 1 along the axis, so that distances are depth.
     x, y = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
     k = camera.K
     rays = np.stack([(x - k[0, 2]) / k[0, 0], (k[1, 2] - y) / k[1, 1], -np.ones_like(x)], -1).reshape(-1, 3)
@@ -155,7 +155,7 @@ def ray_view(model: mujoco.MjModel, camera: oaktwin.Camera) -> View:
 
 
 def choose_view(asked: str, model: mujoco.MjModel, camera: oaktwin.Camera) -> tuple[str, View]:
-    """The renderer that was asked for; `auto` is OpenGL, and rays where there is none."""
+    """Returns the requested renderer; `auto` is OpenGL if available, otherwise ray casting."""
     if asked != "rays":
         try:
             return f"OpenGL ({os.environ.get('MUJOCO_GL') or 'default'})", opengl_view(model, camera)
@@ -168,7 +168,7 @@ def choose_view(asked: str, model: mujoco.MjModel, camera: oaktwin.Camera) -> tu
 
 
 def picture(path: Path, frames: dict[str, np.ndarray], shown: list[int]) -> None:
-    """Colour, exact depth, measured depth and its error, a row a frame."""
+    """Plots colour, ground-truth depth, measured depth and its error, one row per frame."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -207,16 +207,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="An OAK above a table in MuJoCo.")
     parser.add_argument("-o", "--output", type=Path, default=Path("mujoco-table"), help="folder for frames.npz and table.png")
     parser.add_argument("--model", default="OAK4-D", help="one of oaktwin.models()")
-    parser.add_argument("--frames", type=int, default=8, help="how many, a tenth of a second apart")
-    parser.add_argument("--width", type=int, default=640, help="of the images, px")
+    parser.add_argument("--frames", type=int, default=8, help="number of frames, a tenth of a second apart")
+    parser.add_argument("--width", type=int, default=640, help="width of the images, px")
     parser.add_argument("--renderer", choices=["auto", "gl", "rays"], default="auto")
-    parser.add_argument("--seed", type=int, default=7, help="of the noise")
+    parser.add_argument("--seed", type=int, default=7, help="noise seed")
     options = parser.parse_args()
 
     device = oaktwin.Device(options.model)
     own = device.depth_camera()
-    # The OAK's field of view in a smaller image, around its middle as MuJoCo's cameras are. (`own.resized` would do as DepthAI
-    # does, which leaves the principal point a quarter of a pixel beside it.)
+    # The OAK's field of view in a smaller image, centred like MuJoCo's cameras. (`own.resized` would follow DepthAI and shift
+    # the principal point a quarter of a pixel from the centre.)
     size = options.width, round(options.width * own.height / own.width)
     camera = oaktwin.Camera(size, hfov_deg=own.hfov_deg)
     model = table_scene(camera, oaktwin.look_at(EYE, TARGET))
@@ -232,7 +232,7 @@ def main() -> None:
         mujoco.mj_step(model, data, nstep=STEPS_PER_FRAME if frame else 1)
         depth, rgb = view(data)
 
-        measured = oak(depth, frame=frame)  # <- the one line: an OAK's depth instead of the exact one
+        measured = oak(depth, frame=frame)  # <- the one line: an OAK's depth instead of the ground truth
 
         for name, value in zip(frames, (data.time, rgb, depth, measured)):
             frames[name].append(value)

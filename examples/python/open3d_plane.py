@@ -1,11 +1,11 @@
-"""A wall in a noisy depth image: an Open3D point cloud, a RANSAC plane on it, and how wrong both are.
+"""A wall in a noisy depth image: an Open3D point cloud, a plane fitted by RANSAC, and the errors of both.
 
     pip install open3d matplotlib
     python examples/python/open3d_plane.py [-o plane/] [--tilt 30]
 
-The wall stands obliquely, with a box before it that RANSAC has to ignore. At each distance its exact depth is rendered,
-an OAK's stereo errors are put on it, and Open3D makes points of it with the camera's own K. The plane is fitted to those
-points and held against the true one, and the scatter about it against what one error of disparity makes of depth:
+The wall is oblique, with a box in front of it that RANSAC has to ignore. At each distance its ground-truth depth is rendered,
+an OAK's stereo errors are applied, and Open3D converts it to points with the camera's own K. The plane is fitted to these
+points and compared with the true one, and the scatter about it with the depth error that follows from the disparity error:
 z^2 / (f b) * sigma_d.
 """
 
@@ -24,7 +24,7 @@ WALL_FACES = np.array([[0, 1, 2], [0, 2, 3]])
 
 
 def tilted_wall(distance, tilt_deg):
-    """A wall that the optical axis meets at `distance`, turned about the vertical, and a box before it.
+    """A wall that the optical axis meets at `distance`, rotated about the vertical, with a box in front of it.
 
     The world is the camera's frame. Returns the scene and the wall's plane (n, h): n . p = h.
     """
@@ -32,16 +32,16 @@ def tilted_wall(distance, tilt_deg):
     normal, along = np.array([np.sin(turn), 0, np.cos(turn)]), np.array([np.cos(turn), 0, -np.sin(turn)])
     middle, down = np.array([0, 0, distance]), np.array([0, 1.0, 0])
     wall = [middle + distance * (3 * x * along + 3 * y * down) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1)]]
-    # A face of the box a fifth nearer, parallel to the image.
+    # The front of the box at 80 % of the distance, parallel to the image.
     box = [distance * np.array([x, y, 0.8]) for x, y in [(-0.35, 0), (-0.1, 0), (-0.1, 0.45), (-0.35, 0.45)]]
     scene = oaktwin.Scene.from_triangles(np.array(wall + box), np.concatenate([WALL_FACES, WALL_FACES + 4]), up="y")
     return scene, (normal, float(normal @ middle))
 
 
 def point_cloud(depth, camera):
-    """Open3D's points of a depth image in metres; 0, not measured, gives none.
+    """Open3D's points of a depth image in metres; invalid pixels, 0, give none.
 
-    Both count pixels from the centre of the first one, so K goes over as it is.
+    Both use the same pixel convention, so K is passed unchanged.
     """
     k = camera.K
     intrinsics = o3d.camera.PinholeCameraIntrinsic(*camera.size, k[0, 0], k[1, 1], k[0, 2], k[1, 2])
@@ -50,9 +50,9 @@ def point_cloud(depth, camera):
 
 
 def error_of_depth(sensor):
-    """What depth is wrong by for each square metre of distance squared, as a standard deviation, 1/m: sigma_d / (f b).
+    """The standard deviation of depth per squared distance, 1/m: sigma_d / (f b).
 
-    A disparity is wrong by its jitter, by pixel locking, a sine over each pixel, and by a uniform part of the step.
+    The disparity error consists of jitter, pixel locking (a sine with a period of a pixel) and rounding to the subpixel step.
     """
     names = ("focalLength", "baseline", "jitter", "pixelLocking", "subpixelFractionalBits")
     focal_length, baseline, jitter, locking, bits = (float(sensor.parameters[name]) for name in names)
@@ -61,13 +61,13 @@ def error_of_depth(sensor):
 
 
 def z_on_plane(points, plane):
-    """The depth at which the rays through `points` meet the plane."""
+    """The depth at which the rays through `points` intersect the plane."""
     normal, offset = plane
     return offset * points[:, 2] / (points @ normal)
 
 
 def fit(cloud, threshold):
-    """The RANSAC plane (n, h), n away from the camera, and the numbers of its points."""
+    """The RANSAC plane (n, h), with n away from the camera, and the indices of its points."""
     o3d.utility.random.seed(0)
     (a, b, c, d), inliers = cloud.segment_plane(distance_threshold=threshold, ransac_n=3, num_iterations=500)
     normal = np.array([a, b, c]) * (-1 if d > 0 else 1)
@@ -75,7 +75,7 @@ def fit(cloud, threshold):
 
 
 def measure(device, sensor, distance, tilt_deg):
-    """A row of the table, the points (metres, in the camera's frame), the fitted plane and the true one."""
+    """A row of the table, the points (metres, in the camera frame), the fitted plane and the true one."""
     camera = device.depth_camera().resized(*SIZE)
     scene, truth = tilted_wall(distance, tilt_deg)
     depth = scene.render(camera, np.eye(4))["distance_to_image_plane"]
@@ -84,7 +84,7 @@ def measure(device, sensor, distance, tilt_deg):
 
     per_square = error_of_depth(sensor)
     plane, inliers = fit(cloud, 4 * per_square * distance**2)
-    # The scatter over all of the wall, also what RANSAC left out as too far away: what is not the box.
+    # The scatter over the whole wall, including RANSAC's outliers, but without the box.
     expected = z_on_plane(points, truth)
     on_wall = points[np.abs(points[:, 2] - expected) < 0.1 * expected]
     z = z_on_plane(on_wall, truth)
@@ -115,7 +115,7 @@ def draw(path, rows, shown):
 
     figure = plt.figure(figsize=(11, 4.8))
     space = figure.add_axes((0.0, 0.02, 0.53, 0.92), projection="3d", computed_zorder=False)
-    # The picture's axes: right, forward, up.
+    # The figure's axes: right, forward, up.
     x, y, z = some[:, 0], some[:, 2], -some[:, 1]
     limit = 2.5 * row["rms_mm"]
     (a, b, c), offset = plane
@@ -147,9 +147,9 @@ def draw(path, rows, shown):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-plane"), help="folder for table and picture")
+    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-plane"), help="folder for table and figure")
     parser.add_argument("--model", default="OAK-D Pro PoE")
-    parser.add_argument("--tilt", type=float, default=30.0, help="of the wall about the vertical, degrees")
+    parser.add_argument("--tilt", type=float, default=30.0, help="rotation of the wall about the vertical, degrees")
     parser.add_argument("--seed", type=int, default=7)
     arguments = parser.parse_args()
 

@@ -1,16 +1,16 @@
-"""A data set of many frames over Ray Data, on however many machines there are.
+"""A data set of many frames, rendered with Ray Data on any number of machines.
 
     pip install "ray[data]"
     python examples/python/ray_frames.py -o frames/ --frames 200              # on the processors of this machine
     python examples/python/ray_frames.py -o /shared/frames/ --address auto    # on a cluster
     python examples/python/ray_frames.py -o frames/ --local                   # the same bytes without Ray, in one process
 
-A frame is a function of (scene, pose, seed, number) and of nothing else, so it does not matter which worker makes it, when,
-in which order, or how often: a frame whose worker died is made again, and the files are those of a single process, byte for
-byte. A worker opens the scene once and writes its frames' files itself; what travels are poses and hashes.
-So the machines of a cluster need oaktwin, and all see the scene and the output folder.
+A frame is a function of (scene, pose, seed, number) only, so it does not matter which worker renders it, when,
+in which order, or how often: a frame is rendered again if its worker is killed, and the files are identical to those of a single
+process. A worker opens the scene once and writes the files of its frames itself; only poses and hashes are transferred.
+All machines of a cluster need oaktwin, and access to the scene and the output folder.
 
-That does not hold for filters that remember earlier frames: a preset with DepthAI's temporal filter is refused.
+This does not hold for temporal filters: a preset with DepthAI's temporal filter is rejected.
 """
 
 import argparse
@@ -31,7 +31,7 @@ MANIFEST, KILLED = "frames.json", "killed.part"
 
 
 def trajectory(camera, frames):
-    """What frames are made of, a number and a pose: once around the scene, looking at its middle.
+    """The number and the pose of each frame: a circle around the scene, facing its centre.
 
     Poses are data, computed once, so that no machine has its own last digit of a sine.
     """
@@ -43,7 +43,7 @@ def trajectory(camera, frames):
 
 
 class FrameWriter:
-    """Makes frames; one in each worker process. What it holds is built there from plain arguments."""
+    """Renders frames; one object per worker process, created there from plain settings."""
 
     def __init__(self, settings):
         self.settings = settings
@@ -59,15 +59,15 @@ class FrameWriter:
         self.scene = oaktwin.Scene.open(settings["scene"])
 
     def arrays(self, row):
-        """What a frame has, by the names of its files: Replicator's for the images."""
+        """The arrays of a frame by file name; images have Replicator's names."""
         pose = np.reshape(row["world_from_camera"], (4, 4))
         seen = self.scene.render(self.camera, pose, annotators=["distance_to_image_plane", "rgb"])
-        # Without the picture: with its dot projector on, the device finds texture everywhere.
+        # Without the colour image, as with the dot projector on: every surface counts as textured.
         measured = self.sensor(seen["distance_to_image_plane"], frame=int(row["number"]))
         return {**seen, "depth_sensor_distance": measured, "world_from_camera": pose}
 
     def __call__(self, row):
-        """Writes a frame's files; their names and hashes."""
+        """Writes the files of a frame and returns their names and hashes."""
         number = int(row["number"])
         hashes = {}
         for name, array in self.arrays(row).items():
@@ -82,20 +82,20 @@ class FrameWriter:
         return self.folder / f"{name}.{os.getpid()}.part"
 
     def write(self, number, name, content):
-        """The whole file or none: a worker that dies leaves at most a part of it under another name."""
+        """Writes a file atomically: a killed worker leaves at most a temporary file."""
         self.part(name).write_bytes(content)
         self.part(name).replace(self.folder / name)
 
 
 class KilledOnce(FrameWriter):
-    """For `--kill-at`: the first worker that comes to that frame dies in the middle of a file, killed as by the system."""
+    """For `--kill-at`: the first worker that renders this frame kills itself while writing a file."""
 
     def write(self, number, name, content):
         if number == self.settings["kill_at"]:
             try:
                 (self.folder / KILLED).touch(exist_ok=False)
             except FileExistsError:
-                pass  # Another worker was, and this is the second try.
+                pass  # A worker was killed already; this is the second attempt.
             else:
                 self.part(name).write_bytes(content[: len(content) // 2])
                 os.kill(os.getpid(), signal.SIGKILL)
@@ -103,27 +103,27 @@ class KilledOnce(FrameWriter):
 
 
 def remove_parts(folder):
-    """What workers that died left, in this run or one that was broken off."""
+    """Removes the temporary files of killed workers and interrupted runs."""
     for part in folder.glob("*.part"):
         part.unlink()
 
 
 def with_ray(rows, settings, address, workers, blocks):
-    """The frames' hashes, made by a pool of workers."""
-    # Before the import: nothing is sent anywhere, no progress bars.
+    """Renders the frames with a pool of workers and returns their hashes."""
+    # Set before the import: no usage statistics, no progress bars.
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
     os.environ.setdefault("RAY_DATA_DISABLE_PROGRESS_BARS", "1")
     import ray
 
-    # Ray counts a worker as one processor, so it shall use one.
+    # Ray assumes one processor per worker.
     own = {"log_to_driver": False, "runtime_env": {"env_vars": {"RAYON_NUM_THREADS": "1"}}}
     if address:
         ray.init(address=address, **own)
     else:
-        # Little travels; no store of gigabytes is needed.
+        # Little data is transferred; a large object store is unnecessary.
         ray.init(num_cpus=workers, include_dashboard=False, object_store_memory=100 << 20, **own)
     writer = FrameWriter if settings["kill_at"] is None else KilledOnce
-    # A worker that died is started again, and its rows are given out once more.
+    # Killed workers are restarted, and their rows distributed again.
     made = ray.data.from_items(rows, override_num_blocks=blocks).map(
         writer, fn_constructor_args=[settings], compute=ray.data.ActorPoolStrategy(size=workers)
     )
@@ -134,24 +134,24 @@ def with_ray(rows, settings, address, workers, blocks):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-frames"), help="a folder that all machines see")
+    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-frames"), help="output folder, accessible from all machines")
     parser.add_argument("--scene", type=Path, default=SCENE)
     parser.add_argument("--model", default="OAK-D Pro PoE")
-    parser.add_argument("--preset", help="DepthAI's, without a filter over time: robotics, face, ...")
+    parser.add_argument("--preset", help="DepthAI preset without a temporal filter: robotics, face, ...")
     parser.add_argument("--size", type=int, nargs=2, default=[640, 400], metavar=("W", "H"))
     parser.add_argument("--frames", type=int, default=24)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--workers", type=int, default=os.cpu_count())
-    parser.add_argument("--blocks", type=int, help="how many parts the numbers are handed out in")
-    parser.add_argument("--address", help="of a running Ray cluster: auto, or ray://host:10001")
-    parser.add_argument("--local", action="store_true", help="without Ray, one frame after the other")
-    parser.add_argument("--kill-at", type=int, help="kill a worker in the middle of this frame, to see nothing change")
+    parser.add_argument("--blocks", type=int, help="number of blocks in which frames are distributed")
+    parser.add_argument("--address", help="address of a running Ray cluster: auto, or ray://host:10001")
+    parser.add_argument("--local", action="store_true", help="render without Ray, in this process")
+    parser.add_argument("--kill-at", type=int, help="kill a worker while it writes this frame, which must not change the result")
     arguments = parser.parse_args()
 
     arguments.output.mkdir(parents=True, exist_ok=True)
     remove_parts(arguments.output)
     settings = {**vars(arguments), "scene": str(arguments.scene.resolve()), "output": str(arguments.output.resolve())}
-    writer = FrameWriter(settings)  # Also with Ray: what is wrong with the settings is said here, once.
+    writer = FrameWriter(settings)  # Also with Ray: reports invalid settings once, before workers start.
     rows = list(trajectory(writer.camera, arguments.frames))
     if arguments.local:
         made = [writer(row) for row in rows]

@@ -1,14 +1,14 @@
-"""A Replicator data set gains the depth an OAK would have measured: in place, file beside file.
+"""Adds the depth that an OAK would measure to a Replicator data set, in place.
 
     pip install pillow               # to read rgb_*.png; without it, or with --no-rgb, every surface counts as textured
     python -m oaktwin render scene.usd --model OAK4-D --annotators distance_to_image_plane,rgb,camera_params -o frames/
     python examples/python/replicator_folder.py frames/ --model OAK4-D
 
-Walks a folder that Replicator's BasicWriter or `oaktwin render` wrote: one camera's files flat, several in folders by camera,
-or by camera and annotator. Beside each distance_to_image_plane_0007.npy (float32 metres, inf where nothing is) it writes
-depth_sensor_distance_0007.npy (float32 metres, 0 where nothing was measured), whole or not at all. The result is byte for
-byte that of `oaktwin sense frames/ --model OAK4-D`; a script of one's own is for what a command does not know: other names,
-other arrays, several sensors at once.
+Walks a folder written by Replicator's BasicWriter or `oaktwin render`: the files of one camera, or of several in folders by camera,
+or by camera and annotator. Beside each distance_to_image_plane_0007.npy (float32 metres, inf for a miss) it writes
+depth_sensor_distance_0007.npy (float32 metres, 0 where invalid) atomically. The result is identical to that of
+`oaktwin sense frames/ --model OAK4-D`; a script is useful for what the command does not support: other names, other arrays,
+several sensors at once.
 """
 
 import argparse
@@ -27,7 +27,7 @@ ANNOTATOR = "distance_to_image_plane"
 
 
 def cameras(folder: Path) -> Iterator[tuple[str, Path, bool]]:
-    """Name, folder of the files, and whether each annotator has a folder of its own, of each camera with depth."""
+    """Yields name, folder and whether each annotator has its own subfolder, for each camera with depth."""
     if any(folder.glob(f"{ANNOTATOR}_*.npy")):
         yield "", folder, False
     for camera in sorted(path for path in folder.iterdir() if path.is_dir()):
@@ -38,25 +38,25 @@ def cameras(folder: Path) -> Iterator[tuple[str, Path, bool]]:
 
 
 def image_camera(params: Path) -> oaktwin.Camera | None:
-    """What took the images, from a camera_params_*.json; None where there is none. A lens is left aside: a depth sensor's
-    images are rectified."""
+    """The camera of the images, from a camera_params_*.json; None if the file does not exist. Distortion is ignored, because a
+    depth sensor's images are rectified."""
     if not params.is_file():
         return None
-    said = json.loads(params.read_text(encoding="utf-8"))
-    width, height = said["renderProductResolution"]
-    if said.get("cameraModel", "pinhole") == "pinhole":
-        p = said["cameraProjection"]
+    params_json = json.loads(params.read_text(encoding="utf-8"))
+    width, height = params_json["renderProductResolution"]
+    if params_json.get("cameraModel", "pinhole") == "pinhole":
+        p = params_json["cameraProjection"]
         fx, fy = p[0] * width / 2, p[5] * height / 2
-        # Of normalized device coordinates: y up, from the image's border, not from the centre of the first pixel.
+        # From normalized device coordinates, with y up and the origin at the border instead of the centre of the first pixel.
         cx, cy = (1 - p[8]) * width / 2 - 0.5, (1 + p[9]) * height / 2 - 0.5
     else:
-        fx, fy = said["cameraOpenCVFx"], said["cameraOpenCVFy"]
-        cx, cy = said["cameraFisheyeOpticalCentre"]
+        fx, fy = params_json["cameraOpenCVFx"], params_json["cameraOpenCVFy"]
+        cx, cy = params_json["cameraFisheyeOpticalCentre"]
     return oaktwin.Camera((width, height), K=[[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
 
 
 def read_picture(path: Path) -> np.ndarray | None:
-    """(H, W, 4) uint8; None where there is none, or nothing to read it with."""
+    """Reads (H, W, 4) uint8; None if the file or Pillow is missing."""
     if not path.is_file() or not find_spec("PIL"):
         return None
     from PIL import Image
@@ -65,7 +65,7 @@ def read_picture(path: Path) -> np.ndarray | None:
 
 
 def write_whole(path: Path, array: np.ndarray) -> None:
-    """Whoever looks sees the whole file or none: it is written beside, then renamed."""
+    """Writes a file atomically: under a temporary name, then renamed."""
     path.parent.mkdir(exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
     try:
@@ -79,7 +79,7 @@ def write_whole(path: Path, array: np.ndarray) -> None:
 
 
 def picture(path: Path, frames: list[tuple[str, np.ndarray | None, np.ndarray, np.ndarray]]) -> None:
-    """Picture, exact depth and measured depth, a row a frame. Needs Matplotlib."""
+    """Plots colour image, ground-truth depth and measured depth, one row per frame. Requires Matplotlib."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -110,16 +110,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Adds an OAK's depth to a Replicator data set.")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--model", default="OAK4-D", help="one of oaktwin.models()")
-    parser.add_argument("--preset", help="DepthAI's filters: default, robotics, ...")
+    parser.add_argument("--preset", help="DepthAI preset with filters: default, robotics, ...")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--no-rgb", action="store_true", help="leave pictures aside: every surface counts as textured")
-    parser.add_argument("--picture", type=Path, help="a picture of the first frames")
+    parser.add_argument("--no-rgb", action="store_true", help="ignore colour images: every surface counts as textured")
+    parser.add_argument("--picture", type=Path, help="write a figure of the first frames")
     options = parser.parse_args()
 
     device = oaktwin.Device(options.model)
     prims = {about["prim"]: kind for kind, about in device.depth_sensors.items()}
     found = list(cameras(options.folder))
-    # In a folder of one of our models the depth sensors' own cameras are meant, and not the others.
+    # If folders are named after the model's depth sensors, only those are processed.
     own = [camera for camera in found if camera[0] in prims]
     count, shown = 0, []
     for name, folder, by_annotator in own or found:
@@ -134,7 +134,7 @@ def main() -> None:
         for number in sorted(numbers, key=int):
             depth = np.load(beside(ANNOTATOR, number, "npy"))
             rgb = None if options.no_rgb else read_picture(beside("rgb", number, "png"))
-            # One sensor for a camera's frames, in their order: filters remember. Another camera is another sensor.
+            # One sensor per camera, with its frames in order, for temporal filters.
             camera = image_camera(beside("camera_params", number, "json"))
             its_params = camera and (camera.size, camera.K.tolist())
             if sensor is None or its_params != params:

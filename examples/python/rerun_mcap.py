@@ -1,12 +1,12 @@
-"""A walk through a small room, recorded for Rerun and for ROS 2: colour, exact and measured depth, points, poses.
+"""A walk through a small room, recorded for Rerun and ROS 2: colour, ground-truth and measured depth, points, poses.
 
     pip install rerun-sdk mcap-ros2-support matplotlib
     python examples/python/rerun_mcap.py -o walk/
     rerun walk/walk.rrd        # or walk/walk.mcap, which Rerun, Foxglove and ROS 2 open:
     ros2 bag play walk/walk.mcap
 
-An OAK goes along an arc around a few things on the floor. walk.rrd is written with Rerun's own package, walk.mcap with
-`oaktwin.Recording`; walk.png is drawn from what walk.mcap says when it is read back.
+An OAK moves along an arc around a few objects on the floor. walk.rrd is written with Rerun's own package, walk.mcap with
+`oaktwin.Recording`; walk.png is drawn from the messages of walk.mcap.
 """
 
 import argparse
@@ -18,7 +18,7 @@ from mcap_ros2.reader import read_ros2_messages
 
 import oaktwin
 
-RATE = 10.0  # frames a second
+RATE = 10.0  # frames per second
 
 THINGS = {  # centre and half extent, metres; colour
     "Floor": ((0, 0, -0.1), (3, 3, 0.1), (0.45, 0.42, 0.40)),
@@ -32,7 +32,7 @@ THINGS = {  # centre and half extent, metres; colour
 
 
 def stage():
-    """The room as a USD stage: a cube is 2 units wide, so that its scale is half of its extent."""
+    """The room as a USD stage: cubes are 2 units wide, so their scale is half the extent."""
     cube = """def Cube "{}"
 {{
     color3f[] primvars:displayColor = [{}]
@@ -46,21 +46,21 @@ def stage():
 
 
 def walk(frames):
-    """The poses of the camera, (frames, 4, 4): an arc of 80 degrees around the crate, always looking at it."""
+    """The poses of the camera, (frames, 4, 4): an arc of 80 degrees around the crate, facing it."""
     angles = np.radians(np.linspace(190, 270, frames))
     eyes = np.stack([2.2 * np.cos(angles), 2.2 * np.sin(angles), np.full(frames, 1.3)], axis=1)
     return np.stack([oaktwin.look_at(eye, (0.3, 0.2, 0.5)) for eye in eyes])
 
 
 def points(depth, camera, rgb):
-    """What is measured as points in the camera's frame, metres, and their colours."""
+    """The measured points in the camera frame, metres, and their colours."""
     v, u = np.nonzero(depth)
     rays = np.stack([u, v, np.ones_like(u)], axis=1) @ np.linalg.inv(camera.K).T
     return rays * depth[v, u, None], rgb[v, u, :3]
 
 
 def log_to_rerun(rec, camera, time, world_from_camera, seen, measured):
-    """One frame. The optical frame is the entity world/oak; the frustum and the images are below it."""
+    """Logs a frame. The optical frame is the entity world/oak, which contains the frustum and the images."""
     rec.set_time("time", duration=time)
     rec.log(
         "world/oak", rr.Transform3D(translation=world_from_camera[:3, 3], mat3x3=world_from_camera[:3, :3])
@@ -87,7 +87,7 @@ def record(folder, device, size, frames, seed):
         for frame, world_from_camera in enumerate(walk(frames)):
             seen = scene.render(camera, world_from_camera, annotators=["rgb", "distance_to_image_plane"])
             depth, time = seen["distance_to_image_plane"], frame / RATE
-            # Without the picture: as with the projector on, all surfaces have texture.
+            # Without the colour image, as with the projector on: every surface counts as textured.
             measured = sensor(depth, frame=frame)
             recording.log(
                 camera, world_from_camera, time=time, depth=depth, measured=measured, rgb=seen["rgb"], name="oak"
@@ -97,7 +97,7 @@ def record(folder, device, size, frames, seed):
 
 
 def read_back(path):
-    """The messages of an .mcap by topic, in the order of time."""
+    """The messages of an .mcap by topic, in order of time."""
     topics = {}
     for message in read_ros2_messages(path):
         topics.setdefault(message.channel.topic, []).append(message.ros_msg)
@@ -112,7 +112,7 @@ def image(message):
 
 
 def draw(path, topics):
-    """Three moments of the recording, and the path from above."""
+    """Plots three frames of the recording, and the path from above."""
     import matplotlib
 
     matplotlib.use("Agg")

@@ -1,11 +1,11 @@
-"""A blank wall seen by a stereo camera with its dot projector off and on: holes, then depth.
+"""Stereo depth of a blank wall, with the dot projector off and on.
 
     pip install matplotlib
     python examples/python/stereo_projector.py [-o projector/]
 
-A matcher finds what has a texture. An OAK-D Pro looks at a plain wall with a few plain things before it, rendered as the
-pair of infrared images that its two cameras record, without the dots of its projector and with them. Both pairs are matched
-as the device does it, and the measured depth is held against the truth.
+A matcher requires texture. The infrared image pair of an OAK-D Pro in front of a plain wall with a few plain objects is rendered
+without and with the dots of its projector. Both pairs are matched like on the device, and the measured depth is compared with the
+ground truth.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import numpy as np
 
 import oaktwin
 
-THINGS = {  # kind; centre and half extent, metres, the device in the origin looking along x; reflectance
+THINGS = {  # kind; centre and half extent in metres, with the device at the origin facing along x; reflectance
     "Wall": ("Cube", (2.6, 0, 0), (0.05, 4, 3), 0.6),
     "Floor": ("Cube", (0, 0, -0.85), (4, 4, 0.05), 0.35),
     "Crate": ("Cube", (1.9, 0.45, -0.5), (0.25, 0.25, 0.3), 0.5),
@@ -26,7 +26,7 @@ THINGS = {  # kind; centre and half extent, metres, the device in the origin loo
 
 
 def stage():
-    """The things as a USD stage; each is 2 units wide, so that its scale is half of its extent."""
+    """The objects as a USD stage; each is 2 units wide, so its scale is half the extent."""
     thing = """def {} "{}"
 {{
     color3f[] primvars:displayColor = [({grey}, {grey}, {grey})]
@@ -40,7 +40,7 @@ def stage():
 
 
 def compare(depth, z):
-    """How much of the image is measured, and how wrong that is: what is more than a twentieth off is an outlier."""
+    """The share of valid pixels, their median error, and the share of outliers: errors above a twentieth of the distance."""
     measured = (depth > 0) & np.isfinite(z)
     error = np.abs(depth[measured] - z[measured])
     is_outlier = error > 0.05 * z[measured]
@@ -52,7 +52,7 @@ def compare(depth, z):
 
 
 def draw(path, seen):
-    """Of each power of the projector a row: the left image, measured depth, and its error."""
+    """Plots the left image, measured depth and its error, one row per projector intensity."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -77,11 +77,11 @@ def draw(path, seen):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-projector"), help="folder for table and picture")
+    parser.add_argument("-o", "--output", type=Path, default=Path("oaktwin-projector"), help="folder for table and figure")
     parser.add_argument("--model", default="OAK-D Pro PoE")
     parser.add_argument("--size", type=int, nargs=2, default=(640, 400), metavar=("WIDTH", "HEIGHT"))
-    parser.add_argument("--power", type=float, default=1.0, help="of the projector where it is on, above 0 up to 1")
-    parser.add_argument("--ambient", type=float, default=0.3, help="the factor of the room's own light; 0 is a dark room")
+    parser.add_argument("--power", type=float, default=1.0, help="projector intensity when on, above 0, up to 1")
+    parser.add_argument("--ambient", type=float, default=0.3, help="ambient light scale; 0 is darkness")
     parser.add_argument("--seed", type=int, default=7)
     arguments = parser.parse_args()
 

@@ -114,7 +114,7 @@ def main() -> None:
     models = {
         "single_view": sheet(),
         "single_view, jitter by pixel": sheet(noiseDownscaleFactorPixel=1.0),
-        "single_view, with a picture": sheet(rgb),
+        "single_view, with a colour image": sheet(rgb),
         "stereo_noise": lambda: stereo_noise(depth, STEREO, 7, camera, 0, 0),
         "time_of_flight, 640 × 480": lambda: time_of_flight_model.time_of_flight(
             far, time_of_flight_model.Parameters(focalLength=402.0), 7, camera, 0

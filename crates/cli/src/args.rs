@@ -1,4 +1,4 @@
-//! What the program understands.
+//! The command-line arguments.
 
 mod accuracy;
 mod annotators;
@@ -43,47 +43,47 @@ pub(crate) use unit::{Lens, MeasuredUnitArgs, UnitArgs};
     arg_required_else_help = true
 )]
 #[command(
-    after_help = "Exit codes: 0 good, 1 findings (check, accuracy, stereo, fit), 2 error.\n\
-    A MODEL is a name from `oaktwin models`; case, spaces and hyphens do not matter."
+    after_help = "Exit codes: 0 success, 1 findings (check, accuracy, stereo, fit), 2 error.\n\
+    MODEL is a name from `oaktwin models`; case, spaces and hyphens are ignored."
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
 
-    /// Add the sensors and devices of your own TOML files in this folder to the catalog
+    /// Add the sensors and devices in this folder's TOML files to the catalog
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) catalog: Option<PathBuf>,
 }
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write the five assets, one unit's own twin and what all see of a room, and compare the models
+    /// Write all assets, a calibrated twin, a room rendered by every model, and comparison tables
     Demo(DemoArgs),
     /// List the models
     Models(JsonArgs),
-    /// Print every number of a model, and what is known about it
+    /// Print all parameters of a model
     Show(ShowArgs),
-    /// Print the comparison tables of some or all models
+    /// Print tables that compare models
     Compare(CompareArgs),
-    /// Read a DepthAI calibration, or export one to other formats
+    /// Inspect a DepthAI calibration, or export it to other formats
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
-    /// Render what cameras see of a scene: depth, colour, normals, labels, and what depth sensors report
+    /// Render a scene: depth, colour, normals, labels and the output of depth sensors
     Render(Box<RenderArgs>),
-    /// Make of depth images from anywhere what a model's depth sensor would report
+    /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
-    /// Match pairs of images as an OAK does
+    /// Match stereo pairs like an OAK
     Stereo(Box<StereoArgs>),
-    /// Measure a model's depth as the vendor measures its cameras, and compare
+    /// Measure a model's depth accuracy by the vendor's method, and compare with its specification
     Accuracy(Box<AccuracyArgs>),
-    /// Find the parameters of a depth sensor's errors in recordings of a flat target
+    /// Fit error-model parameters to recordings of a flat target
     Fit(Box<FitArgs>),
-    /// Find mistakes in the cameras and depth sensors of a USD file
+    /// Check the cameras and depth sensors of a USD file
     Check(CheckArgs),
-    /// Print a script that completes commands in a shell
+    /// Print a shell completion script
     Completions(CompletionsArgs),
-    /// Print the manual page
+    /// Print a manual page
     Man(ManArgs),
 }
 
@@ -96,20 +96,20 @@ pub(crate) struct JsonArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct DemoArgs {
-    /// Where to write
+    /// Output folder
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-demo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ShowArgs {
-    /// The model
+    /// Model
     pub(crate) model: String,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// Say where each number comes from, and what other sources say
+    /// Also print the source of each value and conflicting evidence
     #[arg(long)]
     pub(crate) provenance: bool,
 
@@ -120,21 +120,21 @@ pub(crate) struct ShowArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompareArgs {
-    /// The models; all when none is named
+    /// Models [default: all]
     pub(crate) models: Vec<String>,
 
-    /// How to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = TableFormat::Text)]
     pub(crate) format: TableFormat,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CheckArgs {
-    /// The USD file: usda, usdc, usd or usdz
+    /// USD file: usda, usdc, usd or usdz
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) file: PathBuf,
 
-    /// Compare with this model; by default the one that the prim names say
+    /// Model to check against [default: recognised from prim names]
     #[arg(long)]
     pub(crate) model: Option<String>,
 
@@ -145,14 +145,14 @@ pub(crate) struct CheckArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompletionsArgs {
-    /// The shell
+    /// Shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ManArgs {
-    /// The page of this command; by default the program's
+    /// Command [default: the program itself]
     pub(crate) command: Vec<String>,
 }
 

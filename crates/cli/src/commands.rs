@@ -1,4 +1,4 @@
-//! One file a command.
+//! The commands, one per module.
 
 pub(crate) mod accuracy;
 pub(crate) mod asset;

@@ -1,4 +1,4 @@
-//! The context of every command: the catalog, a model with or without a calibration, and exit codes.
+//! The state shared by all commands: the catalog, models with or without a calibration, exit codes.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::args::UnitArgs;
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// The exit status of a command.
+/// The result of a command that completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
     Good,
@@ -26,7 +26,7 @@ impl Exit {
             Self::Good => 0,
             Self::Findings => 1,
             Self::Error => 2,
-            // The code of a program that Ctrl-C ended, as in a shell.
+            // The code that shells report for a program ended by Ctrl-C.
             Self::Interrupted => 130,
         }
     }
@@ -50,7 +50,7 @@ impl Context {
         Ok(self.catalog.device(name)?)
     }
 
-    /// The named models, or all if none is named.
+    /// Returns the named models, or all models if `names` is empty.
     pub(crate) fn devices(&self, names: &[String]) -> Result<Vec<&Device>> {
         if names.is_empty() {
             return Ok(self.catalog.devices().iter().collect());
@@ -58,7 +58,7 @@ impl Context {
         names.iter().map(|name| self.device(name)).collect()
     }
 
-    /// The twin of a model, or of a unit with a calibration; the findings are the calibration's.
+    /// Returns the twin of a model or, with a calibration, of one unit, and the calibration's findings.
     pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
         let device = self.device(model)?;
         let (twin, findings) = match &unit.calibration {

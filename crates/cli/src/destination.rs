@@ -1,18 +1,18 @@
-//! The paths of outputs.
+//! Resolves the output path given with `-o`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use oaktwin::files::{self, FileError};
 
-/// The path of one of several outputs in the folder `-o`, which is created.
+/// Returns the path of one of several outputs. `-o` names a folder, which is created.
 pub(crate) fn in_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
     files::make_folder(output)?;
     Ok(output.join(name))
 }
 
-/// The path of a single output: `-o` is its path or its folder. A path that ends in a separator, or a new one without extension,
-/// is a folder.
+/// Returns the path of a single output. `-o` names the file or a folder for it: a path that ends in a separator, or a
+/// new one without an extension, is a folder.
 pub(crate) fn file_or_folder(output: &Path, name: &str) -> Result<PathBuf, FileError> {
     if names_folder(output) {
         in_folder(output, name)
@@ -31,7 +31,7 @@ pub(crate) fn names_folder(output: &Path) -> bool {
         || (output.extension().is_none() && fs::symlink_metadata(output).is_err())
 }
 
-/// Rejects outputs that would overwrite an input.
+/// Rejects an output path that is an input.
 pub(crate) fn spare_inputs<'a>(
     output: &Path,
     inputs: impl IntoIterator<Item = Option<&'a Path>>,
@@ -42,7 +42,7 @@ pub(crate) fn spare_inputs<'a>(
         Some(input) => Err(FileError::new(
             input,
             "is an input of this command",
-            "choose another place",
+            "choose another output with -o",
         )),
         None => Ok(()),
     }
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn recognizes_folders() {
+    fn recognises_folders() {
         let root = tempfile::tempdir().unwrap();
         let at = |name: &str| root.path().join(name);
         fs::write(at("file"), "").unwrap();

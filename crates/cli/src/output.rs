@@ -1,4 +1,4 @@
-//! Standard output, with closed pipes ignored, and messages on standard error.
+//! Standard output, where a closed pipe is not an error, and messages on standard error.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::context::Result;
 
-/// Prints text.
+/// Prints text to standard output.
 pub(crate) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -25,19 +25,19 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(value)? + "\n"))
 }
 
-/// Prints a message to standard error; ignored if that is closed.
+/// Prints a message to standard error, if that is open.
 pub(crate) fn say(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
-/// Prints findings to standard error, each with its file.
+/// Prints findings to standard error, each with the file that it refers to.
 pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
     for finding in findings {
         say(&format!("{}: {finding}", file.display()));
     }
 }
 
-/// An option as it is typed: `--fx 500`.
+/// Formats an option as on the command line: `--fx 500`.
 pub(crate) fn flag(option: &Opt) -> String {
     match option.value() {
         Some(value) => format!("--{} {value}", option.name()),
@@ -51,13 +51,13 @@ pub(crate) fn is_closed_pipe(error: &(dyn std::error::Error + 'static)) -> bool 
         .is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
 }
 
-/// Columns separated by two spaces, with a line under the header.
+/// Columns separated by two spaces, a line below the header.
 const PLAIN: TableStyle = TableStyle::new()
     .header_lines(ContentLineStyle::none().junction(' '))
     .header_separator(LineStyle::none().fill('─').junction('─'))
     .content_lines(ContentLineStyle::none().junction(' '));
 
-/// A table, wrapped to the terminal if there is one.
+/// Formats a table, wrapped to the terminal's width if there is one.
 pub(crate) fn text_table(table: &Table) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn
@@ -68,7 +68,7 @@ pub(crate) fn text_table(table: &Table) -> String {
     format!("{}\n{}\n", table.title, drawn.trim_fmt())
 }
 
-/// A table of numbers: all columns but the last are aligned right.
+/// Formats a table of numbers: all columns except the last are right-aligned.
 pub(crate) fn number_table(table: &Table) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn.load_style(PLAIN).set_header(&table.header);

@@ -1,4 +1,4 @@
-//! Figures as files.
+//! Writes figures to files.
 
 use std::path::Path;
 
@@ -8,14 +8,14 @@ use oaktwin::image::png;
 
 use crate::context::Result;
 
-/// A file to draw into.
+/// A figure file.
 pub(crate) struct Plot<'a> {
     pub(crate) file: &'a Path,
     is_svg: bool,
 }
 
 impl<'a> Plot<'a> {
-    /// In the format that its extension says.
+    /// Creates a plot in the format of the file's extension.
     pub(crate) fn new(file: &'a Path) -> Result<Self> {
         let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
         let is_svg = extension == "svg";
@@ -29,7 +29,7 @@ impl<'a> Plot<'a> {
         Ok(Self { file, is_svg })
     }
 
-    /// Draws figures one below the other.
+    /// Writes figures below each other.
     pub(crate) fn draw(&self, figures: &[Figure]) -> Result<()> {
         let bytes = if self.is_svg {
             figure::svg_of(figures).into_bytes()

@@ -1,11 +1,11 @@
-//! Sizes of images as people write them.
+//! Parses image sizes.
 
 use oaktwin::camera::ImageSize;
 use oaktwin::render;
 
 use crate::context::Result;
 
-/// `1280x800`, of an option that may be there.
+/// Parses the value of an optional size option, such as `1280x800`.
 pub(crate) fn parse(option: &str, text: Option<&str>) -> Result<Option<ImageSize>> {
     let Some(text) = text else {
         return Ok(None);
@@ -13,7 +13,8 @@ pub(crate) fn parse(option: &str, text: Option<&str>) -> Result<Option<ImageSize
     let parts = text.split_once(['x', 'X', '×']);
     let number = |text: &str| text.trim().parse::<u32>().ok();
     let size = parts.and_then(|(width, height)| Some(ImageSize::new(number(width)?, number(height)?)));
-    let size = size.ok_or_else(|| format!("{option} {text} is no size; write WIDTHxHEIGHT, as 1280x800"))?;
+    let size =
+        size.ok_or_else(|| format!("{option} {text}: invalid size; use WIDTHxHEIGHT, such as 1280x800"))?;
     render::check_size(size).map_err(|error| format!("{option}: {error}"))?;
     Ok(Some(size))
 }

@@ -175,9 +175,7 @@ impl<'a> Files<'a> {
     fn push_cloud(&mut self, name: &'static str, cloud: &'a PointCloud) {
         let all = cloud.points.is_empty();
         let given = move |length: usize| all || length > 0;
-        self.push(name, "pointcloud", "npy", move || {
-            cloud::points(&cloud.points)
-        });
+        self.push(name, "pointcloud", "npy", move || cloud::points(&cloud.points));
         if given(cloud.rgb.len()) {
             self.push(name, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
         }

@@ -1,10 +1,10 @@
-//! The twin of the OAK on your desk, from its calibration:
+//! Writes the USD asset of an individual OAK from its calibration:
 //!
 //! ```sh
 //! cargo run --example own_unit -- OAK-D-Pro-PoE calibration.json my_oak.usd
 //! ```
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,12 +1,12 @@
-//! What a perfect OAK would see of a scene:
+//! Renders ground-truth depth of a scene with an OAK's cameras:
 //!
 //! ```sh
 //! cargo run --release --example render_scene -- room.usda OAK4-D
 //! ```
 //!
-//! It stands at the origin, a metre up, and looks along x.
+//! The camera is one metre above the origin and faces along x.
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             (near.min(*z), far.max(*z))
         });
         println!(
-            "{}: {}x{} pixels, {} see something, {nearest} to {farthest} m away",
+            "{}: {}x{} pixels, {} with a hit at {nearest} to {farthest} m",
             camera.path,
             depth.width(),
             depth.height(),

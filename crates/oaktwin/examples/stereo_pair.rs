@@ -1,10 +1,10 @@
-//! What an OAK's stereo cameras record of the demo room, as PNG files, with the dot projector off and on:
+//! Renders the images of an OAK's stereo cameras in the demo room as PNG files, with the dot projector off and on:
 //!
 //! ```sh
-//! cargo run --release --example stereo_pair -- OAK-D-Pro-PoE pictures
+//! cargo run --release --example stereo_pair -- OAK-D-Pro-PoE images
 //! ```
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::fs;
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let prepared = start.elapsed();
         let pair = cameras.look(&renderer, &demo_room::world_from_body(), 0);
         println!(
-            "{name}: exposed for {:.2} at gain {:.2}; prepared in {prepared:.0?}, seen in {:.0?}",
+            "{name}: exposure {:.2}, gain {:.2}; prepared in {prepared:.0?}, rendered in {:.0?}",
             pair.exposure.time,
             pair.exposure.gain,
             start.elapsed() - prepared,

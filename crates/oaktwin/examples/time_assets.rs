@@ -1,7 +1,7 @@
-//! Makes and writes all five assets, several times, and prints the seconds of each time: `cargo xtask bench assets`
-//! runs it beside a Python script that does the same with `OpenUSD`.
+//! Creates and writes all five assets repeatedly and prints the seconds of each run: `cargo xtask bench assets`
+//! compares it with a Python script that does the same with `OpenUSD`.
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

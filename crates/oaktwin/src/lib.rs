@@ -1,9 +1,9 @@
-//! Digital twins of Luxonis OAK depth cameras: the facade of oaktwin's crates.
+//! Digital twins of Luxonis OAK depth cameras: the facade crate of oaktwin.
 //!
-//! A [`Twin`](catalog::Twin) is a device with every camera resolved: optics, lens, place. It comes from the
-//! [`Catalog`](catalog::Catalog), nominal, or from a calibration, as one unit's ([`unit::open`]), and becomes a USD
-//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]), or is put
-//! into a scene, to see what it would see there ([`render`]).
+//! A [`Twin`](catalog::Twin) is a device with all cameras resolved: intrinsics, lens and pose. A nominal twin comes from the
+//! [`Catalog`](catalog::Catalog), the twin of one unit from its calibration ([`unit::open`]). A twin can be written as a USD
+//! asset ([`usd::asset`]), a report ([`report`]) or a calibration for other programs ([`calibration::export`]), and can be
+//! placed in a scene to render what its cameras see ([`render`]).
 //!
 //! ```
 //! use oaktwin::camera::{Usd, math::DVec3};
@@ -15,7 +15,7 @@
 //!
 //! let left = twin.camera(Role::Left).ok_or("no left camera")?;
 //! assert_eq!(left.intrinsics.fx.round(), 805.0);
-//! assert_eq!(left.intrinsics.principal_point::<Usd>().x, 640.0);
+// Poses are in metres in the body frame: x forward, y left, z up.
 //! // Places are metres in the body frame: x forward, y left, z up.
 //! assert_eq!(left.body_from_camera.translation, DVec3::new(0.0, 0.0375, 0.0));
 //!

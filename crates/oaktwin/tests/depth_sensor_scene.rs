@@ -1,4 +1,4 @@
-//! The example scene, and every effect that Isaac Sim's depth sensor has on it.
+//! Tests every effect of Isaac Sim's depth sensor on the example scene.
 
 #![expect(
     clippy::unwrap_used,
@@ -19,10 +19,10 @@ use oaktwin::render::{
 };
 use oaktwin::sensor::{SensorOptions, Shot, single_view::Wanted};
 
-/// The red cube's front, 2.5 m away: its columns, and rows in which nothing but ground and wall is left of it.
+/// The front of the red cube, 2.5 m away: its columns, and rows with nothing but ground and wall on its left.
 const RED: Range<u32> = 960..1400;
 const RED_ROWS: Range<u32> = 640..800;
-/// The blue cube's front, 3.5 m away, above the cone.
+/// The front of the blue cube, 3.5 m away, above the cone.
 const BLUE: Range<u32> = 18..646;
 const BLUE_ROWS: Range<u32> = 455..465;
 /// Disparity times depth, px·m: b·f·W/S.
@@ -48,7 +48,7 @@ fn truth() -> &'static ZDepth {
     SCENE.1.distance_to_image_plane.as_ref().unwrap()
 }
 
-/// What the scene's own sensor reports with these parameters set.
+/// The output of the scene's own sensor with these parameters.
 fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     let (cameras, frame) = &*SCENE;
     let owned = parameters.iter();
@@ -70,27 +70,27 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     sensor.capture(&shot, Wanted::default()).distance.0
 }
 
-/// Neither noise nor anything dropped for lack of texture.
+/// No noise, and no pixels invalidated for lack of texture.
 const QUIET: [(&str, &str); 2] = [("noiseMean", "0"), ("confidenceThreshold", "1")];
 
 fn at(image: &Image<f32>, x: u32, y: u32) -> f32 {
     *image.get(x, y).unwrap()
 }
 
-/// Columns of a row that have exactly this depth.
+/// The columns of a row with exactly this depth.
 fn columns(image: &Image<f32>, y: u32, z: f32) -> Vec<u32> {
     (0..image.width())
         .filter(|&x| at(image, x, y).to_bits() == z.to_bits())
         .collect()
 }
 
-/// Pixels that measured something.
+/// The number of valid pixels.
 fn measured(image: &Image<f32>, rows: Range<u32>, columns: Range<u32>) -> usize {
     let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
     places.filter(|&(x, y)| at(image, x, y) > 0.0).count()
 }
 
-/// The two faces: rows, columns, and the one depth that all of it has.
+/// The two faces: rows, columns, and their constant depth.
 fn faces() -> [(Range<u32>, Range<u32>, f32); 2] {
     let z = |x, y| at(&truth().0, x, y);
     [(BLUE_ROWS, BLUE, z(300, 460)), (RED_ROWS, RED, z(1200, 720))]
@@ -114,12 +114,12 @@ fn the_scene_is_as_described() {
 }
 
 #[test]
-fn a_face_has_one_depth_whatever_the_noise() {
+fn a_face_has_one_depth_with_noise() {
     for parameters in [&[][..], &[("noiseSigma", "1.5"), ("noiseMean", "1")]] {
         let all = [parameters, &[("confidenceThreshold", "1")]].concat();
         let image = sensed(&all);
         for (rows, place, face) in faces() {
-            // Farther right, what lies behind shows through where the noise tears the face.
+            // Farther right the background is visible through gaps that noise opens in the face.
             let inner = place.start + 60..place.end - 10;
             for y in rows.clone() {
                 for x in inner.clone() {
@@ -135,7 +135,7 @@ fn a_face_has_one_depth_whatever_the_noise() {
 }
 
 #[test]
-fn things_move_to_the_right_by_their_disparity() {
+fn objects_shift_right_by_their_disparity() {
     let image = sensed(&QUIET);
     for ((rows, place, face), shifts) in faces().into_iter().zip([25..=26, 33..=36]) {
         for y in rows {
@@ -160,20 +160,20 @@ fn holes_open_on_the_left() {
             (hole as f32 - expected).abs() <= 1.0,
             "row {y}: {hole} px for {expected}"
         );
-        // None on the right.
+        // There are none on the right.
         assert_eq!(
             measured(&image, y..y + 1, RED.end + 20..RED.end + 60),
             40,
             "row {y}"
         );
     }
-    // And one at the left border, as wide as what lies there moves.
+    // There is one at the left border, as wide as the shift of the background there.
     let hole = (0..).take_while(|&x| at(&image, x, 200) == 0.0).count();
     assert!((hole as f32 - BF / 9.0).abs() <= 0.5, "{hole}");
 }
 
 #[test]
-fn a_negative_baseline_opens_them_on_the_right() {
+fn a_negative_baseline_opens_holes_on_the_right() {
     let image = sensed(&[QUIET[0], QUIET[1], ("baselineMM", "-75")]);
     let now = columns(&image, 720, 2.5);
     assert_eq!((now[0], now.len()), (RED.start - 36, RED.len()));
@@ -182,9 +182,9 @@ fn a_negative_baseline_opens_them_on_the_right() {
 }
 
 #[test]
-fn smooth_surfaces_are_pierced_along_lines_of_one_disparity() {
-    // Steps of 2 px without jitter. On the cone's left half disparity grows along a row: where it reaches the next step,
-    // the row tears, and those places together are lines of one disparity.
+fn smooth_surfaces_have_holes_along_lines_of_equal_disparity() {
+    // Steps of 2 px without jitter. On the cone's left half disparity grows along a row: a gap opens at each step, and the
+    // gaps form lines of equal disparity.
     let step = 2.0;
     let image = sensed(&[
         ("noiseMean", "2"),
@@ -199,7 +199,7 @@ fn smooth_surfaces_are_pierced_along_lines_of_one_disparity() {
         for x in 500..740 {
             let (here, next) = (disparity(x), disparity(x + 1));
             let is_cone = z(x) < 3.3 && (z(x) - z(x + 1)).abs() < 0.05;
-            // Nearly on the edge of a step, single and double precision may see it differently.
+            // At the edge of a step, single and double precision may differ.
             let is_sure = [x, x + 1]
                 .iter()
                 .all(|&x| ((BF / z(x) / step).fract() - 0.5).abs() > 1e-4);
@@ -218,12 +218,12 @@ fn right_edges_are_clean_and_left_edges_ragged() {
     let image = sensed(&[("confidenceThreshold", "1")]);
     let mut left = Vec::new();
     for y in RED_ROWS {
-        // From the hole's end on.
+        // From the end of the hole.
         left.push(columns(&image, y, 2.5)[0]);
     }
     let spread = left.iter().max().unwrap() - left.iter().min().unwrap();
     assert!((1..=4).contains(&spread), "{spread}");
-    // Left of the cube nothing was seen; right of it the wall is seen up to the very edge.
+    // Nothing is measured on the left of the cube; on its right the wall is measured up to the edge.
     let beside = |place: Range<u32>| {
         measured(&image, RED_ROWS, place.clone()) as f32 / (RED_ROWS.len() * place.len()) as f32
     };
@@ -235,22 +235,22 @@ fn right_edges_are_clean_and_left_edges_ragged() {
 }
 
 #[test]
-fn a_maximal_distance_removes_what_lies_beyond() {
-    // A lone pixel's neighbours may be what is removed.
+fn a_maximum_distance_removes_farther_pixels() {
+    // Outlier removal would also depend on the removed neighbours.
     let outliers = ("outlierRemovalEnabled", "0");
     let (near, all) = (sensed(&[("maxDistance", "3"), outliers]), sensed(&[outliers]));
     let whole = |image: &Image<f32>| measured(image, 0..1080, 0..1920);
     assert!(near.pixels().iter().all(|&z| z <= 3.0));
     assert!(whole(&near) * 2 < whole(&all) && whole(&near) > 10_000);
-    // What is left is where it was.
+    // The remaining pixels are unchanged.
     for y in RED_ROWS {
         assert!(columns(&near, y, 2.5) == columns(&all, y, 2.5), "row {y}");
     }
 }
 
 #[test]
-fn confidence_thins_what_is_smooth() {
-    // The wall with its grid, and the red cube's face.
+fn confidence_thins_untextured_surfaces() {
+    // The wall with its grid, and the front of the red cube.
     let shares = |threshold: &str, more: &[(&str, &str)]| {
         let parameters = [&[("noiseMean", "0"), ("confidenceThreshold", threshold)], more].concat();
         let one = sensed(&parameters);
@@ -266,15 +266,15 @@ fn confidence_thins_what_is_smooth() {
         assert!(now.0 < before.0 && now.1 < before.1, "{thinner:?}");
         before = now;
     }
-    // What has texture keeps more.
+    // Textured surfaces keep more pixels.
     assert!(before.0 > before.1, "{thinner:?}");
-    // In a picture without grain a face without texture goes altogether, and the grid's lines stay.
+    // In a colour image without grain, an untextured face vanishes completely and the grid's lines remain.
     let plain = shares("0.8", &[("grain", "0")]);
     assert!(plain.0 > 0.02 && plain.1 < 0.05, "{plain:?}");
 }
 
 #[test]
-fn the_same_on_any_number_of_threads() {
+fn output_is_independent_of_the_number_of_threads() {
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)

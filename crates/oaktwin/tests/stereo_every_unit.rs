@@ -1,4 +1,4 @@
-//! Every model's pair, with each lens, and every calibrated unit of the test data: rendered, rectified, matched, and right.
+//! Renders, rectifies and matches image pairs of every model with each lens, and of every calibrated unit of the test data.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test")]
 
@@ -19,15 +19,15 @@ use oaktwin::usd::asset::LensChoice;
 
 const SIZE: ImageSize = ImageSize::new(640, 400);
 
-/// A wall of random squares before a camera at the origin that looks along x.
+/// A wall of random squares in front of a camera at the origin that faces along x.
 fn wall(x: f32) -> Scene {
     let mut scene = plates::room(512, None);
     plates::plate(&mut scene, x, [-6.0, 6.0], [-6.0, 6.0], 0.012 * 512.0);
     scene
 }
 
-/// The median of (measured − true disparity) in the image's middle, px, at each of some disparities a quarter of a pixel
-/// apart, of a wall about 2 m away.
+/// The median of (measured − true disparity) in the centre of the image, px, at several disparities a quarter of a pixel
+/// apart, for a wall about 2 m away.
 fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
     let options = PairOptions {
         size: Some(SIZE),
@@ -72,7 +72,7 @@ fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
     [0.0, 1.0, 2.0, 3.0].map(at).to_vec()
 }
 
-/// Interpolation draws each towards a whole pixel; all together are right, to a part of a percent of 2 m.
+/// Interpolation pulls each disparity towards an integer; the mean error is a fraction of a percent at 2 m.
 fn check(twin: &Twin, lens: LensChoice, name: &str) {
     let errors = errors(twin, lens, name);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
@@ -99,7 +99,7 @@ fn every_model_and_lens() {
     assert_eq!(lenses, 2);
 }
 
-/// Whatever a real file says: it is a pair that measures right, or it is said why it is none.
+/// Every real calibration gives a pair that measures correctly, or an error with the reason.
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
 fn every_calibrated_unit() {

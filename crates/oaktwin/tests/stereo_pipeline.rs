@@ -1,4 +1,4 @@
-//! From a scene through lights, cameras and matcher to depth, as an OAK-D Pro does it.
+//! Tests the pipeline from a scene through lights, cameras and matcher to depth for an OAK-D Pro.
 
 #![expect(clippy::unwrap_used, reason = "a test")]
 
@@ -25,12 +25,12 @@ fn twin() -> Twin {
     catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap())
 }
 
-/// A rectangle `x` metres ahead, from `y[0]` to the left until `y[1]`; a square of the pattern is `grain` metres.
+/// A rectangle at x = `x` metres, between `y[0]` and `y[1]`; the squares of its pattern are `grain` metres wide.
 fn plate(scene: &mut Scene, x: f32, y: [f32; 2], grain: f32) {
     plates::plate(scene, x, y, [-4.0, 4.0], grain * 64.0);
 }
 
-/// Evenly lit; of one colour, or of random squares.
+/// A uniformly lit room: uniform grey or random squares.
 fn room(is_blank: bool) -> Scene {
     plates::room(64, is_blank.then_some(180))
 }
@@ -59,7 +59,7 @@ fn depth(pair: Pair) -> ZDepth {
     seen.capture.distance
 }
 
-/// The share of the image's middle half that is measured within a tenth of the truth.
+/// The share of the central half of the image measured within a tenth of the truth.
 fn right_share(depth: &ZDepth, truth: f32) -> f64 {
     let (width, height) = (SIZE.width as usize, SIZE.height as usize);
     let rows = depth
@@ -96,7 +96,7 @@ fn a_blank_wall_has_holes_without_the_projector_and_depth_with_it() {
 }
 
 #[test]
-fn what_the_right_camera_does_not_see_is_left_of_what_is_near() {
+fn occlusions_are_on_the_left_of_near_objects() {
     let (near, far) = (1.0f32, 3.0f32);
     let mut scene = room(false);
     plate(&mut scene, far, [-9.0, 9.0], 0.025);
@@ -116,20 +116,20 @@ fn what_the_right_camera_does_not_see_is_left_of_what_is_near() {
     for (truth, measured) in rows.skip(60).take(280) {
         let left = truth.iter().position(|z| *z < 2.0).unwrap();
         let right = truth.iter().rposition(|z| *z < 2.0).unwrap();
-        // What is not the wall within 60 px beside the plate: no value, or the plate's.
+        // Pixels within 60 px of the plate that are not the wall: invalid or the plate's.
         let other = |pixels: &[f32]| pixels.iter().filter(|z| (**z - far).abs() > 0.5).count();
         bands[0].push(other(&measured[left - 60..left]));
         bands[1].push(other(&measured[right + 1..right + 61]));
     }
     let [left, right] = bands.map(|counts| counts.iter().sum::<usize>() as f64 / counts.len() as f64);
-    // A matching window's half on either side is a matter of chance.
+    // Within half a matching window on either side the result is random.
     assert!((left - expected).abs() < 4.0, "{left} px, {expected} expected");
     assert!(right < 4.0, "{right} px");
 }
 
-/// Subpixel interpolation draws disparities towards whole pixels: too far a quarter above one, too near a quarter below.
+/// Subpixel interpolation pulls disparities towards integers: too far a quarter above one, too near a quarter below.
 #[test]
-fn the_error_oscillates_once_a_pixel() {
+fn the_error_oscillates_with_the_period_of_a_pixel() {
     let twin = twin();
     let own = twin.camera(Role::Left).unwrap().intrinsics.fx;
     let disparities = [10.0, 10.25, 10.75, 11.0];

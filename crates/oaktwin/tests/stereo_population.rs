@@ -1,4 +1,4 @@
-//! Two hundred devices of each stereo model against the accuracy that is published for it: of the median device.
+//! Compares the median of two hundred units of each stereo model with its published accuracy.
 
 #![allow(clippy::cast_possible_truncation, clippy::unwrap_used, reason = "a test")]
 
@@ -11,7 +11,7 @@ use oaktwin::sensor::stereo_noise_parameters;
 const DEVICES: u64 = 200;
 const STEP_M: f64 = 0.5;
 
-/// Rows of a board; its middle columns are looked at.
+/// Rows of a board, of which the central columns are evaluated.
 const ROWS: u32 = 4;
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -24,7 +24,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     }
 }
 
-/// The error of the region's median at each distance, percent.
+/// The error of the region's median at each distance, in percent.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "depth images are single precision"
@@ -58,13 +58,13 @@ fn errors(sensor: &StereoNoise, seed: u64, distances: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn the_median_device_is_as_accurate_as_published() {
+fn the_median_unit_is_as_accurate_as_published() {
     let catalog = Catalog::builtin();
     let models = [
         ("OAK-D Pro PoE", Source::VendorPage),
         ("OAK-D Pro W PoE", Source::VendorPage),
         ("OAK4-D", Source::VendorPage),
-        // Nothing is published: the sheet's estimate.
+        // Nothing is published: the spec sheet's estimate.
         ("OAK4-D Wide", Source::Estimate),
     ];
     for (model, source) in models {
@@ -73,7 +73,7 @@ fn the_median_device_is_as_accurate_as_published() {
         assert_eq!(bands.source, source, "{model}");
         let end = bands.bands.iter().map(|band| band.to_m).fold(0.0, f64::max);
         let parameters = stereo_noise_parameters(&catalog.nominal(device)).unwrap();
-        // From where a device with any bias sees something.
+        // From the distance at which a unit with any bias measures something.
         let nearest = parameters.stereo.depth(94.0);
         let distances: Vec<f64> = (1..)
             .map(|i| f64::from(i) * STEP_M)
@@ -96,12 +96,12 @@ fn the_median_device_is_as_accurate_as_published() {
             let band = bands.at(distance)[0];
             assert!(
                 error < band.error_percent,
-                "{model} at {distance} m: {error} % is not under {} %",
+                "{model} at {distance} m: {error} % exceeds {} %",
                 band.error_percent
             );
             largest = f64::max(largest, error / band.error_percent);
         }
-        // A device is no ideal: somewhere it uses what it is allowed.
+        // The error is not negligible: somewhere it approaches the limit.
         assert!(largest > 0.4, "{model}: {largest}");
     }
 }

@@ -14,14 +14,14 @@ use crate::json;
 use crate::settings::Settings;
 use crate::threads;
 
-/// What `oaktwin.accuracy` wraps: the report of `oaktwin accuracy --json` as a dictionary.
+/// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, captures = CAPTURES,
     region = REGION, engine = None, preset = None, filters = Vec::new(), parameters = None, seed = 0,
     device_seed = None, extended_disparity = false, isaac = "5.1", measured = None, measured_from = 0.0,
     focal_px = None, width_px = None))]
-#[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
-#[expect(clippy::too_many_arguments, reason = "options of Python")]
+#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
     py: Python<'py>,
     device: &Device,
@@ -85,7 +85,7 @@ pub(crate) fn accuracy<'py>(
     json::to_python(py, &report.map_err(error)?)
 }
 
-/// True distances: numbers, or the program's text.
+/// True distances: numbers in metres, or the program's text syntax.
 #[derive(FromPyObject)]
 pub(crate) enum Distances {
     Text(String),

@@ -24,7 +24,7 @@ pub(crate) fn fill(name: &str) -> PyResult<Fill> {
     )
 }
 
-/// Images as another camera sees them.
+/// Aligns depth images to another camera.
 pub(crate) fn aligned<'py>(
     py: Python<'py>,
     align: &Align,
@@ -45,7 +45,7 @@ pub(crate) fn aligned<'py>(
         threads::run(py, || {
             let metres = one.metres();
             let view = ImageView::new(shape.size.width, shape.size.height, &metres[..])
-                .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
+                .ok_or_else(|| wrong("depth", "is smaller than its shape", "pass complete arrays"))?;
             let seen = align.align(view).map_err(error)?;
             room.fill(item * out_pixels, out_pixels, |room| {
                 room.copy_from_slice(seen.0.pixels());
@@ -56,18 +56,18 @@ pub(crate) fn aligned<'py>(
     Ok(result)
 }
 
-/// Depth of one camera as another sees it: the nearest sample in each of its pixels.
+/// Aligns depth images to another camera; each target pixel gets the nearest sample that falls into it.
 ///
-/// depth: (H, W) or (N, H, W) of the source camera's size, float32 metres or uint16 millimetres along its axis; what is not
-///     finite and above 0 is no sample.
+/// depth: (H, W) or (N, H, W) of the source camera's size, float32 metres or uint16 millimetres along its optical axis;
+///     values that are not finite and above 0 are invalid.
 /// source, target: the cameras.
-/// target_from_source: (4, 4), metres; by default the places of both on their device say it.
-/// fill: "footprint" (default): a sample goes into all pixels that it covers; "nearest": into the one it falls into.
-/// out: as of a DepthSensor's call.
+/// target_from_source: (4, 4) transform in metres; by default computed from the cameras' poses on their device.
+/// fill: "footprint" (default): a sample fills all pixels that it covers; "nearest": only the one that contains its centre.
+/// out: the output array, as for a call of DepthSensor.
 ///
-/// Returns an array of depth's kind, (H, W) or (N, H, W) of the target's size, 0 where nothing was measured.
+/// Returns an array of depth's dtype, (H, W) or (N, H, W) of the target's size, 0 where invalid.
 ///
-/// Raises oaktwin.Error where depth has not the source's size.
+/// Raises oaktwin.Error if the size of depth is not the source's.
 #[pyfunction]
 #[pyo3(signature = (depth, source, target, *, target_from_source = None, fill = "footprint", out = None))]
 pub(crate) fn align<'py>(

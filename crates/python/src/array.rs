@@ -1,5 +1,4 @@
-//! Arrays of whoever has them: NumPy's, and through the buffer protocol, DLPack or NumPy's array interface anybody's in
-//! the memory of the CPU.
+//! Access to arrays in CPU memory: NumPy arrays, and objects with the buffer protocol, DLPack or NumPy's array interface.
 
 use numpy::{
     Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn,
@@ -9,12 +8,12 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyMemoryView;
 
-use crate::error::wrong;
+use crate::error::{error, wrong};
 
-/// DLPack's numbers of memory that a CPU reads: its own, CUDA's and ROCm's pinned host memory.
+/// DLPack's device types of memory that the CPU can read: CPU, CUDA pinned host and ROCm pinned host memory.
 const HOST_MEMORY: [i32; 3] = [1, 3, 11];
 
-/// As a NumPy array, on the same memory wherever the object lets others at it.
+/// Converts an object to a NumPy array, sharing its memory if the object allows it.
 pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = object.cast::<PyUntypedArray>() {
         return Ok(array.clone());
@@ -25,7 +24,7 @@ pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Boun
         if !HOST_MEMORY.contains(&device) {
             return Err(wrong(
                 name,
-                format_args!("is in the memory of another device (DLPack's {device})"),
+                format_args!("is in the memory of another device (DLPack device type {device})"),
                 "copy it to the CPU first",
             ));
         }
@@ -39,25 +38,25 @@ pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Boun
         numpy.call_method1("asarray", (object,))?
     } else {
         return Err(PyTypeError::new_err(format!(
-            "{name}: {} is no array; give a NumPy array, or what has the buffer protocol or DLPack",
+            "{name}: {} is not an array; pass a NumPy array, or an object with the buffer protocol or DLPack",
             object.get_type().name()?
         )));
     };
     Ok(array.cast_into()?)
 }
 
-/// Whether an array's numbers are of this type, as this machine has them.
+/// Whether an array has this dtype in native byte order.
 pub(crate) fn is_of<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
     array.dtype().is_equiv_to(&T::get_dtype(array.py()))
 }
 
-/// Whether they are but for the order of their bytes.
+/// Whether an array has this dtype in any byte order.
 pub(crate) fn is_like<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
     let (own, wanted) = (array.dtype(), T::get_dtype(array.py()));
     own.kind() == wanted.kind() && own.itemsize() == wanted.itemsize()
 }
 
-/// To read, row after row: the array itself where it lies so in memory, else a copy.
+/// A C-contiguous array for reading: the array itself if possible, otherwise a copy.
 pub(crate) fn contiguous<'py, T: Element>(
     name: &str,
     array: &Bound<'py, PyUntypedArray>,
@@ -74,49 +73,73 @@ pub(crate) fn contiguous<'py, T: Element>(
     array.try_readonly().map_err(|_| {
         wrong(
             name,
-            "another call is writing to it",
-            "wait for that, or give a copy",
+            "another call is writing to the array",
+            "wait for that call, or pass a copy",
         )
     })
 }
 
-/// To write, row after row, in the array itself.
+/// The C-contiguous array itself, for writing.
 pub(crate) fn writable<'py, T: Element>(
     name: &str,
     array: &Bound<'py, PyUntypedArray>,
 ) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
     if !array.is_c_contiguous() {
-        return Err(wrong(
-            name,
-            "its rows do not follow each other in memory",
-            "give a C-contiguous array",
-        ));
+        return Err(wrong(name, "is not C-contiguous", "pass a C-contiguous array"));
     }
     let mut array = array.cast::<PyArrayDyn<T>>()?.try_readwrite().map_err(|_| {
         wrong(
             name,
-            "it is read-only, or another call uses it",
-            "give an array of its own to write to",
+            "is read-only, or used by another call",
+            "pass a separate writable array",
         )
     })?;
     if array.as_slice_mut().is_err() {
         return Err(wrong(
             name,
-            "its numbers are not aligned in memory",
-            "give an array that NumPy made",
+            "is not aligned in memory",
+            "pass an array allocated by NumPy",
         ));
     }
     Ok(array)
 }
 
-/// Zeros of a shape.
+/// An array of zeros.
 pub(crate) fn zeros<'py, T: Element>(
     py: Python<'py>,
     shape: &[usize],
 ) -> PyResult<Bound<'py, PyArrayDyn<T>>> {
-    // NumPy's own function, whose error is an exception where there is no memory.
+    // NumPy's own function raises a MemoryError instead of aborting.
     let made = py
         .import("numpy")?
         .call_method1("zeros", (shape.to_vec(), T::get_dtype(py)))?;
     Ok(made.cast_into()?)
+}
+
+/// Reads an array (N, 3) as `dtype`.
+pub(crate) fn triples<T: Element + Copy>(
+    name: &str,
+    object: &Bound<'_, PyAny>,
+    dtype: &str,
+) -> PyResult<Vec<[T; 3]>> {
+    let array = view(name, object)?;
+    let kind = array.getattr("dtype")?.getattr("kind")?.extract::<String>()?;
+    let fits = if dtype.starts_with("int") { "iu" } else { "fiu" };
+    if !fits.contains(&kind) || array.ndim() != 2 || array.shape().last() != Some(&3) {
+        let is = format!(
+            "has shape {:?} and dtype {}",
+            array.shape(),
+            array.getattr("dtype")?
+        );
+        let numbers = if dtype.starts_with("int") {
+            "integers"
+        } else {
+            "numbers"
+        };
+        return Err(wrong(name, is, format_args!("pass {numbers} of shape (N, 3)")));
+    }
+    let cast = array.call_method1("astype", (dtype,))?;
+    let array = contiguous::<T>(name, cast.cast::<PyUntypedArray>()?)?;
+    let (rows, _) = array.as_slice().map_err(error)?.as_chunks::<3>();
+    Ok(rows.to_vec())
 }

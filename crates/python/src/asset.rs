@@ -13,7 +13,7 @@ use crate::choice::choose;
 use crate::error::{error, reading, wrong};
 use crate::settings::ISAAC;
 
-/// What Python says of an asset.
+/// The asset options of Python.
 pub(crate) struct AssetSettings<'a> {
     pub(crate) isaac: &'a str,
     pub(crate) target: &'a str,
@@ -45,19 +45,19 @@ impl AssetSettings<'_> {
     }
 }
 
-/// By the extension.
+/// The format of the file name extension.
 pub(crate) fn format(path: &Path) -> PyResult<Format> {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     let all = [Format::Usda, Format::Usd, Format::Usdz];
     all.into_iter()
         .find(|format| format.extension() == extension)
         .ok_or_else(|| {
-            let is = format!(".{extension} is no USD format");
+            let is = format!(".{extension} is not a USD format");
             wrong(path.display(), is, "use .usda, .usd or .usdz")
         })
 }
 
-/// The content of a layer at `path` of overrides on somebody's asset.
+/// The overrides layer at `path` for an existing asset.
 pub(crate) fn overrides(
     twin: &Twin,
     options: &AssetOptions,
@@ -71,7 +71,7 @@ pub(crate) fn overrides(
     if fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(base).is_ok_and(|base| base == path)) {
         return Err(wrong(
             path.display(),
-            "is the asset itself",
+            "is the asset to override",
             "write to another file",
         ));
     }
@@ -80,7 +80,7 @@ pub(crate) fn overrides(
     Ok((made.bytes(format).map_err(error)?, made.findings))
 }
 
-/// The file's content.
+/// The contents of the asset file.
 pub(crate) fn bytes(
     twin: &Twin,
     options: &AssetOptions,

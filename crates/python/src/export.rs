@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use crate::error::error;
 use crate::finding;
 
-/// The files of a format by name.
+/// Returns the files of a format by name.
 pub(crate) fn export<'py>(
     py: Python<'py>,
     raw: &Raw,

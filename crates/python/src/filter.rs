@@ -11,33 +11,32 @@ use crate::error::{error, wrong};
 use crate::images::{Numbers, NumbersSlice, Pictures, Shape, apart, from_metres, part, put_metres, room};
 use crate::threads;
 
-/// Pixels of a batch between two looks at the signals.
+/// Pixels of a batch between two checks for signals.
 const PIXELS_AT_ONCE: usize = 1 << 23;
 
-/// DepthAI's filters, first to last, bit for bit as its host runs them.
+/// A chain of DepthAI's filters, bit-identical to its host implementation.
 ///
-/// filters: each as text, NAME or NAME:SETTING=VALUE,...; what is not said has DepthAI's default:
+/// filters: the filters as text, NAME or NAME:SETTING=VALUE,..., in order; omitted settings have DepthAI's defaults:
 ///     "median:size=3|5|7", "spatial:alpha,delta,radius,iterations", "temporal:alpha,delta,persistency",
 ///     "speckle:range,difference", "decimation:factor,mode", "threshold:min,max" (mm), "brightness:min,max".
 ///
-/// Raises oaktwin.Error for a name or setting that does not exist, with the nearest ones, or a value that cannot be.
+/// Raises oaktwin.Error for unknown names and settings, with the nearest names, and for invalid values.
 ///
 /// A call, `filter(image, rgb=None, *, out=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of
-/// images that have no past.
+/// independent images.
 ///
-/// image: uint16 (millimetres, or disparity in fixed point), uint8 (whole disparities) or float32 metres, which are
-///     filtered as whole millimetres. 0 is no value; in metres neither is what is not finite and above 0, or beyond
+/// image: uint16 (millimetres, or fixed-point disparity), uint8 (integer disparities) or float32 metres, which are
+///     filtered as integer millimetres. 0 is invalid; in metres, so are values that are not finite and above 0, or beyond
 ///     65.535 m.
-/// rgb: the pictures of the same camera, (..., H, W, 3 or 4) uint8: what "brightness" looks at.
+/// rgb: the colour images of the same camera, (..., H, W, 3 or 4) uint8, required by "brightness".
+/// out: the output array: C-contiguous, with the result's shape and the image's dtype; must not overlap the image.
 ///
-/// out: where to write: C-contiguous, of the result's shape and the image's type, and not the image itself.
+/// Returns `out`, or a new array of the same dtype; smaller if a filter decimates.
 ///
-/// Returns `out`, or a new array of the same type; smaller where a filter decimates.
+/// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape.
 ///
-/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape.
-///
-/// Safe to use from many threads; the frames of one filter wait for each other. A pickle has the settings, not the images
-/// that were seen.
+/// Thread-safe; calls of one filter run one after another. Pickling preserves the settings, but not the state of temporal
+/// filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Filter {
     filters: Vec<filter::Filter>,
@@ -49,7 +48,7 @@ pub(crate) struct Filter {
 impl Filter {
     #[new]
     #[pyo3(signature = (*filters))]
-    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     fn new(filters: Vec<String>) -> PyResult<Self> {
         let parsed = filters.iter().map(|text| parse(text).map_err(error));
         let filters: Vec<filter::Filter> = parsed.collect::<PyResult<_>>()?;
@@ -64,7 +63,7 @@ impl Filter {
         PyTuple::new(py, self.filters.iter().map(ToString::to_string))
     }
 
-    /// See the class.
+    /// Filters an image or a batch; see the class.
     #[pyo3(signature = (image, rgb = None, *, out = None))]
     fn __call__<'py>(
         &self,
@@ -110,7 +109,7 @@ impl Filter {
         }
     }
 
-    /// Forgets all earlier images.
+    /// Resets the state of temporal filters.
     fn reset(&self, py: Python<'_>) {
         py.detach(|| {
             self.wide.lock().unwrap_or_else(PoisonError::into_inner).reset();
@@ -118,7 +117,7 @@ impl Filter {
         });
     }
 
-    /// As text, with all settings.
+    /// The filters as text, with all settings.
     fn __str__(&self) -> String {
         let texts: Vec<String> = self.filters.iter().map(ToString::to_string).collect();
         texts.join(" ")
@@ -132,12 +131,12 @@ impl Filter {
 fn no_room() -> PyErr {
     wrong(
         "image",
-        "its result does not fit into the memory",
-        "give fewer images at once",
+        "the result does not fit in memory",
+        "pass fewer images at once",
     )
 }
 
-/// Filters images into a room of the result's size.
+/// Filters images into an array of the result's size.
 fn run<P: Pixel>(
     py: Python<'_>,
     chain: &Mutex<Chain<P>>,
@@ -156,14 +155,14 @@ fn run<P: Pixel>(
         chain.run_seeing(image, rgb)
     };
     let put = |image: &Image<P>, room: &mut [P]| {
-        // Both are of the chain's size.
+        // Both have the chain's input size.
         let both = room.iter_mut().zip(image.pixels());
         both.for_each(|(room, value)| *room = *value);
     };
     let lock = || chain.lock().unwrap_or_else(PoisonError::into_inner);
     if shape.batch.is_none() {
         return py.detach(|| {
-            // Taken before the pool's threads are: they never wait for it.
+            // Locked before entering the pool, so that the pool's threads never wait for the lock.
             let mut chain = lock();
             let chain = &mut *chain;
             put(&threads::install(|| one(chain, 0))?, room);

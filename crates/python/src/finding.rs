@@ -5,13 +5,13 @@ use pyo3::prelude::*;
 
 use crate::error::{FindingWarning, text};
 
-/// Something odd in an input or a result that holds nevertheless; str() is the program's line about it.
+/// A note, warning or error about an input or result; str() is the line that the program prints.
 ///
-/// code: a short stable name for machines, "own-focal-length".
+/// code: a short stable identifier, such as "own-focal-length".
 /// level: "note", "warning" or "error".
-/// place: where: a field's or a prim's path.
-/// message: what is odd.
-/// remedy: what to do about it; empty where there is nothing to do.
+/// place: the path of the field or prim concerned.
+/// message: what was found.
+/// remedy: what to do about it; empty if nothing is required.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Finding {
@@ -39,7 +39,7 @@ impl Finding {
     }
 }
 
-/// As a list for Python.
+/// Converts findings to a Python list.
 pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
     let one = |finding: &diagnostic::Finding| Finding {
         code: finding.code,
@@ -52,7 +52,7 @@ pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
     findings.iter().map(one).collect()
 }
 
-/// Those that are more than notes, as Python's warnings.
+/// Issues warnings and errors as Python warnings.
 pub(crate) fn warn(py: Python<'_>, findings: &[diagnostic::Finding]) -> PyResult<()> {
     for finding in findings.iter().filter(|finding| finding.level > Level::Note) {
         let text = CString::new(text(finding).replace('\0', " "))?;

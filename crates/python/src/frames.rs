@@ -1,4 +1,4 @@
-//! Ground-truth frames as NumPy arrays, one or stacked.
+//! Ground-truth frames as NumPy arrays, single or stacked.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Grey images of a camera: 8 bits, or 10.
+//! Grey images with 8 or 10 bits.
 
 use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use oaktwin::camera::ImageSize;
@@ -13,26 +13,26 @@ use crate::array::{contiguous, is_like, view};
 use crate::error::{error, wrong};
 use crate::images::array;
 
-/// The largest number of 10 bits.
+/// The maximum 10-bit value.
 const TEN_BITS: u16 = 1023;
 
-/// What a camera recorded, once or many times.
+/// One image or a batch.
 pub(crate) struct Images {
-    /// How many; `None` of one image that is no batch.
+    /// The number of images in a batch; `None` for a single image.
     pub(crate) batch: Option<usize>,
     pub(crate) size: ImageSize,
-    /// Of 10 bits.
+    /// Whether the images have 10 bits.
     pub(crate) is_wide: bool,
     pub(crate) images: Vec<Recorded>,
 }
 
-/// (H, W) or (N, H, W) uint8, or uint16 of 10 bits; colours (..., H, W, 3 or 4) uint8 become luma.
+/// Reads (H, W) or (N, H, W) uint8, or uint16 with 10 bits; colours (..., H, W, 3 or 4) uint8 are converted to luma.
 pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Images> {
     let array = view(name, object)?;
     let is_wide = is_like::<u16>(&array);
     if !is_wide && !is_like::<u8>(&array) {
         return Err(PyTypeError::new_err(format!(
-            "{name}: its numbers are {}; give uint8, or uint16 of 10 bits",
+            "{name}: unsupported dtype {}; pass uint8, or uint16 with 10 bits",
             array.dtype()
         )));
     }
@@ -41,15 +41,19 @@ pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Images> {
     let images = if is_wide {
         if channels > 1 {
             return Err(PyTypeError::new_err(format!(
-                "{name}: its colours are {}; give uint8, or grey",
+                "{name}: unsupported dtype {} for colours; pass uint8, or a grey image",
                 array.dtype()
             )));
         }
         let values = contiguous::<u16>(name, &array)?;
         let values = values.as_slice().map_err(error)?;
-        if let Some(most) = values.iter().max().filter(|most| **most > TEN_BITS) {
-            let is = format!("has numbers of more than 10 bits, up to {most}");
-            return Err(wrong(name, is, "give 0 to 1023: of 16 bits the upper 10 (>> 6)"));
+        if let Some(max) = values.iter().max().filter(|max| **max > TEN_BITS) {
+            let is = format!("has values above 10 bits, up to {max}");
+            return Err(wrong(
+                name,
+                is,
+                "pass values from 0 to 1023; of 16-bit images the upper 10 bits (>> 6)",
+            ));
         }
         let images = values.chunks_exact(numbers);
         let one = |values: &[u16]| image(name, size, values.to_vec()).map(Recorded::Ten);
@@ -80,7 +84,7 @@ fn grey(values: &[u8], channels: usize) -> Vec<u8> {
     }
 }
 
-/// How many, rows and columns, and how many numbers a pixel has.
+/// The number of images of a batch, the size, and the number of channels.
 fn shape(name: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<(Option<usize>, ImageSize, usize)> {
     let (batch, height, width, channels) = match *array.shape() {
         [height, width] => (None, height, width, 1),
@@ -92,7 +96,7 @@ fn shape(name: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<(Option<usiz
             return Err(wrong(
                 name,
                 is,
-                "give one image (H, W), colours (H, W, 3), or a batch (N, H, W)",
+                "pass an image (H, W), colours (H, W, 3), or a batch (N, H, W)",
             ));
         }
     };
@@ -104,10 +108,10 @@ fn shape(name: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<(Option<usiz
 
 fn image<T: Element>(name: &str, size: ImageSize, values: Vec<T>) -> PyResult<Image<T>> {
     Image::new(size.width, size.height, values)
-        .ok_or_else(|| wrong(name, "is smaller than its shape", "give whole arrays"))
+        .ok_or_else(|| wrong(name, "is smaller than its shape", "pass complete arrays"))
 }
 
-/// As an array (H, W): uint8, or uint16 of 10 bits.
+/// Returns an array (H, W): uint8, or uint16 with 10 bits.
 pub(crate) fn recorded(py: Python<'_>, image: Recorded) -> PyResult<Bound<'_, PyAny>> {
     match image {
         Recorded::Eight(image) => array(py, image),
@@ -115,7 +119,7 @@ pub(crate) fn recorded(py: Python<'_>, image: Recorded) -> PyResult<Bound<'_, Py
     }
 }
 
-/// Images of one size as one array (N, H, W).
+/// Images of the same size, stacked as an array (N, H, W).
 pub(crate) struct Stack<T> {
     count: usize,
     size: (u32, u32),
@@ -123,7 +127,6 @@ pub(crate) struct Stack<T> {
 }
 
 impl<T: Element + Clone> Stack<T> {
-    /// Of images of this width and height.
     pub(crate) fn new(size: (u32, u32)) -> Self {
         Self {
             count: 0,

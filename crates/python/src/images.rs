@@ -1,4 +1,4 @@
-//! Images and batches of images of Python.
+//! Images and batches of images in NumPy arrays.
 
 use std::borrow::Cow;
 
@@ -15,23 +15,23 @@ use pyo3::prelude::*;
 use crate::array::{contiguous, is_like, is_of, view, writable, zeros};
 use crate::error::{error, wrong};
 
-/// The rows and columns of one image, or of each of a batch.
+/// The shape of an image, or of a batch of images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
-    /// `None` of one image.
+    /// The number of images; `None` for a single image.
     pub(crate) batch: Option<usize>,
     pub(crate) size: ImageSize,
 }
 
 impl Shape {
-    /// (H, W) or (N, H, W).
+    /// Parses (H, W) or (N, H, W).
     fn of(name: &str, shape: &[usize]) -> PyResult<Self> {
         let (batch, height, width) = match *shape {
             [height, width] => (None, height, width),
             [count, height, width] => (Some(count), height, width),
             _ => {
                 let is = format!("has shape {shape:?}");
-                return Err(wrong(name, is, "give one image (H, W), or a batch (N, H, W)"));
+                return Err(wrong(name, is, "pass an image (H, W), or a batch (N, H, W)"));
             }
         };
         let side = |length: usize| u32::try_from(length).unwrap_or(u32::MAX);
@@ -48,7 +48,7 @@ impl Shape {
         self.size.width as usize * self.size.height as usize
     }
 
-    /// With images of another size.
+    /// The same batch with images of another size.
     pub(crate) fn sized(self, size: ImageSize) -> Self {
         Self { size, ..self }
     }
@@ -63,13 +63,13 @@ impl Shape {
     }
 }
 
-/// Depth images: metres, or whole millimetres.
+/// Depth images in metres or integer millimetres.
 pub(crate) enum Depth<'py> {
     Metres(PyReadonlyArrayDyn<'py, f32>),
     Millimetres(PyReadonlyArrayDyn<'py, u16>),
 }
 
-/// Numbers of depth images, on loan.
+/// The borrowed values of depth images.
 #[derive(Clone, Copy)]
 pub(crate) enum DepthSlice<'a> {
     Metres(&'a [f32]),
@@ -77,7 +77,7 @@ pub(crate) enum DepthSlice<'a> {
 }
 
 impl<'py> Depth<'py> {
-    /// (H, W) or (N, H, W); float32 or uint16.
+    /// Reads (H, W) or (N, H, W), float32 or uint16.
     pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
         let array = view(name, object)?;
         let depth = if is_like::<f32>(&array) {
@@ -86,7 +86,7 @@ impl<'py> Depth<'py> {
             Self::Millimetres(contiguous(name, &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
-                "{name}: its numbers are {}; give float32 metres or uint16 millimetres",
+                "{name}: unsupported dtype {}; pass float32 metres or uint16 millimetres",
                 array.dtype()
             )));
         };
@@ -102,7 +102,7 @@ impl<'py> Depth<'py> {
 }
 
 impl<'a> DepthSlice<'a> {
-    /// In metres: as it is where it is so.
+    /// The values in metres, borrowed if possible.
     pub(crate) fn metres(self) -> Cow<'a, [f32]> {
         match self {
             Self::Metres(metres) => Cow::Borrowed(metres),
@@ -110,7 +110,7 @@ impl<'a> DepthSlice<'a> {
         }
     }
 
-    /// The part that begins at a pixel.
+    /// The part that begins at the pixel `from`.
     pub(crate) fn part(self, from: usize, pixels: usize) -> Self {
         match self {
             Self::Metres(values) => Self::Metres(part(values, from, pixels)),
@@ -126,7 +126,7 @@ impl<'a> DepthSlice<'a> {
     }
 }
 
-/// As much as is there of a part.
+/// The part of a slice, shortened at its end.
 pub(crate) fn part<T>(values: &[T], from: usize, length: usize) -> &[T] {
     values
         .get(from..)
@@ -138,14 +138,14 @@ fn bytes<T>(values: &[T]) -> (usize, usize) {
     (range.start as usize, range.end as usize)
 }
 
-/// Images of any kind that filters take.
+/// Images of any dtype that filters accept.
 pub(crate) enum Numbers<'py> {
     U8(PyReadonlyArrayDyn<'py, u8>),
     U16(PyReadonlyArrayDyn<'py, u16>),
     F32(PyReadonlyArrayDyn<'py, f32>),
 }
 
-/// Such images, on loan.
+/// The borrowed values of such images.
 pub(crate) enum NumbersSlice<'a> {
     U8(&'a [u8]),
     U16(&'a [u16]),
@@ -163,7 +163,7 @@ impl<'py> Numbers<'py> {
             Self::F32(contiguous(name, &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
-                "{name}: its numbers are {}; give uint16, uint8 or float32 metres",
+                "{name}: unsupported dtype {}; pass uint16, uint8 or float32 metres",
                 array.dtype()
             )));
         };
@@ -179,7 +179,7 @@ impl<'py> Numbers<'py> {
     }
 }
 
-/// An image as an array (H, W).
+/// Returns an image as an array (H, W).
 pub(crate) fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bound<'_, PyAny>> {
     let dims = [image.height() as usize, image.width() as usize];
     Ok(PyArray1::from_vec(py, image.into_pixels())
@@ -187,38 +187,38 @@ pub(crate) fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bou
         .into_any())
 }
 
-/// Whole millimetres of metres; 0 where there is no value.
+/// Converts metres to integer millimetres; 0 if invalid.
 pub(crate) fn from_metres(metres: Vec<f32>) -> Vec<u16> {
-    // One row is as good as any shape.
+    // The shape does not matter.
     let columns = u32::try_from(metres.len()).unwrap_or(0);
     Image::new(columns, 1, metres).map_or_else(Vec::new, |row| millimetres::from_metres(&row).into_pixels())
 }
 
-/// Metres of whole millimetres.
+/// Converts integer millimetres to metres.
 pub(crate) fn to_metres(values: &[u16]) -> Vec<f32> {
     values.iter().map(|&mm| f32::from(mm) / 1000.0).collect()
 }
 
-/// The same into an array.
+/// Converts integer millimetres to metres in an array.
 pub(crate) fn put_metres(values: &[u16], room: &mut [f32]) {
     let both = room.iter_mut().zip(values);
     both.for_each(|(room, &mm)| *room = f32::from(mm) / 1000.0);
 }
 
-/// Where measured depth goes: metres, or whole millimetres.
+/// The output array of measured depth, in metres or integer millimetres.
 pub(crate) enum Out<'py> {
     Metres(PyReadwriteArrayDyn<'py, f32>),
     Millimetres(PyReadwriteArrayDyn<'py, u16>),
 }
 
-/// Room for measured depth, on loan.
+/// The borrowed output array of measured depth.
 pub(crate) enum OutSlice<'a> {
     Metres(&'a mut [f32]),
     Millimetres(&'a mut [u16]),
 }
 
 impl<'py> Out<'py> {
-    /// Room of a shape: what somebody gave, or an array of the kind that `depth` is. What to return, and its numbers.
+    /// Returns `out`, or a new array with the dtype of `depth`, as a Python object and for writing.
     pub(crate) fn of(
         py: Python<'py>,
         given: Option<Bound<'py, PyAny>>,
@@ -239,7 +239,7 @@ impl<'py> Out<'py> {
             Self::Millimetres(writable("out", &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
-                "out: its numbers are {}; give float32 for metres or uint16 for millimetres",
+                "out: unsupported dtype {}; pass float32 for metres or uint16 for millimetres",
                 array.dtype()
             )));
         };
@@ -254,7 +254,7 @@ impl<'py> Out<'py> {
     }
 }
 
-/// Room of a shape and type: what somebody gave, or a new array. What to return, and its numbers.
+/// Returns `out`, or a new array of the given shape and type, as a Python object and for writing.
 pub(crate) fn room<'py, T: Element>(
     py: Python<'py>,
     given: Option<Bound<'py, PyAny>>,
@@ -268,7 +268,7 @@ pub(crate) fn room<'py, T: Element>(
     let array = view("out", &given)?;
     if !is_of::<T>(&array) {
         return Err(PyTypeError::new_err(format!(
-            "out: its numbers are {}; give the image's type, {}",
+            "out: unsupported dtype {}; pass the image's dtype, {}",
             array.dtype(),
             T::get_dtype(py)
         )));
@@ -282,18 +282,14 @@ fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> 
         return Ok(());
     }
     let is = format!("has shape {:?}", out.shape());
-    Err(wrong("out", is, format_args!("give one of shape {dims:?}")))
+    Err(wrong("out", is, format_args!("pass an array of shape {dims:?}")))
 }
 
-/// Refuses to write to what is read.
+/// Returns an error if the output overlaps the input.
 pub(crate) fn apart<A, B>(read: &[A], written: &[B]) -> PyResult<()> {
     let ((start, end), (first, last)) = (bytes(written), bytes(read));
     if start < last && first < end {
-        return Err(wrong(
-            "out",
-            "is the memory of what is read",
-            "give an array of its own",
-        ));
+        return Err(wrong("out", "overlaps the input", "pass a separate array"));
     }
     Ok(())
 }
@@ -309,7 +305,7 @@ fn made<'py, T: Element>(
 }
 
 impl OutSlice<'_> {
-    /// Refuses to write to what is read.
+    /// Returns an error if the output overlaps the input.
     pub(crate) fn check_apart(&self, depth: DepthSlice<'_>) -> PyResult<()> {
         match (self, depth) {
             (Self::Metres(out), DepthSlice::Metres(depth)) => apart(depth, out),
@@ -319,7 +315,7 @@ impl OutSlice<'_> {
         }
     }
 
-    /// Writes a part, from a pixel on, that `make` fills with metres.
+    /// Writes a part, starting at a pixel, with metres computed by `make`.
     pub(crate) fn fill<E>(
         &mut self,
         from: usize,
@@ -345,7 +341,7 @@ impl OutSlice<'_> {
     }
 }
 
-/// Pictures of depth images: (..., H, W, 4) as they are, (..., H, W, 3) copied.
+/// The colour images of depth images: (..., H, W, 4) borrowed, (..., H, W, 3) copied.
 pub(crate) struct Pictures<'py> {
     array: PyReadonlyArrayDyn<'py, u8>,
     channels: usize,
@@ -356,7 +352,7 @@ impl<'py> Pictures<'py> {
         let array: Bound<'py, PyUntypedArray> = view("rgb", object)?;
         if !is_like::<u8>(&array) {
             return Err(PyTypeError::new_err(format!(
-                "rgb: its numbers are {}; give uint8, sRGB",
+                "rgb: unsupported dtype {}; pass uint8, sRGB",
                 array.dtype()
             )));
         }
@@ -367,8 +363,8 @@ impl<'py> Pictures<'py> {
             .split_last()
             .is_some_and(|(_, rows)| *rows == wanted);
         if !(is_of_depth && (channels == 3 || channels == 4)) {
-            let is = format!("has shape {:?}, the depth {wanted:?}", array.shape());
-            return Err(wrong("rgb", is, "give the depth's shape with 3 or 4 channels"));
+            let is = format!("has shape {:?}, but the depth has {wanted:?}", array.shape());
+            return Err(wrong("rgb", is, "pass the depth's shape with 3 or 4 channels"));
         }
         Ok(Self {
             array: contiguous("rgb", &array)?,
@@ -376,7 +372,7 @@ impl<'py> Pictures<'py> {
         })
     }
 
-    /// Red, green, blue and whatever.
+    /// Red, green, blue and an unused channel.
     pub(crate) fn rgba(&self) -> PyResult<Cow<'_, [[u8; 4]]>> {
         let values = self.array.as_slice().map_err(error)?;
         Ok(if self.channels == 4 {
@@ -388,7 +384,7 @@ impl<'py> Pictures<'py> {
     }
 }
 
-/// The address that a depth image is read from: its own, unless it has to be copied first. For tests.
+/// The address from which a depth image is read: its own, unless a copy is required. For tests.
 #[pyfunction]
 pub(crate) fn _read_from(depth: &Bound<'_, PyAny>) -> PyResult<usize> {
     let (depth, _) = Depth::read("depth", depth)?;

@@ -1,11 +1,11 @@
 //! The native half of the Python package `oaktwin`: NumPy arrays in and out, exceptions for errors, no mathematics.
 //!
-//! The interpreter is released while pixels are worked on, and asked between images whether somebody pressed Ctrl-C.
-//! Bad input is an exception, never a panic. Docstrings are what Python's users read; `_oaktwin.pyi` has the types.
+//! The interpreter is released while images are processed, and signals are checked between images.
+//! Invalid input raises an exception, never a panic. Docstrings are for Python's users; `_oaktwin.pyi` has the types.
 
 #![expect(
     clippy::doc_markdown,
-    reason = "docstrings are Python's, which has no Markdown"
+    reason = "docstrings are for Python and not in Markdown"
 )]
 
 mod accuracy;
@@ -71,13 +71,13 @@ mod _oaktwin {
     #[pymodule_export]
     use crate::accuracy::accuracy;
     #[pymodule_export]
-    #[expect(non_upper_case_globals, reason = "Python's name for it")]
+    #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }
 
 /// Runs the program `oaktwin` in this process and returns its exit code.
 ///
-/// arguments: what follows the program's name.
+/// arguments: the command line without the program's name.
 #[pyo3::pyfunction]
 fn main(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| oaktwin_cli::main([OsString::from("oaktwin")].into_iter().chain(arguments)))

@@ -1,4 +1,4 @@
-//! Rendered stereo pairs.
+//! Rendered stereo pairs as NumPy arrays.
 
 use oaktwin::camera::ImageSize;
 use oaktwin::catalog::Role;
@@ -15,11 +15,11 @@ use crate::grey::recorded;
 use crate::images::array;
 use crate::settings::assignments;
 
-/// What one pixel takes, bytes: of both cameras the light, the number, where it is rectified from and its number there;
-/// the truth.
+/// The bytes per pixel: light, recorded value, rectification map and rectified value of both cameras, and the ground
+/// truth.
 const BYTES_OF_PIXEL: u64 = 2 * (3 * 4 + 2 + 8 + 2) + 4;
 
-/// How a pair is taken, from Python's options.
+/// The options of `Scene.render_pair`.
 pub(crate) struct PairSettings<'a, 'py> {
     pub(crate) size: Option<(u32, u32)>,
     pub(crate) projector: f64,
@@ -67,14 +67,18 @@ fn check_memory(device: &Device, size: ImageSize) -> PyResult<()> {
     let needed = u64::from(size.width) * u64::from(size.height) * BYTES_OF_PIXEL;
     match available_bytes() {
         Some(available) if needed > available => {
-            let is = format!("needs {} of memory, and {} are free", gib(needed), gib(available));
-            Err(wrong(name, is, "take smaller images"))
+            let is = format!(
+                "requires {} of memory, but only {} is free",
+                gib(needed),
+                gib(available)
+            );
+            Err(wrong(name, is, "reduce the image size"))
         }
         _ => Ok(()),
     }
 }
 
-/// A dictionary by name.
+/// Returns a dictionary of arrays by name.
 pub(crate) fn arrays(py: Python<'_>, pair: Pair) -> PyResult<Bound<'_, PyDict>> {
     let all = PyDict::new(py);
     all.set_item("left", recorded(py, pair.left)?)?;

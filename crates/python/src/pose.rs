@@ -1,4 +1,4 @@
-//! 4×4 matrices of Python and the rigid transforms that they are.
+//! Conversions between 4×4 NumPy matrices and rigid transforms.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
 use oaktwin::camera::math::{DMat3, DQuat, DVec3};
@@ -10,10 +10,10 @@ use crate::array::contiguous;
 use crate::choice::choose;
 use crate::error::{error, wrong};
 
-/// How far from a rotation a matrix may be: single precision is well within.
+/// The tolerance of rotation matrices; single precision is well within it.
 const TOLERANCE: f64 = 1e-4;
 
-/// Rows of numbers as an array.
+/// Returns a matrix as an array.
 pub(crate) fn matrix<'py, const R: usize, const C: usize>(
     py: Python<'py>,
     rows: &[[f64; C]; R],
@@ -21,12 +21,12 @@ pub(crate) fn matrix<'py, const R: usize, const C: usize>(
     PyArray1::from_slice(py, rows.as_flattened()).reshape([R, C])
 }
 
-/// A transform as an array.
+/// Returns a transform as an array.
 pub(crate) fn rows<'py>(py: Python<'py>, transform: &RigidTransform) -> PyResult<Bound<'py, PyArray2<f64>>> {
     matrix(py, &transform.rows())
 }
 
-/// Whatever NumPy makes an array of numbers of.
+/// Converts anything that NumPy can convert to an array of numbers.
 pub(crate) fn numbers<'py>(
     name: &str,
     object: &Bound<'py, PyAny>,
@@ -35,12 +35,18 @@ pub(crate) fn numbers<'py>(
         .py()
         .import("numpy")?
         .call_method1("array", (object, "float64"))
-        .map_err(|cause| wrong(name, format_args!("is no array of numbers ({cause})"), "give one"))?;
+        .map_err(|cause| {
+            wrong(
+                name,
+                format_args!("is not an array of numbers ({cause})"),
+                "pass an array of numbers",
+            )
+        })?;
     let array = contiguous::<f64>(name, array.cast::<PyUntypedArray>()?)?;
     Ok((array.shape().to_vec(), array))
 }
 
-/// One pose (4, 4) or several (N, 4, 4), and whether it is several.
+/// One pose (4, 4) or several (N, 4, 4), and whether it is a batch.
 pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<RigidTransform>, bool)> {
     let (shape, array) = numbers(name, object)?;
     let is_batch = match shape[..] {
@@ -48,7 +54,7 @@ pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<Rigi
         [_, 4, 4] => true,
         _ => {
             let shape = format!("has shape {shape:?}");
-            return Err(wrong(name, shape, "give a 4x4 matrix, or N of them (N, 4, 4)"));
+            return Err(wrong(name, shape, "pass a matrix (4, 4), or a batch (N, 4, 4)"));
         }
     };
     let values = array.as_slice().map_err(error)?;
@@ -57,38 +63,33 @@ pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<Rigi
     Ok((poses.collect::<PyResult<_>>()?, is_batch))
 }
 
-/// A 4×4 matrix.
 pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidTransform> {
     match poses(name, object)? {
         (poses, false) => match poses[..] {
             [pose] => Ok(pose),
-            _ => Err(wrong(name, "is empty", "give a 4x4 matrix")),
+            _ => Err(wrong(name, "is empty", "pass a 4x4 matrix")),
         },
-        _ => Err(wrong(name, "is several poses", "give one 4x4 matrix")),
+        _ => Err(wrong(name, "contains several poses", "pass one 4x4 matrix")),
     }
 }
 
 fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     if matrix.iter().any(|number| !number.is_finite()) {
-        return Err(wrong(
-            name,
-            "has numbers that are not finite",
-            "give a rigid transform",
-        ));
+        return Err(wrong(name, "has non-finite values", "pass a rigid transform"));
     }
     let (rows, _) = matrix.as_chunks::<4>();
     let [a, b, c, last] = rows else {
-        return Err(wrong(name, "has not four rows", "give a 4x4 matrix"));
+        return Err(wrong(name, "does not have four rows", "pass a 4x4 matrix"));
     };
     if last
         .iter()
         .zip([0.0, 0.0, 0.0, 1.0])
         .any(|(x, wanted)| (x - wanted).abs() > TOLERANCE)
     {
-        let remedy = "give column vectors' matrix: the translation is its last column (transpose USD's)";
+        let remedy = "pass a matrix for column vectors, with the translation in the last column (transpose a USD matrix)";
         return Err(wrong(
             name,
-            format_args!("its last row is {last:?}, not [0, 0, 0, 1]"),
+            format_args!("the last row must be [0, 0, 0, 1] (got {last:?})"),
             remedy,
         ));
     }
@@ -96,31 +97,31 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     let off = pose.orthonormality_error();
     if off > TOLERANCE || pose.rotation.determinant() < 0.0 {
         let is = format!(
-            "its 3x3 part is no rotation (off by {off:.2}, determinant {:.3})",
+            "the 3x3 part is not a rotation (error {off:.2}, determinant {:.3})",
             pose.rotation.determinant()
         );
         return Err(wrong(
             name,
             is,
-            "give an orthonormal matrix of determinant 1, without scale",
+            "pass an orthonormal matrix with determinant 1, without scale",
         ));
     }
-    // Rounded to single precision somewhere: made good.
+    // Orthonormalizes matrices that were rounded to single precision.
     if off > 1e-12 {
         pose.rotation = DMat3::from_quat(DQuat::from_mat3(&pose.rotation).normalize());
     }
     Ok(pose)
 }
 
-/// The pose at a place in the world that looks at another: a (4, 4) float64 matrix, world_from_camera.
+/// Returns the pose at a position in the world that faces a target: a (4, 4) float64 matrix, world_from_camera, metres.
 ///
-/// eye: where it stands, metres in the world.
-/// target: what it looks at.
-/// up: the direction, in the world, that is to be up in the image.
+/// eye: the position (3 values), metres in the world.
+/// target: the position to face (3 values), metres in the world.
+/// up: the direction in the world (3 values) that points up in the image; any length.
 /// frame: "camera" (default) for a camera's axes, OpenCV's: x right, y down, z forward; "body" for a device's: x forward,
-///     y left, z up. A camera of a device that stands so is at `look_at(..., frame="body") @ camera.body_from_camera`.
+///     y left, z up. The pose of a device's camera is `look_at(..., frame="body") @ camera.body_from_camera`.
 ///
-/// Raises oaktwin.Error where eye and target are one place, or the view is along up.
+/// Raises oaktwin.Error if eye and target are equal, or if the view direction is parallel to up.
 #[pyfunction]
 #[pyo3(signature = (eye, target, up = [0.0, 0.0, 1.0], *, frame = "camera"))]
 #[pyo3(text_signature = "(eye, target, up=(0.0, 0.0, 1.0), *, frame='camera')")]

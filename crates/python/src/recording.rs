@@ -18,21 +18,21 @@ use crate::finding;
 use crate::images::{Depth, DepthSlice, Pictures, Shape};
 use crate::pose::one_pose;
 
-/// A recording of cameras that move: `with oaktwin.Recording("path.mcap") as recording: recording.log(...)`.
+/// A recording of moving cameras: `with oaktwin.Recording("path.mcap") as recording: recording.log(...)`.
 ///
-/// An .mcap holds ROS 2's messages: of each camera NAME the topics /NAME/rgb, /NAME/depth, /NAME/measured (sensor_msgs/Image:
+/// An .mcap contains ROS 2 messages: for each camera NAME the topics /NAME/rgb, /NAME/depth, /NAME/measured (sensor_msgs/Image:
 /// rgb8, 32FC1 metres or 16UC1 millimetres), /NAME/camera_info, /NAME/depth_points or /NAME/measured_points
-/// (sensor_msgs/PointCloud2), and where it stands on /tf and /tf_static: world, NAME (x forward, y left, z up),
-/// NAME_optical_frame (x right, y down, z forward), in which images and clouds are. Depth that is none is NaN (0 in
-/// millimetres), exact depth of nothing in reach inf (REP-117, REP-118). The same calls give the same bytes.
+/// (sensor_msgs/PointCloud2), and its pose on /tf and /tf_static: world, NAME (x forward, y left, z up),
+/// NAME_optical_frame (x right, y down, z forward), which is the frame of images and clouds. Invalid depth is NaN (0 in
+/// millimetres); ground-truth depth without a surface is inf (REP-117, REP-118). The same calls give the same bytes.
 ///
-/// An .rrd is for Rerun, where the package was built with the feature `rerun`.
+/// An .rrd is for Rerun; it requires a package built with the feature `rerun`.
 ///
-/// path: the file, .mcap or .rrd. It is there once the recording is closed: not while it is written, nor if the `with`
-///     block ends in an exception, or the object is dropped.
-/// up: which axis of the world points up, "z" (default) or "y"; .mcap does not say it.
+/// path: the file, .mcap or .rrd. It is created when the recording is closed, and not at all if the `with` block ends in
+///     an exception or the object is dropped.
+/// up: the up axis of the world, "z" (default) or "y"; .mcap does not store it.
 ///
-/// Raises oaktwin.Error for another extension, OSError for a file that cannot be written. Safe to use from many threads.
+/// Raises oaktwin.Error for another extension, OSError if the file cannot be written. Thread-safe.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Recording {
     path: PathBuf,
@@ -42,7 +42,7 @@ pub(crate) struct Recording {
 
 struct State {
     file: RecordingFile,
-    /// By name.
+    /// The cameras by name.
     cameras: BTreeMap<String, (CameraId, camera::Camera)>,
     moments: usize,
 }
@@ -68,23 +68,23 @@ impl Recording {
         })
     }
 
-    /// Records what a camera sees from where it stands.
+    /// Records the images of a camera at a pose.
     ///
-    /// camera: the images' camera; it stays the same of one name.
-    /// world_from_camera: (4, 4), its axes OpenCV's, metres.
-    /// time: seconds from 0 to 2^31; by default frame / 30.
-    /// frame: the number of the frame, where there is no time.
-    /// depth: exact depth, (H, W) float32 metres or uint16 millimetres.
-    /// measured: what the sensor reports of it, likewise.
-    /// rgb: the picture, (H, W, 3) or (H, W, 4) uint8, sRGB.
-    /// points: whether there is a cloud too: of what is measured, else of the exact depth.
-    /// name: what the camera is called; by default its own name. Other characters than letters, digits and _ become _.
+    /// camera: the camera of the images; all calls with the same name must use the same camera.
+    /// world_from_camera: the camera's pose, (4, 4), with OpenCV's axes, metres.
+    /// time: the time in seconds, from 0 to 2^31; by default frame / 30.
+    /// frame: the frame number, used if time is None.
+    /// depth: ground-truth depth, (H, W) float32 metres or uint16 millimetres.
+    /// measured: the depth sensor's output, in the same format.
+    /// rgb: the colour image, (H, W, 3) or (H, W, 4) uint8, sRGB.
+    /// points: whether to record a point cloud, too: of measured depth, or otherwise of ground-truth depth.
+    /// name: the name of the camera; by default its own. Characters other than letters, digits and _ are replaced by _.
     ///
-    /// Raises oaktwin.Error for images of another size than the camera's, a camera that is not the one of its name, a time
-    /// that is none, a recording that is closed; OSError where the file cannot be written.
+    /// Raises oaktwin.Error for images whose size differs from the camera's, a different camera with the same name, an invalid
+    /// time, or a closed recording; OSError if the file cannot be written.
     #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = 0, depth = None, measured = None, rgb = None,
         points = true, name = None))]
-    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn log(
         &self,
         py: Python<'_>,
@@ -132,9 +132,9 @@ impl Recording {
         finding::warn(py, finding.as_slice())
     }
 
-    /// Writes what is left and gives the file its name. Without effect on a recording that is closed.
+    /// Completes the file. Does nothing if the recording is closed.
     ///
-    /// Raises OSError where the file cannot be written.
+    /// Raises OSError if the file cannot be written.
     fn close(&self, py: Python<'_>) -> PyResult<()> {
         let finished = py.detach(|| self.take().map(|state| state.file.finish()));
         match finished {
@@ -143,7 +143,7 @@ impl Recording {
         }
     }
 
-    /// The file that it is written to.
+    /// The path of the file.
     #[getter]
     fn path(&self) -> PathBuf {
         self.path.clone()
@@ -153,7 +153,7 @@ impl Recording {
         slf
     }
 
-    /// Closes the recording, or drops it where an exception ends the block.
+    /// Closes the recording, or discards it if the block ends in an exception.
     #[pyo3(signature = (kind, value, traceback, /))]
     fn __exit__(
         &self,
@@ -196,19 +196,19 @@ impl Recording {
         }
     }
 
-    /// Whether the camera was seen for the first time.
+    /// Returns whether the camera is new.
     fn record(&self, camera: &Camera, name: String, moment: &Moment<'_>) -> PyResult<bool> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(state) = &mut *state else {
-            return Err(wrong(self.path.display(), "is closed", "begin another recording"));
+            return Err(wrong(self.path.display(), "is closed", "create a new recording"));
         };
         let (id, is_new) = match state.cameras.get(&name) {
             Some((id, known)) if *known == camera.camera => (*id, false),
             Some(_) => {
                 return Err(wrong(
                     name,
-                    "is another camera in this recording",
-                    "give each camera a name of its own",
+                    "is already the name of a different camera in this recording",
+                    "use a unique name for each camera",
                 ));
             }
             None => {
@@ -234,13 +234,16 @@ impl Recording {
     }
 }
 
-/// One image, of the camera's size.
+/// Reads an image of the camera's size.
 fn image<'py>(name: &str, object: &Bound<'py, PyAny>, camera: &Camera) -> PyResult<Depth<'py>> {
     let (depth, shape) = Depth::read(name, object)?;
     let size = camera.camera.intrinsics.size;
     if shape.batch.is_some() || shape.size != size {
         let is = format!("has shape {:?}", shape.dims());
-        let remedy = format!("give one image of the camera, ({}, {})", size.height, size.width);
+        let remedy = format!(
+            "pass an image of the camera's size, ({}, {})",
+            size.height, size.width
+        );
         return Err(wrong(name, is, remedy));
     }
     Ok(depth)
@@ -255,8 +258,8 @@ fn view<'a>(depth: &'a Depth<'_>, shape: Shape) -> PyResult<DepthView<'a>> {
     view.ok_or_else(|| {
         wrong(
             "depth",
-            "is not the camera's",
-            "give an image of the camera's size",
+            "does not have the camera's size",
+            "pass an image of the camera's size",
         )
     })
 }

@@ -16,13 +16,13 @@ const INTRINSICS: [(&str, RectifiedIntrinsics); 3] = [
     ("left-camera", RectifiedIntrinsics::LeftCamera),
 ];
 
-/// A stereo pair turned so that rows meet: cv2.stereoRectify's numbers, and the maps for cv2.remap.
+/// The rectification of a stereo pair: the matrices of cv2.stereoRectify, and the maps for cv2.remap.
 ///
-/// left, right: the cameras, with their places on the device. `Device.rectification` has a device's.
-/// intrinsics: of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
+/// left, right: the cameras, with their poses on the device. `Device.rectification` returns that of a device.
+/// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
 ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
 ///
-/// Raises oaktwin.Error for cameras that cannot be rectified.
+/// Raises oaktwin.Error if the cameras cannot be rectified.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Rectification {
@@ -69,31 +69,31 @@ impl Rectification {
         Ok(((self.left.clone(), self.right.clone()), options))
     }
 
-    /// (3, 3): rotates points of the left camera's frame into the rectified one.
+    /// The rotation from the left camera's frame to the rectified left frame, (3, 3).
     #[getter(R1)]
     fn r1<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         rotation(py, self.rectification.rectified_from_left)
     }
 
-    /// (3, 3): rotates points of the right camera's frame into the rectified one.
+    /// The rotation from the right camera's frame to the rectified right frame, (3, 3).
     #[getter(R2)]
     fn r2<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         rotation(py, self.rectification.rectified_from_right)
     }
 
-    /// (3, 4): projects points of the rectified left frame, metres, to pixels of the rectified left image.
+    /// The projection from the rectified left frame, metres, to pixels of the rectified left image, (3, 4).
     #[getter(P1)]
     fn p1<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         matrix(py, &self.rectification.projection_left())
     }
 
-    /// (3, 4): projects points of the rectified left frame, metres, to pixels of the rectified right image.
+    /// The projection from the rectified left frame, metres, to pixels of the rectified right image, (3, 4).
     #[getter(P2)]
     fn p2<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         matrix(py, &self.rectification.projection_right())
     }
 
-    /// (4, 4): from (x, y, disparity, 1) in pixels to homogeneous points of the rectified left frame, metres.
+    /// The matrix from (x, y, disparity, 1) in pixels to homogeneous points in the rectified left frame, metres, (4, 4).
     #[getter(Q)]
     fn q<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         matrix(
@@ -106,18 +106,19 @@ impl Rectification {
         )
     }
 
-    /// The distance of the optical centres, metres.
+    /// The baseline in metres.
     #[getter]
     fn baseline(&self) -> f64 {
         self.rectification.baseline
     }
 
-    /// (H, W, 2) float32: where in a camera's image each pixel of its rectified image lies, (x, y), px: for
+    /// The position in a camera's image of each pixel of its rectified image, (x, y) in px, (H, W, 2) float32, for
     /// `cv2.remap(image, maps, None, cv2.INTER_LINEAR)`.
     ///
     /// camera: "left" or "right".
     ///
-    /// Positions may lie outside the image; NaN where the lens sees nothing. Raises oaktwin.Error for another camera.
+    /// Positions may lie outside the image; they are NaN outside the lens's field of view. Raises oaktwin.Error for any other
+    /// camera name.
     fn maps<'py>(&self, py: Python<'py>, camera: &str) -> PyResult<Bound<'py, PyArray3<f32>>> {
         let own = &self.rectification;
         let left = (&self.left.camera, own.rectified_from_left, &own.left);

@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods};
 use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
@@ -14,7 +14,7 @@ use oaktwin::scene::{self, Instance, Label, Mesh, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::array::{contiguous, view};
+use crate::array::triples;
 use crate::camera::Camera;
 use crate::choice::choose;
 use crate::device::Device;
@@ -27,10 +27,10 @@ use crate::threads;
 
 const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
 
-/// Triangles to be rendered on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
+/// A scene to render on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
 ///
-/// The world's axes are the file's own; its unit is the metre, whatever the file's was. Safe to use from many threads. A
-/// pickle opens the file again; triangles travel in it.
+/// The world keeps the file's axes; its unit is the metre, whatever the file's unit is. Thread-safe. Unpickling opens the
+/// file again; triangles are stored in the pickle.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Scene {
     renderer: Renderer,
@@ -39,18 +39,18 @@ pub(crate) struct Scene {
     findings: Vec<diagnostic::Finding>,
 }
 
-/// Where a scene comes from, which is what a pickle holds.
+/// The origin of a scene, which is stored in a pickle.
 enum Origin {
     File { path: PathBuf, options: OpenOptions },
     Triangles,
 }
 
-/// The cameras of a file's own, and what is odd about them.
+/// The cameras of a file, with findings.
 fn cameras(file: &SceneFile) -> (Result<Vec<PlacedCamera>, CameraError>, Vec<diagnostic::Finding>) {
     match scene_cameras(file, &SceneCameraOptions::default()) {
         Ok((cameras, findings)) => (Ok(cameras), findings),
         Err(CameraError::NoCamera { .. }) => (Ok(Vec::new()), Vec::new()),
-        // Only of interest to whom asks for them.
+        // Reported when the cameras are requested.
         Err(error) => (Err(error), Vec::new()),
     }
 }
@@ -60,13 +60,13 @@ impl Scene {
     /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
     ///
     /// path: the file.
-    /// time: the time code of a USD stage; by default the default values, and the first samples.
-    /// subdivide: how often a USD stage's subdivision meshes are refined.
-    /// up: which axis of a mesh file points up, "y" or "z"; by default what its format says.
-    /// scale: how many metres one unit of a mesh file is; by default 1.
+    /// time: the time code of a USD stage; by default the default values, or the first time samples.
+    /// subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
+    /// up: the up axis of a mesh file, "y" or "z"; by default that of its format.
+    /// scale: the metres per unit of a mesh file; by default 1.
     ///
-    /// What is missing in it or not supported is in `findings`. Raises FileNotFoundError and other OSErrors for what cannot be
-    /// read, oaktwin.Error for what is no scene, or an option that its kind does not have.
+    /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
+    /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
     #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None))]
     fn open(
@@ -87,7 +87,7 @@ impl Scene {
         let mut file = opened.map_err(|error| reading(&path, &error))?;
         let (cameras, odd) = cameras(&file);
         file.findings.extend(odd);
-        // Where a pickle of the scene finds it again.
+        // Allows unpickling in another working directory.
         let path = std::path::absolute(&path).unwrap_or(path);
         Ok(Self {
             renderer: Renderer::new(file.scene),
@@ -97,14 +97,14 @@ impl Scene {
         })
     }
 
-    /// A scene of one mesh.
+    /// Creates a scene of one mesh.
     ///
     /// vertices: (V, 3) numbers, metres in the world.
-    /// faces: (F, 3) whole numbers: three vertices each, counter-clockwise seen from outside. Depth sees both sides.
-    /// up: which axis of the world points up, "z" (default) or "y".
-    /// label: the semantic class, if it has one.
+    /// faces: (F, 3) integers: the vertices of each triangle, counter-clockwise seen from outside. Depth contains both sides.
+    /// up: the up axis of the world, "z" (default) or "y".
+    /// label: the semantic class; by default none.
     ///
-    /// Raises oaktwin.Error for other shapes, vertices that are not finite, and faces of vertices that are not there.
+    /// Raises oaktwin.Error for invalid shapes, vertices that are not finite, and vertex indices that are out of range.
     #[staticmethod]
     #[pyo3(signature = (vertices, faces, *, up = "z", label = None))]
     fn from_triangles(
@@ -117,16 +117,20 @@ impl Scene {
         let positions = triples::<f32>("vertices", vertices, "float32")?;
         let faces = triples::<i64>("faces", faces, "int64")?;
         if positions.as_flattened().iter().any(|number| !number.is_finite()) {
-            return Err(wrong("vertices", "some are not finite", "leave those out"));
+            return Err(wrong(
+                "vertices",
+                "contains non-finite values",
+                "remove those vertices",
+            ));
         }
         let count = u32::try_from(positions.len())
-            .map_err(|_| wrong("vertices", "are too many", "give fewer than 2^32"))?;
+            .map_err(|_| wrong("vertices", "too many vertices", "pass fewer than 2^32"))?;
         let corner = |index: i64| {
             u32::try_from(index)
                 .ok()
                 .filter(|index| *index < count)
                 .ok_or_else(|| {
-                    let is = format!("{index} is none of the {count} vertices");
+                    let is = format!("{index} is out of range: there are {count} vertices");
                     wrong("faces", is, "count vertices from 0")
                 })
         };
@@ -161,22 +165,22 @@ impl Scene {
         })
     }
 
-    /// What a camera sees.
+    /// Renders the ground truth of a camera.
     ///
-    /// camera: a device's (`device.cameras["left"]`, `device.depth_camera()`) or your own.
-    /// world_from_camera: where it stands: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
+    /// camera: a device's camera (`device.cameras["left"]`, `device.depth_camera()`) or any other `Camera`.
+    /// world_from_camera: the camera's pose: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
     ///     forward), metres. See `look_at`.
     /// annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
-    /// backend: "auto" (default), "raster" or "ray"; all see the same.
-    /// smooth_edges: whether outlines are smooth in the colours.
+    /// backend: "auto" (default), "raster" or "ray"; the results are equal.
+    /// smooth_edges: whether outlines in colour images are antialiased.
     ///
-    /// Returns a dictionary by name. Of one pose images are (H, W) or (H, W, C), of a batch (N, H, W) or (N, H, W, C):
+    /// Returns a dictionary by annotator. Images are (H, W) or (H, W, C) for one pose, (N, H, W) or (N, H, W, C) for a batch:
     /// distances float32 metres, inf for a miss; "rgb" uint8 with coverage as its fourth channel; "normals" float32 in the
-    /// world's axes, 0 for a miss; segmentations uint32, 0 for the background, with what ids mean in
-    /// "instance_id_segmentation_prim_paths" and "semantic_segmentation_labels". Boxes (structured, as Replicator's) and
-    /// "pointcloud" ((P, 3) float32 in the world) are one array of one pose, a list of arrays of a batch.
+    /// world frame, 0 for a miss; segmentations uint32, 0 for the background, with the meaning of the ids in
+    /// "instance_id_segmentation_prim_paths" and "semantic_segmentation_labels". Bounding boxes (structured, with Replicator's
+    /// fields) and "pointcloud" ((P, 3) float32 in the world, metres) are an array for one pose, a list of arrays for a batch.
     ///
-    /// Raises oaktwin.Error for poses that are none, names that are no annotator's, images that do not fit into the memory.
+    /// Raises oaktwin.Error for invalid poses, unknown annotators, and images that do not fit in memory.
     #[pyo3(signature = (camera, world_from_camera, *, annotators = None, backend = "auto", smooth_edges = true))]
     fn render<'py>(
         &self,
@@ -224,29 +228,28 @@ impl Scene {
         frames.finish(py, &asked)
     }
 
-    /// What the stereo pair of a device records, and the same rectified as the device does it: for a `StereoMatcher`.
+    /// Renders the images of a device's stereo pair, raw and rectified as on the device, for a `StereoMatcher`.
     ///
-    /// device: whose pair; with its lens.
-    /// world_from_body: where its body stands, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
-    /// size: (width, height) of the images, by DepthAI's rule; by default the cameras' own.
-    /// projector: the power of a Pro's infrared dot projector, 0 (default, off) to 1.
-    /// ambient: the factor of the scene's own light; 0 is a dark room.
-    /// imager: values of the image sensors' parameters by name, a mapping: {"bits": 10, "noise": False, ...}.
-    /// seed: of the noise.
-    /// device_seed: of the calibration's error, by which the right camera sees other than the device believes; None has
-    ///     none.
-    /// frame: the number in the sequence: noise is new in every frame, and the same for the same.
+    /// device: the device with the stereo pair.
+    /// world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+    /// size: (width, height) of the images in px, resized by DepthAI's rule; by default the cameras' own.
+    /// projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
+    /// ambient: the scale of the scene's lights; 0 is darkness.
+    /// imager: a mapping of image sensor parameters by name: {"bits": 10, "noise": False, ...}.
+    /// seed: the noise seed.
+    /// device_seed: the seed of the unit's calibration error, which displaces the right camera from its assumed pose; None
+    ///     (default) for no error.
+    /// frame: the frame number in the sequence, which determines the noise together with the seed.
     ///
-    /// Returns a dictionary by name: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 of 10
-    /// bits, the rectified ones 0 where their camera does not see; "z", the truth in the rectified left camera, (H, W)
-    /// float32 metres along its axis, inf for a miss.
+    /// Returns a dictionary: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 with 10 bits; the
+    /// rectified images are 0 outside the camera's image; "z", the ground truth in the rectified left camera, (H, W) float32
+    /// metres along its optical axis, inf for a miss.
     ///
-    /// Warns with oaktwin.FindingWarning of what the pictures had to do without. Raises oaktwin.Error for a device without
-    /// a pair or without the projector that is asked for, a pose that is none, values out of their range, images that do
-    /// not fit into the memory.
+    /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
+    /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
     #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
         device_seed = None, frame = 0))]
-    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
         &self,
         py: Python<'py>,
@@ -280,11 +283,11 @@ impl Scene {
         pair::arrays(py, pair)
     }
 
-    /// The cameras of the file's own, those that `oaktwin render` renders: those of every depth sensor's product, else all.
-    /// A dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres, the camera's axes
-    /// OpenCV's: `scene.render(*scene.cameras["/World/Camera"])`.
+    /// The cameras in the file that `oaktwin render` renders: those of render products with a depth sensor, otherwise all. A
+    /// dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres with OpenCV's axes:
+    /// `scene.render(*scene.cameras["/World/Camera"])`.
     ///
-    /// One that cannot be rendered is left out and in `findings`; raises oaktwin.Error where none can be.
+    /// A camera that cannot be rendered is skipped and listed in `findings`; raises oaktwin.Error if none can be rendered.
     #[getter]
     fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -296,17 +299,20 @@ impl Scene {
         Ok(all)
     }
 
-    /// A file is opened again where the pickle is; triangles travel in it.
+    /// Unpickling opens the file again; triangles are stored in the pickle.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let partial = py.import("functools")?.getattr("partial")?;
         let own = py.get_type::<Self>();
         let options = PyDict::new(py);
         match &self.origin {
-            Origin::File { path, options: said } => {
-                options.set_item("time", said.time)?;
-                options.set_item("subdivide", said.subdivide)?;
-                options.set_item("up", said.up.map(up_name))?;
-                options.set_item("scale", said.scale)?;
+            Origin::File {
+                path,
+                options: opened,
+            } => {
+                options.set_item("time", opened.time)?;
+                options.set_item("subdivide", opened.subdivide)?;
+                options.set_item("up", opened.up.map(up_name))?;
+                options.set_item("scale", opened.scale)?;
                 let open = partial.call((own.getattr("open")?,), Some(&options))?;
                 Ok((open, PyTuple::new(py, [path])?))
             }
@@ -317,7 +323,7 @@ impl Scene {
                     .first()
                     .map(|mesh| (&mesh.positions, &mesh.triangles));
                 let (positions, triangles) =
-                    mesh.ok_or_else(|| wrong("scene", "has no mesh", "make it again"))?;
+                    mesh.ok_or_else(|| wrong("scene", "contains no mesh", "create it again"))?;
                 let labels = scene.instances.iter().flat_map(|instance| &instance.labels);
                 options.set_item("up", up_name(scene.up))?;
                 options.set_item("label", labels.map(|label| &label.name).next())?;
@@ -333,19 +339,19 @@ impl Scene {
         }
     }
 
-    /// What is missing in the file or was left out.
+    /// Warnings about missing and unsupported contents of the file.
     #[getter]
     fn findings(&self) -> Vec<Finding> {
         finding::list(&self.findings)
     }
 
-    /// The axis of the world that points up, "y" or "z".
+    /// The up axis of the world, "y" or "z".
     #[getter]
     fn up(&self) -> &'static str {
         up_name(self.renderer.scene().up)
     }
 
-    /// How many triangles are rendered: those of every instance.
+    /// The number of rendered triangles, counting those of every instance.
     #[getter]
     fn triangle_count(&self) -> usize {
         let scene = self.renderer.scene();
@@ -356,11 +362,11 @@ impl Scene {
         scene.instances.iter().map(of).sum()
     }
 
-    /// The corners of the box around everything, (2, 3) metres in the world; None where there is nothing.
+    /// The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty.
     #[getter]
     fn bounds(&self) -> Option<[[f64; 3]; 2]> {
         let bounds = self.renderer.scene().bounds()?;
-        Some([bounds.low.to_array(), bounds.high.to_array()])
+        Some([bounds.min.to_array(), bounds.max.to_array()])
     }
 
     fn __repr__(&self) -> String {
@@ -420,7 +426,11 @@ fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyRe
     let needed = results.saturating_add(frame_bytes(size, annotators));
     match available_bytes() {
         Some(available) if needed > available => {
-            let is = format!("needs {} of memory, and {} are free", gib(needed), gib(available));
+            let is = format!(
+                "requires {} of memory, but only {} is free",
+                gib(needed),
+                gib(available)
+            );
             Err(wrong(
                 &camera.name,
                 is,
@@ -429,32 +439,4 @@ fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyRe
         }
         _ => Ok(()),
     }
-}
-
-/// An array (N, 3).
-fn triples<T: numpy::Element + Copy>(
-    name: &str,
-    object: &Bound<'_, PyAny>,
-    dtype: &str,
-) -> PyResult<Vec<[T; 3]>> {
-    let array = view(name, object)?;
-    let kind = array.getattr("dtype")?.getattr("kind")?.extract::<String>()?;
-    let fits = if dtype.starts_with("int") { "iu" } else { "fiu" };
-    if !fits.contains(&kind) || array.ndim() != 2 || array.shape().last() != Some(&3) {
-        let is = format!(
-            "has shape {:?} and type {}",
-            array.shape(),
-            array.getattr("dtype")?
-        );
-        let numbers = if dtype.starts_with("int") {
-            "whole numbers"
-        } else {
-            "numbers"
-        };
-        return Err(wrong(name, is, format_args!("give {numbers} (N, 3)")));
-    }
-    let cast = array.call_method1("astype", (dtype,))?;
-    let array = contiguous::<T>(name, cast.cast::<PyUntypedArray>()?)?;
-    let (rows, _) = array.as_slice().map_err(error)?.as_chunks::<3>();
-    Ok(rows.to_vec())
 }

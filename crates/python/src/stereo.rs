@@ -1,16 +1,15 @@
-use std::path::Path;
+mod source;
+
 use std::sync::{Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::catalog::{Origin, Role};
 use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
-use oaktwin::depth::rectify::{Method, RectifyOptions};
+use oaktwin::depth::rectify::Method;
 use oaktwin::depth::stereo_matching::{NAMES, Pair};
 use oaktwin::sense::FieldOfView;
-use oaktwin::sensor::{Engine, SensorOptions, platform};
-use oaktwin::stereo::{Matcher, PairOf, Seen, StereoError, check_calibration};
-use oaktwin::usd::asset::LensChoice;
+use oaktwin::sensor::{Engine, SensorOptions};
+use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
@@ -23,61 +22,49 @@ use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
 use crate::settings::Settings;
 use crate::threads;
+use source::{METHODS, Source};
 
 const PLATFORMS: [(&str, Platform); 2] = [("rvc2", Platform::Rvc2), ("rvc4", Platform::Rvc4)];
 
-const METHODS: [(&str, Method); 4] = [
-    ("auto", Method::Auto),
-    ("homography", Method::Homography),
-    ("mesh", Method::Mesh),
-    ("full", Method::Full),
-];
-
-/// What is looked at before there is a pair that is no device's.
-const FIRST_SIZE: ImageSize = ImageSize {
-    width: 1280,
-    height: 800,
-};
-
-/// The stereo matcher of an OAK on a pair of images: left and right in, depth out. What `oaktwin stereo` does with files.
+/// The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
 ///
-/// device: whose cameras took them; or None for any rectified pair, with fx (or hfov_deg) and baseline.
-/// raw: whether the images are as the cameras take them and have to be rectified first, as the device does it; by default
-///     those of a calibrated device are, and those of a fisheye lens.
-/// rectify: how raw images are rectified: "homography" (leaves the lens's distortion), "mesh" (a position every 16
-///     pixels), "full" (a position for each), "auto" (a homography up to 85 degrees of view, a mesh above); by default as
-///     the device does it.
-/// fx: the rectified images' focal length, px.
-/// hfov_deg: or their horizontal field of view, degrees.
-/// baseline: between the two cameras, metres.
-/// platform: the processor whose defaults and presets hold, "rvc2" or "rvc4"; by default the device's, else "rvc2".
-/// preset: one of DepthAI's for the platform: "default", "face", "robotics", ...: the mode and the filters.
-/// filters: filters as text, first to last; they take the place of the preset's.
-/// parameters: values of the matcher's parameters by name, a mapping; after everything else.
-/// extended_disparity: find disparities up to 190 px instead of 95: nearer things.
+/// device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
+/// raw: whether the images are unrectified and have to be rectified first, as on the device; by default True for a
+///     calibrated device and for a fisheye lens.
+/// rectify: the rectification method for raw images: "homography" (ignores lens distortion), "mesh" (a position every 16
+///     pixels), "full" (a position for every pixel), "auto" (homography up to a field of view of 85 degrees, mesh above);
+///     by default the device's.
+/// fx: the focal length of the rectified images, px.
+/// hfov_deg: alternatively their horizontal field of view, degrees.
+/// baseline: the distance between the cameras, metres.
+/// platform: the platform that determines defaults and presets, "rvc2" or "rvc4"; by default the device's, otherwise "rvc2".
+/// preset: the name of a DepthAI preset of the platform: "default", "face", "robotics", ...: sets the mode and the filters.
+/// filters: the filters as text, in order; they replace the preset's filters.
+/// parameters: a mapping of matcher parameters by name; overrides all other settings.
+/// extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
 ///
-/// Raises oaktwin.Error for a device without a pair, or whose calibration does not say how it is placed; for a preset,
-/// filter or parameter that does not exist or is out of its range, with the nearest names.
+/// Raises oaktwin.Error for a device without a stereo pair or without calibrated extrinsics of the pair, and for an unknown
+/// or invalid preset, filter or parameter, with the nearest names.
 ///
-/// A call, `matcher(left, right)`, matches one pair, or a batch of pairs of one size:
+/// A call, `matcher(left, right)`, matches a pair, or a batch of pairs of the same size:
 ///
-/// left, right: (H, W) or (N, H, W) uint8, or uint16 of 10 bits (0 to 1023), or colours (H, W, 3 or 4) or (N, H, W, 3 or 4)
-///     uint8, of which the luma is taken. Any object with the buffer protocol, DLPack or NumPy's array interface in the
-///     memory of the CPU.
+/// left, right: (H, W) or (N, H, W) uint8, or uint16 with 10 bits (0 to 1023), or colours (H, W, 3 or 4) or (N, H, W, 3 or 4)
+///     uint8, which are converted to luma. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array
+///     interface in CPU memory.
 ///
-/// Returns a dictionary. "depth": (H, W) float32 metres along the axis of the rectified left camera, 0 where nothing was
-/// measured; smaller where a filter decimates. "disparity": (H, W) float32 px, 0 where nothing was measured. "confidence":
-/// (H, W) uint8, 255 is surest. "rectified_left" and "rectified_right": what was matched. "findings": what is wrong with
-/// the images, a list of Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image",
-/// "same-image", "unrelated".
-/// Of a batch each array begins with N, and a finding's place with the number of its pair; pairs are matched as by a matcher
-/// that has seen none before, each on a thread of its own where there are enough.
+/// Returns a dictionary. "depth": (H, W) float32 metres along the optical axis of the rectified left camera, 0 where invalid;
+/// smaller if a filter decimates. "disparity": (H, W) float32 px, 0 where invalid. "confidence": (H, W) uint8, 255 is the
+/// highest. "rectified_left" and "rectified_right": the matched images. "findings": the problems of the images, a list of
+/// Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image", "same-image", "unrelated".
+/// For a batch, each array has a leading dimension N, and a finding's place begins with the index of its pair; the pairs are
+/// matched in parallel, independently of earlier calls.
 ///
-/// Raises TypeError for what is no array or of another type, oaktwin.Error for another shape and for two images of two
-/// sizes or kinds.
+/// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
+/// images of different sizes or dtypes.
 ///
-/// A temporal filter remembers the pairs of earlier calls, but for batches, until their size changes. Safe to use from many
-/// threads; calls of one matcher wait for each other. A pickle has the settings, and a calibration with its device, but not what was seen.
+/// A temporal filter uses the pairs of earlier calls, except batches, until the image size changes. Thread-safe; calls of
+/// one matcher run one after another. Pickling preserves the settings and the device's calibration, but not the state of
+/// temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct StereoMatcher {
     source: Source,
@@ -86,114 +73,11 @@ pub(crate) struct StereoMatcher {
     matcher: Mutex<Matcher>,
 }
 
-/// Of Python's constructor, in their order.
+/// The positional arguments of the constructor.
 type Arguments<'a> = (Option<&'a Py<Device>>,);
 
-/// What takes the pairs.
-enum Source {
-    Device {
-        device: Py<Device>,
-        is_raw: bool,
-        rectify: Option<Method>,
-    },
-    Any {
-        field_of_view: FieldOfView,
-        baseline_m: f64,
-    },
-}
-
-impl Source {
-    fn device(device: &Bound<'_, Device>, raw: Option<bool>, rectify: Option<&str>) -> PyResult<Self> {
-        let own = device.get();
-        let rectify = rectify
-            .map(|name| choose("rectify", name, &METHODS))
-            .transpose()?;
-        if let Origin::Calibration { file_name, .. } = &own.twin.origin {
-            check_calibration(Path::new(file_name), &own.findings).map_err(error)?;
-        }
-        let by_default = own.twin.origin != Origin::Nominal || own.lens == LensChoice::Fisheye;
-        if raw == Some(false) && rectify.is_some() {
-            let is = "images that are rectified are not rectified again";
-            return Err(wrong("rectify", is, "leave it out, or raw=False"));
-        }
-        Ok(Self::Device {
-            device: device.clone().unbind(),
-            is_raw: raw.unwrap_or(by_default || rectify.is_some()),
-            rectify,
-        })
-    }
-
-    fn any(fx: Option<f64>, hfov_deg: Option<f64>, baseline: Option<f64>) -> PyResult<Self> {
-        let field_of_view = match (fx, hfov_deg) {
-            (Some(fx), None) => Some(FieldOfView::FocalLength(fx)),
-            (None, Some(hfov)) => Some(FieldOfView::Degrees(hfov)),
-            (None, None) => None,
-            _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
-        };
-        match (field_of_view, baseline) {
-            (Some(field_of_view), Some(baseline_m)) => Ok(Self::Any {
-                field_of_view,
-                baseline_m,
-            }),
-            _ => Err(wrong(
-                "device",
-                "nothing says what takes the images",
-                "give a device, or fx (or hfov_deg) and baseline of a rectified pair",
-            )),
-        }
-    }
-
-    /// What a matcher is made for, until there is a pair.
-    fn first_size(&self) -> ImageSize {
-        match self {
-            Self::Device { device, .. } => {
-                let left = device.get().twin.camera(Role::Left);
-                left.map_or(FIRST_SIZE, |left| left.intrinsics.size)
-            }
-            Self::Any { .. } => FIRST_SIZE,
-        }
-    }
-
-    fn matcher(
-        &self,
-        chosen: Option<Platform>,
-        options: &SensorOptions,
-        size: ImageSize,
-    ) -> Result<Matcher, StereoError> {
-        let of = match self {
-            Self::Device {
-                device,
-                is_raw,
-                rectify,
-            } => {
-                let device = device.get();
-                let own = chosen.or_else(|| platform(&device.twin));
-                PairOf::Twin {
-                    twin: &device.twin,
-                    lens: device.lens,
-                    is_raw: *is_raw,
-                    rectify: rectify.map(|method| RectifyOptions {
-                        method,
-                        ..RectifyOptions::of(own.unwrap_or(Platform::Rvc4))
-                    }),
-                    platform: chosen,
-                }
-            }
-            Self::Any {
-                field_of_view,
-                baseline_m,
-            } => PairOf::Rectified {
-                field_of_view: *field_of_view,
-                baseline_m: *baseline_m,
-                platform: chosen.unwrap_or(Platform::Rvc2),
-            },
-        };
-        Matcher::new(&of, size, options)
-    }
-}
-
 impl StereoMatcher {
-    /// Uses the matcher of a size, the interpreter released.
+    /// Runs work with the matcher of an image size, with the interpreter released.
     fn with_matcher<T: Send>(
         &self,
         py: Python<'_>,
@@ -202,7 +86,7 @@ impl StereoMatcher {
     ) -> PyResult<T> {
         py.check_signals()?;
         let done = py.detach(|| {
-            // Taken before the pool's threads are: they never wait for it.
+            // Locked before entering the pool, so that the pool's threads never wait for the lock.
             let mut matcher = self.matcher.lock().unwrap_or_else(PoisonError::into_inner);
             let matcher = &mut *matcher;
             threads::install(|| {
@@ -218,8 +102,8 @@ impl StereoMatcher {
     fn match_batch<'py>(&self, py: Python<'py>, left: Images, right: Images) -> PyResult<Bound<'py, PyDict>> {
         let (size, is_wide) = (left.size, left.is_wide);
         if (right.size, right.is_wide) != (size, is_wide) {
-            let is = format!("is {} of another kind than left, {size}", right.size);
-            return Err(wrong("right", is, "give both in one size and type"));
+            let is = format!("{} has another size or dtype than left, {size}", right.size);
+            return Err(wrong("right", is, "pass images of the same size and dtype"));
         }
         let own = (size.width, size.height);
         let smaller = self.with_matcher(py, size, |matcher| {
@@ -230,7 +114,7 @@ impl StereoMatcher {
         let mut eight = [Stack::new(own), Stack::new(own)];
         let mut ten = [Stack::new(own), Stack::new(own)];
         let mut findings = Vec::new();
-        // As many as are matched at once, then signals are looked at.
+        // Signals are checked between groups of pairs that are matched in parallel.
         let at_once = threads::install(rayon::current_num_threads)?.max(1);
         let mut pairs = left.images.into_iter().zip(right.images);
         for first in (0..).step_by(at_once) {
@@ -272,7 +156,7 @@ impl StereoMatcher {
         Ok(all)
     }
 
-    /// Asks the matcher of the size that was looked at last.
+    /// Reads from the matcher of the most recent image size.
     fn ask<T: Send>(&self, py: Python<'_>, what: impl FnOnce(&mut Matcher) -> T + Send) -> T {
         py.detach(|| what(&mut self.matcher.lock().unwrap_or_else(PoisonError::into_inner)))
     }
@@ -287,7 +171,7 @@ impl StereoMatcher {
         text_signature = "(device=None, *, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, \
         preset=None, filters=(), parameters=None, extended_disparity=False)"
     )]
-    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
         device: Option<&Bound<'_, Device>>,
@@ -317,20 +201,24 @@ impl StereoMatcher {
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {
             Some(_) if of_any => {
-                let remedy = "leave out fx, hfov_deg and baseline, or the device";
-                return Err(wrong("device", "it says what its cameras are", remedy));
+                let remedy = "omit fx, hfov_deg and baseline, or the device";
+                return Err(wrong(
+                    "device",
+                    "conflicts with fx, hfov_deg and baseline",
+                    remedy,
+                ));
             }
             Some(device) => Source::device(device, raw, rectify)?,
             None if raw == Some(true) || rectify.is_some() => {
-                let is = "only a device's images are rectified here";
-                return Err(wrong("raw, rectify", is, "give a device, or rectified images"));
+                let is = "require a device";
+                return Err(wrong("raw, rectify", is, "pass a device, or rectified images"));
             }
-            None => Source::any(fx, hfov_deg, baseline)?,
+            None => Source::rectified(fx, hfov_deg, baseline)?,
         };
         let platform = platform
             .map(|name| choose("platform", name, &PLATFORMS))
             .transpose()?;
-        // So what is wrong is told now.
+        // Reports invalid settings immediately.
         let matcher = py.detach(|| source.matcher(platform, &options, source.first_size()));
         Ok(Self {
             matcher: Mutex::new(matcher.map_err(error)?),
@@ -356,7 +244,7 @@ impl StereoMatcher {
                 options.set_item("rectify", name(&METHODS, rectify.as_ref()))?;
                 Some(device)
             }
-            Source::Any {
+            Source::Rectified {
                 field_of_view,
                 baseline_m,
             } => {
@@ -377,7 +265,7 @@ impl StereoMatcher {
         Ok(((device,), options))
     }
 
-    /// See the class.
+    /// Matches a pair or a batch of pairs; see the class.
     fn __call__<'py>(
         &self,
         py: Python<'py>,
@@ -388,7 +276,7 @@ impl StereoMatcher {
         let (left, right) = match (left.batch, right.batch) {
             (None, None) => match (left.images.pop(), right.images.pop()) {
                 (Some(left), Some(right)) => (left, right),
-                _ => return Err(wrong("left, right", "have no image", "give one")),
+                _ => return Err(wrong("left, right", "contain no image", "pass an image")),
             },
             (count, other) if count == other => return self.match_batch(py, left, right),
             (count, other) => {
@@ -397,10 +285,10 @@ impl StereoMatcher {
                     None => "one image".to_owned(),
                 };
                 let is = format!("is {}, left {}", words(other), words(count));
-                return Err(wrong("right", is, "give a right image for each left one"));
+                return Err(wrong("right", is, "pass a right image for each left one"));
             }
         };
-        // Before another size makes it forget.
+        // An invalid pair must not reset the matcher by its size.
         Pair::new(&left, &right).map_err(error)?;
         let size = ImageSize::new(left.width(), left.height());
         let seen = self.with_matcher(py, size, |matcher| matcher.look(left, right))?;
@@ -419,13 +307,13 @@ impl StereoMatcher {
         Ok(all)
     }
 
-    /// Forgets all earlier pairs.
+    /// Resets the state of temporal filters.
     fn reset(&self, py: Python<'_>) {
         self.ask(py, Matcher::reset);
     }
 
-    /// The rectified left camera, whose depth is measured, for images of the size that was looked at last; before that the
-    /// device's own, of any pair 1280 x 800.
+    /// The rectified left camera, in whose frame depth is measured, for the most recent image size; initially for the device's
+    /// own size, or 1280 x 800 without a device.
     #[getter]
     fn camera(&self, py: Python<'_>) -> Camera {
         self.ask(py, |matcher| {
@@ -433,19 +321,19 @@ impl StereoMatcher {
         })
     }
 
-    /// Between the two cameras, metres.
+    /// The distance between the cameras, metres.
     #[getter]
     fn baseline(&self, py: Python<'_>) -> f64 {
         self.ask(py, |matcher| matcher.baseline_m())
     }
 
-    /// How images are rectified, "homography", "mesh" or "full"; None where they are.
+    /// The rectification method, "homography", "mesh" or "full"; None if the images are rectified already.
     #[getter]
     fn rectify(&self, py: Python<'_>) -> Option<&'static str> {
         self.ask(py, |matcher| matcher.method().map(Method::name))
     }
 
-    /// The matcher's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
+    /// The matcher's parameters by name, in the format of `parameters=`, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let values = self.ask(py, |matcher| match matcher.sensor().engine() {
@@ -460,7 +348,7 @@ impl StereoMatcher {
             .into_py_dict(py)
     }
 
-    /// The filters, as `filters=` takes them.
+    /// The filters, in the format of `filters=`.
     #[getter]
     fn filters(&self, py: Python<'_>) -> Vec<String> {
         self.ask(py, |matcher| {
@@ -469,7 +357,7 @@ impl StereoMatcher {
         })
     }
 
-    /// What about the matcher is not as the device says. What is wrong with images is in what a call returns.
+    /// Findings about the settings. Findings about images are returned by the call.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Finding> {
         self.ask(py, |matcher| finding::list(matcher.findings()))
@@ -478,7 +366,7 @@ impl StereoMatcher {
     fn __repr__(&self, py: Python<'_>) -> String {
         let whose = match &self.source {
             Source::Device { device, .. } => device.get().twin.device.name.clone(),
-            Source::Any { .. } => "any pair".to_owned(),
+            Source::Rectified { .. } => "any pair".to_owned(),
         };
         let camera = self.ask(py, |matcher| matcher.camera());
         let rectify = self.rectify(py).unwrap_or("rectified");

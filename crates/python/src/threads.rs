@@ -1,4 +1,4 @@
-//! Work away from the interpreter: on a pool of threads, and told of Ctrl-C.
+//! Runs work on a thread pool with the interpreter released and Ctrl-C handled.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,10 +10,10 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// How long Ctrl-C may take.
+/// The maximum delay of Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
 
-/// The pool of this process: one forked from it has none of its threads, and makes its own.
+/// The pool of this process; a forked process creates its own, because it inherits no threads.
 static POOL: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
 
 fn pool() -> PyResult<&'static ThreadPool> {
@@ -25,21 +25,21 @@ fn pool() -> PyResult<&'static ThreadPool> {
         return Ok(pool);
     }
     let made = ThreadPoolBuilder::new().build().map_err(|error| {
-        PyRuntimeError::new_err(format!("no threads can be started ({error}); raise the limit"))
+        PyRuntimeError::new_err(format!("cannot start threads ({error}); increase the limit"))
     })?;
-    // Kept for good: that of a parent has no thread here that could end it.
+    // Never dropped: a pool inherited from a parent process has no threads to end.
     let made: &'static ThreadPool = Box::leak(Box::new(made));
     *pool = Some((own, made));
     Ok(made)
 }
 
-/// Runs on the pool, the interpreter released.
+/// Runs work on the pool, with the interpreter released.
 pub(crate) fn run<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let pool = pool()?;
     Ok(py.detach(|| pool.install(work)))
 }
 
-/// Runs what belongs on the pool where the interpreter is released already.
+/// Runs work on the pool if the interpreter is released already.
 pub(crate) fn install<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
     Ok(pool()?.install(work))
 }
@@ -48,8 +48,8 @@ fn signals(py: Python<'_>) -> PyResult<()> {
     py.check_signals()
 }
 
-/// Runs on the pool, the interpreter released, and raises what a signal raises: the work is then told to stop and its
-/// result dropped.
+/// Runs work on the pool, with the interpreter released, and raises the exception of a signal: the work is then
+/// cancelled and its result dropped.
 pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,

@@ -86,7 +86,7 @@ def test_results_are_written_in_place(sensor, room):
     whole = np.zeros((3, *depth.shape), np.float32)
     sensor(depth, out=whole[1])
     assert np.array_equal(whole[1], expected) and not whole[[0, 2]].any()
-    with pytest.raises(TypeError, match="list is no array"):
+    with pytest.raises(TypeError, match="list is not an array"):
         sensor(depth, out=[[0.0]])
     with pytest.raises(oaktwin.Error):
         sensor(depth, out=bytes(depth.nbytes))
@@ -96,7 +96,7 @@ def test_the_same_memory_is_refused_by_every_way(sensor, room):
     both = np.zeros((3, *room[0].shape), np.float32)
     for depth, out in [(both[0], both[0]), (Capsule(both[0]), both[0]), (both[:2], both[1:]),
                        (Interface(both[0]), both[0]), (memoryview(both[0]), both[0])]:
-        with pytest.raises(oaktwin.Error, match="give an array of its own"):
+        with pytest.raises(oaktwin.Error, match="pass a separate array"):
             sensor(depth, out=out)
 
 

@@ -133,7 +133,7 @@ def test_usd(program, tmp_path, device):
     assert (tmp_path / "ours.usd").read_bytes() == (tmp_path / "theirs.usd").read_bytes()
     device.write_usd(str(tmp_path / "ours.usdz"), body=False)
     assert (tmp_path / "ours.usdz").read_bytes()[:2] == b"PK"
-    with pytest.raises(oaktwin.Error, match=r"\.obj is no USD format"):
+    with pytest.raises(oaktwin.Error, match=r"\.obj is not a USD format"):
         device.write_usd(tmp_path / "ours.obj")
     with pytest.raises(FileNotFoundError, match="make the folder first"):
         device.write_usd(tmp_path / "no/ours.usd")
@@ -212,7 +212,7 @@ def test_cameras_of_ones_own():
         "give one": dict(size=(4, 4)),
         "3x3": dict(size=(4, 4), K=np.eye(4)),
         "no camera matrix": dict(size=(4, 4), K=-np.eye(3)),
-        "is no array of numbers": dict(size=(4, 4), K="K"),
+        "is not an array of numbers": dict(size=(4, 4), K="K"),
         "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
         "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),
         "a pinhole has none": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),

@@ -97,19 +97,19 @@ def test_bad_rooms(image):
     for error, text, out in [
         (oaktwin.Error, "out: has shape", np.zeros((3, 3), np.uint16)),
         (oaktwin.Error, "out: has shape", np.zeros((1, *image.shape), np.uint16)),
-        (TypeError, "give the image's type, uint16", np.zeros(image.shape, np.float32)),
-        (TypeError, "give the image's type, uint16", np.zeros(image.shape, ">u2")),
-        (TypeError, "list is no array", [[0]]),
+        (TypeError, "pass the image's dtype, uint16", np.zeros(image.shape, np.float32)),
+        (TypeError, "pass the image's dtype, uint16", np.zeros(image.shape, ">u2")),
+        (TypeError, "list is not an array", [[0]]),
         (oaktwin.Error, "C-contiguous", np.zeros(image.shape, np.uint16, order="F")),
         (oaktwin.Error, "read-only", frozen),
-        (oaktwin.Error, "give an array of its own", image),
-        (oaktwin.Error, "give an array of its own", memoryview(image)),
+        (oaktwin.Error, "pass a separate array", image),
+        (oaktwin.Error, "pass a separate array", memoryview(image)),
     ]:
         with pytest.raises(error) as raised:
             median(image, out=out)
         assert text in str(raised.value)
     both = np.zeros((3, *image.shape), np.uint16)
-    with pytest.raises(oaktwin.Error, match="give an array of its own"):
+    with pytest.raises(oaktwin.Error, match="pass a separate array"):
         median(both[:2], out=both[1:])
     assert not frozen.any()
 
@@ -126,7 +126,7 @@ def test_bad_filters(image):
         with pytest.raises(oaktwin.Error) as raised:
             call()
         assert text in str(raised.value)
-    with pytest.raises(TypeError, match="give uint16, uint8 or float32"):
+    with pytest.raises(TypeError, match="pass uint16, uint8 or float32"):
         oaktwin.filters.median(image.astype(float))
     with pytest.raises(TypeError):
         oaktwin.Filter(3)

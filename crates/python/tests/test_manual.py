@@ -99,7 +99,7 @@ def test_everything_is_documented(name, item):
         return
     whole = text + (inspect.getdoc(oaktwin.filters) if name.startswith("oaktwin.filters") else "")
     if name == "oaktwin.accuracy":
-        # "The others are those of `DepthSensor`."
+        # "All other arguments are those of `DepthSensor`."
         whole += inspect.getdoc(oaktwin.DepthSensor)
     unsaid = [one for one in arguments if one not in ("self", "args", "kwargs") and one not in whole]
     assert not unsaid, f"{name} does not say what {unsaid} is"
@@ -113,7 +113,7 @@ def test_shapes_and_invalid_values_are_said(name):
     for part in name.split("."):
         item = getattr(item, part)
     text = " ".join(inspect.getdoc(item).split())
-    assert "(H, W" in text and ("metres" in text) and ("0 where" in text or "0 is no" in text or "0 for" in text)
+    assert "(H, W" in text and ("metres" in text) and (any(words in text for words in ["0 where", "0 is invalid", "0 is no", "0 for", "0 outside"]))
 
 
 @pytest.mark.parametrize(

@@ -238,7 +238,7 @@ def test_what_is_refused(tmp_path, seen):
     other = oaktwin.Camera((20, 20), hfov_deg=60, name=camera.name)
     with oaktwin.Recording(tmp_path / "a.mcap") as recording:
         for wrong, message in [
-            (dict(depth=depth), "give one image of the camera"),
+            (dict(depth=depth), "pass an image of the camera"),
             (dict(measured=depth[0, 1:]), "measured: has shape"),
             (dict(rgb=rgb[0, 1:]), "rgb: has shape"),
             (dict(time=-1.0), "no time of a recording"),
@@ -246,12 +246,12 @@ def test_what_is_refused(tmp_path, seen):
         ]:
             with pytest.raises(oaktwin.Error, match=message):
                 recording.log(camera, poses[0], **wrong)
-        with pytest.raises(oaktwin.Error, match="is several poses"):
+        with pytest.raises(oaktwin.Error, match="contains several poses"):
             recording.log(camera, poses)
         with pytest.raises(TypeError):
             recording.log(camera, poses[0], depth=depth[0].astype(np.float64))
         recording.log(camera, poses[0], depth=depth[0])
-        with pytest.raises(oaktwin.Error, match="is another camera"):
+        with pytest.raises(oaktwin.Error, match="is already the name"):
             recording.log(other, poses[0])
     recording.close()
     assert "closed" in repr(recording)

@@ -113,14 +113,14 @@ def test_bad_scenes(tmp_path):
     for text, arguments in {
         "vertices: has shape": (WALL[:, :2], faces),
         "faces: has shape": (WALL, faces[0]),
-        "whole numbers": (WALL, faces.astype(float)),
-        "3 is none of the 3 vertices": (WALL, faces + 1),
-        "-1 is none of": (WALL, faces - 1),
-        "not finite": (endless, faces),
+        "pass integers": (WALL, faces.astype(float)),
+        "3 is out of range: there are 3 vertices": (WALL, faces + 1),
+        "-1 is out of range": (WALL, faces - 1),
+        "non-finite": (endless, faces),
     }.items():
         with pytest.raises(oaktwin.Error, match=text):
             oaktwin.Scene.from_triangles(*arguments)
-    with pytest.raises(TypeError, match="no array"):
+    with pytest.raises(TypeError, match="not an array"):
         oaktwin.Scene.from_triangles([[0, 0, 0]], faces)
     assert oaktwin.Scene.from_triangles(np.empty((0, 3)), np.empty((0, 3), int)).bounds is None
     with pytest.raises(FileNotFoundError, match="check the path"):
@@ -153,11 +153,11 @@ def test_bad_renderings(wall):
         ("DepthSensor", (camera, EYE), dict(annotators=["depth_sensor_distance"])),
         ("backend: there is no", (camera, EYE), dict(backend="gpu")),
         ("world_from_camera: has shape", (camera, EYE[:3]), {}),
-        ("no rotation", (camera, np.diag([2.0, 2, 2, 1])), {}),
-        ("no rotation", (camera, np.diag([1.0, 1, -1, 1])), {}),
-        ("not finite", (camera, EYE * np.nan), {}),
+        ("not a rotation", (camera, np.diag([2.0, 2, 2, 1])), {}),
+        ("not a rotation", (camera, np.diag([1.0, 1, -1, 1])), {}),
+        ("non-finite", (camera, EYE * np.nan), {}),
         ("last row", (camera, np.ones((2, 4, 4))), {}),
-        ("no array of numbers", (camera, "here"), {}),
+        ("not an array of numbers", (camera, "here"), {}),
         ("of memory", (oaktwin.Camera((1 << 15, 1 << 15), hfov_deg=20), np.stack([EYE] * 10000)), {}),
     ]:
         with pytest.raises(oaktwin.Error) as raised:

@@ -174,7 +174,7 @@ def test_what_cannot_be_aligned(device, room):
     }.items():
         with pytest.raises(oaktwin.Error, match=text):
             oaktwin.DepthSensor(device).align(room[0], **arguments)
-    with pytest.raises(oaktwin.Error, match="no rotation"):
+    with pytest.raises(oaktwin.Error, match="not a rotation"):
         oaktwin.align(room[0], left, rgb, target_from_source=2 * np.eye(4) - np.diag([0, 0, 0, 1]))
 
 
@@ -264,11 +264,11 @@ def test_bad_calls(device, room):
     depth, rgb = room
     sensor = oaktwin.DepthSensor(device)
     for error, text, call in [
-        (TypeError, "list is no array", lambda: sensor([[1.0]])),
-        (TypeError, "NoneType is no array", lambda: sensor(None)),
-        (TypeError, "float64; give float32 metres", lambda: sensor(depth.astype(float))),
+        (TypeError, "list is not an array", lambda: sensor([[1.0]])),
+        (TypeError, "NoneType is not an array", lambda: sensor(None)),
+        (TypeError, "float64; pass float32 metres", lambda: sensor(depth.astype(float))),
         (TypeError, "int32", lambda: sensor(np.zeros(depth.shape, np.int32))),
-        (TypeError, "give uint8", lambda: sensor(depth, rgb.astype(np.float32))),
+        (TypeError, "pass uint8", lambda: sensor(depth, rgb.astype(np.float32))),
         (TypeError, "float64", lambda: sensor(depth, out=np.empty(depth.shape))),
         (TypeError, "", lambda: sensor(depth, rgb, 3)),
         (TypeError, "", lambda: sensor(depth, colour=rgb)),
@@ -281,7 +281,7 @@ def test_bad_calls(device, room):
         (oaktwin.Error, "rgb: has shape", lambda: sensor(depth[None], rgb)),
         (oaktwin.Error, "out: has shape", lambda: sensor(depth, out=np.empty((3, 3), np.float32))),
         (oaktwin.Error, "C-contiguous", lambda: sensor(depth, out=np.empty(depth.shape, np.float32, order="F"))),
-        (oaktwin.Error, "give an array of its own", lambda: sensor(depth, out=depth)),
+        (oaktwin.Error, "pass a separate array", lambda: sensor(depth, out=depth)),
         (OverflowError, "", lambda: sensor(depth, frame=-1)),
         (OverflowError, "", lambda: sensor(depth, frame=1 << 64)),
         (OverflowError, "", lambda: oaktwin.DepthSensor(device, seed=-1)),

@@ -121,5 +121,5 @@ def test_what_a_sensor_cannot_say(device, room):
         assert text in str(raised.value)
     with pytest.raises(TypeError):
         sensor.annotate(depth)
-    with pytest.raises(TypeError, match="give float32"):
+    with pytest.raises(TypeError, match="pass float32"):
         sensor.annotate(depth.astype(float), annotators=[])

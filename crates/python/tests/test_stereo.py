@@ -208,8 +208,8 @@ def test_pairs_that_cannot_be_taken(wall):
         (lambda: wall.render_pair(device, AHEAD, imager=10), "imager: is no mapping"),
         (lambda: wall.render_pair(device, AHEAD, size=(0, 4)), "has no pixel"),
         (lambda: wall.render_pair(device, AHEAD, size=(1 << 20, 1 << 20)), "more than 2.31 pixels"),
-        (lambda: wall.render_pair(device, np.stack([AHEAD] * 2)), "world_from_body: is several poses"),
-        (lambda: wall.render_pair(device, AHEAD * np.nan), "world_from_body: has numbers that are not finite"),
+        (lambda: wall.render_pair(device, np.stack([AHEAD] * 2)), "world_from_body: contains several poses"),
+        (lambda: wall.render_pair(device, AHEAD * np.nan), "world_from_body: has non-finite values"),
     ]:
         with pytest.raises(oaktwin.Error, match=said):
             call()
@@ -245,17 +245,17 @@ def test_images_of_any_making(matcher, textured):
     [
         (np.zeros((9, 12), np.uint8), np.zeros((9, 13), np.uint8), oaktwin.Error, "left image is 12x9, the right one 13x9"),
         (np.zeros((9, 12), np.uint8), np.zeros((9, 12), np.uint16), oaktwin.Error, "8 bits, the right one 10"),
-        (np.zeros((9, 12), np.float32), np.zeros((9, 12), np.uint8), TypeError, "left: its numbers are float32; give uint8"),
-        (np.zeros((9, 12), np.uint8), np.full((9, 12), np.nan), TypeError, "right: its numbers are float64"),
-        (np.zeros((9, 12), np.int16), np.zeros((9, 12), np.int16), TypeError, "left: its numbers are int16"),
-        (np.zeros((9, 12), bool), np.zeros((9, 12), bool), TypeError, "left: its numbers are bool"),
+        (np.zeros((9, 12), np.float32), np.zeros((9, 12), np.uint8), TypeError, "left: unsupported dtype float32; pass uint8"),
+        (np.zeros((9, 12), np.uint8), np.full((9, 12), np.nan), TypeError, "right: unsupported dtype float64"),
+        (np.zeros((9, 12), np.int16), np.zeros((9, 12), np.int16), TypeError, "left: unsupported dtype int16"),
+        (np.zeros((9, 12), bool), np.zeros((9, 12), bool), TypeError, "left: unsupported dtype bool"),
         (np.zeros((0, 12), np.uint8), np.zeros((0, 12), np.uint8), oaktwin.Error, "left: .*has no pixel"),
-        (np.zeros((1, 2, 9, 12), np.uint8), np.zeros((2, 9, 12), np.uint8), oaktwin.Error, r"left: has shape \[1, 2, 9, 12\]; give one"),
+        (np.zeros((1, 2, 9, 12), np.uint8), np.zeros((2, 9, 12), np.uint8), oaktwin.Error, r"left: has shape \[1, 2, 9, 12\]; pass an image"),
         (np.zeros(12, np.uint8), np.zeros(12, np.uint8), oaktwin.Error, r"left: has shape \[12\]"),
-        (np.zeros((9, 12, 3), np.uint16), np.zeros((9, 12, 3), np.uint16), TypeError, "left: its colours are uint16"),
+        (np.zeros((9, 12, 3), np.uint16), np.zeros((9, 12, 3), np.uint16), TypeError, "left: unsupported dtype uint16 for colours"),
         (np.full((9, 12), 1024, np.uint16), np.zeros((9, 12), np.uint16), oaktwin.Error, "left: .*up to 1024; .*>> 6"),
-        ([[1, 2], [3, 4]], np.zeros((2, 2), np.uint8), TypeError, "left: list is no array"),
-        (np.zeros((2, 2), np.uint8), None, TypeError, "right: NoneType is no array"),
+        ([[1, 2], [3, 4]], np.zeros((2, 2), np.uint8), TypeError, "left: list is not an array"),
+        (np.zeros((2, 2), np.uint8), None, TypeError, "right: NoneType is not an array"),
     ],
 )
 def test_wrong_images(matcher, textured, left, right, kind, said):
@@ -275,24 +275,24 @@ def test_small_images(matcher):
 @pytest.mark.parametrize(
     "options, said",
     [
-        ({}, "device: nothing says what takes the images; give a device, or fx"),
-        ({"fx": 300}, "nothing says"),
-        ({"baseline": 0.1}, "nothing says"),
-        ({"fx": 300, "hfov_deg": 60, "baseline": 0.1}, "fx, hfov_deg: both say the same"),
+        ({}, "device: the camera of the images is unknown; pass a device, or fx"),
+        ({"fx": 300}, "camera of the images is unknown"),
+        ({"baseline": 0.1}, "camera of the images is unknown"),
+        ({"fx": 300, "hfov_deg": 60, "baseline": 0.1}, "fx, hfov_deg: only one of them"),
         ({"fx": float("nan"), "baseline": 0.1}, "fx: NaN is out of range"),
         ({"fx": 0, "baseline": 0.1}, "fx: 0 is out of range"),
         ({"hfov_deg": 180, "baseline": 0.1}, "hfov"),
         ({"fx": 300, "baseline": 0}, "baseline"),
         ({"fx": 300, "baseline": float("inf")}, "baseline"),
-        ({"fx": 300, "baseline": 0.1, "raw": True}, "raw, rectify: only a device's images are rectified here"),
-        ({"fx": 300, "baseline": 0.1, "rectify": "full"}, "raw, rectify: only a device's"),
+        ({"fx": 300, "baseline": 0.1, "raw": True}, "raw, rectify: require a device"),
+        ({"fx": 300, "baseline": 0.1, "rectify": "full"}, "raw, rectify: require a device"),
         ({"fx": 300, "baseline": 0.1, "platform": "rvc5"}, "platform: there is no `rvc5`; did you mean rvc"),
         ({"fx": 300, "baseline": 0.1, "preset": "robotic"}, "robotic"),
         ({"fx": 300, "baseline": 0.1, "filters": ["medium"]}, "median"),
         ({"fx": 300, "baseline": 0.1, "parameters": {"path": 3}}, "paths"),
         ({"fx": 300, "baseline": 0.1, "parameters": {"bias": 1}}, "the error of its own calibration"),
-        ({"device": PRO, "fx": 300}, "device: it says what its cameras are; leave out fx"),
-        ({"device": PRO, "raw": False, "rectify": "full"}, "rectify: images that are rectified are not rectified again"),
+        ({"device": PRO, "fx": 300}, "device: conflicts with fx, hfov_deg and baseline; omit fx"),
+        ({"device": PRO, "raw": False, "rectify": "full"}, "rectify: raw=False means"),
         ({"device": PRO, "rectify": "ful"}, "rectify: there is no `ful`; did you mean full"),
     ],
 )
@@ -488,8 +488,8 @@ def test_kinds_of_batches(matcher, textured):
     wrong = [
         ((left[None], right), "a batch of 1"),
         ((left[None], np.stack([right, right])), "a batch of 2"),
-        ((left[None], right[None, :, :-1]), "one size"),
-        ((left[None], right[None].astype(np.uint16)), "type"),
+        ((left[None], right[None, :, :-1]), "same size"),
+        ((left[None], right[None].astype(np.uint16)), "same size and dtype"),
         ((left[None, None], right[None, None]), "batch"),
     ]
     for images, message in wrong:

@@ -37,7 +37,7 @@ def test_results_are_written_in_the_tensor(sensor, room):
     address = out.data_ptr()
     assert sensor(depth, out=out) is out and out.data_ptr() == address
     assert np.array_equal(out.numpy(), sensor(room[0]))
-    with pytest.raises(oaktwin.Error, match="give an array of its own"):
+    with pytest.raises(oaktwin.Error, match="pass a separate array"):
         sensor(out, out=out)
 
 
@@ -56,7 +56,7 @@ def test_what_lies_otherwise(sensor, room):
     assert np.array_equal(sensor(turned), sensor(depth))
     with pytest.raises(oaktwin.Error, match="C-contiguous"):
         sensor(depth, out=turned)
-    with pytest.raises(TypeError, match="give float32 metres"):
+    with pytest.raises(TypeError, match="pass float32 metres"):
         sensor(depth.double())
 
 

@@ -1,4 +1,4 @@
-/// What a mesh carries at its corners: texture coordinates, normals, colours.
+/// Data at the corners of a mesh's triangles: texture coordinates, normals, colours.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Attribute<T> {
     /// One value for the whole mesh.
@@ -7,18 +7,18 @@ pub enum Attribute<T> {
     Triangle(Vec<T>),
     /// One value for each vertex.
     Vertex(Vec<T>),
-    /// Values of their own, picked by three indices for each triangle.
+    /// Shared values, selected by three indices per triangle.
     Corner {
         /// The values.
         values: Vec<T>,
-        /// For each triangle, which values its corners have.
+        /// For each triangle, the index of the value at each corner.
         indices: Vec<[u32; 3]>,
     },
 }
 
 impl<T: Copy> Attribute<T> {
-    /// The values at the three corners of triangle number `triangle`, whose vertices are `vertices`; `None` where the
-    /// attribute is too short for it.
+    /// The values at the three corners of the triangle with index `triangle` and the vertices `vertices`; `None` if the
+    /// attribute has too few values.
     #[must_use]
     #[inline]
     pub fn corners(&self, triangle: usize, vertices: [u32; 3]) -> Option<[T; 3]> {

@@ -2,55 +2,55 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 
 use crate::{Instance, Mesh, Scene};
 
-/// A box along the axes of its frame.
+/// An axis-aligned bounding box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// The corner with the lowest coordinates.
-    pub low: DVec3,
-    /// The corner with the highest.
-    pub high: DVec3,
+    /// The minimum corner.
+    pub min: DVec3,
+    /// The maximum corner.
+    pub max: DVec3,
 }
 
 impl Bounds {
-    /// The box round a point.
+    /// Creates the empty box at a point.
     #[must_use]
     pub const fn of(point: DVec3) -> Self {
         Self {
-            low: point,
-            high: point,
+            min: point,
+            max: point,
         }
     }
 
-    /// The smallest box round both.
+    /// Returns the smallest box that contains both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
         }
     }
 
-    /// Its middle.
+    /// Returns the centre.
     #[must_use]
     pub fn center(self) -> DVec3 {
-        0.5 * self.low + 0.5 * self.high
+        0.5 * self.min + 0.5 * self.max
     }
 
-    /// Its edges.
+    /// Returns the lengths of the edges.
     #[must_use]
     pub fn size(self) -> DVec3 {
-        self.high - self.low
+        self.max - self.min
     }
 
-    /// The smallest box in the target frame round this one.
+    /// Returns the smallest box in the target frame that contains this one.
     #[must_use]
     pub fn transformed(self, target_from_source: DAffine3) -> Self {
         let corner = |i: u8| {
-            let pick = |bit: u8, low: f64, high: f64| if i & bit == 0 { low } else { high };
+            let pick = |bit: u8, min: f64, max: f64| if i & bit == 0 { min } else { max };
             Self::of(target_from_source.transform_point3(DVec3::new(
-                pick(1, self.low.x, self.high.x),
-                pick(2, self.low.y, self.high.y),
-                pick(4, self.low.z, self.high.z),
+                pick(1, self.min.x, self.max.x),
+                pick(2, self.min.y, self.max.y),
+                pick(4, self.min.z, self.max.z),
             )))
         };
         (1..8).map(corner).fold(corner(0), Self::union)
@@ -58,31 +58,31 @@ impl Bounds {
 }
 
 impl Mesh {
-    /// The box round its triangles, in its own frame and unit; `None` where it has none.
+    /// Returns the bounding box of the triangles in the mesh's frame and unit; `None` if there are none.
     #[must_use]
     pub fn bounds(&self) -> Option<Bounds> {
-        let mut low = [f32::INFINITY; 3];
-        let mut high = [f32::NEG_INFINITY; 3];
+        let mut min = [f32::INFINITY; 3];
+        let mut max = [f32::NEG_INFINITY; 3];
         for vertex in self.triangles.iter().flatten() {
             let Some(position) = self.positions.get(*vertex as usize) else {
                 continue;
             };
             for axis in 0..3 {
-                low[axis] = low[axis].min(position[axis]);
-                high[axis] = high[axis].max(position[axis]);
+                min[axis] = min[axis].min(position[axis]);
+                max[axis] = max[axis].max(position[axis]);
             }
         }
         let point = |p: [f32; 3]| DVec3::from(p.map(f64::from));
-        (low[0] <= high[0]).then(|| Bounds {
-            low: point(low),
-            high: point(high),
+        (min[0] <= max[0]).then(|| Bounds {
+            min: point(min),
+            max: point(max),
         })
     }
 }
 
 impl Scene {
-    /// A box round all instances, in the world, metres: the smallest round the boxes of their meshes. `None` where
-    /// there is nothing to see.
+    /// Returns a bounding box of all instances in the world, in metres: the union of the transformed boxes of their meshes.
+    /// `None` if the scene has no triangles.
     #[must_use]
     pub fn bounds(&self) -> Option<Bounds> {
         let meshes: Vec<Option<Bounds>> = self.meshes.iter().map(Mesh::bounds).collect();
@@ -103,11 +103,11 @@ mod tests {
     use crate::shape;
 
     #[test]
-    fn bounds_are_of_what_is_seen() {
+    fn bounds_ignore_unused_vertices() {
         let mut mesh = shape::cube(2.0);
         mesh.positions.push([9.0; 3]);
         let bounds = mesh.bounds().unwrap();
-        assert_eq!((bounds.low, bounds.high), (DVec3::NEG_ONE, DVec3::ONE));
+        assert_eq!((bounds.min, bounds.max), (DVec3::NEG_ONE, DVec3::ONE));
         assert_eq!(Mesh::default().bounds(), None);
         let at = |world_from_mesh| Instance {
             mesh: 0,
@@ -124,8 +124,8 @@ mod tests {
         };
         let bounds = scene.bounds().unwrap();
         let diagonal = 2.0_f64.sqrt();
-        assert!((bounds.high - DVec3::new(diagonal, diagonal, 6.0)).length() < 1e-12);
-        assert!((bounds.low - DVec3::new(-diagonal, -diagonal, -1.0)).length() < 1e-12);
+        assert!((bounds.max - DVec3::new(diagonal, diagonal, 6.0)).length() < 1e-12);
+        assert!((bounds.min - DVec3::new(-diagonal, -diagonal, -1.0)).length() < 1e-12);
         assert_eq!(Scene::default().bounds(), None);
     }
 }

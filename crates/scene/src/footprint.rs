@@ -1,9 +1,9 @@
-//! How large a scene is.
+//! The size of a scene.
 
 use crate::{Attribute, Instance, Mesh, Scene, TextureSource};
 
 impl Scene {
-    /// How many triangles are seen: those of a mesh once for each of its instances.
+    /// Returns the number of rendered triangles: those of a mesh count once per instance.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {
         let of_instance = |instance: &Instance| {
@@ -14,13 +14,13 @@ impl Scene {
         self.instances.iter().map(of_instance).sum()
     }
 
-    /// How many triangles are stored: those of a mesh once.
+    /// Returns the number of stored triangles: those of a mesh count once.
     #[must_use]
     pub fn stored_triangle_count(&self) -> u64 {
         self.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum()
     }
 
-    /// The memory that it takes, with room that lists have to spare, without images in files.
+    /// Returns the bytes of memory used, including spare capacity, without images in files.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let meshes: u64 = self.meshes.iter().map(Mesh::bytes).sum();
@@ -30,7 +30,7 @@ impl Scene {
             .map(|instance| {
                 let labels = instance.labels.iter();
                 instance.path.capacity() as u64
-                    + room(&instance.labels)
+                    + list_bytes(&instance.labels)
                     + labels
                         .map(|label| {
                             (label.prim.capacity() + label.taxonomy.capacity() + label.name.capacity()) as u64
@@ -50,21 +50,21 @@ impl Scene {
         meshes
             + instances
             + textures
-            + room(&self.meshes)
-            + room(&self.instances)
-            + room(&self.materials)
-            + room(&self.textures)
-            + room(&self.lights)
+            + list_bytes(&self.meshes)
+            + list_bytes(&self.instances)
+            + list_bytes(&self.materials)
+            + list_bytes(&self.textures)
+            + list_bytes(&self.lights)
     }
 }
 
 impl Mesh {
-    /// The memory that its lists take.
+    /// Returns the bytes of memory used by the mesh's lists.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        room(&self.positions)
-            + room(&self.triangles)
-            + room(&self.materials)
+        list_bytes(&self.positions)
+            + list_bytes(&self.triangles)
+            + list_bytes(&self.materials)
             + self.normals.as_ref().map_or(0, Attribute::bytes)
             + self.uvs.as_ref().map_or(0, Attribute::bytes)
             + self.colors.as_ref().map_or(0, Attribute::bytes)
@@ -75,13 +75,13 @@ impl<T> Attribute<T> {
     fn bytes(&self) -> u64 {
         match self {
             Self::Constant(_) => 0,
-            Self::Triangle(values) | Self::Vertex(values) => room(values),
-            Self::Corner { values, indices } => room(values) + room(indices),
+            Self::Triangle(values) | Self::Vertex(values) => list_bytes(values),
+            Self::Corner { values, indices } => list_bytes(values) + list_bytes(indices),
         }
     }
 }
 
-fn room<T>(list: &Vec<T>) -> u64 {
+fn list_bytes<T>(list: &Vec<T>) -> u64 {
     (list.capacity() * size_of::<T>()) as u64
 }
 
@@ -92,7 +92,7 @@ mod tests {
     use oaktwin_camera::math::DAffine3;
 
     #[test]
-    fn instances_share_their_triangles() {
+    fn instances_share_triangles() {
         let instance = Instance {
             mesh: 0,
             path: String::new(),

@@ -1,9 +1,9 @@
-//! A scene to render: triangles, where their instances stand, what they look like, what lights them.
+//! A scene to render: triangle meshes, their instances, materials and lights.
 //!
 //! # Frames and units
-//! The world's axes are the file's own ([`Scene::up`] says which is up) and are never turned; its unit is the metre,
-//! whatever the file's was. A mesh keeps the file's numbers in single precision, and
-//! [`Instance::world_from_mesh`], in double precision, brings them into the world.
+//! The world keeps the file's axes ([`Scene::up`] is the up axis); its unit is the metre,
+//! whatever the file's unit is. A mesh keeps the file's numbers in single precision, and
+//! [`Instance::world_from_mesh`], in double precision, transforms them to the world.
 
 mod attribute;
 mod bounds;
@@ -24,26 +24,26 @@ pub use light::{Light, LightKind};
 pub use material::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
 pub use mesh::{MaterialSpan, Mesh};
 
-/// Everything that is rendered.
+/// A scene: meshes, instances, materials and lights.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// Geometry, each shared by any number of instances.
+    /// The geometry; a mesh may have any number of instances.
     pub meshes: Vec<Mesh>,
-    /// Where meshes stand. Sorted by traversal, so that ids made from the index are the same on every run.
+    /// The instances of meshes, in order of traversal, so that ids derived from the index are the same on every run.
     pub instances: Vec<Instance>,
-    /// What surfaces look like.
+    /// The materials.
     pub materials: Vec<Material>,
-    /// Images that materials and lights refer to.
+    /// The images that materials and lights refer to.
     pub textures: Vec<Texture>,
-    /// What lights the scene; empty where the file has none.
+    /// The lights; empty if the file defines none.
     pub lights: Vec<Light>,
-    /// Which of the world's axes points up.
+    /// The up axis of the world.
     pub up: Up,
-    /// How many metres one of the file's units is: for outputs that are defined in scene units.
+    /// The metres per unit of the file, for outputs that are defined in scene units.
     pub meters_per_unit: MetersPerUnit,
 }
 
-/// The file's unit in metres.
+/// The metres per unit of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetersPerUnit(pub f64);
 
@@ -53,10 +53,10 @@ impl Default for MetersPerUnit {
     }
 }
 
-/// The axis that points up.
+/// The up axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Up {
-    /// The y axis, as in glTF and in USD without a word about it.
+    /// The y axis, as in glTF and as USD's default.
     Y,
     /// The z axis, as in Isaac Sim.
     #[default]
@@ -64,7 +64,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// The unit vector that points up.
+    /// Returns the unit vector that points up.
     #[must_use]
     pub fn direction(self) -> DVec3 {
         match self {
@@ -77,24 +77,24 @@ impl Up {
 /// A mesh in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
-    /// Into [`Scene::meshes`].
+    /// An index into [`Scene::meshes`].
     pub mesh: u32,
-    /// The prim or node that it is: `/World/Table/Top`.
+    /// The path of its prim or node: `/World/Table/Top`.
     pub path: String,
-    /// From the mesh's frame into the world, metres. Always invertible: what is squashed flat is baked into a mesh of
-    /// its own by the importer.
+    /// The transform from the mesh's frame to the world, metres. Always invertible: the importer bakes a mesh with a
+    /// singular transform into a new mesh.
     pub world_from_mesh: DAffine3,
-    /// The semantic labels: its own first, then its parent's, and so on.
+    /// The semantic labels: its own first, then those of its parent, and so on.
     pub labels: Vec<Label>,
 }
 
 /// A semantic label.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// The prim that carries it: the instance itself or one of its ancestors, of which it may be a part only.
+    /// The prim with the label: the instance itself or one of its ancestors.
     pub prim: String,
-    /// What kind of label it is: `class`.
+    /// The taxonomy, such as `class`.
     pub taxonomy: String,
-    /// The label: `chair`.
+    /// The label, such as `chair`.
     pub name: String,
 }

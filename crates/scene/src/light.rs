@@ -1,48 +1,48 @@
 use oaktwin_camera::math::DAffine3;
 
-/// A light. Its own frame is USD's: it shines along −z; a dome's pole is +y.
+/// A light. Its frame is USD's: it shines along −z; a dome's pole is +y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// The prim.
+    /// The path of its prim.
     pub path: String,
-    /// Its shape.
+    /// The shape.
     pub kind: LightKind,
-    /// Linear colour times intensity and exposure: the radiance of its surface, or with `normalize` its power.
+    /// Linear colour times intensity and exposure: the radiance of its surface, or its power if `normalize` is set.
     pub radiance: [f32; 3],
     /// Whether `radiance` is divided by the area of the surface (by the solid angle of a distant light).
     pub normalize: bool,
-    /// From the light's frame into the world, metres.
+    /// The transform from the light's frame to the world, metres.
     pub world_from_light: DAffine3,
 }
 
-/// A light's shape; lengths in the unit of its own frame.
+/// The shape of a light; lengths are in the unit of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
-    /// The sun: parallel rays along −z from a disk that is this wide.
+    /// The sun: parallel rays along −z from a distant disk.
     Distant {
-        /// The disk's diameter, radians.
+        /// The angular diameter of the disk, radians.
         angle: f32,
     },
     /// The sky.
     Dome {
-        /// An image in latitude and longitude, into the scene's textures.
+        /// A latitude-longitude image: an index into the scene's textures.
         texture: Option<u32>,
     },
-    /// A ball.
+    /// A sphere.
     Sphere {
-        /// Its radius.
+        /// The radius.
         radius: f32,
     },
     /// A rectangle in the x-y plane.
     Rect {
-        /// Along x.
+        /// The size along x.
         width: f32,
-        /// Along y.
+        /// The size along y.
         height: f32,
     },
     /// A disk in the x-y plane.
     Disk {
-        /// Its radius.
+        /// The radius.
         radius: f32,
     },
 }

@@ -1,20 +1,20 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What a surface looks like: enough for a recognisable picture, not for a path tracer. Colours are linear.
+/// A simple surface material for previews and stereo matching, not for path tracing. Colours are linear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// The prim or the name in the file.
+    /// The path of its prim, or its name in the file.
     pub name: String,
-    /// Multiplies the texture, if there is one; `None` where the file leaves it to the mesh's own colours.
+    /// The base colour, which multiplies the texture if there is one; `None` if the mesh's own colours are used.
     pub base_color: Option<[f32; 3]>,
-    /// The base colour's image.
+    /// The texture of the base colour.
     pub base_color_texture: Option<TextureUse>,
-    /// Light that it gives off by itself.
+    /// The emitted light.
     pub emissive: [f32; 3],
-    /// 0 to 1.
+    /// The metalness, from 0 to 1.
     pub metallic: f32,
-    /// 0 to 1.
+    /// The roughness, from 0 to 1.
     pub roughness: f32,
 }
 
@@ -31,25 +31,25 @@ impl Default for Material {
     }
 }
 
-/// A texture as a material uses it.
+/// A texture with the way in which a material uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureUse {
-    /// Into the scene's textures.
+    /// An index into the scene's textures.
     pub texture: u32,
-    /// Rows of the 2×3 matrix that takes a mesh's coordinates to the image's, origin at the lower left.
+    /// The rows of the 2×3 matrix from the mesh's coordinates to the image's, with the origin at the lower left.
     pub image_from_uv: [[f32; 3]; 2],
-    /// Multiplies what was read.
+    /// The factor applied to the texture's values.
     pub scale: [f32; 3],
-    /// Is added after that.
+    /// The offset added after that.
     pub bias: [f32; 3],
-    /// What happens left and right of the image.
+    /// The wrap mode in the horizontal direction.
     pub wrap_s: Wrap,
-    /// What happens above and below it.
+    /// The wrap mode in the vertical direction.
     pub wrap_t: Wrap,
 }
 
 impl TextureUse {
-    /// A texture as it stands.
+    /// Returns an unmodified use of a texture.
     #[must_use]
     pub const fn new(texture: u32) -> Self {
         Self {
@@ -63,49 +63,49 @@ impl TextureUse {
     }
 }
 
-/// What lies outside an image.
+/// How coordinates outside an image are handled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// The image again.
+    /// The image is repeated.
     #[default]
     Repeat,
-    /// The image mirrored.
+    /// The image is mirrored.
     Mirror,
-    /// Its outermost pixel.
+    /// The pixels at its border are extended.
     Clamp,
-    /// Black.
+    /// The outside is black.
     Black,
 }
 
-/// An image that is decoded only when colour is asked for.
+/// An image that is decoded only when colour is requested.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
-    /// Where its pixels are.
+    /// The source of its pixels.
     pub source: TextureSource,
-    /// How its numbers are meant.
+    /// The meaning of its values.
     pub color_space: ColorSpace,
 }
 
-/// Where an image's pixels are.
+/// The source of an image's pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TextureSource {
-    /// In a file of their own.
+    /// An image file.
     File(PathBuf),
-    /// In a file's bytes: from inside a package or a buffer.
+    /// The bytes of an image file, from inside a package or a buffer.
     Encoded {
-        /// What to call it in messages.
+        /// The name used in messages.
         name: String,
-        /// A whole PNG, JPEG or other image file.
+        /// A complete PNG, JPEG or other image file.
         bytes: Arc<[u8]>,
     },
-    /// sRGB and opacity, decoded; rows from the top.
+    /// Decoded sRGB and opacity; the top row is first.
     Pixels(Arc<oaktwin_image::Image<[u8; 4]>>),
 }
 
-/// How a texture's numbers are meant.
+/// The colour space of a texture's values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ColorSpace {
-    /// sRGB where it has 8 bits and three channels, else linear.
+    /// sRGB if it has 8 bits and three channels, otherwise linear.
     #[default]
     Auto,
     /// sRGB.

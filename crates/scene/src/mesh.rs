@@ -2,38 +2,38 @@ use oaktwin_camera::math::DVec3;
 
 use crate::Attribute;
 
-/// Triangles with shared vertices, in a frame and unit of their own.
+/// A triangle mesh with shared vertices, in its own frame and unit.
 ///
-/// Every index is below the number of positions and every position is finite: importers see to it.
+/// Every index is less than the number of positions and every position is finite: importers ensure it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Vertices.
+    /// The positions of the vertices.
     pub positions: Vec<[f32; 3]>,
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// The three vertices of each triangle, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Unit normals; where there are none, each triangle is flat.
+    /// Unit normals; without them, triangles are shaded flat.
     pub normals: Option<Attribute<[f32; 3]>>,
     /// Texture coordinates, `(0, 0)` at the lower left of the image as in USD.
     pub uvs: Option<Attribute<[f32; 2]>>,
-    /// Linear colours that replace a material's base colour where it has no texture, as USD's `displayColor`.
+    /// Linear colours that replace the base colour of materials without a texture, like USD's `displayColor`.
     pub colors: Option<Attribute<[f32; 3]>>,
-    /// The materials of consecutive triangles, ordered, together all of them; empty where it has none.
+    /// The materials of consecutive triangles, in order, covering all of them; empty if the mesh has none.
     pub materials: Vec<MaterialSpan>,
-    /// Whether the inside is meant to be seen. Depth sees both sides regardless, as Isaac Sim's does.
+    /// Whether the inside is visible. Depth contains both sides regardless, as in Isaac Sim.
     pub double_sided: bool,
 }
 
-/// Consecutive triangles of one material.
+/// Consecutive triangles with the same material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialSpan {
-    /// The first triangle after it.
+    /// The index after that of the last triangle.
     pub end: u32,
-    /// Into the scene's materials; `None` for none.
+    /// An index into the scene's materials, if it has one.
     pub material: Option<u32>,
 }
 
 impl Mesh {
-    /// The positions of a triangle's corners; `None` where there is no such triangle.
+    /// Returns the positions of a triangle's corners; `None` if the triangle does not exist.
     #[must_use]
     #[inline]
     pub fn corners(&self, triangle: usize) -> Option<[[f32; 3]; 3]> {
@@ -45,7 +45,7 @@ impl Mesh {
         ])
     }
 
-    /// The normal of a triangle's plane, of unit length; zero where it has no area, or is none.
+    /// Returns the unit normal of a triangle's plane; zero if it has no area or does not exist.
     #[must_use]
     pub fn flat_normal(&self, triangle: usize) -> [f32; 3] {
         let Some(corners) = self.corners(triangle) else {
@@ -58,7 +58,7 @@ impl Mesh {
         narrow
     }
 
-    /// The material of a triangle, into the scene's.
+    /// Returns the material of a triangle, as an index into the scene's.
     #[must_use]
     #[inline]
     pub fn material(&self, triangle: u32) -> Option<u32> {

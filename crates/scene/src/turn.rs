@@ -1,9 +1,9 @@
-/// Cosine and sine of `part / whole` of a full turn, by arithmetic that is the same on every machine, and exactly
+/// Cosine and sine of `part / whole` of a full turn, computed identically on every machine, and exactly
 /// symmetric: eighths of a turn are mirror images of each other.
 pub(crate) fn cos_sin(part: u32, whole: u32) -> (f64, f64) {
     let (part, whole) = (u64::from(part % whole.max(1)), u64::from(whole.max(1)));
     let quarter = 4 * part / whole;
-    // What is left, in units of 1 / (4 · whole) of a turn: below `whole`.
+    // The remainder in units of 1 / (4 · whole) of a turn, less than `whole`.
     let rest = 4 * part - quarter * whole;
     let (cosine, sine) = if 2 * rest <= whole {
         first_eighth(rest, whole)
@@ -19,12 +19,12 @@ pub(crate) fn cos_sin(part: u32, whole: u32) -> (f64, f64) {
     }
 }
 
-/// Of an angle from 0 to an eighth of a turn: `rest / whole` of a quarter.
+/// Cosine and sine of `rest / whole` of a quarter turn, at most an eighth of a full turn.
 #[allow(clippy::cast_precision_loss, reason = "below 2³⁴")]
 fn first_eighth(rest: u64, whole: u64) -> (f64, f64) {
     let angle = std::f64::consts::FRAC_PI_2 * (rest as f64 / whole as f64);
     let square = angle * angle;
-    // Taylor's series; the first term left out is below 1e-17 at an eighth of a turn.
+    // Taylor series; the first omitted term is below 1e-17 at an eighth of a turn.
     let series = |last: u32| {
         let mut sum = 1.0;
         let mut n = last;

@@ -1,4 +1,4 @@
-//! For development only: what tests and benchmarks of rendering share.
+//! Shared code of tests and benchmarks; for development only.
 
 #[cfg(target_os = "linux")]
 pub mod embree;

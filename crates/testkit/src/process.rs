@@ -1,8 +1,8 @@
-//! What a process knows of itself: processor time and memory. Zeros where the system does not say.
+//! Processor time and memory of this process; zero if the system does not report them.
 
 use std::fs;
 
-/// The processor time of all its threads so far, those that have ended too, seconds.
+/// Returns the processor time in seconds of all threads so far, including those that have ended.
 #[must_use]
 pub fn cpu_s() -> f64 {
     #[cfg(unix)]
@@ -16,13 +16,13 @@ pub fn cpu_s() -> f64 {
     0.0
 }
 
-/// What it holds in memory now, bytes.
+/// Returns the resident memory in bytes.
 #[must_use]
 pub fn resident_bytes() -> u64 {
     status("VmRSS:")
 }
 
-/// The most that it ever held, bytes.
+/// Returns the peak resident memory in bytes.
 #[must_use]
 pub fn peak_bytes() -> u64 {
     status("VmHWM:")

@@ -1,4 +1,4 @@
-//! Random scenes and cameras, the same for the same seed.
+//! Random scenes and cameras, reproducible from a seed.
 
 mod scene;
 mod view;
@@ -8,18 +8,18 @@ pub use view::{Lens, view};
 
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 
-/// A small generator (`SplitMix64`).
+/// A random number generator (`SplitMix64`).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// From a seed.
+    /// Creates a generator from a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// 64 random bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -28,19 +28,19 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// From `low` up to `high`.
+    /// Returns a number from `low` up to `high`, uniformly distributed.
     #[expect(clippy::cast_precision_loss, reason = "53 bits are enough")]
     pub fn range(&mut self, low: f64, high: f64) -> f64 {
         let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
         low + (high - low) * unit
     }
 
-    /// From `low` up to `high`, every order of magnitude alike.
+    /// Returns a number from `low` up to `high`, uniformly distributed in its logarithm.
     pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
         self.range(low.ln(), high.ln()).exp()
     }
 
-    /// A whole number below `end`.
+    /// Returns an integer below `end`.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -50,7 +50,7 @@ impl Random {
         self.range(0.0, f64::from(end)) as u32
     }
 
-    /// In a cube of half edge 1.
+    /// Returns a point in a cube with a half edge of 1.
     pub fn in_cube(&mut self) -> DVec3 {
         DVec3::new(
             self.range(-1.0, 1.0),
@@ -59,7 +59,7 @@ impl Random {
         )
     }
 
-    /// A unit vector.
+    /// Returns a unit vector.
     pub fn direction(&mut self) -> DVec3 {
         loop {
             let v = self.in_cube();
@@ -70,7 +70,7 @@ impl Random {
         }
     }
 
-    /// A rotation.
+    /// Returns a rotation.
     pub fn rotation(&mut self) -> DMat3 {
         let angle = self.range(-3.2, 3.2);
         DMat3::from_quat(DQuat::from_axis_angle(self.direction(), angle))

@@ -1,7 +1,7 @@
-//! Ground truth without cleverness: every ray against every triangle, in double precision.
+//! A brute-force reference renderer: every ray against every triangle, in double precision.
 //!
-//! Shares no code with the renderer but the types that say what to render. A pixel on the very edge of a triangle may
-//! fall to either side in single precision: [`Reference::explains`] says whether an answer is one of the possible ones.
+//! Shares no code with the renderer except the input types. In single precision, a pixel on the edge of a triangle may
+//! belong to either side: [`Reference::explains`] tests whether a depth is one of the possible results.
 
 use oaktwin_camera::math::{DVec2, DVec3};
 use oaktwin_camera::{PixelPoint, Usd};
@@ -9,7 +9,7 @@ use oaktwin_render::{Hit, View};
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
-/// A scene's triangles in the frame of one view's camera.
+/// A scene's triangles in the camera frame of a view.
 #[derive(Debug)]
 pub struct Reference {
     view: View,
@@ -17,28 +17,28 @@ pub struct Reference {
     triangles: Vec<(Hit, [DVec3; 3])>,
 }
 
-/// Where a ray meets a triangle first.
+/// The first intersection of a ray with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Metres along the optical axis.
+    /// The depth in metres along the optical axis.
     pub z: f64,
-    /// Metres along the axis, or along the ray for lenses that see sideways: what the view's clip is measured in.
+    /// The distance in metres to which the view's clipping range applies: along the axis, or along the ray for wide lenses.
     pub clipped_by: f64,
-    /// Which triangle.
+    /// The triangle.
     pub hit: Hit,
-    /// The cosine of the angle between the ray and the triangle's normal, 0 to 1.
+    /// The cosine of the angle between the ray and the triangle's normal, from 0 to 1.
     pub cos_incidence: f64,
 }
 
-/// A ray from the optical centre, as long as the unit of what the clip is measured in.
+/// A ray from the optical centre, scaled to the unit of the clipping range.
 #[derive(Clone, Copy, Debug)]
 struct Ray(DVec3);
 
 impl Reference {
-    /// Of a scene, from a view.
+    /// Creates the reference for a scene and a view.
     ///
     /// # Panics
-    /// An index is out of range.
+    /// Panics if an index is out of range.
     #[must_use]
     pub fn new(scene: &Scene, view: &View) -> Self {
         let camera_from_world = view.camera_from_world();
@@ -61,7 +61,7 @@ impl Reference {
         }
     }
 
-    /// What every pixel sees, row by row.
+    /// Returns the intersections of all pixels, row by row.
     #[must_use]
     pub fn image(&self) -> Vec<Option<Crossing>> {
         let size = self.view.camera.intrinsics.size;
@@ -70,28 +70,28 @@ impl Reference {
             .collect()
     }
 
-    /// What a pixel sees; `None` for a miss.
+    /// Returns the intersection of a pixel's ray; `None` for a miss.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<Crossing> {
         self.first(self.ray(centre(x, y))?)
     }
 
-    /// Whether `z` (infinite for a miss) is what pixel (x, y) sees up to a relative 1e-5, or would see if triangles'
-    /// edges were off by `slack_px`: then it is the depth of a triangle that the ray touches up to twice the slack, and
-    /// nothing that covers the whole neighbourhood lies in front of it. So a miss in the middle of a surface, at the
+    /// Returns whether `z` (infinite for a miss) is the depth of pixel (x, y) up to a relative error of 1e-5, or would be if
+    /// edges were displaced by `slack_px`: then it is the depth of a triangle within twice the slack of the ray, and
+    /// nothing that covers the whole neighbourhood is in front of it. A miss in the middle of a surface, at the
     /// seam of two triangles, is never explained.
     #[must_use]
     pub fn explains(&self, x: u32, y: u32, z: f64, slack_px: f64) -> bool {
         let Some(ray) = self.ray(centre(x, y)) else {
             return z.is_infinite();
         };
-        // How far one may look at all, from what is seen a little beside.
+        // The maximum depth, from the intersections of nearby rays.
         let mut furthest = self.first(ray).map_or(f64::INFINITY, |crossing| crossing.z);
         for step in 0..8 {
             let offset = slack_px * DVec2::from_angle(f64::from(step) * std::f64::consts::FRAC_PI_4);
             let beside = self.ray(centre(x, y) + offset);
             let seen = beside.and_then(|beside| self.first(beside));
-            // The depth that the same surface has at the pixel itself.
+            // The depth of the same surface at the pixel itself.
             let depth = seen.map_or(f64::INFINITY, |seen| {
                 let there = self.plane(ray, seen.hit).map_or(seen.z, |here| here.z);
                 there.max(seen.z)
@@ -105,7 +105,7 @@ impl Reference {
         let slack_rad = 2.0 * slack_px / intrinsics.fx.min(intrinsics.fy);
         let in_sight = z <= furthest * (1.0 + 1e-5);
         let is_at = |crossing: &Crossing| {
-            // What is seen edge-on has any depth of its own within single precision.
+            // A surface seen edge-on has an arbitrary depth within single precision.
             let tolerance = 1e-5 + 4e-7 / crossing.cos_incidence.max(1e-6);
             (z - crossing.z).abs() <= tolerance * crossing.z.abs()
         };
@@ -118,7 +118,7 @@ impl Reference {
                 .any(|crossing| is_at(&crossing))
     }
 
-    /// The depth of a triangle's plane at a pixel; `None` where the ray does not meet it.
+    /// Returns the intersection of a pixel's ray with a triangle's plane; `None` if they do not meet.
     #[must_use]
     pub fn plane_at(&self, x: u32, y: u32, hit: Hit) -> Option<Crossing> {
         self.plane(self.ray(centre(x, y))?, hit)
@@ -161,7 +161,7 @@ impl Reference {
     }
 }
 
-/// Where the ray meets the plane of a triangle.
+/// The intersection of the ray with the plane of a triangle.
 fn on_plane(Ray(ray): Ray, hit: Hit, &[a, b, c]: &[DVec3; 3]) -> Option<Crossing> {
     let normal = (b - a).cross(c - a);
     let along = ray.dot(normal);
@@ -178,15 +178,15 @@ fn centre(x: u32, y: u32) -> DVec2 {
     DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)
 }
 
-/// Whether the line through the origin meets the triangle, its edges included: whether it lies on one side of the three
+/// Whether the line through the origin meets the triangle, including its edges: whether it is on one side of the three
 /// planes through the origin and an edge. Two triangles that share an edge compute the same number for it, negated, so
-/// that nothing gets between them.
+/// that there is no gap between them.
 fn covers(ray: DVec3, &[a, b, c]: &[DVec3; 3]) -> bool {
     let sides = [a.cross(b).dot(ray), b.cross(c).dot(ray), c.cross(a).dot(ray)];
     sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
 }
 
-/// The angle between the ray and the part of the sky that the triangle covers, radians.
+/// The angle between the ray and the solid angle covered by the triangle, radians.
 fn angle_to_triangle(ray: DVec3, corners: &[DVec3; 3]) -> f64 {
     let [a, b, c] = corners;
     let ahead = (*a + *b + *c).dot(ray) > 0.0 || corners.iter().any(|corner| corner.dot(ray) > 0.0);
@@ -200,7 +200,7 @@ fn angle_to_triangle(ray: DVec3, corners: &[DVec3; 3]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The angle between the ray and the arc that the line from `p` to `q` covers, radians.
+/// The angle between the ray and the arc covered by the line from `p` to `q`, radians.
 fn angle_to_arc(ray: DVec3, p: DVec3, q: DVec3) -> f64 {
     let across = p.cross(q);
     let between = |v: DVec3| p.cross(v).dot(across) >= 0.0 && v.cross(q).dot(across) >= 0.0;
@@ -236,7 +236,7 @@ mod tests {
         assert!(angle_to_arc(DVec3::new(1.0, 2.0, 0.0), p, q).abs() < 1e-12);
         let beyond = DVec3::new(1.0, -1.0, 0.0);
         assert!((angle_to_arc(beyond, p, q) - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
-        // An edge without length is a corner.
+        // A degenerate edge acts as a point.
         assert!((angle_to_arc(DVec3::Z, p, p) - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
     }
 
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn only_silhouettes_have_excuses() {
+    fn explains_differences_only_at_silhouettes() {
         let size = ImageSize::new(31, 23);
         let mut random = Random::new(5);
         let scene = random::scene(Kind::Room, &mut random);
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn both_sides_of_an_edge_are_explained() {
-        // A square whose left edge runs exactly through the centres of a column.
+        // A square whose left edge passes exactly through the centres of a pixel column.
         let mesh = Mesh {
             positions: vec![
                 [0.0, -9.0, 2.0],

@@ -1,9 +1,9 @@
-//! Large meshes, the same on every run.
+//! Large reproducible meshes.
 
 use oaktwin_scene::Mesh;
 
-/// A grid of `columns × rows` squares, two triangles each, over `width × depth` metres around the origin; `height`
-/// gives z at (x, y).
+/// Creates a grid of `columns × rows` squares of two triangles over `width × depth` metres around the origin; `height`
+/// returns z at (x, y).
 #[must_use]
 #[expect(
     clippy::cast_possible_truncation,
@@ -38,8 +38,8 @@ pub fn heightfield(
     }
 }
 
-/// An icosahedron of radius 1 whose triangles are split into four `levels` times, each vertex moved to the radius that
-/// `radius` gives for its direction.
+/// Creates an icosahedron of radius 1 whose triangles are split into four `levels` times; each vertex is moved to the
+/// radius that `radius` returns for its direction.
 #[must_use]
 #[expect(
     clippy::cast_possible_truncation,
@@ -51,7 +51,7 @@ pub fn icosphere(levels: u32, radius: impl Fn([f64; 3]) -> f64) -> Mesh {
     for (a, b) in [(1.0, golden), (1.0, -golden), (-1.0, golden), (-1.0, -golden)] {
         directions.extend([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]].map(normalized));
     }
-    // The faces are the triples of neighbours: vertices one edge (length 2 before scaling) apart.
+    // The faces are the triples of vertices that are pairwise one edge (length 2 before scaling) apart.
     let edge = 2.0 / (1.0 + golden * golden).sqrt();
     let near = |i: usize, j: usize| {
         let squared: f64 = (0..3)
@@ -83,7 +83,7 @@ pub fn icosphere(levels: u32, radius: impl Fn([f64; 3]) -> f64) -> Mesh {
     }
 }
 
-/// Four triangles for each, with shared vertices.
+/// Splits each triangle into four with shared vertices.
 #[expect(clippy::cast_possible_truncation, reason = "indices are u32")]
 fn split(triangles: &[[u32; 3]], directions: &mut Vec<[f64; 3]>) -> Vec<[u32; 3]> {
     let mut middles = std::collections::BTreeMap::new();
@@ -114,7 +114,7 @@ fn normalized(v: [f64; 3]) -> [f64; 3] {
     v.map(|x| x / length)
 }
 
-/// Hills within ±1, with detail down to about a thirtieth of a unit.
+/// Returns a hilly height within ±1, with detail down to about a thirtieth of a unit.
 #[must_use]
 pub fn hills(x: f64, y: f64) -> f64 {
     let mut sum = 0.0;
@@ -138,7 +138,7 @@ mod tests {
         let sphere = icosphere(3, |_| 1.0);
         assert_eq!(sphere.triangles.len(), 20 * 64);
         assert_eq!(sphere.positions.len(), 10 * 64 + 2);
-        // The volume that outward triangles enclose is a ball's, a little less.
+        // The enclosed volume is slightly less than a sphere's.
         let volume: f64 = (0..sphere.triangles.len())
             .map(|t| {
                 let [a, b, c] = sphere.corners(t).unwrap().map(|p| p.map(f64::from));
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn a_heightfield_is_a_grid_that_faces_up() {
+    fn a_heightfield_faces_up() {
         let field = heightfield([3, 2], [6.0, 4.0], |x, _| x);
         assert_eq!(field.triangles.len(), 12);
         assert_eq!(field.positions[0], [-3.0, -2.0, -3.0]);

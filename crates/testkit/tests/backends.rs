@@ -1,4 +1,4 @@
-//! Both backends against every ray and every triangle in double precision, over random scenes.
+//! Compares both backends with the double-precision reference over random scenes.
 
 #![allow(
     clippy::print_stdout,
@@ -14,20 +14,20 @@ use oaktwin_scene::Scene;
 use oaktwin_testkit::random::{self, Kind, Lens, Random};
 use oaktwin_testkit::reference::{Crossing, Reference};
 
-/// Not a multiple of anything that a renderer might work in.
+/// Not a multiple of any tile or vector size.
 const SIZE: ImageSize = ImageSize::new(83, 47);
 
-/// By how much an edge may be off in single precision, px.
+/// The tolerance of edges in single precision, px.
 const SLACK_PX: f64 = 0.01;
 
-/// Depths may differ by this much, relatively.
+/// The relative tolerance of depth.
 const SAME: f64 = 1e-5;
 
-/// The share of a scene's pixels that may fall to the other side of an edge.
+/// The maximum share of pixels that may be on the other side of an edge.
 const SILHOUETTES: f64 = 1e-3;
 
 #[test]
-fn backends_see_what_the_reference_sees() {
+fn backends_agree_with_the_reference() {
     check_seeds(0..2);
 }
 
@@ -59,11 +59,11 @@ fn check_seeds(seeds: std::ops::Range<u64>) {
             }
         }
     }
-    println!("{silhouettes} pixels on silhouettes fell to the other side");
+    println!("{silhouettes} pixels on silhouettes differ");
     assert!(findings.is_empty(), "{}", findings.join("\n"));
 }
 
-/// The rasterizer is for pinholes only.
+/// The rasterizer supports only pinholes.
 fn backends(lens: Lens) -> Vec<Backend> {
     match lens {
         Lens::Pinhole => vec![Backend::Raster, Backend::Ray],
@@ -71,7 +71,7 @@ fn backends(lens: Lens) -> Vec<Backend> {
     }
 }
 
-/// How many pixels are on the other side of a silhouette, or what is wrong.
+/// Returns the number of pixels on the other side of a silhouette, or a description of the errors.
 fn compare(
     renderer: &Renderer,
     view: &View,
@@ -153,7 +153,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
     }
 }
 
-/// Bits of depth and what is hit.
+/// The bits of the depth and the hits.
 fn on_threads(threads: usize, scene: &Scene, view: &View, backend: Backend) -> (Vec<u32>, Vec<Hit>) {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)

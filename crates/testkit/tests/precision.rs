@@ -1,4 +1,4 @@
-//! How exact depth is: 4 ulp up to 75° between ray and normal, 1e-6 up to 85°, against double precision.
+//! Tests the precision of depth against double precision: 4 ulp up to 75° between ray and normal, 1e-6 up to 85°.
 
 #![allow(clippy::print_stdout, reason = "a test")]
 
@@ -48,7 +48,7 @@ fn check_seeds(seeds: std::ops::Range<u64>) {
     assert!(findings.is_empty(), "{}", findings.join("\n"));
 }
 
-/// The largest errors so far.
+/// The maximum errors so far.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     ulp_up_to_75: f64,
@@ -70,7 +70,7 @@ impl Worst {
             };
             let error = (f64::from(*single) - truth.z).abs();
             if error > 1e-3 * truth.z {
-                // Another surface: a silhouette, which is another test's.
+                // Another surface, at a silhouette: covered by `backends.rs`.
                 continue;
             }
             let nearest = truth.z as f32;
@@ -87,19 +87,19 @@ impl Worst {
     }
 }
 
-/// A curved or flat sheet of triangles in front of a camera, from a millimetre to ten kilometres away, finely or coarsely
-/// split, tilted any way, anywhere in the world, placed by its instance or by its vertices.
+/// A curved or flat sheet of triangles in front of a camera, from a millimetre to ten kilometres away, coarse or
+/// fine, with any tilt and position, placed by its instance or by its vertices.
 #[expect(clippy::cast_possible_truncation, reason = "positions are float32")]
 fn surface(random: &mut Random) -> (Scene, View) {
     let scale = random.magnitude(1e-3, 1e4);
     let split = [1, 3, 14][random.below(3) as usize];
-    // A floor that a camera stands on reaches much farther than the floor is away.
+    // A floor below a camera extends much farther than its distance.
     let extent = [4.0, 4.0, 100.0, 10_000.0][random.below(4) as usize];
     let bulge = [0.0, 0.0, 0.1][random.below(3) as usize];
     let mut mesh = oaktwin_testkit::shapes::heightfield([split, split], [extent, extent], |x, y| {
         bulge * (3.0 * x).sin() * y.cos()
     });
-    // The axis meets it at one unit, tilted by up to 84°.
+    // The axis meets the sheet at one unit, tilted by up to 84°.
     let tilt =
         DMat3::from_rotation_z(random.range(-3.2, 3.2)) * DMat3::from_rotation_x(random.range(0.0, 1.466));
     let camera_from_mesh = DAffine3::from_scale(DVec3::splat(scale))

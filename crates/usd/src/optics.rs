@@ -7,7 +7,7 @@ use oaktwin_diagnostic::{Finding, Level};
 
 use crate::lens::{self, Lens, MODEL};
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
-use crate::stage::{RenderProduct, SceneCamera};
+use crate::stage::{Prim, RenderProduct, SceneCamera};
 
 /// The default image width, that of Isaac Sim's viewport.
 pub const DEFAULT_WIDTH: u32 = 1280;
@@ -29,9 +29,9 @@ pub enum Projection {
 pub struct OpticsError {
     /// The path of the camera prim.
     pub prim: String,
-    /// What is wrong, with the name of the attribute.
+    /// The problem, with the name of the attribute.
     pub what: String,
-    /// What to do.
+    /// The remedy.
     pub remedy: &'static str,
 }
 
@@ -89,8 +89,8 @@ pub fn camera(
         ));
     }
     let mut findings = Vec::new();
-    if let Some(seen) = through_schema(camera, size, &mut findings)? {
-        return Ok((seen, findings));
+    if let Some(view) = through_schema(camera, size, &mut findings)? {
+        return Ok((view, findings));
     }
     let intrinsics = by_apertures(camera, size, projection, &mut findings)?;
     Ok((Camera::new(intrinsics, LensModel::Pinhole), findings))
@@ -189,27 +189,14 @@ fn through_schema(
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Camera>, OpticsError> {
     let prim = &camera.prim;
+    let Some(lens) = Lens::of(prim) else {
+        findings.extend(unapplied_lens(prim));
+        return Ok(None);
+    };
     let mut warn = |code, message: String, remedy| {
         findings.push(Finding::new(code, Level::Warning, &prim.path, message, remedy));
     };
     let named = prim.text(MODEL);
-    let Some(lens) = Lens::of(prim) else {
-        if let Some(named) = named.filter(|named| !named.is_empty() && *named != "pinhole") {
-            let message =
-                format!("{MODEL} is `{named}`, but its lens schema is not applied; using a pinhole");
-            warn("lens-model", message, "add the schema to the prim's apiSchemas");
-        }
-        let legacy = prim.text("cameraProjectionType").unwrap_or("pinhole");
-        if legacy != "pinhole" {
-            let message = format!("cameraProjectionType `{legacy}` is deprecated; using a pinhole");
-            warn(
-                "lens-unsupported",
-                message,
-                "describe the lens with a lens-distortion schema",
-            );
-        }
-        return Ok(None);
-    };
     if named != Some(lens.model) {
         let value = named.map_or_else(|| "not authored".to_owned(), |named| format!("`{named}`"));
         let message = format!(
@@ -225,7 +212,7 @@ fn through_schema(
             "author finite values, positive focal lengths and the image size that they apply to",
         )
     };
-    let (seen, own_size) = match lens.model {
+    let (view, own_size) = match lens.model {
         "opencvPinhole" | "opencvFisheye" => {
             let intrinsics = lens
                 .intrinsics()
@@ -263,7 +250,33 @@ fn through_schema(
         let message = format!("the lens schema is for {own_size} and is stretched to {size}");
         warn("lens-aspect", message, "render at the schema's aspect ratio");
     }
-    Ok(Some(seen))
+    Ok(Some(view))
+}
+
+/// Reports lens attributes on a prim without a lens schema, which have no effect.
+fn unapplied_lens(prim: &Prim) -> Vec<Finding> {
+    let warning = |code, message, remedy| Finding::new(code, Level::Warning, &prim.path, message, remedy);
+    let model = prim
+        .text(MODEL)
+        .filter(|model| !model.is_empty() && *model != "pinhole");
+    let legacy = prim
+        .text("cameraProjectionType")
+        .filter(|projection| *projection != "pinhole");
+    let model = model.map(|model| {
+        warning(
+            "lens-model",
+            format!("{MODEL} is `{model}`, but its lens schema is not applied; using a pinhole"),
+            "add the schema to the prim's apiSchemas",
+        )
+    });
+    let legacy = legacy.map(|projection| {
+        warning(
+            "lens-unsupported",
+            format!("cameraProjectionType `{projection}` is deprecated; using a pinhole"),
+            "describe the lens with a lens-distortion schema",
+        )
+    });
+    model.into_iter().chain(legacy).collect()
 }
 
 fn opencv_model(lens: &Lens) -> Result<LensModel, oaktwin_camera::LensError> {

@@ -8,54 +8,54 @@ use super::{Isaac, UnitArgs};
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
-    /// The model, or `all`
+    /// Model, or `all`
     #[arg(value_name = "MODEL|all")]
     pub(crate) model: String,
 
-    /// A file, or a folder; with `all` a folder
+    /// Output file or folder; a folder with `all`
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
     pub(crate) output: PathBuf,
 
-    /// The file format; by default the output's extension says it, else usd
+    /// File format [default: from the output's extension, else usd]
     #[arg(long, value_enum)]
     pub(crate) format: Option<AssetFormat>,
 
-    /// The Isaac Sim that will load it
+    /// Isaac Sim version to write for
     #[arg(long, value_enum, default_value_t = Isaac::V5_1)]
     pub(crate) isaac: Isaac,
 
-    /// The renderer that will load it (ovrtx is experimental)
+    /// Renderer to write for (ovrtx is experimental)
     #[arg(long, value_enum, default_value_t = Target::Isaac)]
     pub(crate) target: Target,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// How a principal point becomes aperture offsets
+    /// Convention of aperture offsets for a calibrated principal point
     #[arg(long, value_enum, default_value_t = Offsets::Openusd)]
     pub(crate) aperture_offsets: Offsets,
 
-    /// Disparity up to 191 px instead of 95: nearer things, the same step
+    /// Use extended disparity: up to 191 px instead of 95, for nearer objects
     #[arg(long)]
     pub(crate) extended_disparity: bool,
 
-    /// Write the older distortion attributes for Isaac Sim 6 too, where they do nothing
+    /// Also write the legacy distortion attributes for Isaac Sim 6, where they have no effect
     #[arg(long)]
     pub(crate) legacy_distortion: bool,
 
-    /// Add a rigid body, its mass and a collider: the inertial sensor needs one above it
+    /// Add a rigid body with mass and collider, which the inertial sensor requires
     #[arg(long)]
     pub(crate) rigid_body: bool,
 
-    /// Leave the visible body out
+    /// Omit the visible body
     #[arg(long)]
     pub(crate) no_body: bool,
 
-    /// Write only what the calibration changes, as a layer over this asset (the vendor's or Isaac's own)
+    /// Write only a layer with the calibrated values over this asset (the vendor's or Isaac Sim's)
     #[arg(long, value_name = "ASSET", requires = "calibration", value_hint = ValueHint::FilePath)]
     pub(crate) over: Option<PathBuf>,
 
-    /// Print what was written as JSON
+    /// Print the written files and findings as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -64,10 +64,10 @@ pub(crate) struct AssetArgs {
 pub(crate) enum AssetFormat {
     /// Text
     Usda,
-    /// The same text under the name that Isaac Sim's own asset paths use
+    /// Text with the extension that Isaac Sim's asset paths use
     #[default]
     Usd,
-    /// A package
+    /// Package
     Usdz,
 }
 
@@ -79,11 +79,11 @@ pub(crate) enum Target {
 
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Offsets {
-    /// OpenUSD's sign: the window moves to the principal point
+    /// OpenUSD's sign convention
     Openusd,
     /// The parameter sheet's formula
     Document,
-    /// None
+    /// No offsets
     Zero,
 }
 

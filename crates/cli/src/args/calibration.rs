@@ -10,19 +10,19 @@ pub(crate) struct CalibrationArgs {
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum CalibrationCommand {
-    /// Print what a calibration says, and what is odd in it
+    /// Print a calibration and problems found in it
     Show(CalibrationShowArgs),
-    /// Write a calibration for other programs
+    /// Export a calibration to other formats
     Export(CalibrationExportArgs),
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CalibrationShowArgs {
-    /// The DepthAI calibration (JSON)
+    /// DepthAI calibration (JSON)
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) file: PathBuf,
 
-    /// Check it against this model; by default the one that its product name says
+    /// Model to check against [default: from the calibration's product name]
     #[arg(long)]
     pub(crate) model: Option<String>,
 
@@ -33,19 +33,19 @@ pub(crate) struct CalibrationShowArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CalibrationExportArgs {
-    /// A DepthAI calibration (JSON), or a model for its nominal device
+    /// DepthAI calibration (JSON), or a model for its nominal calibration
     #[arg(value_name = "FILE|MODEL", value_hint = ValueHint::FilePath)]
     pub(crate) from: String,
 
-    /// The format: ROS camera info, OpenCV FileStorage, Kalibr camchain, DepthAI JSON
+    /// Format: ROS camera info, OpenCV FileStorage, Kalibr camchain or DepthAI JSON
     #[arg(long, value_enum)]
     pub(crate) to: ExportFormat,
 
-    /// A file, or a folder where the format has several files; standard output by default
+    /// Output file, or folder for formats with several files [default: standard output]
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Export in spite of the errors found in the calibration
+    /// Ignore calibration errors
     #[arg(long)]
     pub(crate) force: bool,
 }

@@ -4,10 +4,10 @@ use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::accuracy::MeasuredOptics;
 use oaktwin::usd::asset;
 
-/// The calibration and lens of a model.
+/// The calibration and lens of one unit.
 #[derive(Args, Debug)]
 pub(crate) struct UnitArgs {
-    /// The DepthAI calibration (JSON) of one unit
+    /// DepthAI calibration (JSON) of one unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
@@ -15,15 +15,15 @@ pub(crate) struct UnitArgs {
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// The lens of the left and right cameras of the wide models
+    /// Lens of the left and right cameras of wide models
     #[arg(long, value_enum, default_value_t = Lens::Pinhole)]
     pub(crate) lens: Lens,
 }
 
-/// The optics of a measured unit.
+/// The optics of one unit whose errors are measured.
 #[derive(Args, Debug)]
 pub(crate) struct MeasuredUnitArgs {
-    /// The DepthAI calibration (JSON) of the unit
+    /// DepthAI calibration (JSON) of one unit, which provides its optics
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
@@ -31,17 +31,17 @@ pub(crate) struct MeasuredUnitArgs {
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// The focal length of the unit, px at --stereo-width
+    /// Focal length of the unit, in pixels at --stereo-width
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     pub(crate) focal_px: Option<f64>,
 
-    /// The image width of the unit: 1280 at 800P, 640 at 480P and 400P
+    /// Image width of the unit: 1280 at 800P, 640 at 480P and 400P
     #[arg(long, value_name = "W")]
     pub(crate) stereo_width: Option<u32>,
 }
 
 impl MeasuredUnitArgs {
-    /// The unit as a pinhole: its depth images are rectified.
+    /// Returns the unit with pinhole lenses, since depth images are rectified.
     pub(crate) fn unit(&self) -> UnitArgs {
         UnitArgs {
             calibration: self.calibration.clone(),

@@ -11,14 +11,14 @@ use crate::args::AssetArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{destination, output};
 
-/// One file that was written.
+/// A written file.
 #[derive(Debug, Serialize)]
 struct Written {
     model: String,
     path: PathBuf,
-    /// About the asset.
+    /// Findings about the asset.
     findings: Vec<Finding>,
-    /// About the calibration it was made from.
+    /// Findings about the calibration.
     calibration_findings: Vec<Finding>,
 }
 
@@ -44,12 +44,12 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
         return Ok(vec![write_one(&twin, findings, args)?]);
     }
     if args.unit.calibration.is_some() {
-        return Err("--calibration belongs to one model: name it instead of `all`".into());
+        return Err("--calibration applies to one model; name it instead of `all`".into());
     }
     let format = args.format.unwrap_or_default().into();
     let devices = context.catalog.devices();
     let twins = context.catalog.nominals();
-    // Every asset is made before the first is written, so that an error leaves nothing behind.
+    // All assets are created before the first is written, so that an error leaves no files behind.
     let made = asset::files(&twins, &args.options(), format)?;
     let mut written = Vec::new();
     for (device, file) in devices.iter().zip(made) {
@@ -84,34 +84,34 @@ fn write_one(twin: &Twin, calibration_findings: Vec<Finding>, args: &AssetArgs) 
     })
 }
 
-/// What `--format` says, else the output's extension.
+/// Returns the format from `--format`, else from the output's extension.
 fn format(args: &AssetArgs) -> Result<Format> {
-    let asked = args.format.map(Format::from);
+    let requested = args.format.map(Format::from);
     if destination::names_folder(&args.output) {
-        return Ok(asked.unwrap_or_default());
+        return Ok(requested.unwrap_or_default());
     }
     let extension = args.output.extension().and_then(|e| e.to_str());
-    let named = extension.and_then(|e| {
+    let from_name = extension.and_then(|e| {
         [Format::Usda, Format::Usd, Format::Usdz]
             .into_iter()
             .find(|f| f.extension() == e)
     });
     let path = args.output.display();
-    match (asked, named, extension) {
-        (Some(asked), Some(named), _) if asked != named => Err(format!(
-            "{path}: --format {} and the extension disagree; leave one out",
-            asked.extension()
+    match (requested, from_name, extension) {
+        (Some(requested), Some(from_name), _) if requested != from_name => Err(format!(
+            "{path}: --format {} contradicts the extension; omit one of them",
+            requested.extension()
         )
         .into()),
         (None, None, Some(extension)) => Err(format!(
-            "{path}: .{extension} is no USD format; use .usda, .usd or .usdz, or say --format"
+            "{path}: .{extension} is not a USD format; use .usda, .usd or .usdz, or give --format",
         )
         .into()),
-        _ => Ok(asked.or(named).unwrap_or_default()),
+        _ => Ok(requested.or(from_name).unwrap_or_default()),
     }
 }
 
-/// The layer of overrides on somebody's asset, which it names relative to its own folder.
+/// Creates a layer of overrides on an existing asset, which it references relative to its own folder.
 fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> Result<Asset> {
     let stage = stage::open(base)?;
     let folder = if destination::names_folder(&args.output) {

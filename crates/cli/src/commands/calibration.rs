@@ -17,7 +17,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
     }
 }
 
-/// Prints the file whatever is odd in it; errors decide only the exit code.
+/// Prints a calibration and its findings. Errors affect the exit code only.
 fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
     let (_, calibration, mut findings) = unit::read_calibration(&args.file)?;
     let named = args
@@ -52,7 +52,7 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
         summary.version
     );
     let model = device.map_or_else(
-        || "none in the catalog; name one with --model".to_owned(),
+        || "not in the catalog; choose one with --model".to_owned(),
         |d| d.name.clone(),
     );
     field(
@@ -70,17 +70,17 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
     }
     let _ = writeln!(
         out,
-        "\nExtrinsics (the first camera's origin in the second's frame: x right, y down, z forward)"
+        "\nExtrinsics (origin of the first camera in the frame of the second: x right, y down, z forward)"
     );
     for pair in summary.pairs.iter().filter(|pair| pair.from < pair.to) {
         let label = format!("{} in {}", pair.from, pair.to);
         let Some(rows) = &pair.to_from_from_cm else {
-            field(&mut out, &label, "not joined");
+            field(&mut out, &label, "not connected");
             continue;
         };
         let spec = pair
             .spec_baseline_cm
-            .map_or_else(String::new, |b| format!(", by design {b:.3} cm"));
+            .map_or_else(String::new, |b| format!(" (design {b:.3} cm)"));
         let angle_deg = ((rows[0][0] + rows[1][1] + rows[2][2] - 1.0) / 2.0)
             .clamp(-1.0, 1.0)
             .acos()
@@ -89,7 +89,7 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
             &mut out,
             &label,
             &format!(
-                "({:.3}, {:.3}, {:.3}) cm, turned {angle_deg:.2}°, distance {:.3} cm{spec}",
+                "({:.3}, {:.3}, {:.3}) cm, rotated {angle_deg:.2}°, distance {:.3} cm{spec}",
                 rows[0][3],
                 rows[1][3],
                 rows[2][3],
@@ -125,13 +125,13 @@ fn camera_text(out: &mut String, camera: &CameraSummary) {
     field(
         out,
         "cx, cy",
-        &format!("{:.3}, {:.3} px (first pixel's centre at 0)", k[0][2], k[1][2]),
+        &format!("{:.3}, {:.3} px (first pixel centre at 0)", k[0][2], k[1][2]),
     );
     field(
         out,
         "field of view",
         &format!(
-            "{:.2}° × {:.2}° as a pinhole; the design says {:.1}° with distortion",
+            "{:.2}° × {:.2}° as a pinhole; by design {:.1}° with distortion",
             camera.hfov_deg, camera.vfov_deg, camera.spec_hfov_deg
         ),
     );

@@ -67,15 +67,15 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
         .as_ref()
         .map_or_else(String::new, |model| format!(", {model}"));
     let source = match &camera.resolution_from {
-        ResolutionSource::Product(path) => format!("by {path}"),
-        ResolutionSource::Catalog => "by the catalog".to_owned(),
-        ResolutionSource::LensSchema => "by its lens schema".to_owned(),
-        ResolutionSource::Apertures => "by its apertures".to_owned(),
+        ResolutionSource::Product(path) => format!("from {path}"),
+        ResolutionSource::Catalog => "from the catalog".to_owned(),
+        ResolutionSource::LensSchema => "from the lens schema".to_owned(),
+        ResolutionSource::Apertures => "from the apertures".to_owned(),
     };
     let _ = writeln!(out, "\n{} ({} {source}{model})", camera.path, camera.resolution);
     let mut view = |label: &str, view: Option<&View>| {
         let text = view.map_or_else(
-            || "no usable pinhole".to_owned(),
+            || "no valid pinhole".to_owned(),
             |v| {
                 format!(
                     "fx {:.2}  fy {:.2}  cx {:.2}  cy {:.2} px   {:.2}° × {:.2}°",
@@ -89,7 +89,7 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
     view("OpenUSD", camera.openusd.as_ref());
     if let Some(lens) = &camera.lens {
         let intrinsics = lens.intrinsics.map_or_else(String::new, |[fx, fy, cx, cy]| {
-            format!("fx {fx:.2}  fy {fy:.2}  cx {cx:.2}  cy {cy:.2} px (first centre at 0)")
+            format!("fx {fx:.2}  fy {fy:.2}  cx {cx:.2}  cy {cy:.2} px (first pixel centre at 0)")
         });
         let _ = writeln!(out, "  {:<10}{intrinsics} {}", "lens", lens.schema);
     }
@@ -109,7 +109,7 @@ fn depth_text(out: &mut String, sensor: &DepthReport) {
     );
     let _ = writeln!(
         out,
-        "  {:<10}baseline {} mm, focal length {} px of {}; {} to {} m, disparity to {} px (from {:.3} m)",
+        "  {:<10}baseline {} mm, focal length {} px at width {}; {} to {} m, disparity up to {} px (from {:.3} m)",
         "",
         sensor.baseline_mm,
         sensor.focal_length_px,

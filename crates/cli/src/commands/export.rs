@@ -14,9 +14,9 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
     let (raw, calibration, mut findings) = open(context, file, args)?;
     let Export {
         files,
-        findings: lost,
+        findings: losses,
     } = export::export(&raw, &calibration, args.to.into())?;
-    findings.extend(lost);
+    findings.extend(losses);
     output::say_findings(file, &findings);
     match &args.output {
         None => output::print(&joined(&files))?,
@@ -34,7 +34,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
     Ok(Exit::Good)
 }
 
-/// The calibration in a file, or of a model's nominal device where there is no such file.
+/// Opens a calibration file or, if there is no such file, the nominal calibration of a model.
 fn open(
     context: &Context,
     file: &Path,
@@ -43,7 +43,7 @@ fn open(
     if !file.exists() {
         let device = context
             .device(&args.from)
-            .map_err(|unknown| format!("{}: there is no such file, and {unknown}", file.display()))?;
+            .map_err(|unknown| format!("{}: no such file, and {unknown}", file.display()))?;
         let raw = nominal_calibration(&context.catalog.nominal(device));
         let (calibration, findings) = Calibration::from_raw(&raw)?;
         return Ok((raw, calibration, findings));
@@ -59,7 +59,7 @@ fn put(path: &Path, input: &Path, text: &str) -> Result<()> {
     output::print(&format!("{}\n", path.display()))
 }
 
-/// Several files on one stream: each under a line that names it. Standard output of one file is that file.
+/// Joins several files, each under a line with its name. A single file is returned unchanged.
 fn joined(files: &[(String, String)]) -> String {
     match files {
         [(_, text)] => text.clone(),

@@ -1,4 +1,4 @@
-//! Shell completions and the manual, made from the arguments themselves.
+//! Shell completions and manual pages, generated from the arguments.
 
 use clap::CommandFactory;
 use oaktwin::diagnostic::nearest;
@@ -23,7 +23,7 @@ pub(crate) fn man(args: &ManArgs) -> Result<Exit> {
             let hint = near
                 .first()
                 .map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-            return Err(format!("there is no command `{name}`{hint}").into());
+            return Err(format!("unknown command `{name}`{hint}").into());
         };
         command = sub.clone();
     }

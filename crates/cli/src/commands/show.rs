@@ -18,16 +18,60 @@ pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-/// The report for people: a heading a device, a block a camera and a depth sensor, then notes.
+/// Formats the report: the device, then its cameras, depth sensors, accuracy and notes.
 fn text(report: &DeviceReport, provenance: bool) -> String {
     let mut out = format!("{} ({})\n", report.name, report.id);
-    let mut line = |label: &str, value: String| field(&mut out, label, &value);
+    device_text(&mut out, report);
+    if provenance {
+        sources(&mut out, report.source, &report.sources);
+        let _ = writeln!(out, "  body");
+        sources(&mut out, report.body.source, &report.body.sources);
+        let _ = writeln!(out, "  imu");
+        sources(&mut out, report.imu.source, &report.imu.sources);
+    }
+    for camera in &report.cameras {
+        camera_text(&mut out, camera, provenance);
+    }
+    for sensor in &report.depth_sensors {
+        depth_text(&mut out, sensor, provenance);
+    }
+    accuracy_text(&mut out, report);
+    if provenance && !report.evidence.is_empty() {
+        let _ = writeln!(out, "\nOther evidence");
+        for evidence in &report.evidence {
+            let _ = writeln!(
+                out,
+                "  {}: {} ({}: {})",
+                evidence.about,
+                evidence.value,
+                evidence.source.as_str(),
+                evidence.from
+            );
+        }
+    }
+    if !report.notes.is_empty() {
+        let _ = writeln!(out, "\nNotes");
+        for note in &report.notes {
+            let _ = writeln!(out, "  [{}] {}", note.topic, note.text);
+        }
+    }
+    if !report.findings.is_empty() {
+        let _ = writeln!(out, "\nCalibration");
+        for finding in &report.findings {
+            let _ = writeln!(out, "  {finding}");
+        }
+    }
+    out
+}
+
+fn device_text(out: &mut String, report: &DeviceReport) {
+    let mut line = |label: &str, value: String| field(out, label, &value);
     line(
         "generation",
         format!("{}, {}", report.generation, report.platform),
     );
     line("variant", report.variant.clone());
-    line("numbers", report.origin.clone());
+    line("values", report.origin.clone());
     let [width, height, depth] = report.body.dimensions_mm;
     line(
         "dimensions",
@@ -73,19 +117,9 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
             ),
         );
     }
-    if provenance {
-        sources(&mut out, report.source, &report.sources);
-        let _ = writeln!(out, "  body");
-        sources(&mut out, report.body.source, &report.body.sources);
-        let _ = writeln!(out, "  imu");
-        sources(&mut out, report.imu.source, &report.imu.sources);
-    }
-    for camera in &report.cameras {
-        camera_text(&mut out, camera, provenance);
-    }
-    for sensor in &report.depth_sensors {
-        depth_text(&mut out, sensor, provenance);
-    }
+}
+
+fn accuracy_text(out: &mut String, report: &DeviceReport) {
     let _ = writeln!(out, "\nAccuracy");
     for table in &report.accuracy {
         let bands: Vec<String> = table
@@ -98,39 +132,13 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
                     .as_ref()
                     .map_or_else(String::new, |c| format!(" ({c})"));
                 band.error_percent.map_or_else(
-                    || format!("{range} none{condition}"),
+                    || format!("{range} n/a{condition}"),
                     |e| format!("{range} < {e} %{condition}"),
                 )
             })
             .collect();
-        field(&mut out, table.source.as_str(), &bands.join(", "));
+        field(out, table.source.as_str(), &bands.join(", "));
     }
-    if provenance && !report.evidence.is_empty() {
-        let _ = writeln!(out, "\nOther evidence");
-        for evidence in &report.evidence {
-            let _ = writeln!(
-                out,
-                "  {}: {} ({}: {})",
-                evidence.about,
-                evidence.value,
-                evidence.source.as_str(),
-                evidence.from
-            );
-        }
-    }
-    if !report.notes.is_empty() {
-        let _ = writeln!(out, "\nNotes");
-        for note in &report.notes {
-            let _ = writeln!(out, "  [{}] {}", note.topic, note.text);
-        }
-    }
-    if !report.findings.is_empty() {
-        let _ = writeln!(out, "\nCalibration");
-        for finding in &report.findings {
-            let _ = writeln!(out, "  {finding}");
-        }
-    }
-    out
 }
 
 fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
@@ -180,7 +188,7 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
     );
     field(
         out,
-        "place",
+        "pose",
         &format!(
             "{} mm, yaw {:.2}°, pitch {:.2}°",
             triple(camera.position_mm),
@@ -227,7 +235,7 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
     field(
         out,
         "MinZ",
-        &format!("{:.3} m by the disparity range{extended}", sensor.min_z_m),
+        &format!("{:.3} m from the disparity range{extended}", sensor.min_z_m),
     );
     field(
         out,
@@ -240,12 +248,12 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
         &format!("{}–{} m", sensor.ideal_range_m.0, sensor.ideal_range_m.1),
     );
     for at in &sensor.at {
-        let step = |s: Option<f64>| s.map_or_else(|| "none".to_owned(), |s| format!("{:.1} mm", s * 1e3));
+        let step = |s: Option<f64>| s.map_or_else(|| "n/a".to_owned(), |s| format!("{:.1} mm", s * 1e3));
         field(
             out,
             &format!("at {} m", at.z_m),
             &format!(
-                "{:.3} px; step {} a pixel, {} a 1/32 px",
+                "disparity {:.3} px; depth step {} per px, {} per 1/32 px",
                 at.disparity_px,
                 step(at.step_px_m),
                 step(at.step_subpixel_m)
@@ -261,7 +269,7 @@ fn field(out: &mut String, label: &str, value: &str) {
     let _ = writeln!(out, "  {label:<26}{}", value.trim_end());
 }
 
-/// What a reader must know of a number even where sources are not asked for.
+/// Marks estimates, also without `--provenance`.
 fn mark(table: &impl Sourced, key: &str) -> &'static str {
     match table.source_of(key) {
         Source::Estimate => " (estimate)",
@@ -278,6 +286,6 @@ fn sources(out: &mut String, source: Source, others: &Sources) {
 }
 
 fn triple([x, y, z]: [f64; 3]) -> String {
-    // Adding 0 turns −0 into 0.
+    // Adding 0 changes −0 to 0.
     format!("({:.2}, {:.2}, {:.2})", x + 0.0, y + 0.0, z + 0.0)
 }

@@ -1,4 +1,4 @@
-//! Assets: what is written where, and that the checker is content with every option.
+//! Tests of assets: output paths, and that `check` accepts assets with every option.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ const STEMS: [&str; 5] = [
 ];
 
 #[test]
-fn all_assets_in_every_format_twice_the_same() {
+fn assets_are_reproducible_in_every_format() {
     let program = Program::new();
     for format in ["usda", "usd", "usdz"] {
         for folder in ["one", "two"] {
@@ -32,7 +32,7 @@ fn all_assets_in_every_format_twice_the_same() {
 }
 
 #[test]
-fn a_single_asset_goes_to_a_file_or_into_a_folder() {
+fn writes_a_single_asset_to_a_file_or_folder() {
     let program = Program::new();
     assert_eq!(
         program.good(&["asset", "OAK4-D", "-o", "mine.usdz"]),
@@ -53,9 +53,9 @@ fn a_single_asset_goes_to_a_file_or_into_a_folder() {
     );
 }
 
-/// Every asset that the program can write gives `check` no warning and no error.
+/// `check` reports neither warnings nor errors for any asset that the program writes.
 #[test]
-fn the_checker_is_content_with_every_option() {
+fn check_accepts_assets_with_every_option() {
     let program = Program::new();
     let options: [&[&str]; 8] = [
         &[],
@@ -101,7 +101,7 @@ fn the_checker_is_content_with_every_option() {
 }
 
 #[test]
-fn overrides_on_an_asset_elsewhere() {
+fn writes_overrides_on_an_asset_in_another_folder() {
     let program = Program::new();
     program.good(&["asset", "oak-d-pro-poe", "-o", "vendor/"]);
     let over = [
@@ -121,7 +121,7 @@ fn overrides_on_an_asset_elsewhere() {
     );
     let checked = program.run(&["check", "mine/unit.usda"]);
     assert_eq!(checked.code, 0, "{}", checked.stdout);
-    // Not over its own base, and not over another model's.
+    // Neither the base itself nor another model's asset is accepted.
     assert!(
         program
             .refused(&[&over[..], &["-o", "vendor/oak_d_pro_poe.usd"]].concat())
@@ -143,7 +143,7 @@ fn overrides_on_an_asset_elsewhere() {
 }
 
 #[test]
-fn the_demo_writes_five_assets_a_unit_and_a_room() {
+fn demo_writes_assets_a_unit_and_a_room() {
     let program = Program::new();
     let printed = program.good(&["demo"]);
     for name in [

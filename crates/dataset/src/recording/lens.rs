@@ -41,9 +41,9 @@ pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
 pub fn ros_lens_loss(lens: &LensModel) -> Option<&'static str> {
     match lens {
         LensModel::FTheta(_) => Some("ROS does not support f-theta lenses; camera_info is skipped"),
-        LensModel::OpenCvPinhole(lens) if lens.coefficients[8..].iter().any(|c| *c != 0.0) => {
-            Some("ROS does not support thin prism and tilt; camera_info has only the first eight coefficients")
-        }
+        LensModel::OpenCvPinhole(lens) if lens.coefficients[8..].iter().any(|c| *c != 0.0) => Some(
+            "ROS does not support thin prism and tilt; camera_info has only the first eight coefficients",
+        ),
         LensModel::Pinhole | LensModel::OpenCvPinhole(_) | LensModel::OpenCvFisheye(_) => None,
     }
 }

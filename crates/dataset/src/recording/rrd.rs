@@ -182,10 +182,7 @@ impl<W: Write> fmt::Debug for Rrd<W> {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "Rerun uses single precision"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "Rerun uses single precision")]
 fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     let q = parent_from_child.quaternion();
     let rotation = rerun::Quaternion::from_xyzw([q.x, q.y, q.z, q.w].map(|part| part as f32));
@@ -194,10 +191,7 @@ fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
 }
 
 /// The pinhole of Rerun, whose depth clouds have the centre of pixel (0, 0) at 0, like OpenCV.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "Rerun uses single precision"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "Rerun uses single precision")]
 fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
     let intrinsics = camera.camera.intrinsics;
     let centre = intrinsics.principal_point::<OpenCv>();

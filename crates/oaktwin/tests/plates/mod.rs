@@ -1,4 +1,4 @@
-//! Plates before a camera at the origin that looks along x, evenly lit.
+//! Uniformly lit plates in front of a camera at the origin that faces along x.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use oaktwin::scene::{
     TextureSource, TextureUse,
 };
 
-/// A room without plates, whose pattern has so many squares on a side: of one grey, or of random ones.
+/// A room without plates; its pattern has `squares` squares per side, uniform grey or random.
 pub(crate) fn room(squares: u32, grey: Option<u8>) -> Scene {
     let mut state = 1u32;
     let pixels = (0..squares * squares).map(|_| {
@@ -38,8 +38,8 @@ pub(crate) fn room(squares: u32, grey: Option<u8>) -> Scene {
     }
 }
 
-/// A rectangle `x` metres ahead, from `y[0]` to the left until `y[1]` and from `z[0]` up until `z[1]`; the room's pattern is
-/// `pattern` metres wide on it.
+/// A rectangle at x = `x` metres, between `y[0]` and `y[1]` (left) and `z[0]` and `z[1]` (up); the width of its pattern is
+/// `pattern` metres.
 pub(crate) fn plate(scene: &mut Scene, x: f32, y: [f32; 2], z: [f32; 2], pattern: f32) {
     let corners = [[y[0], z[0]], [y[1], z[0]], [y[1], z[1]], [y[0], z[1]]];
     scene.instances.push(Instance {

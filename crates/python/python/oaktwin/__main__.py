@@ -1,4 +1,4 @@
-"""`python -m oaktwin`: the program."""
+"""Runs the program as `python -m oaktwin`."""
 
 import signal
 import sys
@@ -7,8 +7,8 @@ from . import _oaktwin
 
 
 def main() -> int:
-    """Runs the program with this process's arguments; its exit code."""
-    # As of a program of its own: Ctrl-C ends it where it does not watch for it itself.
+    """Runs the program with this process's arguments and returns its exit code."""
+    # As in the standalone program, Ctrl-C terminates the process unless the program handles it.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     return _oaktwin.main(sys.argv[1:])
 

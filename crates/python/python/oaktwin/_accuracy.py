@@ -1,4 +1,4 @@
-"""The accuracy of a twin, as the vendor measures the camera's."""
+"""The depth accuracy of a twin, measured by the vendor's method."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ _COLUMNS = (
 
 
 class Accuracy:
-    """What was measured, near to far.
+    """The results of an accuracy measurement, in order of distance.
 
-    report: everything, as `oaktwin accuracy --json` prints it; units are in the names.
+    report: all results, as printed by `oaktwin accuracy --json`; names contain the units.
     """
 
     def __init__(self, report: dict[str, Any]) -> None:
@@ -37,8 +37,8 @@ class Accuracy:
 
     @property
     def rows(self) -> list[dict[str, Any]]:
-        """One dictionary a distance: "distance_m", "error_percent" (None where nothing was measured), "fill_rate", ...,
-        "bands" (the published accuracy there) and "verdict"."""
+        """One dictionary per distance: "distance_m", "error_percent" (None if nothing was measured), "fill_rate", ...,
+        "bands" (the published accuracy at this distance) and "verdict"."""
         rows: list[dict[str, Any]] = self.report["distances"]
         return rows
 
@@ -48,7 +48,7 @@ class Accuracy:
         return bool(self.report["passed"])
 
     def to_numpy(self) -> npt.NDArray[Any]:
-        """A structured array, a row a distance: the numbers of `rows` as float64, NaN where nothing was measured."""
+        """Returns a structured array with one row per distance: the numbers of `rows` as float64, NaN if nothing was measured."""
         table = np.full(len(self.rows), np.nan, dtype=[(name, np.float64) for name in _COLUMNS])
         for place, row in zip(table, self.rows):
             for name in _COLUMNS:
@@ -57,7 +57,9 @@ class Accuracy:
         return table
 
     def plot(self, ax: Any = None) -> Any:
-        """Error over distance with the published bands, on Matplotlib's axes `ax`, or those of a new figure; the axes.
+        """Plots error over distance with the published bands and returns the axes.
+
+        ax: the Matplotlib axes; by default those of a new figure.
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
@@ -65,7 +67,7 @@ class Accuracy:
             try:
                 plt = import_module("matplotlib.pyplot")
             except ImportError as error:
-                raise ImportError("plots need Matplotlib; install it: pip install matplotlib") from error
+                raise ImportError("plots require Matplotlib; install it: pip install matplotlib") from error
             _, ax = plt.subplots()
         table = self.to_numpy()
         ax.plot(table["distance_m"], table["error_percent"], marker="o", label=f"{self.report['engine']}")
@@ -115,23 +117,23 @@ def accuracy(
     focal_px: float | None = None,
     width_px: int | None = None,
 ) -> Accuracy:
-    """Measures a twin as the vendor measures the camera: a textured board at each distance, of many devices the median.
+    """Measures a twin's depth accuracy by the vendor's method: a textured board at each distance, and the median unit.
 
-    sensor: "stereo", "tof" or a prim; by default the device's own.
-    distances: true ones, metres, or the program's text "0.5:4:0.5"; by default about twenty.
-    devices: how many; by default 200 where they differ and `device_seed` chooses none.
-    captures: images of each board, 1 to 1000.
-    region: the side of the region that is measured, as a share of the image's, above 0, up to 1.
-    measured: a CSV file with the columns distance_m and depth_error_percent, somebody's measurements of a unit: they are laid
-        over the curve, and `report["measured"]` compares.
-    measured_from: nearer ones do not count, metres.
-    focal_px: the focal length of the unit that was measured, px of images `width_px` wide; by default the device's own.
-    width_px: the width of the images it was measured with: 1280 at 800P, 640 at 480P and 400P.
-    engine: also "stereo-matching", which renders the pair of the board's images and matches it.
-    The others are those of `DepthSensor`.
+    sensor: "stereo", "tof" or the name of a prim; by default the device's own depth sensor.
+    distances: the true distances in metres, or the program's range syntax "0.5:4:0.5"; by default about twenty.
+    devices: the number of units; by default 200 if units differ and `device_seed` is None, otherwise 1.
+    captures: the number of images of each board, 1 to 1000.
+    region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
+    measured: a CSV file with the columns distance_m and depth_error_percent, measured with a real unit: `report["measured"]`
+        compares it with the twin.
+    measured_from: the minimum distance of measurements that are compared, metres.
+    focal_px: the focal length of the measured unit, px of images `width_px` wide; by default the device's own.
+    width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
+    engine: additionally "stereo-matching", which renders and matches an image pair of the board.
+    All other arguments are those of `DepthSensor`.
 
-    Ctrl-C ends it. Raises `oaktwin.Error` for what cannot be measured, FileNotFoundError and other OSErrors for a file that
-    cannot be read.
+    Ctrl-C interrupts the measurement. Raises `oaktwin.Error` for invalid arguments, FileNotFoundError or another OSError if
+    the file cannot be read.
     """
     report = _oaktwin.accuracy(
         device,

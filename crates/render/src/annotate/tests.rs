@@ -31,7 +31,7 @@ fn normal_at(frame: &Frame, x: u32, y: u32) -> DVec3 {
 }
 
 #[test]
-fn only_what_is_asked_for_is_answered() {
+fn only_requested_annotators_are_rendered() {
     let mut scene = Scene::default();
     placed(&mut scene, "/Wall", rectangle([-9.0, 9.0], [-9.0, 9.0], 2.0));
     let renderer = Renderer::new(scene);
@@ -45,7 +45,7 @@ fn only_what_is_asked_for_is_answered() {
     assert!(z.distance_to_image_plane.is_some() && z.distance_to_camera.is_none());
     let range = ask(&[Annotator::DistanceToCamera]);
     assert!(range.distance_to_image_plane.is_none() && range.distance_to_camera.is_some());
-    // The long way round says the same.
+    // The result does not depend on the other annotators.
     let both = ask(&[
         Annotator::DistanceToCamera,
         Annotator::DistanceToImagePlane,
@@ -57,7 +57,7 @@ fn only_what_is_asked_for_is_answered() {
 }
 
 #[test]
-fn range_is_longer_than_depth_by_the_slant_of_the_ray() {
+fn range_is_depth_times_the_length_of_the_ray() {
     let mut scene = Scene::default();
     placed(&mut scene, "/Wall", rectangle([-1.0, 9.0], [-9.0, 9.0], 2.0));
     let frame = annotate(&scene, &view());
@@ -73,15 +73,15 @@ fn range_is_longer_than_depth_by_the_slant_of_the_ray() {
 }
 
 #[test]
-fn a_fisheye_measures_what_is_beside_and_behind_it() {
-    // The optical axis lies in the middle of a tube; only sideways and backwards is there anything to see.
+fn a_fisheye_measures_surfaces_beside_and_behind_it() {
+    // A wall parallel to the optical axis, visible sideways and backwards.
     let mut scene = Scene::default();
     let wall = rectangle([-3.0, 3.0], [-3.0, 3.0], 0.0);
     let turned = DAffine3::from_rotation_y(-std::f64::consts::FRAC_PI_2);
     let aside = DAffine3::from_translation(DVec3::new(0.8, 0.0, 0.0)) * turned;
     placed_at(&mut scene, "/Wall", wall, aside, &[]);
     let mut view = fisheye();
-    // Half the image's width is 2 rad.
+    // Half the width of the image is 2 rad.
     view.camera.intrinsics.fx = 50.0;
     view.camera.intrinsics.fy = 50.0;
     let frame = annotate(&scene, &view);
@@ -106,7 +106,7 @@ fn normal_at_row(normals: &Option<oaktwin_image::Image<[f32; 3]>>, x: u32, y: u3
     DVec3::from(normals.as_ref().unwrap().get(x, y).unwrap().map(f64::from))
 }
 
-/// A ball of radius 1 of small triangles, with its own normals or none.
+/// A ball of radius 1, with or without normals.
 fn ball(smooth: bool) -> Mesh {
     let (rings, sectors) = (24u32, 48u32);
     let mut mesh = Mesh::default();
@@ -134,8 +134,8 @@ fn ball(smooth: bool) -> Mesh {
 }
 
 #[test]
-fn a_ball_has_the_normals_of_a_ball() {
-    // Squeezed and turned, so that normals are not turned like points; mirrored, so that triangles turn round.
+fn normals_of_a_transformed_ball() {
+    // Non-uniform scaling transforms normals unlike points; mirroring reverses the winding.
     for mirror in [1.0, -1.0] {
         for (smooth, tolerance) in [(true, 0.02), (false, 0.25)] {
             let mut scene = Scene::default();
@@ -168,7 +168,7 @@ fn a_ball_has_the_normals_of_a_ball() {
                         .normalize();
                     let got = normal_at(&frame, x, y);
                     assert!((got.length() - 1.0).abs() < 1e-6);
-                    // Near the outline the true normal turns away within a triangle.
+                    // Near the outline the true normal varies strongly within a triangle.
                     if expected.dot(ray) < -0.2 {
                         assert!((got - expected).length() < tolerance, "{got} {expected}");
                         checked += 1;
@@ -181,7 +181,7 @@ fn a_ball_has_the_normals_of_a_ball() {
 }
 
 #[test]
-fn the_inside_of_a_box_faces_the_camera() {
+fn normals_inside_a_box_face_the_camera() {
     let mut scene = Scene::default();
     placed(&mut scene, "/Room", cube());
     let frame = annotate(&scene, &view());
@@ -196,20 +196,20 @@ fn pixels(found: &Box2d) -> [i32; 4] {
 }
 
 #[test]
-fn boxes_frame_what_is_seen_and_what_is_there() {
+fn tight_boxes_bound_visible_pixels_and_loose_boxes_all_pixels() {
     let mut scene = Scene::default();
     let label = |prim, name| [[prim, "class", name]];
     let here = DAffine3::IDENTITY;
     // 100 px · 0.5 m / 2 m = 25 px each side of the centre.
     let square = rectangle([-0.5, 0.5], [-0.5, 0.5], 2.0);
     placed_at(&mut scene, "/Square", square, here, &label("/Square", "square"));
-    // In front of its left half.
+    // A cover in front of the left half of the square.
     let cover = rectangle([-0.5, 0.0], [-0.5, 0.5], 1.0);
     placed(&mut scene, "/Cover", cover);
-    // Wholly behind the cover.
+    // A square completely behind the cover.
     let hidden = rectangle([-0.8, -0.4], [-0.4, 0.4], 2.5);
     placed_at(&mut scene, "/Hidden", hidden, here, &label("/Hidden", "hidden"));
-    // Reaches out of the image, and behind the camera.
+    // A floor that extends beyond the image and behind the camera.
     let floor = Mesh {
         positions: vec![
             [-50.0, 0.7, -9.0],
@@ -244,7 +244,7 @@ fn boxes_frame_what_is_seen_and_what_is_there() {
     assert_eq!(pixels(&loose.boxes[1]), [68, 83, 64, 95]);
     // The horizon is at 0.7 px below the centre, row 80.
     assert_eq!(pixels(&loose.boxes[2]), [0, 199, 81, 159]);
-    // Ids follow the labels' order: floor, hidden, square.
+    // Ids are in the order of the labels: floor, hidden, square.
     let ids: Vec<u32> = loose.boxes.iter().map(|found| found.semantic_id).collect();
     assert_eq!(ids, [4, 3, 2]);
     assert_eq!(loose.labels[&3]["class"], "hidden");
@@ -252,7 +252,7 @@ fn boxes_frame_what_is_seen_and_what_is_there() {
 }
 
 #[test]
-fn things_inherit_labels_and_prims_that_carry_them_have_boxes() {
+fn labels_are_inherited_and_labelled_prims_have_boxes() {
     let mut scene = Scene::default();
     let table = ["/Table", "class", "table"];
     let old = ["/Table", "age", "old"];
@@ -324,7 +324,7 @@ fn ids_are_the_same_in_every_view() {
 }
 
 #[test]
-fn points_are_in_scene_units_and_leave_out_misses() {
+fn points_are_in_scene_units_without_misses() {
     let mut scene = Scene {
         meters_per_unit: MetersPerUnit(0.01),
         ..Scene::default()
@@ -372,7 +372,7 @@ fn points_are_in_scene_units_and_leave_out_misses() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
     #[test]
-    fn alone_a_thing_hides_nothing_of_itself(
+    fn a_single_entity_has_equal_tight_and_loose_boxes(
         corners in prop::collection::vec(prop::array::uniform3(-3.0..3.0f32), 9),
         wide in any::<bool>(),
     ) {
@@ -393,7 +393,7 @@ proptest! {
         let frame = annotate(&scene, &view);
         let tight = frame.bounding_box_2d_tight.unwrap().boxes;
         let loose = frame.bounding_box_2d_loose.unwrap().boxes;
-        // Who sees a pixel whose centre lies on an edge is decided by rounding.
+        // Rounding decides whether a pixel is visible whose centre lies on an edge.
         for (tight, loose) in tight.iter().zip(&loose) {
             prop_assert!(loose.x_min <= tight.x_min && loose.x_min + 1 >= tight.x_min);
             prop_assert!(loose.y_min <= tight.y_min && loose.y_min + 1 >= tight.y_min);

@@ -1,33 +1,32 @@
-//! A mesh in clusters: what is culled, transformed and drawn together.
+//! Clusters of triangles, which are culled, transformed and drawn together.
 
 use oaktwin_scene::Mesh;
 use rayon::prelude::*;
 
 use super::order;
 
-/// At most so many triangles in a cluster.
+/// The maximum number of triangles in a cluster.
 pub(super) const MAX_TRIANGLES: usize = 256;
-/// At most so many vertices in a cluster: a triangle's corners are bytes.
+/// The maximum number of vertices in a cluster, for which the corners of triangles fit into bytes.
 pub(super) const MAX_VERTICES: usize = 256;
-/// Triangles and vertices are read so many at a time, past the end of a cluster.
+/// The number of triangles or vertices that are read at once, past the end of a cluster.
 pub(super) const LANES: usize = 8;
 
-/// A mesh's own copy of its geometry, in an order in which neighbours in space are neighbours in memory: 16 bytes a
-/// triangle.
+/// A copy of a mesh's geometry in spatial order, at 16 bytes per triangle.
 #[derive(Debug, Default)]
 pub(super) struct ClusteredMesh {
     pub(super) clusters: Vec<Cluster>,
-    /// Vertices, in the mesh's frame; [`LANES`] more than there are.
+    /// Vertices in the mesh frame, padded by [`LANES`].
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
     pub(super) z: Vec<f32>,
-    /// Corners within the cluster, a byte each from the lowest; [`LANES`] more than there are.
+    /// The corners of triangles as vertices of the cluster, one byte each from the lowest; padded by [`LANES`].
     pub(super) corners: Vec<u32>,
-    /// What each triangle is in the mesh.
+    /// The index of each triangle in the mesh.
     pub(super) triangles: Vec<u32>,
 }
 
-/// Up to [`MAX_TRIANGLES`] triangles that lie close together.
+/// Up to [`MAX_TRIANGLES`] neighbouring triangles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cluster {
     pub(super) bounds: Bounds,
@@ -37,7 +36,7 @@ pub(super) struct Cluster {
     pub(super) triangles: u16,
 }
 
-/// A box along the axes of the mesh's frame.
+/// An axis-aligned box in the mesh frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) lower: [f32; 3],
@@ -50,7 +49,7 @@ impl Bounds {
         upper: [f32::NEG_INFINITY; 3],
     };
 
-    /// Not what is not a number.
+    /// Includes a point; NaN coordinates are ignored.
     pub(super) fn include(mut self, point: [f32; 3]) -> Self {
         for ((lower, upper), p) in self.lower.iter_mut().zip(&mut self.upper).zip(point) {
             *lower = if p < *lower { p } else { *lower };
@@ -64,8 +63,8 @@ impl Bounds {
     }
 }
 
-/// The corners of a triangle that can be drawn: indices in range, all numbers finite.
-pub(super) fn sound_corners(mesh: &Mesh, triangle: usize) -> Option<[[f32; 3]; 3]> {
+/// Returns the corners of a triangle if its indices are in range and its coordinates finite.
+pub(super) fn valid_corners(mesh: &Mesh, triangle: usize) -> Option<[[f32; 3]; 3]> {
     let corners = mesh.corners(triangle)?;
     corners.iter().flatten().all(|c| c.is_finite()).then_some(corners)
 }
@@ -120,18 +119,15 @@ impl ClusteredMesh {
         self.triangles.extend_from_slice(&part.triangles);
     }
 
-    /// A cluster of these triangles, or several if they have too many vertices.
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "what is counted here is at most 256"
-    )]
+    /// Appends a cluster of these triangles, or several if they have too many vertices.
+    #[expect(clippy::cast_possible_truncation, reason = "counts up to 256")]
     fn push(&mut self, mesh: &Mesh, ordered: &[u64], slots: &mut Slots) {
         slots.clear();
         let (first_vertex, first_triangle) = (self.x.len(), self.corners.len());
         let mut bounds = Bounds::EMPTY;
         for triangle in ordered.iter().map(|key| order::triangle(*key)) {
             let (Some(corners), Some(indices)) = (
-                sound_corners(mesh, triangle as usize),
+                valid_corners(mesh, triangle as usize),
                 mesh.triangles.get(triangle as usize),
             ) else {
                 continue;
@@ -173,7 +169,7 @@ impl ClusteredMesh {
         }
     }
 
-    /// The positions of a triangle's corners, by its place in this order.
+    /// Returns the positions of a triangle's corners; `triangle` is an index in this order.
     pub(super) fn positions(&self, cluster: &Cluster, triangle: usize) -> Option<[[f32; 3]; 3]> {
         let [a, b, c, _] = self.corners.get(triangle)?.to_le_bytes();
         let vertex = |local: u8| {
@@ -184,7 +180,7 @@ impl ClusteredMesh {
     }
 }
 
-/// Which vertices of the mesh a cluster has already: a hash table with open addressing.
+/// The vertices of a cluster by their index in the mesh: a hash table with open addressing.
 #[derive(Debug)]
 struct Slots {
     table: Box<[(u32, u16); Self::SIZE]>,
@@ -206,7 +202,7 @@ impl Slots {
         self.table.fill(Self::FREE);
     }
 
-    /// Which vertex of the cluster it is; `next` if it is new.
+    /// Returns the index of a vertex in the cluster; `next` if it is new.
     fn local(&mut self, vertex: u32, next: u16) -> u16 {
         let mut at = vertex.wrapping_mul(0x9E37_79B1) as usize >> 22;
         loop {

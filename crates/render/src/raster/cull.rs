@@ -1,4 +1,4 @@
-//! Which clusters a view can see, and where on the image.
+//! Culling: the clusters in the view frustum and the pixels that they can touch.
 
 use oaktwin_camera::math::DVec3;
 
@@ -6,35 +6,35 @@ use super::cluster::{Bounds, Cluster, ClusteredMesh};
 use super::frame::{Frame, Projection};
 use super::large;
 
-/// What a tile is asked to draw.
+/// A cluster or a triangle to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Visible {
     pub(super) instance: u32,
-    /// Of its mesh.
+    /// The index of the cluster in the mesh.
     pub(super) cluster: u32,
-    /// Where one triangle goes its own way: its place in the clustered mesh.
+    /// The index of a single triangle in the clustered mesh; `None` for the whole cluster.
     pub(super) triangle: Option<u32>,
-    /// Not less than that of any point of it.
+    /// An upper bound of 1/z.
     pub(super) inverse_z: f32,
-    /// Columns and rows of the image that it can touch, both inclusive.
+    /// The first and the last column, and row, that it can touch.
     pub(super) x: [u32; 2],
     pub(super) y: [u32; 2],
 }
 
-/// Boxes that hold the camera, or reach outside of the grid or through a clipping plane, are looked at triangle by
-/// triangle.
-enum Place {
-    Unseen,
+/// The visibility of a cluster.
+enum Visibility {
+    Outside,
     Whole(Visible),
+    /// The box contains the camera, extends beyond the grid or intersects a clipping plane.
     ByTriangle,
 }
 
-/// Whether nothing inside the box can be seen.
-pub(super) fn is_unseen(frame: &Frame, projection: &Projection, bounds: &Bounds) -> bool {
+/// Whether a box lies outside the view frustum.
+pub(super) fn is_outside(frame: &Frame, projection: &Projection, bounds: &Bounds) -> bool {
     outside(frame, &corners(projection, bounds))
 }
 
-/// Adds what can be seen of a cluster.
+/// Adds a cluster, or its triangles, if it can be visible.
 pub(super) fn add(
     frame: &Frame,
     projection: &Projection,
@@ -46,10 +46,10 @@ pub(super) fn add(
     let Some(cluster) = mesh.clusters.get(at as usize) else {
         return;
     };
-    match place(frame, projection, cluster, instance, at) {
-        Place::Unseen => {}
-        Place::Whole(whole) => visible.push(whole),
-        Place::ByTriangle => {
+    match visibility(frame, projection, cluster, instance, at) {
+        Visibility::Outside => {}
+        Visibility::Whole(whole) => visible.push(whole),
+        Visibility::ByTriangle => {
             let first = cluster.first_triangle;
             for triangle in first..first + u32::from(cluster.triangles) {
                 let Some(positions) = mesh.positions(cluster, triangle as usize) else {
@@ -78,14 +78,20 @@ pub(super) fn add(
     }
 }
 
-fn place(frame: &Frame, projection: &Projection, cluster: &Cluster, instance: u32, at: u32) -> Place {
+fn visibility(
+    frame: &Frame,
+    projection: &Projection,
+    cluster: &Cluster,
+    instance: u32,
+    at: u32,
+) -> Visibility {
     let corners = corners(projection, &cluster.bounds);
     if outside(frame, &corners) {
-        return Place::Unseen;
+        return Visibility::Outside;
     }
     let (nearest, farthest) = range(corners[2]);
     if !(nearest > frame.near && farthest < frame.far) {
-        return Place::ByTriangle;
+        return Visibility::ByTriangle;
     }
     let mut u = [0.0; 8];
     let mut v = [0.0; 8];
@@ -98,11 +104,11 @@ fn place(frame: &Frame, projection: &Projection, cluster: &Cluster, instance: u3
     let limit = frame.grid.limit / frame.grid.steps() - 1.0;
     let on_grid = |(low, high): (f64, f64), side: u32| low >= f64::from(side) - limit && high <= limit;
     if !(on_grid(u, frame.width) && on_grid(v, frame.height)) {
-        return Place::ByTriangle;
+        return Visibility::ByTriangle;
     }
     match pixels(frame, [u.0, u.1], [v.0, v.1]) {
-        None => Place::Unseen,
-        Some((x, y)) => Place::Whole(Visible {
+        None => Visibility::Outside,
+        Some((x, y)) => Visibility::Whole(Visible {
             instance,
             cluster: at,
             triangle: None,
@@ -113,7 +119,7 @@ fn place(frame: &Frame, projection: &Projection, cluster: &Cluster, instance: u3
     }
 }
 
-/// `u`, `v` and `z` of a box's corners.
+/// Returns `u`, `v` and `z` of a box's corners.
 fn corners(projection: &Projection, bounds: &Bounds) -> [[f64; 8]; 3] {
     let (lower, upper) = (bounds.lower.map(f64::from), bounds.upper.map(f64::from));
     [projection.u, projection.v, projection.z].map(|row| {
@@ -126,13 +132,13 @@ fn corners(projection: &Projection, bounds: &Bounds) -> [[f64; 8]; 3] {
     })
 }
 
-/// Whether all corners lie on the far side of one side of the view's pyramid. What is not a number is outside.
+/// Whether all corners lie outside one plane of the view frustum. NaN counts as outside.
 fn outside(frame: &Frame, [u, v, z]: &[[f64; 8]; 3]) -> bool {
     let (nearest, farthest) = range(*z);
     if !(farthest >= frame.near && nearest <= frame.far) {
         return true;
     }
-    // Half a pixel more on all sides than there is.
+    // The frustum is half a pixel larger on all sides.
     let side = |numbers: &[f64; 8], side: u32| {
         let mut before = true;
         let mut behind = true;
@@ -154,21 +160,21 @@ fn range(numbers: [f64; 8]) -> (f64, f64) {
     range
 }
 
-/// The pixels of the image whose centres lie within; a hair more, for vertices are moved onto the grid.
+/// Returns the pixels whose centres lie within the bounds, with a margin because vertices are snapped to the grid.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
 fn pixels(frame: &Frame, u: [f64; 2], v: [f64; 2]) -> Option<([u32; 2], [u32; 2])> {
     let axis = |[low, high]: [f64; 2], side: u32| {
-        let low = (low - HAIR).ceil().max(0.0);
-        let high = (high + HAIR).floor().min(f64::from(side) - 1.0);
+        let low = (low - MARGIN).ceil().max(0.0);
+        let high = (high + MARGIN).floor().min(f64::from(side) - 1.0);
         (low <= high).then_some([low as u32, high as u32])
     };
     Some((axis(u, frame.width)?, axis(v, frame.height)?))
 }
 
-/// More than the grid's coarsest step that draws clusters, in pixels.
-const HAIR: f64 = 1.0 / 128.0;
+/// More than the coarsest step of a grid that draws clusters, in pixels.
+const MARGIN: f64 = 1.0 / 128.0;
 
-/// A little more, for what is interpolated in single precision.
+/// Rounds up by more than the error of interpolation in single precision.
 #[expect(clippy::cast_possible_truncation, reason = "rounded up")]
 fn above(inverse_z: f64) -> f32 {
     (inverse_z * (1.0 + 1e-6)) as f32

@@ -1,4 +1,4 @@
-//! All that a tile shows.
+//! Drawing of a tile.
 
 use oaktwin_simd::{LaneKernel, Lanes};
 
@@ -10,17 +10,17 @@ use super::small::{self, Drawn, Scratch};
 use super::tile::{Id, Rectangle, STRIDE, Tile};
 use crate::Hit;
 
-/// A tile's work.
+/// The work of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Job<'a> {
     pub(super) frame: &'a Frame<'a>,
     pub(super) meshes: &'a [ClusteredMesh],
     pub(super) visible: &'a [Visible],
-    /// What to draw, in this order: places in `visible`, in the lower half.
+    /// The entries to draw, in order; their lower halves are indices in `visible`.
     pub(super) entries: &'a [u64],
 }
 
-/// What an entry is about.
+/// An entry with its mesh and cluster.
 struct Entry<'a> {
     item: &'a Visible,
     mesh: &'a ClusteredMesh,
@@ -30,7 +30,7 @@ struct Entry<'a> {
 impl Job<'_> {
     #[inline(always)]
     fn entry(&self, at: usize) -> Option<Entry<'_>> {
-        #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+        #[expect(clippy::cast_possible_truncation, reason = "takes the lower half")]
         let item = self.visible.get(*self.entries.get(at)? as u32 as usize)?;
         let instance = self.frame.scene.instances.get(item.instance as usize)?;
         let mesh = self.meshes.get(instance.mesh as usize)?;
@@ -38,7 +38,7 @@ impl Job<'_> {
         Some(Entry { item, mesh, cluster })
     }
 
-    /// The triangle that is meant, in the scene.
+    /// Returns the triangle in the scene.
     pub(super) fn hit(&self, id: Id) -> Hit {
         if id == Id::NONE {
             return Hit::MISS;
@@ -76,10 +76,9 @@ impl<const IDS: bool> LaneKernel for DrawTile<'_, '_, IDS> {
     }
 }
 
-/// How many clusters memory is asked ahead of time.
+/// The number of clusters to prefetch ahead.
 const AHEAD: usize = 2;
 
-/// Draws what is listed.
 #[inline(always)]
 fn draw<L: Lanes, const IDS: bool>(job: &Job, tile: &mut Tile, scratch: &mut Scratch) {
     let mut last: Option<(u32, Projection)> = None;
@@ -123,7 +122,7 @@ fn draw<L: Lanes, const IDS: bool>(job: &Job, tile: &mut Tile, scratch: &mut Scr
     }
 }
 
-/// Writes what the tile shows: z in metres, infinite where there is nothing.
+/// Writes the z-depth of the tile in metres, infinite for a miss.
 #[inline(always)]
 fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
     for (row, inverse_z) in rows.iter_mut().zip(tile.inverse_z.chunks(STRIDE)) {
@@ -133,9 +132,9 @@ fn resolve(tile: &Tile, rows: &mut [&mut [f32]]) {
     }
 }
 
-/// Writes which triangles the tile shows.
+/// Writes the visible triangles of the tile.
 pub(super) fn resolve_ids(job: &Job, tile: &Tile, rows: &mut [&mut [Hit]]) {
-    // Neighbours are mostly of one cluster.
+    // Neighbouring pixels mostly belong to the same cluster.
     let mut last: Option<(usize, Entry)> = None;
     for (row, ids) in rows.iter_mut().zip(tile.id_rows()) {
         for (hit, id) in row.iter_mut().zip(ids) {
@@ -152,7 +151,7 @@ pub(super) fn resolve_ids(job: &Job, tile: &Tile, rows: &mut [&mut [Hit]]) {
     }
 }
 
-/// What of it lies on the tile, which it touches.
+/// Returns the part of an item's rectangle on a tile that it touches.
 #[expect(clippy::cast_possible_wrap, reason = "a tile is small")]
 #[inline(always)]
 fn on_tile(item: &Visible, tile: &Tile) -> Rectangle {

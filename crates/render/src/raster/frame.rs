@@ -1,4 +1,4 @@
-//! Where a view puts points: pixels, and steps of a fraction of a pixel.
+//! The projection of points to pixels and to a grid of fractions of a pixel.
 
 use oaktwin_camera::OpenCv;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
@@ -6,7 +6,7 @@ use oaktwin_scene::Scene;
 
 use crate::View;
 
-/// What is the same for all of a frame.
+/// The constants of a frame.
 #[derive(Debug)]
 pub(super) struct Frame<'a> {
     pub(super) scene: &'a Scene,
@@ -19,20 +19,20 @@ pub(super) struct Frame<'a> {
     pixels_from_camera: DMat3,
 }
 
-/// Vertices stand on a grid finer than pixels, so that on which side of an edge a pixel lies is decided in integers:
-/// exactly, and alike for the triangles on both sides.
+/// A grid finer than pixels to which vertices are snapped, so that the side of an edge on which a pixel lies is computed
+/// exactly in integers, and consistently for the triangles on both sides.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     /// A pixel is 2^bits steps.
     pub(super) bits: u32,
-    /// Whether depth may be interpolated between vertices on the grid, rather than where they really are.
+    /// Whether depth may be interpolated between snapped vertices rather than between the original ones.
     pub(super) is_fine: bool,
-    /// What lies farther than this from a tile's corner is not on the grid, in steps.
+    /// The maximum distance from a tile's corner of points on the grid, in steps.
     pub(super) limit: f64,
 }
 
 impl Grid {
-    /// As fine as angles of 2^-25 rad, if the image is not too large for that.
+    /// Creates a grid with steps of 2^-25 rad, or coarser if the image is too large for that.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
     fn new(focal: f64, largest_side: u32) -> Self {
         let wanted = (25.0 - focal.log2()).ceil().clamp(8.0, 40.0) as u32;
@@ -42,12 +42,12 @@ impl Grid {
         Self {
             bits,
             is_fine: bits == wanted,
-            // Products of two differences of coordinates fit into 64 bits. In absurdly large images nothing is on it.
+            // Products of two differences of coordinates fit into 64 bits. In extremely large images no point is on the grid.
             limit: if bits < 8 { -1.0 } else { f64::from(1u32 << 30) },
         }
     }
 
-    /// Steps in a pixel.
+    /// Returns the number of steps in a pixel.
     pub(super) fn steps(self) -> f64 {
         f64::from(1u32 << self.bits)
     }
@@ -65,7 +65,7 @@ impl<'a> Frame<'a> {
             far: view.clip.far_m,
             grid: Grid::new(k.fx.min(k.fy), k.size.width.max(k.size.height)),
             camera_from_world: view.camera_from_world(),
-            // In OpenCV's convention centres of pixels are integers, as on the grid.
+            // In OpenCV's convention pixel centres are integers, as on the grid.
             pixels_from_camera: DMat3::from_cols(
                 DVec3::new(k.fx, 0.0, 0.0),
                 DVec3::new(0.0, k.fy, 0.0),
@@ -74,7 +74,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// Of an instance, onto the image.
+    /// Returns the projection of an instance onto the image.
     pub(super) fn projection(&self, instance: u32) -> Option<Projection> {
         let placed = self.scene.instances.get(instance as usize)?;
         let camera_from_mesh = self.camera_from_world * placed.world_from_mesh;
@@ -92,7 +92,7 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// From a mesh's frame to `(u, v, z)`: z-depth in metres, and z times the coordinates on the image.
+/// A projection from the mesh frame to `(u, v, z)`: z-depth in metres, and z times the image coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection {
     pub(super) u: [f64; 4],
@@ -101,7 +101,7 @@ pub(super) struct Projection {
 }
 
 impl Projection {
-    /// Onto the grid of a tile, whose first pixel is `(x, y)`.
+    /// Returns the projection onto the grid of a tile whose first pixel is `(x, y)`.
     pub(super) fn on_tile(&self, grid: Grid, x: u32, y: u32) -> Self {
         let onto = |row: [f64; 4], first: u32| {
             std::array::from_fn(|i| (row[i] - f64::from(first) * self.z[i]) * grid.steps())

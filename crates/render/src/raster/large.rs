@@ -1,4 +1,4 @@
-//! Any triangle, in double precision: large ones, and those that reach behind the camera.
+//! Drawing of large triangles and of those that extend behind the camera, in double precision.
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{Lanes, round_ties_even};
@@ -11,7 +11,7 @@ use super::tile::{Id, Rectangle, STRIDE, Tile};
 #[derive(Clone, Copy, Debug)]
 struct Corner {
     at: DVec3,
-    /// Its place on the grid, if it has one.
+    /// Its position on the grid, if it is on the grid.
     snapped: Option<[i32; 2]>,
 }
 
@@ -27,14 +27,14 @@ impl Corner {
         }
     }
 
-    /// A point on its ray, where the grid has it.
+    /// Returns a point on the corner's ray, at the snapped position if there is one.
     fn direction(self) -> DVec3 {
         self.snapped
             .map_or(self.at, |[x, y]| DVec3::new(x.into(), y.into(), 1.0))
     }
 }
 
-/// `a x + b y + c`, of pixels of a tile.
+/// `a x + b y + c` for pixels of a tile.
 #[derive(Clone, Copy, Debug)]
 struct Linear {
     a: f64,
@@ -43,7 +43,7 @@ struct Linear {
 }
 
 impl Linear {
-    /// From a homogeneous line, of steps of the grid.
+    /// Converts a homogeneous line in steps of the grid.
     fn from_line(line: DVec3, steps: f64) -> Self {
         Self {
             a: line.x * steps,
@@ -52,14 +52,14 @@ impl Linear {
         }
     }
 
-    /// The same numbers, in the same order, wherever an edge is looked at: its two triangles have opposite signs.
+    /// Evaluates the function. The two triangles at an edge get exactly opposite values.
     #[inline(always)]
     fn at(self, x: f64, y: f64) -> f64 {
         self.a * x + self.b * y + self.c
     }
 }
 
-/// Draws a triangle of a mesh onto the part of the image in `tile`.
+/// Draws a triangle of a mesh onto a tile.
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
     job: &Job,
@@ -77,13 +77,13 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
         return;
     };
     let [p0, p1, p2] = corners.map(|c| c.at);
-    // The plane where the vertices really are: n · p = d, so that 1/z = n · (x, y, 1) / d.
+    // The plane of the original vertices, n · p = d, so that 1/z = n · (x, y, 1) / d.
     let n = (p1 - p0).cross(p2 - p0);
     let plane = Linear::from_line(n / n.dot(p0), frame.grid.steps());
     if !(plane.a.is_finite() && plane.b.is_finite() && plane.c.is_finite()) {
         return;
     }
-    // Where a plane is seen edge-on, what the grid calls inside can be far off it.
+    // Pixels that are inside on the grid can be far off a plane that is seen edge-on.
     let inverse = corners.map(|c| 1.0 / c.at.z);
     let (low, high) = if corners.iter().all(|c| c.at.z > 0.0) {
         (
@@ -117,7 +117,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
     }
 }
 
-/// The pixels of the tile whose centres can be inside; `None` if there are none.
+/// Returns the pixels of the tile whose centres can be inside; `None` if there are none.
 #[inline(always)]
 fn rectangle(frame: &Frame, tile: &Tile, corners: &[Corner; 3]) -> Option<Rectangle> {
     let bits = frame.grid.bits;
@@ -131,7 +131,7 @@ fn rectangle(frame: &Frame, tile: &Tile, corners: &[Corner; 3]) -> Option<Rectan
     } else {
         let extent = extent(corners.map(|c| c.at), frame.near)?;
         extent.map(|[low, high]| {
-            // A pixel more than it has: its corners were not brought onto the grid.
+            // With a margin of a pixel because the corners are not on the grid.
             let pixel =
                 |value: f64, limit: i32| (value / frame.grid.steps()).clamp(-2.0, f64::from(limit + 2));
             let limit = tile.width.max(tile.height);
@@ -144,7 +144,7 @@ fn rectangle(frame: &Frame, tile: &Tile, corners: &[Corner; 3]) -> Option<Rectan
     (x[0] <= x[1] && y[0] <= y[1]).then_some(Rectangle { x, y })
 }
 
-/// The least and the largest `u/z` and `v/z` of what lies beyond the near plane; `None` if nothing does.
+/// Returns the minimum and the maximum of `u/z` and `v/z` of the part beyond the near plane; `None` if there is none.
 pub(super) fn extent(corners: [DVec3; 3], near: f64) -> Option<[[f64; 2]; 2]> {
     let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut include = |u: f64, v: f64, z: f64| {
@@ -165,9 +165,9 @@ pub(super) fn extent(corners: [DVec3; 3], near: f64) -> Option<[[f64; 2]; 2]> {
     extent.iter().all(|[low, high]| low <= high).then_some(extent)
 }
 
-/// Functions of a pixel that are positive or zero inside; `None` where the triangle is seen edge-on.
+/// Returns functions of a pixel that are positive or zero inside; `None` if the triangle is seen edge-on.
 ///
-/// Each depends on its two vertices alone, so that a pixel is never outside of both triangles at an edge.
+/// Each depends on its two vertices only, so that a pixel is never outside both triangles at an edge.
 #[inline(always)]
 fn edges(grid: Grid, corners: &[Corner; 3]) -> Option<[Linear; 3]> {
     let [a, b, c] = corners;
@@ -197,8 +197,8 @@ fn edges(grid: Grid, corners: &[Corner; 3]) -> Option<[Linear; 3]> {
     Some([edge(a, b), edge(b, c), edge(c, a)])
 }
 
-/// Of an edge on the grid. At a pixel its function is a multiple of 2^bits plus a constant, so that its sign is that
-/// of integers 2^bits times smaller, constant rounded down, which double precision has exactly.
+/// Returns the function of an edge on the grid. At a pixel it is a multiple of 2^bits plus a constant. Its sign does not change
+/// when it is divided by 2^bits and the constant is rounded down, which double precision represents exactly.
 #[inline(always)]
 fn exact(p: [i32; 2], q: [i32; 2], bits: u32) -> Linear {
     let ([px, py], [qx, qy]) = (p.map(i64::from), q.map(i64::from));

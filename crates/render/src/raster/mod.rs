@@ -1,14 +1,15 @@
-//! From triangles to pixels, for ideal pinholes.
+//! The rasterizer, for ideal pinholes.
 //!
-//! Meshes are cut into clusters once. A frame finds the clusters that it can see and which tiles of the image they
-//! touch; then every tile, by itself, draws its clusters from the nearest to the farthest, skipping those that are
-//! hidden by then. A pixel keeps 1/z, which is linear over a triangle's image.
+//! Meshes are divided into clusters once. For each frame, visible clusters are assigned to the tiles that they touch; then each
+//! tile independently draws its clusters from near to far and skips occluded ones. Pixels store 1/z, which is linear over the
+//! image of a triangle.
 
 mod cluster;
 mod cull;
 mod draw;
 mod frame;
 mod large;
+mod list;
 mod order;
 mod small;
 #[cfg(test)]
@@ -28,7 +29,7 @@ use self::small::Scratch;
 use self::tile::Tile;
 use crate::{Hit, View, Visibility};
 
-/// What the rasterizer prepares of a scene.
+/// The clusters of a scene.
 #[derive(Debug)]
 pub(crate) struct Rasterizer {
     meshes: Vec<ClusteredMesh>,
@@ -40,12 +41,12 @@ pub(crate) struct Rasterizer {
 #[derive(Debug)]
 struct Group {
     instance: u32,
-    /// Of its mesh.
+    /// The range of clusters in the mesh.
     clusters: std::ops::Range<u32>,
     bounds: Bounds,
 }
 
-/// Clusters in a group.
+/// The number of clusters in a group.
 const GROUP: usize = 32;
 
 impl Rasterizer {
@@ -88,7 +89,7 @@ impl Rasterizer {
         Visibility { z, hits }
     }
 
-    /// The second image is empty where no ids are asked for.
+    /// The second image is empty unless `IDS` is set.
     fn render<const IDS: bool>(&self, scene: &Scene, view: &View) -> (ZDepth, Image<Hit>) {
         let frame = Frame::new(scene, view);
         let (width, height) = (frame.width, frame.height);
@@ -138,7 +139,7 @@ impl Rasterizer {
         (ZDepth(z), hits)
     }
 
-    /// Everything to draw, in the scene's order.
+    /// Returns everything to draw, in the order of the scene.
     fn visible(&self, frame: &Frame) -> Vec<Visible> {
         let parts: Vec<Vec<Visible>> = self
             .groups
@@ -154,7 +155,7 @@ impl Rasterizer {
                     else {
                         continue;
                     };
-                    if cull::is_unseen(frame, &projection, &group.bounds) {
+                    if cull::is_outside(frame, &projection, &group.bounds) {
                         continue;
                     }
                     for cluster in group.clusters.clone() {
@@ -168,7 +169,8 @@ impl Rasterizer {
     }
 }
 
-/// For every tile, and one after the last, where its entries begin; and the entries: places in `visible`.
+/// Assigns items to tiles: returns the index of each tile's first entry, with one more at the end, and the entries, which are
+/// indices in `visible`.
 #[expect(clippy::cast_possible_truncation, reason = "fewer than 2^32 can be seen")]
 fn bin(frame: &Frame, visible: &[Visible]) -> (Vec<usize>, Vec<u32>) {
     let [across, down] = Tile::count(frame.width, frame.height);
@@ -177,7 +179,7 @@ fn bin(frame: &Frame, visible: &[Visible]) -> (Vec<usize>, Vec<u32>) {
         let y = item.y.map(|y| y as usize / tile::HEIGHT);
         (y[0]..=y[1]).flat_map(move |row| (x[0]..=x[1]).map(move |column| row * across + column))
     };
-    // Two ahead, so that filling them turns ends into beginnings.
+    // Counts are stored two ahead so that filling the entries turns end indices into start indices.
     let mut first = vec![0; across * down + 2];
     for tile in visible.iter().flat_map(touched) {
         first[tile + 2] += 1;
@@ -196,7 +198,7 @@ fn bin(frame: &Frame, visible: &[Visible]) -> (Vec<usize>, Vec<u32>) {
     (first, entries)
 }
 
-/// The nearest first; the lower half of each is its place in `visible`.
+/// Sorts entries from near to far; the lower half of each is its index in `visible`.
 fn sort(visible: &[Visible], entries: &[u32], order: &mut Vec<u64>) {
     order.clear();
     order.extend(entries.iter().map(|at| {
@@ -206,7 +208,7 @@ fn sort(visible: &[Visible], entries: &[u32], order: &mut Vec<u64>) {
     order.sort_unstable();
 }
 
-/// The rows of every tile of an image.
+/// Splits an image into the rows of each tile.
 fn split<T>(pixels: &mut [T], width: u32) -> Vec<Vec<&mut [T]>> {
     let width = (width as usize).max(1);
     let across = width.div_ceil(tile::WIDTH);

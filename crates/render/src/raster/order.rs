@@ -1,34 +1,34 @@
-//! The order in which neighbours in space become neighbours in memory.
+//! The spatial order of triangles.
 
 use std::ops::Range;
 
 use oaktwin_scene::Mesh;
 use rayon::prelude::*;
 
-use super::cluster::{Bounds, sound_corners};
+use super::cluster::{Bounds, valid_corners};
 
-/// The triangle of a key: its lower half. The upper is where it lies on the curve.
-#[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+/// Returns the triangle of a key, which is its lower half; the upper half is the position on the curve.
+#[expect(clippy::cast_possible_truncation, reason = "takes the lower half")]
 pub(super) fn triangle(key: u64) -> u32 {
     key as u32
 }
 
-/// The triangles that can be drawn, sorted by where their centroids lie on a Morton curve through the mesh's bounds.
+/// Returns the valid triangles, sorted by the positions of their centroids on a Morton curve through the mesh's bounds.
 pub(super) fn along_curve(mesh: &Mesh) -> Vec<u64> {
     #[expect(clippy::cast_possible_truncation, reason = "a mesh's indices are u32")]
     let mut keys: Vec<u64> = (0..mesh.triangles.len() as u32)
         .into_par_iter()
-        .filter(|triangle| sound_corners(mesh, *triangle as usize).is_some())
+        .filter(|triangle| valid_corners(mesh, *triangle as usize).is_some())
         .map(u64::from)
         .collect();
     sort(mesh, &mut keys);
     keys
 }
 
-/// Cuts sorted keys where the curve leaves a cell, until no piece has more than `limit` triangles.
+/// Splits sorted keys at the cells of the curve until no part has more than `limit` triangles.
 pub(super) fn leaves(mesh: &Mesh, keys: &mut [u64], limit: usize) -> Vec<Range<usize>> {
     let mut leaves = Vec::with_capacity(keys.len() / limit * 2 + 1);
-    // A cell that one level of the curve does not divide gets a curve of its own, a few times over.
+    // A cell that the curve does not divide further gets a curve of its own, up to four times.
     let mut rest = vec![(0..keys.len(), 4)];
     while let Some((range, depth)) = rest.pop() {
         let Some(piece) = keys.get_mut(range.clone()) else {
@@ -72,7 +72,7 @@ fn sort(mesh: &Mesh, keys: &mut [u64]) {
     let extent = (0..3)
         .map(|axis| bounds.upper[axis] - bounds.lower[axis])
         .fold(0.0, f32::max);
-    // Cells are cubes, so that a flat mesh is divided along its surface only.
+    // Cells are cubes so that a flat mesh is divided along its surface only.
     let scale = if extent > 0.0 { CELLS / extent } else { 0.0 };
     keys.par_iter_mut().for_each(|key| {
         let c = centroid(mesh, *key);
@@ -85,7 +85,7 @@ fn sort(mesh: &Mesh, keys: &mut [u64]) {
 
 const CELLS: f32 = 1024.0;
 
-/// The bits of a cell's number along one axis, two apart. What overflows single precision ends up in the last cell.
+/// Spreads the bits of a cell's index along one axis, with two zeros between them. Overflow is clamped to the last cell.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -99,7 +99,7 @@ fn spread(cell: f32) -> u64 {
     (v | v << 2) & 0x0924_9249
 }
 
-/// Three quarters of the centroid, so that large coordinates stay finite.
+/// Returns three quarters of the centroid, so that large coordinates stay finite.
 fn centroid(mesh: &Mesh, key: u64) -> [f32; 3] {
     mesh.corners(triangle(key) as usize)
         .map_or([0.0; 3], |[a, b, c]| {

@@ -1,4 +1,4 @@
-//! Clusters of triangles, most of which are a few pixels: eight triangles at a time, in single precision.
+//! Drawing of clusters whose triangles mostly cover a few pixels, eight at a time, in single precision.
 
 use oaktwin_simd::{F64Lanes, I32Lanes, Lanes, Row};
 
@@ -6,80 +6,29 @@ use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES}
 use super::draw::Job;
 use super::frame::{Grid, Projection};
 use super::large;
+use super::list::TriangleList;
 use super::tile::{Id, ROW, STRIDE, Tile};
 
-/// Triangles that extend less than so many pixels either way are small.
+/// The extent in pixels below which triangles are small.
 const SMALL: i32 = 8;
 
-/// A cluster's vertices on a tile's grid, and what is found of its triangles.
+/// The vertices of a cluster on a tile's grid, and its triangles by size.
 #[derive(Debug)]
 pub(super) struct Scratch {
-    /// x and y in steps, 1/z.
+    /// x and y in steps, and 1/z.
     vertices: [Row; MAX_VERTICES],
-    tiny: Kept,
-    small: Kept,
-    large: Kept,
-}
-
-/// For each byte the numbers of its bits that are set, from the lowest, as bytes.
-const SET_BITS: [u64; 256] = {
-    let mut table = [0; 256];
-    let mut mask = 0;
-    while mask < 256 {
-        let (mut bit, mut count) = (0, 0);
-        while bit < 8 {
-            if mask >> bit & 1 == 1 {
-                table[mask] |= bit << (8 * count);
-                count += 1;
-            }
-            bit += 1;
-        }
-        mask += 1;
-    }
-    table
-};
-
-/// Triangles of a cluster.
-#[derive(Debug)]
-struct Kept {
-    triangles: [u8; MAX_TRIANGLES + LANES],
-    count: usize,
-}
-
-impl Kept {
-    const NONE: Self = Self {
-        triangles: [0; MAX_TRIANGLES + LANES],
-        count: 0,
-    };
-
-    /// Those of eight triangles whose bit is set.
-    #[inline(always)]
-    fn push(&mut self, first: usize, mask: u32) {
-        // All eight bytes are written: what should not be there is written over next.
-        if let Some(slots) = self.triangles[self.count % MAX_TRIANGLES..].first_chunk_mut::<LANES>() {
-            let packed = SET_BITS[mask as usize % 256] + first as u64 * 0x0101_0101_0101_0101;
-            *slots = packed.to_le_bytes();
-        }
-        self.count += mask.count_ones() as usize;
-    }
-
-    /// Eight at a time, and how many of them count.
-    #[inline(always)]
-    fn batches(&self) -> impl Iterator<Item = (&[u8; LANES], usize)> {
-        (0..self.count)
-            .step_by(LANES)
-            .zip(self.triangles.as_chunks::<LANES>().0)
-            .map(|(first, batch)| (batch, (self.count - first).min(LANES)))
-    }
+    tiny: TriangleList,
+    small: TriangleList,
+    large: TriangleList,
 }
 
 impl Default for Scratch {
     fn default() -> Self {
         Self {
             vertices: [Row([0; 4]); MAX_VERTICES],
-            tiny: Kept::NONE,
-            small: Kept::NONE,
-            large: Kept::NONE,
+            tiny: TriangleList::EMPTY,
+            small: TriangleList::EMPTY,
+            large: TriangleList::EMPTY,
         }
     }
 }
@@ -90,7 +39,7 @@ pub(super) struct Drawn<'a> {
     pub(super) mesh: &'a ClusteredMesh,
     pub(super) cluster: &'a Cluster,
     pub(super) onto_tile: &'a Projection,
-    /// Its place in the tile's list.
+    /// The index of its entry in the tile.
     pub(super) entry: usize,
 }
 
@@ -108,7 +57,7 @@ impl Drawn<'_> {
     }
 }
 
-/// Asks for a cluster's geometry before it is needed.
+/// Prefetches the geometry of a cluster.
 #[inline(always)]
 pub(super) fn prefetch<L: Lanes>(mesh: &ClusteredMesh, cluster: &Cluster) {
     let first = cluster.first_vertex as usize;
@@ -125,7 +74,7 @@ pub(super) fn prefetch<L: Lanes>(mesh: &ClusteredMesh, cluster: &Cluster) {
     }
 }
 
-/// Draws a cluster that lies between the near and the far plane, and on the tile's grid.
+/// Draws a cluster that lies between the near and the far plane and on the tile's grid.
 #[inline(always)]
 pub(super) fn draw<L: Lanes, const IDS: bool>(
     job: &Job,
@@ -152,7 +101,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
     }
 }
 
-/// Brings the vertices onto the grid.
+/// Transforms the vertices and snaps them to the grid.
 #[inline(always)]
 fn transform<L: Lanes>(scratch: &mut Scratch, drawn: &Drawn) {
     let first = drawn.cluster.first_vertex as usize;
@@ -189,14 +138,14 @@ fn splat_row<D: F64Lanes>([a, b, c, d]: [f64; 4]) -> [D; 4] {
     [D::splat(a), D::splat(b), D::splat(c), D::splat(d)]
 }
 
-/// In the order of [`Projection::apply`].
+/// Computes in the same order as [`Projection::apply`].
 #[inline(always)]
 fn apply<D: F64Lanes>(m: [D; 4], [x, y, z]: [D; 3]) -> D {
     let sum = m[0] * x + m[1] * y;
     sum + m[2] * z + m[3]
 }
 
-/// The vertices of eight triangles: x, y and 1/z of each corner.
+/// Returns x, y and 1/z of the corners of eight triangles.
 #[inline(always)]
 fn gather<L: Lanes>(vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(L::I32, L::I32, L); 3] {
     let c = corners.map(u32::to_le_bytes);
@@ -216,7 +165,7 @@ fn corner<L: Lanes>(
     L::load_rows(corners.map(|corners| &vertices[usize::from(corners[k])]))
 }
 
-/// The first and the last pixel whose centre is not before the first or behind the last of three.
+/// Returns the pixels whose centres lie between the minimum and the maximum of three coordinates.
 #[inline(always)]
 fn pixels<I: I32Lanes>(bits: u32, a: I, b: I, c: I) -> Extent<I> {
     let below = I::splat((1 << bits) - 1);
@@ -230,20 +179,20 @@ fn pixels<I: I32Lanes>(bits: u32, a: I, b: I, c: I) -> Extent<I> {
     }
 }
 
-/// Along one axis.
+/// The extent of triangles along one axis.
 struct Extent<I> {
-    /// Not before the tile.
+    /// The first pixel, not before the tile.
     first: I,
     last: I,
-    /// In steps.
+    /// The size in steps.
     size: I,
 }
 
-/// Drops triangles that no pixel's centre of the tile can be in, and tells the others apart by size.
+/// Drops triangles that contain no pixel centre of the tile and sorts the others by size.
 #[inline(always)]
 fn sort_out<L: Lanes>(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Drawn) {
     let bits = grid.bits;
-    // A difference of coordinates may be as large as 32 bits without a sign.
+    // A difference of coordinates may need 32 bits without a sign.
     let limit = L::I32::splat(if grid.is_fine { (SMALL << bits) - 1 } else { -1 });
     let (right, bottom) = (L::I32::splat(tile.width - 1), L::I32::splat(tile.height - 1));
     let one = L::I32::splat(1);
@@ -257,7 +206,7 @@ fn sort_out<L: Lanes>(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Dr
         let (x, y) = (pixels(bits, x0, x1, x2), pixels(bits, y0, y1, y2));
         let wide = x.last.min(right) - x.first;
         let high = y.last.min(bottom) - y.first;
-        // Negative, each: without a pixel; not small; not tiny.
+        // Negative where a triangle is empty; not small; not tiny.
         let is_empty = wide | high;
         let is_large = x.size | y.size | (limit - x.size) | (limit - y.size);
         let is_wide = (one - wide) | (one - high);
@@ -275,15 +224,15 @@ fn sort_out<L: Lanes>(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Dr
 
 /// Eight small triangles, ready to be drawn.
 ///
-/// A pixel `(i, j)`, counted from the triangle's first, lies inside if `a i + b j + c` is positive or zero for all
-/// edges; these are integers as in `large`, a pixel times a grid step each. Scaled, two of them are barycentric
-/// coordinates, which 1/z is interpolated with.
+/// A pixel `(i, j)`, relative to the triangle's first pixel, lies inside if `a i + b j + c` is positive or zero for all edges. These
+/// are integers as in `large`, in units of a pixel times a grid step. Two of them, scaled, are the barycentric coordinates with
+/// which 1/z is interpolated.
 struct Setup<L: Lanes> {
     a: [L::I32; 3],
     b: [L::I32; 3],
     c: [L::I32; 3],
     inverse_z: L,
-    /// What the constants' rounding down took away.
+    /// The correction for rounding down the constants.
     rest: L,
     slope: [L; 2],
     x: L::I32,
@@ -307,14 +256,14 @@ impl<L: Lanes> Setup<L> {
         let pixel = L::F64::splat(1.0 / grid.steps());
         let area = cross(fx1, fy2, fx2, fy1) * pixel;
         let signed_area = L::narrow(area);
-        // All ones where the corners go round the other way.
+        // The mask of triangles with reversed winding.
         let reversed = signed_area.to_bits().shift_right(31);
         let sign = L::widen_i32(reversed | L::I32::splat(1)) * pixel;
         let c1 = cross(fx2, fy, fy2, fx) * sign;
         let c2 = cross(fy1, fx, fx1, fy) * sign;
         let area = area * (sign * L::F64::splat(grid.steps()));
         let c0 = area - c1 - c2;
-        // Just less than half: a multiple of a step less this, rounded to the nearest, is rounded down.
+        // Slightly less than half: subtracting it before rounding to nearest rounds multiples of a step down.
         let half = L::F64::splat(0.5 - 0.5 / grid.steps());
         let c0 = L::round(c0 - half);
         let (k1, k2) = (L::round(c1 - half), L::round(c2 - half));
@@ -325,7 +274,7 @@ impl<L: Lanes> Setup<L> {
         let (a2, b2) = (flip(dy1, straight), flip(dx1, reversed));
         let zero = L::I32::splat(0);
         let (a0, b0) = (zero - (a1 + a2), zero - (b1 + b2));
-        // Without an area a triangle has no inside: its neighbours have its edges' pixels.
+        // A triangle without area has no inside; pixels on its edges belong to its neighbours.
         let magnitude = signed_area.to_bits() & L::I32::splat(i32::MAX);
         let is_flat = (magnitude - L::I32::splat(1)).shift_right(31);
         let never = is_flat & L::I32::splat(-1 << 30);
@@ -346,7 +295,7 @@ impl<L: Lanes> Setup<L> {
         }
     }
 
-    /// All eight at each of two by two pixels.
+    /// Draws all eight triangles at each of two by two pixels.
     #[inline(always)]
     fn draw_tiny<const IDS: bool>(
         &self,
@@ -360,7 +309,7 @@ impl<L: Lanes> Setup<L> {
         let mut found = [[0f32; LANES]; 4];
         let mut edges = self.c;
         for (corner, found) in [0, 1, 3, 2].into_iter().zip(&mut found) {
-            // Right, down, left.
+            // The order is right, down, left.
             match corner {
                 0 => {}
                 1 => edges = add(edges, self.a),
@@ -379,14 +328,14 @@ impl<L: Lanes> Setup<L> {
             let bit = mask.trailing_zeros() as usize;
             mask &= mask - 1;
             let (corner, lane) = (bit / LANES, bit % LANES);
-            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            #[expect(clippy::cast_sign_loss, reason = "within the tile")]
             let at = at[lane] as usize + (corner & 1) + (corner >> 1) * STRIDE;
             let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
             tile.put::<IDS>(job, at, found[corner][lane], id);
         }
     }
 
-    /// One by one, row by row.
+    /// Draws the triangles one by one, row by row.
     #[inline(always)]
     fn draw_rows<const IDS: bool>(
         &self,
@@ -410,7 +359,7 @@ impl<L: Lanes> Setup<L> {
             let slope = [L::splat(slope[0][lane]), L::splat(slope[1][lane])];
             let (inverse_z, rest) = (L::splat(inverse_z[lane]), L::splat(rest[lane]));
             let id = if IDS { drawn.id(kept[lane]) } else { Id::NONE };
-            #[expect(clippy::cast_sign_loss, reason = "in the tile")]
+            #[expect(clippy::cast_sign_loss, reason = "within the tile")]
             let mut at = at[lane] as usize;
             for _ in 0..=last[lane] {
                 let outside = edges[0] | edges[1] | edges[2];
@@ -435,7 +384,7 @@ fn cross<D: F64Lanes>(a: D, b: D, c: D, d: D) -> D {
     a * b - c * d
 }
 
-/// The negative where the mask is all ones.
+/// Negates where the mask is set.
 #[inline(always)]
 fn flip<I: I32Lanes>(a: I, mask: I) -> I {
     (a ^ mask) - mask

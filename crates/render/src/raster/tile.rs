@@ -1,53 +1,53 @@
-//! The pixels that are drawn together, small enough for the fastest cache.
+//! A block of pixels small enough for the fastest cache.
 
 use oaktwin_simd::{I32Lanes, Lanes};
 
 use super::draw::Job;
 use super::frame::Frame;
 
-/// Columns of a tile.
+/// The number of columns of a tile.
 pub(super) const WIDTH: usize = 128;
-/// Rows of a tile.
+/// The number of rows of a tile.
 pub(super) const HEIGHT: usize = 80;
-/// From row to row: triangles are drawn eight columns at a time, past a tile's right edge.
+/// The distance between rows: triangles are drawn eight columns at a time, past a tile's right edge.
 pub(super) const ROW: i32 = 136;
-/// The same.
+/// [`ROW`] as an index.
 pub(super) const STRIDE: usize = ROW as usize;
 const _: () = assert!(STRIDE == WIDTH + 8 && STRIDE * (HEIGHT + 1) <= SIZE);
-/// A power of two, at least a row more than a tile has.
+/// A power of two with room for at least one row more than a tile has.
 const SIZE: usize = 16384;
-/// Columns and rows of a block.
+/// The number of columns and of rows of a block.
 const BLOCK: usize = 8;
 const BLOCKS_ACROSS: usize = WIDTH / BLOCK;
 const BLOCKS: usize = BLOCKS_ACROSS * (HEIGHT / BLOCK);
 
-/// A part of the image while it is drawn.
+/// A part of the image while it is being drawn.
 #[derive(Debug)]
 pub(super) struct Tile {
     /// Its first pixel in the image.
     pub(super) x: u32,
     pub(super) y: u32,
-    /// How much of it the image has, at least 1 by 1.
+    /// The size of the part within the image, at least 1 by 1.
     pub(super) width: i32,
     pub(super) height: i32,
-    /// 1/z of the nearest surface so far; 0 where there is none.
+    /// 1/z of the nearest surface so far; 0 for a miss.
     pub(super) inverse_z: Box<[f32; SIZE]>,
-    /// Which triangle that is; not used where only depth is wanted.
+    /// The nearest triangle so far; unused if only depth is rendered.
     ids: Box<[i32; SIZE]>,
-    /// Not more than the smallest inverse z in each block.
+    /// A lower bound of 1/z in each block.
     farthest: [f32; BLOCKS],
-    /// Blocks drawn on since `farthest` was found.
+    /// Whether a block was drawn on since `farthest` was computed.
     is_stale: [bool; BLOCKS],
 }
 
-/// A triangle among all that a tile draws: its entry, and its place in the cluster.
+/// A triangle of a tile: the index of its entry and its index in the cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Id(i32);
 
 impl Id {
     pub(super) const NONE: Self = Self(-1);
 
-    /// Entries are fewer than 2^24: more would not fit into memory.
+    /// There are fewer than 2^24 entries: more would not fit into memory.
     #[expect(clippy::cast_possible_truncation, reason = "see above")]
     pub(super) const fn new(entry: usize, triangle: u32) -> Self {
         Self(((entry as u32) << 8 | triangle).cast_signed())
@@ -59,7 +59,7 @@ impl Id {
     }
 }
 
-/// Columns and rows of a tile, both inclusive, in it.
+/// A rectangle of a tile's columns and rows, both inclusive.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rectangle {
     pub(super) x: [i32; 2],
@@ -82,7 +82,7 @@ impl Default for Tile {
 }
 
 impl Tile {
-    /// How many a frame has, across and down.
+    /// Returns the number of tiles of a frame, across and down.
     pub(super) fn count(width: u32, height: u32) -> [usize; 2] {
         [
             (width as usize).div_ceil(WIDTH),
@@ -90,12 +90,12 @@ impl Tile {
         ]
     }
 
-    /// Rows of what is seen.
+    /// Returns the rows of triangles.
     pub(super) fn id_rows(&self) -> impl Iterator<Item = impl Iterator<Item = Id>> {
         self.ids.chunks(STRIDE).map(|row| row.iter().map(|id| Id(*id)))
     }
 
-    /// Empties it and puts it elsewhere.
+    /// Clears the tile and moves it to a column and a row.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_possible_wrap,
@@ -114,7 +114,7 @@ impl Tile {
         self.is_stale = [false; BLOCKS];
     }
 
-    /// Whether a surface at least this far would be hidden all over the rectangle.
+    /// Whether a surface with at most this 1/z would be hidden everywhere in the rectangle.
     #[inline(always)]
     pub(super) fn hides(&mut self, rectangle: Rectangle, inverse_z: f32) -> bool {
         for (at, first) in blocks(rectangle) {
@@ -140,7 +140,7 @@ impl Tile {
         true
     }
 
-    /// That something was drawn here.
+    /// Marks the blocks of a rectangle as drawn on.
     #[inline(always)]
     pub(super) fn touch(&mut self, rectangle: Rectangle) {
         for (at, _) in blocks(rectangle) {
@@ -148,11 +148,11 @@ impl Tile {
         }
     }
 
-    /// Makes a triangle what is seen at a pixel, given by its place in the arrays, if it is nearer.
+    /// Draws one pixel, given by its index in the arrays, if it is nearer.
     #[inline(always)]
     pub(super) fn put<const IDS: bool>(&mut self, job: &Job, at: usize, inverse_z: f32, id: Id) {
         let nearest = &mut self.inverse_z[at % SIZE];
-        #[expect(clippy::float_cmp, reason = "a tie is when they are the same")]
+        #[expect(clippy::float_cmp, reason = "ties are exact")]
         if IDS {
             let first = &mut self.ids[at % SIZE];
             if inverse_z > *nearest || inverse_z == *nearest && job.hit(id) < job.hit(Id(*first)) {
@@ -163,7 +163,7 @@ impl Tile {
         }
     }
 
-    /// The same for eight pixels in a row, where `inverse_z` is positive.
+    /// Draws eight pixels of a row where `inverse_z` is positive.
     #[inline(always)]
     pub(super) fn put_row<L: Lanes, const IDS: bool>(&mut self, job: &Job, at: usize, inverse_z: L, id: Id) {
         let Some(pixels) = self.inverse_z[at % SIZE..].first_chunk_mut::<8>() else {
@@ -187,7 +187,7 @@ impl Tile {
     }
 }
 
-/// The blocks that a rectangle touches, and their first pixel.
+/// Returns the blocks that a rectangle touches, and their first pixels.
 #[inline(always)]
 #[expect(clippy::cast_sign_loss, reason = "a rectangle lies in the tile")]
 fn blocks(rectangle: Rectangle) -> impl Iterator<Item = (usize, usize)> {

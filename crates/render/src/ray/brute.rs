@@ -1,4 +1,4 @@
-//! Every ray against every triangle, in double precision.
+//! Brute force: every ray against every triangle, in double precision.
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_camera::{PixelPoint, Usd};
@@ -41,7 +41,7 @@ pub(crate) fn is_occluded(scene: &Scene, origin: DVec3, direction: DVec3, near: 
     })
 }
 
-/// The nearest of the lowest number, both ends included.
+/// Returns the nearest crossing, both ends included; of equally near ones the first.
 #[cfg(test)]
 pub(crate) fn nearest(
     scene: &Scene,
@@ -52,7 +52,7 @@ pub(crate) fn nearest(
 ) -> Option<(f64, Hit)> {
     let mut nearest: Option<(f64, Hit)> = None;
     each_crossing(scene, DAffine3::IDENTITY, origin, direction, |t, hit| {
-        if t >= near && t <= far && nearest.is_none_or(|(least, _)| t < least) {
+        if t >= near && t <= far && nearest.is_none_or(|(other, _)| t < other) {
             nearest = Some((t, hit));
         }
         false
@@ -60,7 +60,7 @@ pub(crate) fn nearest(
     nearest
 }
 
-/// Calls `visit` with each crossing's distance, until it says that it has seen enough.
+/// Calls `visit` with each crossing's distance until it returns true.
 #[expect(clippy::cast_possible_truncation, reason = "a mesh's indices are u32")]
 fn each_crossing(
     scene: &Scene,
@@ -80,7 +80,7 @@ fn each_crossing(
             };
             let [a, b, c] =
                 corners.map(|p| target_from_mesh.transform_point3(DVec3::from(p.map(f64::from))) - origin);
-            // The sides are those of the origin's pyramid over the triangle: neighbours share them exactly.
+            // The planes through the origin and each edge, which neighbouring triangles share exactly.
             let side = |p: DVec3, q: DVec3| direction.dot((p + q).cross(q - p));
             let sides = [side(a, b), side(b, c), side(c, a)];
             if !(sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)) {

@@ -5,7 +5,7 @@ use super::vector::Vector;
 /// The corners of up to eight triangles.
 pub(crate) type Corners<L> = [Vector<L>; 3];
 
-/// Of a leaf's triangles; lanes beyond the last repeat the first.
+/// Loads the corners of a leaf's triangles; lanes beyond the last repeat the first.
 #[inline(always)]
 pub(crate) fn corners<L: Lanes>(positions: &[[f32; 3]], triangles: &[[u32; 4]]) -> Corners<L> {
     let mut indices = [[0; 8]; 3];

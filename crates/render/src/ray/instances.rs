@@ -4,24 +4,24 @@ use oaktwin_scene::Scene;
 use super::bvh::{self, Bounds, Item, Node};
 use super::mesh_tree::MeshTree;
 
-/// The most instances of a leaf: to look into one costs more than to look at its box.
+/// The maximum number of instances of a leaf: entering an instance costs more than testing its box.
 const LEAF: usize = 1;
 
-/// The boxes over a scene's instances.
+/// The bounding volume hierarchy over a scene's instances.
 #[derive(Debug)]
 pub(crate) struct Instances {
-    /// The first is the root.
+    /// The nodes, the root first.
     pub(crate) nodes: Vec<Node>,
     /// The instances that leaves refer to.
     pub(crate) order: Vec<u32>,
-    /// Of each of the scene's instances.
+    /// The inverse transform of each instance of the scene.
     pub(crate) mesh_from_world: Vec<DAffine3>,
-    /// In the world.
+    /// The bounding box in the world.
     pub(crate) bounds: Bounds,
 }
 
 impl Instances {
-    /// Instances without triangles, or that cannot be inverted, are left out.
+    /// Builds the hierarchy without instances that have no triangles or a singular transform.
     pub(crate) fn new(scene: &Scene, trees: &[MeshTree]) -> Self {
         let mut items = Vec::new();
         let mut mesh_from_world = Vec::with_capacity(scene.instances.len());
@@ -51,7 +51,7 @@ impl Instances {
     }
 }
 
-/// The box around a box that has been moved.
+/// Returns the bounding box of a transformed box.
 #[allow(clippy::cast_possible_truncation, reason = "rounded outwards")]
 fn in_world(bounds: &Bounds, world_from_mesh: &DAffine3) -> Bounds {
     let (min, max) = (bounds.min(), bounds.max());

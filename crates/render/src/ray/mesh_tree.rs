@@ -3,19 +3,19 @@ use rayon::prelude::*;
 
 use super::bvh::{self, Bounds, Item, Node};
 
-/// A mesh's triangles in an order in which neighbours stand together, and the boxes over them.
+/// The bounding volume hierarchy of a mesh.
 #[derive(Debug)]
 pub(crate) struct MeshTree {
-    /// The first is the root.
+    /// The nodes, the root first.
     pub(crate) nodes: Vec<Node>,
-    /// Three indices of positions, then the triangle's number in the mesh.
+    /// Triangles in the order of the leaves: three indices of positions, then the triangle's index in the mesh.
     pub(crate) triangles: Vec<[u32; 4]>,
-    /// Of all triangles, in the mesh's frame.
+    /// The bounding box in the mesh frame.
     pub(crate) bounds: Bounds,
 }
 
 impl MeshTree {
-    /// Triangles that refer to positions that are not there, or are no numbers, are left out.
+    /// Builds the hierarchy without triangles whose positions are missing or not finite.
     pub(crate) fn new(mesh: &Mesh) -> Self {
         let count = u32::try_from(mesh.triangles.len()).unwrap_or(u32::MAX - 1);
         let mut items: Vec<Item> = (0..count)

@@ -1,4 +1,4 @@
-//! Rays into the scene, for every lens, for shadows and for whatever else asks.
+//! The ray caster, for every lens, shadows and single rays.
 
 #[cfg(test)]
 pub(crate) mod brute;
@@ -27,20 +27,20 @@ use self::tile::RayTables;
 pub(crate) use self::vector::Vector;
 use crate::{Hit, View, Visibility};
 
-/// A piece of a half-line in the world.
+/// A segment of a ray in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts, metres.
+    /// The origin, metres.
     pub origin: DVec3,
-    /// Where it goes; distances along it are in lengths of this, which need not be 1.
+    /// The direction, which need not be normalized; distances along the ray are in lengths of it.
     pub direction: DVec3,
-    /// Where it begins to see.
+    /// The start of the segment.
     pub near: f64,
-    /// Where it ends; may be infinite.
+    /// The end of the segment, which may be infinite.
     pub far: f64,
 }
 
-/// What the ray caster prepares of a scene.
+/// The hierarchies of a scene.
 #[derive(Debug)]
 pub(crate) struct RayCaster {
     trees: Vec<MeshTree>,
@@ -49,7 +49,7 @@ pub(crate) struct RayCaster {
     tables: RayTables,
 }
 
-/// A scene and what was prepared of it.
+/// A scene with its hierarchies.
 #[derive(Clone, Copy)]
 pub(crate) struct Prepared<'a> {
     scene: &'a Scene,
@@ -58,7 +58,7 @@ pub(crate) struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// The mesh of an instance, its tree, and where it stands.
+    /// Returns the mesh of an instance, its tree and its inverse transform.
     #[inline]
     fn instance(&self, instance: u32) -> Option<(&'a Mesh, &'a MeshTree, DAffine3)> {
         let index = instance as usize;
@@ -72,7 +72,7 @@ impl<'a> Prepared<'a> {
 }
 
 impl Prepared<'_> {
-    /// What stands at a place in the tree of an instance's mesh.
+    /// Returns the triangle at an index in the tree of an instance's mesh.
     #[inline]
     fn hit(&self, instance: u32, slot: u32) -> Hit {
         let found = self
@@ -116,8 +116,8 @@ impl RayCaster {
         Visibility { z, hits }
     }
 
-    /// The nearest triangle on the ray, both ends included, and how far it is, in lengths of `direction`. Of equally
-    /// near ones the first instance's first.
+    /// Returns the nearest triangle on the ray, both ends included, and its distance in lengths of `direction`; of equally near
+    /// ones the first in the scene.
     pub(crate) fn cast(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> Option<(f64, Hit)> {
         self.search(scene, ray, Until::Nearest, stack)
     }

@@ -1,4 +1,4 @@
-//! A whole view, tile by tile.
+//! Rendering of a view, tile by tile.
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::{Image, ZDepth};
@@ -11,7 +11,7 @@ use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, State, TileRay
 use super::{Prepared, Ray, RayCaster, Stack};
 use crate::{Hit, View};
 
-/// A row of tiles of an image, by columns and lines.
+/// A row of tiles of an image.
 struct Band<'a> {
     row: u32,
     z: &'a mut [f32],
@@ -73,7 +73,7 @@ impl RayCaster {
     }
 }
 
-/// All that the tiles of a view have in common.
+/// The data that all tiles of a view share.
 struct FrameOfView<'a> {
     caster: &'a RayCaster,
     scene: Prepared<'a>,
@@ -82,7 +82,7 @@ struct FrameOfView<'a> {
     origin: Origin,
 }
 
-/// What a thread needs for tiles, used again and again.
+/// The reused memory of a thread.
 struct Workspace {
     stack: Stack,
     state: State,
@@ -126,7 +126,7 @@ impl FrameOfView<'_> {
         }
     }
 
-    /// Writes down what a tile's rays see.
+    /// Writes the results of a tile.
     #[allow(clippy::cast_possible_truncation, reason = "depth is float32")]
     fn finish(
         &self,
@@ -145,7 +145,7 @@ impl FrameOfView<'_> {
                 let direction = directions[packet][lane];
                 let z_per_length = f64::from(rays.z_per_length[packet][lane]);
                 let instance = workspace.state.seen.instance[packet][lane];
-                // Here single precision has seen that there is nothing, or there is no ray.
+                // A miss in single precision is final, and so is a pixel without a ray; sideways rays are cast below.
                 if instance == u32::MAX && (z_per_length > 0.0 || direction.is_nan()) {
                     continue;
                 }
@@ -153,7 +153,7 @@ impl FrameOfView<'_> {
                 let inverse = f64::from(workspace.state.seen.inverse_z[packet][lane])
                     * self.origin.scale
                     * z_per_length;
-                // Seen all but from the side, single precision decides: it keeps to the triangle.
+                // Where the plane is seen almost edge-on the result of single precision is used: it stays on the triangle.
                 let error = (t * inverse - 1.0).abs();
                 if error.is_nan() || error > 1e-3 {
                     t = 1.0 / inverse;
@@ -175,7 +175,7 @@ impl FrameOfView<'_> {
         }
     }
 
-    /// One ray by itself.
+    /// Casts a single ray.
     #[cold]
     fn cast(&self, direction: DVec3, stack: &mut Stack) -> Option<(f64, Hit)> {
         let ray = Ray {

@@ -1,4 +1,4 @@
-//! One ray at a time, eight boxes or eight triangles at once.
+//! Single rays, tested against eight boxes or eight triangles at once.
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_scene::Mesh;
@@ -13,27 +13,27 @@ use super::vector::Vector;
 use super::{Prepared, Ray};
 use crate::Hit;
 
-/// What a search along a ray knows so far.
+/// The state of a search along a ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Search {
     near: f64,
-    /// The nearest crossing so far, or the ray's end.
+    /// The nearest crossing so far, or the end of the ray.
     far: f64,
     hit: Hit,
     until: Until,
 }
 
-/// When a search has seen enough.
+/// The condition that ends a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
-    /// When nothing nearer is left. Both ends of the ray belong to it.
+    /// The nearest crossing, both ends of the ray included.
     Nearest,
-    /// At any crossing between the ends.
+    /// Any crossing between the ends, both excluded.
     Any,
 }
 
 impl Search {
-    /// Whether it is over.
+    /// Considers a crossing and returns whether the search is over.
     fn offer(&mut self, t: f64, hit: Hit) -> bool {
         match self.until {
             Until::Any => {
@@ -54,7 +54,7 @@ impl Search {
     }
 }
 
-/// A ray through the whole scene.
+/// Casts a ray through the scene.
 pub(crate) struct Cast<'a> {
     pub(crate) scene: &'a Prepared<'a>,
     pub(crate) ray: Ray,
@@ -92,9 +92,9 @@ impl LaneKernel for Cast<'_> {
     }
 }
 
-/// What happens in a leaf.
+/// The handling of leaves.
 trait Visit {
-    /// Looks at a leaf's items; whether the search is over.
+    /// Tests the items of a leaf and returns whether the search is over.
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool;
 }
 
@@ -158,11 +158,11 @@ impl VisitTriangles<'_> {
     }
 }
 
-/// A ray as boxes and triangles of one frame see it.
+/// A ray in the frame of a hierarchy.
 struct Path {
     origin: DVec3,
     direction: DVec3,
-    /// `direction` times this is what single precision has; its own lengths are this much shorter.
+    /// The factor from `direction` to `single`.
     stretch: f64,
     single: [f32; 3],
     /// The origin in two parts.
@@ -171,7 +171,7 @@ struct Path {
     /// A power of two that brings coordinates relative to the origin near 1.
     scale: f32,
     inverse: [f32; 3],
-    /// The planes of a node that the ray meets first and last, and the origin moved away from them.
+    /// The planes of a box that the ray meets first and last, and the origin moved away from them.
     first_planes: [usize; 3],
     last_planes: [usize; 3],
     origin_to_first: [f32; 3],
@@ -179,8 +179,11 @@ struct Path {
 }
 
 impl Path {
-    /// `None` where the ray has no direction, or there is nothing to meet.
-    #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
+    /// Creates the ray; `None` if it has no direction or the bounds are not finite.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the remainder is kept or within the slack"
+    )]
     fn new(frame_from_world: DAffine3, origin: DVec3, direction: DVec3, bounds: &Bounds) -> Option<Self> {
         let origin = frame_from_world.transform_point3(origin);
         let direction = frame_from_world.transform_vector3(direction);
@@ -197,10 +200,10 @@ impl Path {
             f64::from(min.abs().max(max.abs())) + origin[axis].abs()
         };
         let extent = (0..3).map(reach).fold(0.0, f64::max);
-        // A direction along a plane of boxes still crosses them, very far away.
+        // A direction parallel to the planes of boxes still crosses them, very far away.
         let inverse = single.map(|d| 1.0 / if d.abs() < 1e-18 { 1e-18f32.copysign(d) } else { d });
         let is_forward = inverse.map(|x| x > 0.0);
-        // What rounding may do to a difference of coordinates, and to their distance from the ray.
+        // The rounding error of differences of coordinates and of their distance from the ray.
         let slack = (4e-7 * extent) as f32;
         let moved = |axis: usize, forward: bool| {
             if forward {
@@ -225,11 +228,8 @@ impl Path {
         })
     }
 
-    /// A number of the ray's own lengths in this path's.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "all that uses it allows for rounding"
-    )]
+    /// Converts a distance in lengths of the ray's direction.
+    #[allow(clippy::cast_possible_truncation, reason = "callers add a slack for rounding")]
     fn lengths(&self, t: f64) -> f32 {
         (t / self.stretch) as f32
     }
@@ -240,7 +240,7 @@ pub(super) fn power_of_two_near(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
 }
 
-/// Visits each leaf that the ray meets, near ones first, until the search is over; whether it is.
+/// Visits each leaf that the ray meets, from near to far, until the search is over, and returns whether it is.
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
@@ -272,7 +272,7 @@ fn walk<L: Lanes>(
         }
         let node = &nodes[entry.first as usize];
         let planes = &node.bounds;
-        // In this order a NaN stays one, and hides the child.
+        // In this order NaN propagates and hides the child.
         let start = near
             .max((L::load(&planes[x]) - to_first.x) * inverse.x)
             .max((L::load(&planes[y]) - to_first.y) * inverse.y)
@@ -287,12 +287,12 @@ fn walk<L: Lanes>(
     false
 }
 
-/// `t` moved by a part of itself, so that rounding loses nothing.
+/// Moves `t` by a fraction of itself as a margin for rounding.
 fn loosened(t: f32, part: f32) -> f32 {
     t + t.abs() * part
 }
 
-/// Which triangles the ray passes through, as far as single precision can tell.
+/// Returns the triangles that the ray may cross, in single precision with a margin, as bits.
 #[inline(always)]
 fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search: &Search) -> u32 {
     let scale = L::splat(path.scale);

@@ -2,14 +2,14 @@ use oaktwin_simd::{I32Lanes, Lanes};
 
 use super::bvh::Node;
 
-/// What is left to visit: a node, or the items of a leaf.
+/// A node or a leaf to visit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
-    /// Where it begins, in whatever measure the walk has.
+    /// Its start, in the unit of the traversal.
     pub(crate) start: f32,
     /// The node, or the first item.
     pub(crate) first: u32,
-    /// How many items; 0 for a node.
+    /// The number of items; 0 for a node.
     pub(crate) count: u32,
 }
 
@@ -31,10 +31,10 @@ impl Entry {
     }
 }
 
-/// Entries, the next one last. It grows as it must and keeps its memory.
+/// A stack of entries, the next one last.
 pub(crate) type Stack = Vec<Entry>;
 
-/// Appends the children that `seen` has (all ones), so that the one that starts first comes out first.
+/// Pushes the children in the mask `seen`, so that the one that starts first is popped first.
 #[inline(always)]
 pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L::I32, starts: L) {
     let mut children = seen.signs();
@@ -48,7 +48,7 @@ pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L::I
         stack.push(Entry::of_child(node, child, &starts_of));
         return;
     }
-    // Their numbers in the lowest bits tell equal ones apart; that moves the order by less than rounding does.
+    // Indices in the lowest bits make equal values distinct; they change the order by less than rounding does.
     let finite = starts.min(L::splat(f32::MAX)).max(L::splat(f32::MIN));
     let numbers = L::I32::load(&[0, 1, 2, 3, 4, 5, 6, 7]);
     let distinct = L::from_bits((finite.to_bits() & L::I32::splat(!7)) ^ numbers);

@@ -1,6 +1,6 @@
-//! Vectors of lanes. Plain products and sums in a fixed order, so that what is equal stays equal.
+//! Vectors of lanes, with products and sums in a fixed order.
 //!
-//! No closures here, nor in the kernels: a closure is compiled without the instructions of the function around it.
+//! Kernels contain no closures, because a closure is compiled without the instructions of the enclosing function.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -23,7 +23,7 @@ impl<L: Lanes> Vector<L> {
         }
     }
 
-    /// One lane of each in all lanes.
+    /// Broadcasts one lane of each component.
     #[inline(always)]
     pub(crate) fn splat_lane([x, y, z]: &[[f32; 8]; 3], lane: usize) -> Self {
         Self::splat([x[lane], y[lane], z[lane]])
@@ -60,8 +60,7 @@ impl<L: Lanes> Vector<L> {
         }
     }
 
-    /// The normal of the plane through the origin and two points. With the points in the other order it is the same
-    /// with the other sign, to the last bit.
+    /// Returns the normal of the plane through the origin and two points. Swapping the points flips its sign exactly.
     #[inline(always)]
     pub(crate) fn side(self, other: Self) -> Self {
         (self + other).cross(other - self)

@@ -77,22 +77,32 @@ impl Sample {
     }
 }
 
-impl Coarse {
-    pub(super) fn new(
-        scene: &Scene,
-        view: &View,
-        rays: &Rays<'_>,
-        seen: &Visibility,
-        occlusion: &Occlusion<'_>,
-    ) -> Self {
-        let (width, height) = (seen.hits.width().div_ceil(2), seen.hits.height().div_ceil(2));
+/// Finds the surfaces of a view's samples.
+#[derive(Clone, Copy)]
+struct Sampler<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    rays: &'a Rays<'a>,
+    seen: &'a Visibility,
+    occlusion: &'a Occlusion<'a>,
+}
+
+impl<'a> Sampler<'a> {
+    fn workspace(&self) -> (SurfaceFinder<'a>, Stack) {
+        (SurfaceFinder::new(self.scene, self.view), Stack::new())
+    }
+
+    fn place(&self, finder: &mut SurfaceFinder<'_>, x: u32, y: u32) -> Option<Place> {
+        let hit = self.seen.hits.get(2 * x, 2 * y).filter(|hit| !hit.is_miss())?;
+        let (z, ray) = (self.seen.z.0.get(2 * x, 2 * y)?, self.rays.centre(2 * x, 2 * y)?);
+        finder
+            .find(*hit, ray, *z)
+            .map(|surface| place(&surface, self.view))
+    }
+
+    /// Samples the lamps at even samples, and the surroundings at every other sample; the others get NaN.
+    fn sample(&self, width: u32, height: u32) -> (Image<Sample>, Image<LampSamples>) {
         let mut samples = Image::filled(width, height, NOTHING);
-        let place_of = |finder: &mut SurfaceFinder<'_>, x: u32, y: u32| {
-            let hit = seen.hits.get(2 * x, 2 * y).filter(|hit| !hit.is_miss())?;
-            let (z, ray) = (seen.z.0.get(2 * x, 2 * y)?, rays.centre(2 * x, 2 * y)?);
-            finder.find(*hit, ray, *z).map(|surface| place(&surface, view))
-        };
-        let state = || (SurfaceFinder::new(scene, view), Stack::new());
         let row_length = (width as usize).max(1);
         let mut lamp_samples = Image::filled(width.div_ceil(2), height.div_ceil(2), LampSamples::default());
         // One row of lamp samples for two rows of samples.
@@ -100,32 +110,43 @@ impl Coarse {
         let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
         rows.zip(lamp_sample_rows)
             .zip(0..height.div_ceil(2))
-            .for_each_init(state, |(finder, stack), ((samples, lamp_samples), half_y)| {
-                for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
-                    for (sample, x) in row.iter_mut().zip(0..) {
-                        let Some(place) = place_of(finder, x, y) else {
-                            continue;
-                        };
-                        *sample = Sample::new(&place);
-                        let cell = Pattern::cell(x, y);
-                        if x % 2 == 0
-                            && y % 2 == 0
-                            && let Some(lamp_samples) = lamp_samples.get_mut(x as usize / 2)
-                        {
-                            (sample.light, *lamp_samples) = occlusion.sample_lamps(&place, cell, stack);
+            .for_each_init(
+                || self.workspace(),
+                |(finder, stack), ((samples, lamp_samples), half_y)| {
+                    for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
+                        for (sample, x) in row.iter_mut().zip(0..) {
+                            let Some(place) = self.place(finder, x, y) else {
+                                continue;
+                            };
+                            *sample = Sample::new(&place);
+                            let cell = Pattern::cell(x, y);
+                            if x % 2 == 0
+                                && y % 2 == 0
+                                && let Some(lamp_samples) = lamp_samples.get_mut(x as usize / 2)
+                            {
+                                (sample.light, *lamp_samples) =
+                                    self.occlusion.sample_lamps(&place, cell, stack);
+                            }
+                            (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
+                                self.occlusion.sample_surroundings(&place, cell, stack)
+                            } else {
+                                (f32::NAN, f32::NAN)
+                            };
                         }
-                        (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
-                            occlusion.sample_surroundings(&place, cell, stack)
-                        } else {
-                            (f32::NAN, f32::NAN)
-                        };
                     }
-                }
-            });
+                },
+            );
+        (samples, lamp_samples)
+    }
+
+    /// Computes the light that [`sample`](Self::sample) left out.
+    fn complete(&self, samples: &mut Image<Sample>, lamp_samples: &Image<LampSamples>) {
         let first = samples.clone();
+        let (row_length, height) = ((samples.width() as usize).max(1), samples.height());
         let rows = samples.pixels_mut().par_chunks_mut(row_length);
-        rows.zip(0..height)
-            .for_each_init(state, |(finder, stack), (row, y)| {
+        rows.zip(0..height).for_each_init(
+            || self.workspace(),
+            |(finder, stack), (row, y)| {
                 for (sample, x) in row.iter_mut().zip(0..) {
                     if sample.per_tolerance == 0.0 {
                         continue;
@@ -134,26 +155,48 @@ impl Coarse {
                     let (ambient, sky) = (sample.light.ambient, sample.light.sky);
                     // There is no shadow edge where all even neighbours see a lamp or none does.
                     if x % 2 != 0 || y % 2 != 0 {
-                        let around = Neighbours::new(&first, &lamp_samples, sample, x, y);
+                        let around = Neighbours::new(&first, lamp_samples, sample, x, y);
                         let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
                             around.all_see(index).unwrap_or_else(|| {
-                                place_of(finder, x, y)
-                                    .is_some_and(|place| occlusion.sees(&place, lamp, spot, stack))
+                                self.place(finder, x, y)
+                                    .is_some_and(|place| self.occlusion.sees(&place, lamp, spot, stack))
                             })
                         };
-                        (sample.light, _) = occlusion.lamplight(sample.point, sample.normal, cell, sees);
+                        (sample.light, _) = self.occlusion.lamplight(sample.point, sample.normal, cell, sees);
                     }
                     (sample.light.ambient, sample.light.sky) = (ambient, sky);
                     // Every other sample takes the mean of its four neighbours.
                     if ambient.is_nan() {
                         let found = mean_around(&first, sample, x, y).or_else(|| {
-                            let place = place_of(finder, x, y)?;
-                            Some(occlusion.sample_surroundings(&place, cell, stack))
+                            let place = self.place(finder, x, y)?;
+                            Some(self.occlusion.sample_surroundings(&place, cell, stack))
                         });
                         (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
                     }
                 }
-            });
+            },
+        );
+    }
+}
+
+impl Coarse {
+    pub(super) fn new(
+        scene: &Scene,
+        view: &View,
+        rays: &Rays<'_>,
+        seen: &Visibility,
+        occlusion: &Occlusion<'_>,
+    ) -> Self {
+        let sampler = Sampler {
+            scene,
+            view,
+            rays,
+            seen,
+            occlusion,
+        };
+        let (width, height) = (seen.hits.width().div_ceil(2), seen.hits.height().div_ceil(2));
+        let (mut samples, lamp_samples) = sampler.sample(width, height);
+        sampler.complete(&mut samples, &lamp_samples);
         samples = smoothed(&samples, [1, 0], Light::with_smooth);
         samples = smoothed(&samples, [0, 1], Light::with_smooth);
         if occlusion.rig.has_sky {

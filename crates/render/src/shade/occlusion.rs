@@ -252,7 +252,7 @@ impl Occlusion<'_> {
                 sky += 1.0;
             }
         }
-        #[expect(clippy::cast_precision_loss, reason = "a few")]
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
         let share = 1.0 / DIRECTIONS_PER_PLACE as f32;
         (ambient * share, sky * share)
     }

@@ -36,7 +36,7 @@ pub(super) struct Pattern {
 
 impl Pattern {
     pub(super) fn new() -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "a few")]
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
         let direction = |i: usize| {
             let (tile, ring) = (i / OF_TILE, i % OF_TILE);
             // Equal areas of the disk below the hemisphere, for cosine weighting: a ring for each direction of a tile, in it a
@@ -70,7 +70,7 @@ impl Pattern {
         const FIRST: [usize; 4] = [1, 3, 0, 2];
         const LATER: [usize; 4] = [0, 2, 3, 1];
         let row = cell % 4;
-        #[expect(clippy::cast_precision_loss, reason = "a few")]
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
         [FIRST[row] ^ LATER[cell / 4 % 4], row].map(|i| (i as f64 + 0.5) / 2.0 - 1.0)
     }
 

@@ -157,7 +157,7 @@ impl<L: Lanes> Shine<L> {
     #[inline(always)]
     fn add(&mut self, emitter: &Emitter, point: Vector<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let least = L::splat(f32::MIN_POSITIVE);
+        let min_length = L::splat(f32::MIN_POSITIVE);
         match emitter {
             Emitter::Distant {
                 towards,
@@ -177,8 +177,8 @@ impl<L: Lanes> Shine<L> {
                 let way = Vector::splat(centre.to_array()) - point;
                 let r2 = radius * radius;
                 let d2 = way.dot(way);
-                let share = L::splat(std::f32::consts::PI * r2) / d2.max(L::splat(r2)).max(least);
-                let distance = d2.sqrt().max(least);
+                let share = L::splat(std::f32::consts::PI * r2) / d2.max(L::splat(r2)).max(min_length);
+                let distance = d2.sqrt().max(min_length);
                 self.light(
                     way * (one / distance),
                     share,
@@ -196,7 +196,7 @@ impl<L: Lanes> Shine<L> {
                 let back = Vector::splat((-*normal).to_array());
                 for place in points {
                     let way = Vector::splat(place.to_array()) - point;
-                    let d2 = way.dot(way).max(least);
+                    let d2 = way.dot(way).max(min_length);
                     let towards = way * (one / d2.sqrt());
                     let cosine = towards.dot(back).max(zero);
                     let nearest = L::splat(quarter / std::f32::consts::PI);

@@ -176,7 +176,7 @@ impl LightRig {
                 };
                 !caster.is_occluded(scene, ray, stack)
             });
-            #[expect(clippy::cast_precision_loss, reason = "a few")]
+            #[expect(clippy::cast_precision_loss, reason = "a small count")]
             let share = open.count() as f32 / (4 * DIRECTIONS_PER_PLACE) as f32;
             let radiance = luminance(self.sky.mean_by_cosine(probe.normal.as_vec3()));
             sum += share * radiance * std::f32::consts::PI;

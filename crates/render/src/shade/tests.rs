@@ -4,6 +4,8 @@
     reason = "coordinates of tests"
 )]
 
+mod lights;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -17,6 +19,7 @@ use oaktwin_scene::{
     TextureUse, Up,
 };
 
+use self::lights::{floor_and_box, sun};
 use super::tone::tone;
 use crate::fixture::{cube, fisheye, look_at, placed, rectangle, view};
 use crate::{AnnotateOptions, Backend, Renderer, View};
@@ -52,9 +55,9 @@ fn texture(image: Image<[u8; 4]>) -> Texture {
     }
 }
 
-/// A rectangle 2 m away that fills the view, u to the right and v up, as the camera sees it.
+/// Adds a rectangle at 2 m that fills the view, with u to the right and v up in the image.
 fn screen(scene: &mut Scene, material: Material) {
-    // One pixel is 2 cm: 200 × 160 of them.
+    // A pixel is 2 cm; the view has 200 × 160.
     let mut mesh = rectangle([-2.0, 2.0], [-1.6, 1.6], 2.0);
     // The corners are upper left, lower left, lower right, upper right.
     mesh.uvs = Some(Attribute::Vertex(vec![
@@ -79,14 +82,14 @@ fn rough(texture: Option<u32>) -> Material {
     }
 }
 
-/// All different.
+/// An image of distinct colours.
 fn card() -> Image<[u8; 4]> {
     let pixels = (0..160u8).flat_map(|y| (0..200u8).map(move |x| [x, y, (x ^ y) / 2, 255]));
     Image::new(200, 160, pixels.collect()).unwrap()
 }
 
 #[test]
-fn at_its_own_size_a_texture_is_seen_texel_by_texel() {
+fn textures_at_their_own_size_show_each_texel() {
     let mut scene = Scene {
         lights: vec![dome(1000.0)],
         textures: vec![texture(card())],
@@ -94,7 +97,7 @@ fn at_its_own_size_a_texture_is_seen_texel_by_texel() {
     };
     screen(&mut scene, rough(Some(0)));
     let seen = rgb(&scene, &view());
-    // A white screen would be 0.8 under a dome alone; its light also bounces, and a little of all is reflected.
+    // A white screen would be 0.8 under a dome alone; indirect light and reflections add to it.
     let lit = 0.8 * 1.22f32;
     for (x, y) in [(0, 0), (199, 0), (0, 159), (199, 159), (100, 80), (37, 121)] {
         let [r, g, b, coverage] = *seen.get(x, y).unwrap();
@@ -108,7 +111,7 @@ fn at_its_own_size_a_texture_is_seen_texel_by_texel() {
         }
         assert_eq!(coverage, 255);
     }
-    // Equal texels are equal, wherever they are.
+    // Equal texels have equal colours everywhere.
     let scene_of = |image| {
         let mut scene = Scene {
             lights: vec![dome(1.0)],
@@ -130,7 +133,7 @@ fn at_its_own_size_a_texture_is_seen_texel_by_texel() {
 }
 
 #[test]
-fn the_picture_is_not_brighter_for_brighter_lights() {
+fn exposure_compensates_the_brightness_of_the_lights() {
     let picture = |radiance| {
         let mut scene = Scene {
             lights: vec![dome(radiance)],
@@ -146,152 +149,10 @@ fn the_picture_is_not_brighter_for_brighter_lights() {
     }
 }
 
-/// A floor below the camera and a box on it, lit from the left by the sun.
-fn floor_and_box(lights: Vec<Light>) -> Scene {
-    let mut scene = Scene {
-        lights,
-        up: Up::Y,
-        ..Scene::default()
-    };
-    let floor = Mesh {
-        positions: vec![
-            [-9.0, 1.0, 0.0],
-            [-9.0, 1.0, 18.0],
-            [9.0, 1.0, 18.0],
-            [9.0, 1.0, 0.0],
-        ],
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        ..Mesh::default()
-    };
-    placed(&mut scene, "/Floor", floor);
-    let mut small = cube();
-    for position in &mut small.positions {
-        *position = [
-            position[0] * 0.25,
-            position[1] * 0.25 + 0.75,
-            position[2] * 0.25 + 3.0,
-        ];
-    }
-    placed(&mut scene, "/Box", small);
-    scene
-}
-
-/// −y is up here. The sun stands 45° high over −x.
-fn sun() -> Light {
-    let from = DVec3::new(-1.0, -1.0, 0.0).normalize();
-    // The light's z axis points back to where it comes from.
-    let cell = DAffine3::from_mat3(oaktwin_camera::math::DMat3::from_cols(
-        DVec3::Z
-            .cross(from)
-            .normalize()
-            .cross(from)
-            .cross(from)
-            .normalize(),
-        DVec3::Z,
-        from,
-    ));
-    Light {
-        path: "/Sun".to_owned(),
-        kind: LightKind::Distant { angle: 0.005 },
-        radiance: [3000.0; 3],
-        normalize: false,
-        world_from_light: cell,
-    }
-}
-
 #[test]
-fn things_cast_shadows_away_from_the_light() {
-    let scene = floor_and_box(vec![sun(), dome(200.0)]);
-    let seen = rgb(&scene, &view());
-    let at = |point: DVec3| {
-        let pixel = view().camera.project(point).unwrap().to::<oaktwin_camera::Usd>();
-        i32::from(seen.get(pixel.x as u32, pixel.y as u32).unwrap()[1])
-    };
-    let (lit, shadow) = (at(DVec3::new(-0.6, 1.0, 3.0)), at(DVec3::new(0.45, 1.0, 3.0)));
-    assert!(lit > shadow + 40, "{lit} {shadow}");
-    // The box is half a metre high, so its shadow ends half a metre behind it.
-    let beyond = at(DVec3::new(1.2, 1.0, 3.0));
-    assert!((lit - beyond).abs() < 8, "{lit} {beyond}");
-}
-
-#[test]
-fn lamps_light_what_is_before_them() {
-    // A rectangle over the floor that shines down, which is +y here; it is 1 m wide, and the floor is 2 m below it.
-    let down = DAffine3::from_translation(DVec3::new(0.0, -1.0, 3.0))
-        * DAffine3::from_rotation_x(std::f64::consts::FRAC_PI_2);
-    for kind in [
-        LightKind::Rect {
-            width: 1.0,
-            height: 1.0,
-        },
-        LightKind::Disk { radius: 0.5 },
-        LightKind::Sphere { radius: 0.2 },
-    ] {
-        let lamp = Light {
-            path: "/Lamp".to_owned(),
-            kind,
-            radiance: [5000.0; 3],
-            normalize: true,
-            world_from_light: down,
-        };
-        let scene = floor_and_box(vec![lamp.clone()]);
-        let seen = rgb(&scene, &view());
-        let at = |point: DVec3| {
-            let pixel = view().camera.project(point).unwrap().to::<oaktwin_camera::Usd>();
-            i32::from(seen.get(pixel.x as u32, pixel.y as u32).unwrap()[1])
-        };
-        let (near, far) = (at(DVec3::new(-0.7, 1.0, 3.0)), at(DVec3::new(3.5, 1.0, 5.0)));
-        assert!(near > far + 30, "{kind:?}: {near} {far}");
-        // The other way round it lights nothing but what bounces.
-        if !matches!(kind, LightKind::Sphere { .. }) {
-            let flipped = Light {
-                world_from_light: down * DAffine3::from_rotation_x(std::f64::consts::PI),
-                ..lamp
-            };
-            let dark = rgb(&floor_and_box(vec![sun(), flipped]), &view());
-            let without = rgb(&floor_and_box(vec![sun()]), &view());
-            assert_eq!(dark, without);
-        }
-    }
-}
-
-#[test]
-fn corners_are_darker_than_walls() {
-    let mut scene = Scene::default();
-    // Two walls that meet 4 m away, in the light that dark scenes have.
-    let wall = Mesh {
-        positions: vec![
-            [0.0, -9.0, 4.0],
-            [0.0, 9.0, 4.0],
-            [-4.0, 9.0, 0.0],
-            [-4.0, -9.0, 0.0],
-        ],
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        ..Mesh::default()
-    };
-    let mut other = wall.clone();
-    for position in &mut other.positions {
-        position[0] *= -1.0;
-    }
-    placed(&mut scene, "/Left", wall);
-    placed(&mut scene, "/Right", other);
-    let seen = rgb(&scene, &view());
-    let value = |x| i32::from(seen.get(x, 80).unwrap()[1]);
-    let values: Vec<i32> = (20..180).map(value).collect();
-    assert!(
-        value(40) > value(97) + 4 && value(160) > value(102) + 5,
-        "{values:?}"
-    );
-    // Nothing but smooth shading: no trace of the pattern.
-    for x in 10..90 {
-        assert!((value(x) - value(x + 1)).abs() <= 2, "{x}");
-    }
-}
-
-#[test]
-fn a_stereo_pair_sees_the_same_colours() {
+fn both_images_of_a_stereo_pair_have_the_same_colours() {
     let mut scene = floor_and_box(vec![sun(), dome(300.0)]);
-    // Coarse enough that both cameras see as much detail.
+    // A coarse texture, so that both cameras resolve the same detail.
     let pixels = (0..16 * 16u32).map(|i| {
         let (x, y) = (i % 16, i / 16);
         let value = |seed: u32| ((x * 97 + y * 57 + seed).wrapping_mul(2_654_435_761) >> 24) as u8;
@@ -328,7 +189,7 @@ fn a_stereo_pair_sees_the_same_colours() {
 }
 
 #[test]
-fn any_number_of_threads_makes_the_same_bytes() {
+fn any_number_of_threads_gives_the_same_bytes() {
     let scene = floor_and_box(vec![sun(), dome(300.0)]);
     for view in [view(), fisheye()] {
         let with = |threads| {
@@ -345,22 +206,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
 }
 
 #[test]
-fn without_a_light_everything_is_still_seen() {
-    for up in [Up::Y, Up::Z] {
-        let mut scene = floor_and_box(Vec::new());
-        scene.up = up;
-        let seen = rgb(&scene, &view());
-        assert!(seen.pixels().iter().all(|pixel| pixel[1] > 25));
-        assert_eq!(seen.get(100, 0).unwrap()[3], 0);
-        assert_eq!(seen.get(100, 159).unwrap()[3], 255);
-        // A light that does not shine is none.
-        scene.lights = vec![dome(0.0), dome(f32::NAN)];
-        assert_eq!(rgb(&scene, &view()), seen);
-    }
-}
-
-#[test]
-fn what_is_broken_is_told_and_grey() {
+fn broken_textures_are_reported_and_grey() {
     let mut scene = Scene {
         lights: vec![dome(1.0)],
         ..Scene::default()
@@ -390,14 +236,14 @@ fn what_is_broken_is_told_and_grey() {
         assert!(findings[0].contains("wood.png"), "{findings:?}");
         let [r, g, b, _] = seen.pixels()[0];
         assert!(r == g && g == b && (120..230).contains(&r), "{r}");
-        // What is not looked at is not read.
+        // Textures of invisible surfaces are not read.
         let away = look_at(view(), DVec3::ZERO, DVec3::new(1.0, 0.0, -5.0));
         assert_eq!(rgb_and_codes(&scene, &away).1, Vec::<String>::new());
     }
 }
 
 #[test]
-fn odd_numbers_make_a_picture_all_the_same() {
+fn non_finite_properties_are_accepted() {
     let mut scene = floor_and_box(vec![sun(), dome(300.0)]);
     scene.textures = vec![texture(card())];
     let mut material = rough(Some(0));
@@ -437,38 +283,7 @@ fn odd_numbers_make_a_picture_all_the_same() {
 }
 
 #[test]
-fn a_dome_shows_its_image() {
-    // Red to +x, which is left of the middle; blue above.
-    let pixels = (0..16 * 32u32).map(|i| {
-        let (x, y) = (i % 32, i / 32);
-        let red = if (4..12).contains(&x) { 200 } else { 20 };
-        [red, 20, if y < 4 { 200 } else { 20 }, 255]
-    });
-    let mut light = dome(1.0);
-    light.kind = LightKind::Dome { texture: Some(0) };
-    let mut scene = Scene {
-        lights: vec![light],
-        textures: vec![texture(Image::new(32, 16, pixels.collect()).unwrap())],
-        up: Up::Y,
-        ..Scene::default()
-    };
-    placed(&mut scene, "/Ball", cube());
-    let centre = |target: DVec3| {
-        let seen = rgb(&scene, &look_at(view(), target * 2.0, target * 3.0));
-        *seen.get(100, 80).unwrap()
-    };
-    let [red, _, _, coverage] = centre(DVec3::X);
-    assert!(red > 170 && coverage == 0, "{red}");
-    assert!(centre(DVec3::NEG_X)[0] < 130 && centre(DVec3::Z)[0] < 130);
-    assert!(centre(DVec3::new(0.05, 1.0, 0.0))[2] > 150);
-    // Surfaces that face it have its colour.
-    let facing = rgb(&scene, &look_at(view(), DVec3::X * 4.0, DVec3::ZERO));
-    let away = rgb(&scene, &look_at(view(), DVec3::NEG_X * 4.0, DVec3::ZERO));
-    assert!(facing.get(100, 80).unwrap()[0] > away.get(100, 80).unwrap()[0] + 40);
-}
-
-#[test]
-fn outlines_are_smooth() {
+fn outlines_are_antialiased() {
     let mut scene = Scene {
         lights: vec![dome(1.0)],
         ..Scene::default()
@@ -477,7 +292,7 @@ fn outlines_are_smooth() {
     dark.colors = Some(Attribute::Constant([0.02; 3]));
     let mut light = rectangle([-3.0, 3.0], [-3.0, 3.0], 3.0);
     light.colors = Some(Attribute::Constant([0.9; 3]));
-    // Tilted, so that all shares of a pixel occur.
+    // Tilted, so that all coverages of a pixel occur.
     for position in &mut dark.positions {
         position[0] += position[1] * 0.05;
     }
@@ -501,7 +316,7 @@ fn outlines_are_smooth() {
 }
 
 #[test]
-fn rays_that_never_end_hit_what_long_ones_hit() {
+fn infinite_rays_hit_like_long_rays() {
     use crate::Ray;
     let scene = floor_and_box(Vec::new());
     let renderer = Renderer::new(scene);

@@ -100,7 +100,7 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
                 Ok(bytes) => Ok((name, bytes)),
                 Err(error) => Err(Missing {
                     place: name,
-                    message: format!("the texture cannot be read ({error}); a plain colour stands for it"),
+                    message: format!("the texture cannot be read ({error}); a plain colour is used instead"),
                     remedy: "put the file there, or correct the path to it".to_owned(),
                 }),
             }
@@ -122,7 +122,7 @@ fn extension(name: &str) -> Option<&str> {
 fn broken(place: String, message: &str) -> Missing {
     Missing {
         place,
-        message: format!("a plain colour stands for the texture: {message}"),
+        message: format!("a plain colour is used instead of the texture: {message}"),
         remedy: String::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! A scene as it grows.
+//! Builds an imported scene step by step.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -10,17 +10,17 @@ use super::error::Fault;
 use super::{Imported, ImportedCamera};
 use crate::{Instance, Light, Material, Mesh, MetersPerUnit, Scene, Texture, Up};
 
-/// A path longer than this loses its front: names come from the file, and each instance has its ancestors'.
-const LONGEST_PATH: usize = 1024;
+/// Paths longer than this are shortened at the front, because every instance stores its ancestors' names.
+const MAX_PATH_BYTES: usize = 1024;
 
 pub(super) struct Builder {
     scene: Scene,
     cameras: Vec<ImportedCamera>,
     pub(super) findings: Vec<Finding>,
-    /// Taken ones, and the number that the last of that name got. Never iterated.
+    /// The paths in use, each with the last number appended to it. Never iterated.
     paths: HashMap<String, u32>,
     scale: f64,
-    /// The file's name without extension: for what has no name of its own.
+    /// The file's name without extension, used for elements without a name.
     pub(super) stem: String,
 }
 
@@ -49,7 +49,7 @@ impl Builder {
             .push(Finding::new(code, Level::Warning, place, message, ""));
     }
 
-    /// From the file's unit to metres.
+    /// Converts the file's unit to metres.
     pub(super) fn world_from_file(&self) -> DAffine3 {
         DAffine3::from_scale(DVec3::splat(self.scale))
     }
@@ -72,7 +72,7 @@ impl Builder {
         self.cameras.push(camera);
     }
 
-    /// `None` for one without triangles.
+    /// Returns `None` for a mesh without triangles.
     pub(super) fn add_mesh(&mut self, mesh: Mesh) -> Option<u32> {
         if mesh.triangles.is_empty() {
             return None;
@@ -81,12 +81,12 @@ impl Builder {
         Some(number(self.scene.meshes.len() - 1))
     }
 
-    /// Puts a mesh at a place in the file's unit.
+    /// Adds an instance of a mesh, with a transform in the file's unit.
     pub(super) fn place(&mut self, mesh: u32, path: &str, file_from_mesh: DAffine3) {
         let world_from_mesh = self.world_from_file() * file_from_mesh;
         let path = self.free_path(path);
         if !world_from_mesh.is_finite() {
-            self.warn("node-transform", path, "left out: its transform is not finite");
+            self.warn("node-transform", path, "skipped: its transform is not finite");
             return;
         }
         let (mesh, world_from_mesh) = if is_invertible(world_from_mesh) {
@@ -104,7 +104,7 @@ impl Builder {
         });
     }
 
-    /// The path, or if it is taken the path with a number.
+    /// Returns the path, with a number appended if it is taken.
     pub(super) fn free_path(&mut self, path: &str) -> String {
         let path = shortened(path);
         let mut free = path.clone();
@@ -127,8 +127,8 @@ impl Builder {
                 .collect();
             return Err(Fault::new(
                 "",
-                format!("has no triangle to render{why}"),
-                "export it with its meshes",
+                format!("contains no triangles{why}"),
+                "export it with meshes",
             ));
         }
         self.drop_unplaced();
@@ -139,7 +139,7 @@ impl Builder {
         })
     }
 
-    /// Meshes of which no instance is left take no room.
+    /// Removes meshes without instances.
     fn drop_unplaced(&mut self) {
         let mut used = vec![false; self.scene.meshes.len()];
         for instance in &self.scene.instances {
@@ -154,50 +154,47 @@ impl Builder {
 }
 
 fn shortened(path: &str) -> String {
-    if path.len() <= LONGEST_PATH {
+    if path.len() <= MAX_PATH_BYTES {
         return path.into();
     }
-    let mut start = path.len() - LONGEST_PATH;
+    let mut start = path.len() - MAX_PATH_BYTES;
     while !path.is_char_boundary(start) {
         start += 1;
     }
     format!("/…{}", &path[start..])
 }
 
-/// A name as one step of a path.
+/// A name as one component of a path.
 pub(super) fn step(name: &str) -> String {
     name.trim()
         .chars()
-        .take(LONGEST_PATH)
+        .take(MAX_PATH_BYTES)
         .map(|c| if c == '/' || c.is_control() { '_' } else { c })
         .collect()
 }
 
-/// Whether the mesh keeps its volume: what is squashed flat, or nearly, has no inverse to speak of.
+/// Whether the mesh keeps its volume, so that the transform can be inverted accurately.
 fn is_invertible(transform: DAffine3) -> bool {
     let m = transform.matrix3;
     let room = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
     m.determinant().abs() > 1e-9 * room && transform.inverse().is_finite()
 }
 
-/// A mesh in the world's own frame, flat as it may be.
+/// A copy of the mesh in the world frame.
 fn baked(mesh: &Mesh, world_from_mesh: DAffine3) -> Mesh {
     let mut flat = mesh.clone();
     for position in &mut flat.positions {
         let moved = world_from_mesh.transform_point3(DVec3::from(position.map(f64::from)));
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "single precision is what meshes have"
-        )]
+        #[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
         let moved = moved.to_array().map(|x| (x as f32).clamp(f32::MIN, f32::MAX));
         *position = moved;
     }
-    // Its directions are lost.
+    // The transform may be singular, so normals cannot be transformed.
     flat.normals = None;
     flat
 }
 
-/// Lists in memory are shorter than that.
+/// Lists in memory have fewer than 2³² elements.
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -1,20 +1,20 @@
 use std::path::{Path, PathBuf};
 
-/// Why a file could not be imported: where, what is wrong and what to do about it.
+/// An error that occurred while importing a file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}: {place}{}{message}; {remedy}", file.display(), if place.is_empty() { "" } else { ": " })]
 pub struct ImportError {
     /// The file.
     pub file: PathBuf,
-    /// Where in it: a line, an element; empty for the whole.
+    /// The line or element; empty if the whole file is concerned.
     pub place: String,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
-    /// What to do.
+    /// The remedy.
     pub remedy: String,
 }
 
-/// What is wrong in a file whose name is not at hand.
+/// An error without the file's name.
 #[derive(Debug)]
 pub(super) struct Fault {
     place: String,
@@ -22,11 +22,10 @@ pub(super) struct Fault {
     remedy: &'static str,
 }
 
-/// The remedy for a file that is not what it says it is.
-pub(super) const DAMAGED: &str = "export or copy it again: it is damaged";
+/// The remedy for a file that contradicts its own format.
+pub(super) const DAMAGED: &str = "the file is damaged: export or copy it again";
 
 impl Fault {
-    /// Of a file that contradicts itself.
     pub(super) fn damaged(place: impl Into<String>, message: impl Into<String>) -> Self {
         Self::new(place, message, DAMAGED)
     }

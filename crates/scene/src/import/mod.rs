@@ -1,11 +1,11 @@
-//! Scenes from glTF, OBJ, STL and PLY files.
+//! Importers for glTF, OBJ, STL and PLY files.
 //!
-//! The world's axes are the file's own. Which of them is up is y in glTF and OBJ and z in STL and PLY, unless
-//! [`ImportOptions::up`] says otherwise; nothing is turned. A file's unit is taken to be the metre, times
+//! The world keeps the file's axes. The up axis is y in glTF and OBJ and z in STL and PLY, unless
+//! [`ImportOptions::up`] overrides it; nothing is rotated. The file's unit is taken to be the metre, times
 //! [`ImportOptions::scale`].
 //!
-//! An image that is not there is a finding; a file that contradicts itself is an error. Files that a file refers to are
-//! opened wherever they are, `..` and absolute paths included: these are local files of the user's own.
+//! A missing image is a finding; a file that contradicts itself is an error. Referenced files are
+//! opened wherever they are, `..` and absolute paths included: they are the user's own local files.
 
 mod builder;
 mod error;
@@ -29,12 +29,12 @@ pub use error::ImportError;
 
 use crate::{Scene, Up};
 
-/// What the file does not say.
+/// Properties that the file formats do not define.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImportOptions {
-    /// Which axis is up, if not the format's own.
+    /// The up axis; `None` for the format's default.
     pub up: Option<Up>,
-    /// How many metres one of the file's units is: positive and finite.
+    /// The metres per unit of the file: positive and finite.
     pub scale: f64,
 }
 
@@ -44,31 +44,31 @@ impl Default for ImportOptions {
     }
 }
 
-/// What was in a file.
+/// The contents of an imported file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Imported {
-    /// All that is seen.
+    /// The meshes, materials and lights.
     pub scene: Scene,
-    /// Its cameras, in the order of their nodes.
+    /// The cameras, in the order of their nodes.
     pub cameras: Vec<ImportedCamera>,
-    /// What was odd or is not supported.
+    /// Warnings about unusual or unsupported contents.
     pub findings: Vec<Finding>,
 }
 
-/// A perspective camera in a file.
+/// A perspective camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedCamera {
-    /// Its node: `/Room/Camera`.
+    /// The path of the node: `/Room/Camera`.
     pub path: String,
-    /// From its optical frame (x right, y down, z forward) into the world, metres.
+    /// The transform from the optical frame (x right, y down, z forward) to the world, metres.
     pub world_from_camera: RigidTransform,
-    /// Its vertical field of view, radians.
+    /// The vertical field of view, radians.
     pub vfov: f64,
-    /// Its width by its height, if the file says.
+    /// The width divided by the height, if the file defines it.
     pub aspect: Option<f64>,
 }
 
-/// The extensions that [`open`] knows.
+/// The file name extensions that [`open`] supports.
 pub const EXTENSIONS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
 
 #[derive(Clone, Copy)]
@@ -92,10 +92,10 @@ impl Format {
             extension => Err(Fault::new(
                 "",
                 match extension {
-                    Some(extension) => format!("no importer for files that end in .{extension}"),
-                    None => "its name has no extension that says what it is".into(),
+                    Some(extension) => format!(".{extension} files are not supported"),
+                    None => "the name has no extension".into(),
                 },
-                "give a file that ends in .glb, .gltf, .obj, .ply or .stl",
+                "use a file that ends in .glb, .gltf, .obj, .ply or .stl",
             )),
         }
     }
@@ -108,16 +108,16 @@ impl Format {
     }
 }
 
-/// Whether [`open`] is for files of that name.
+/// Whether [`open`] supports files with this name's extension.
 #[must_use]
 pub fn is_importable(path: &Path) -> bool {
     Format::of(path).is_ok()
 }
 
-/// Imports a file. Its extension says what it is.
+/// Imports a file in the format of its extension.
 ///
 /// # Errors
-/// If it is not there or of no known kind, if it contradicts itself, if there is no triangle in it.
+/// Returns an error if the file is missing, in an unsupported format, inconsistent, or without triangles.
 pub fn open(path: &Path, options: &ImportOptions) -> Result<Imported, ImportError> {
     import(path, options).map_err(|fault| fault.of(path))
 }
@@ -127,8 +127,8 @@ fn import(path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
     if !(options.scale > 0.0 && options.scale.is_finite()) {
         return Err(Fault::new(
             "",
-            format!("a scale of {} metres a unit", options.scale),
-            "give a scale above zero",
+            format!("invalid scale: {} metres per unit", options.scale),
+            "use a finite scale above zero",
         ));
     }
     let bytes = read(path)?;
@@ -148,12 +148,12 @@ fn read(path: &Path) -> Result<Vec<u8>, Fault> {
         Fault::new(
             "",
             format!("cannot be read: {error}"),
-            "check its name and that it may be read",
+            "check its name and permissions",
         )
     };
-    // A pipe or a device would never end.
+    // Reading a pipe or a device might never end.
     if !fs::metadata(path).map_err(readable)?.is_file() {
-        return Err(Fault::new("", "is no file", "give a file"));
+        return Err(Fault::new("", "is not a regular file", "use a regular file"));
     }
     let bytes = fs::read(path).map_err(readable)?;
     if bytes.is_empty() {

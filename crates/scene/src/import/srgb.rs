@@ -1,8 +1,5 @@
-/// Linear from sRGB, both from 0 to 1 (IEC 61966-2-1).
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "single precision is what meshes have"
-)]
+/// Converts sRGB to linear, both from 0 to 1 (IEC 61966-2-1).
+#[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
 pub(super) fn linear(encoded: f32) -> f32 {
     let encoded = f64::from(encoded);
     if encoded <= 0.040_45 {

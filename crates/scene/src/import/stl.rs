@@ -1,5 +1,5 @@
-//! STL, binary and text. Triangles share the points of equal coordinates; facet normals say what the winding says and
-//! are not read.
+//! Imports STL, binary and text. Triangles share points with equal coordinates; facet normals repeat the winding and
+//! are ignored.
 
 use oaktwin_camera::math::DAffine3;
 
@@ -9,32 +9,32 @@ use super::text;
 use super::weld::Welder;
 use crate::polygon::PolygonMesh;
 
-/// A comment, then the number of facets.
+/// Bytes before the first facet: a comment and the number of facets.
 const HEADER: usize = 84;
-/// A normal and three points of three numbers, and two bytes.
+/// Bytes of a facet: a normal and three points of three numbers each, and an attribute of two bytes.
 const FACET: usize = 50;
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let binary = binary_length(bytes);
-    let says_text = bytes.trim_ascii_start().starts_with(b"solid");
+    let starts_as_text = bytes.trim_ascii_start().starts_with(b"solid");
     match binary {
-        // Many a binary file starts with `solid` as well: its length tells.
-        Some(length) if length == bytes.len() || (!says_text && length <= bytes.len()) => {
+        // Binary files may start with `solid` as well; the length decides.
+        Some(length) if length == bytes.len() || (!starts_as_text && length <= bytes.len()) => {
             if length < bytes.len() {
                 let spare = bytes.len() - length;
                 builder.warn(
                     "stl-trailing",
                     "end",
-                    format!("{spare} bytes after its last facet"),
+                    format!("{spare} extra bytes after the last facet"),
                 );
             }
             read_binary(&bytes[HEADER..length], builder);
             Ok(())
         }
-        _ if says_text => read_text(bytes, builder),
+        _ if starts_as_text => read_text(bytes, builder),
         Some(length) => Err(Fault::damaged(
             "header",
-            format!("says {length} bytes, but there are {}", bytes.len()),
+            format!("{length} bytes required, {} available", bytes.len()),
         )),
         None => Err(Fault::damaged(
             "header",
@@ -53,7 +53,7 @@ fn binary_length(bytes: &[u8]) -> Option<usize> {
 
 fn read_binary(facets: &[u8], builder: &mut Builder) {
     let count = facets.len() / FACET;
-    // In a closed mesh there are half as many points as triangles.
+    // A closed mesh has half as many points as triangles.
     let mut welder = Welder::with_capacity(count / 2 + 3);
     let mut indices = Vec::with_capacity(3 * count);
     for facet in facets.as_chunks::<FACET>().0 {
@@ -79,14 +79,14 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
         match words.next().map(<[u8]>::to_ascii_lowercase).as_deref() {
             Some(b"vertex") => {
                 let Some(point) = text::numbers(&mut words) else {
-                    return Err(Fault::damaged(place(), "a vertex without three numbers"));
+                    return Err(Fault::damaged(place(), "expected three coordinates of a vertex"));
                 };
                 indices.push(welder.index(point));
                 corners += 1;
             }
             Some(b"endfacet") => {
                 if corners != 3 {
-                    return Err(Fault::damaged(place(), format!("a facet of {corners} vertices")));
+                    return Err(Fault::damaged(place(), format!("a facet has {corners} vertices")));
                 }
                 corners = 0;
             }
@@ -103,13 +103,13 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
             Some(_) => {
                 return Err(Fault::damaged(
                     place(),
-                    format!("no word of a text STL file: {}", text::shown(line)),
+                    format!("unknown keyword: {}", text::shown(line)),
                 ));
             }
         }
     }
     if !ended || corners != 0 {
-        return Err(Fault::damaged("end", "the last solid does not end"));
+        return Err(Fault::damaged("end", "endsolid is missing"));
     }
     Ok(())
 }

@@ -1,10 +1,10 @@
 use std::collections::HashMap;
 
-/// Points that are given once for each triangle, as points that triangles share.
+/// Merges the points of separate triangles that have equal coordinates.
 #[derive(Default)]
 pub(super) struct Welder {
     pub(super) points: Vec<[f32; 3]>,
-    /// Never iterated, so its order shows nowhere.
+    /// Never iterated, so its order has no effect.
     known: HashMap<[u32; 3], i32>,
 }
 
@@ -16,7 +16,7 @@ impl Welder {
         }
     }
 
-    /// The number of the point of exactly these coordinates; 0 and −0 are the same.
+    /// The index of the point with exactly these coordinates; 0 and −0 are equal.
     pub(super) fn index(&mut self, point: [f32; 3]) -> i32 {
         let bits = point.map(|x| (x + 0.0).to_bits());
         let points = &mut self.points;

@@ -1,22 +1,22 @@
-//! Primvars into attributes of triangles, stored as compactly as their values allow.
+//! Converts primvars to attributes of triangles, stored as compactly as their values allow.
 
 use super::weld::Welder;
 use super::{Interpolation, Primvar};
 use crate::Attribute;
 
-/// What an attribute needs to know about the triangles that were made.
+/// The triangulation, as far as attributes depend on it.
 pub(super) struct Triangles<'a> {
     pub(super) vertices: &'a [[u32; 3]],
     pub(super) points: usize,
     /// The face of each triangle.
     pub(super) face: &'a dyn Fn(usize) -> u32,
-    /// The corners of each triangle, among all corners of the mesh.
+    /// The corners of each triangle, as indices into all corners of the mesh.
     pub(super) corners: &'a dyn Fn(usize) -> [u32; 3],
-    /// Whether triangle `i` is face `i` and there are no others.
+    /// Whether triangle `i` is face `i` for all triangles.
     pub(super) are_faces: bool,
 }
 
-/// A value at a corner.
+/// An attribute value.
 pub(super) trait Value: Copy + PartialEq {
     const ZERO: Self;
     fn is_finite(&self) -> bool;
@@ -36,7 +36,7 @@ macro_rules! values {
 
 values!(f32, f64);
 
-/// The attribute, from a primvar that was checked.
+/// Converts a checked primvar to an attribute.
 pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> Attribute<T> {
     let value = |element: u32| primvar.get(element as usize).unwrap_or(T::ZERO);
     match primvar.interpolation {
@@ -60,13 +60,13 @@ pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>
     }
 }
 
-/// Most vertices have the same value at all their corners: those values are stored once.
+/// Most vertices have the same value at all their corners: such values are stored once.
 fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> Attribute<T> {
     if let Some(values) = one_for_each_triangle(value, triangles) {
         return Attribute::Triangle(values);
     }
     let mut welder = Welder::new(triangles.points);
-    // The values that the vertices came to first are all there is, as long as no corner asks for another.
+    // Indices are stored only once a corner's value differs from the first one at its vertex.
     let mut indices: Option<Vec<[u32; 3]>> = None;
     for (triangle, vertices) in triangles.vertices.iter().enumerate() {
         let corners = (triangles.corners)(triangle);
@@ -87,13 +87,13 @@ fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -
     }
 }
 
-/// For each triangle the value that all its corners have.
+/// The value of each triangle, if all its corners have the same.
 fn one_for_each_triangle<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> Option<Vec<T>> {
     let one = |triangle| {
         let [a, b, c] = (triangles.corners)(triangle).map(value);
         (a == b && a == c).then_some(a)
     };
-    // A look at some before room is made for all.
+    // Tests a few triangles before memory is allocated for all.
     let count = triangles.vertices.len();
     (0..count.min(64)).map(one).collect::<Option<Vec<T>>>()?;
     (0..count).map(one).collect()

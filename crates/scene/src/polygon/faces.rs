@@ -2,23 +2,23 @@ use std::ops::Range;
 
 use super::PolygonMesh;
 
-/// Where each face's corners are among all corners.
+/// The range of each face's corners.
 #[derive(Debug)]
 pub(super) enum Faces {
-    /// All faces have as many corners.
+    /// All faces have the same number of corners.
     Regular { corners: u32, count: u32 },
     /// Face `i` has the corners `starts[i]..starts[i + 1]`.
     Varied { starts: Vec<u32> },
 }
 
-/// What was wrong with the counts.
+/// Errors in the face vertex counts.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct CountFaults {
-    /// Faces for which there were no corners left.
+    /// The number of faces with too few corners left.
     pub(super) faces_without_corners: usize,
-    /// Corners that belong to no face.
+    /// The number of corners without a face.
     pub(super) corners_without_face: usize,
-    /// Counts below zero, taken as zero.
+    /// The number of negative counts, which are taken as zero.
     pub(super) negative: usize,
 }
 
@@ -29,10 +29,10 @@ impl CountFaults {
 }
 
 impl Faces {
-    /// The faces that the counts and the number of corners agree on: the first ones.
+    /// The leading faces for which counts and corners are consistent.
     pub(super) fn of(mesh: &PolygonMesh) -> (Self, CountFaults) {
         let counts = &mesh.face_vertex_counts;
-        // An index of a corner has 32 bits: what is beyond has no corners.
+        // Corner indices have 32 bits; corners beyond are ignored.
         let corners = u32::try_from(mesh.face_vertex_indices.len()).unwrap_or(u32::MAX);
         if let Some(regular) = Self::regular(counts, corners) {
             return (regular, CountFaults::default());
@@ -72,7 +72,7 @@ impl Faces {
     pub(super) fn len(&self) -> u32 {
         match self {
             Self::Regular { count, .. } => *count,
-            // Built from fewer than 2³² corners; empty faces beyond that are not worth counting.
+            // Built from fewer than 2³² corners; empty faces beyond that need not be counted.
             Self::Varied { starts } => u32::try_from(starts.len() - 1).unwrap_or(u32::MAX),
         }
     }

@@ -1,18 +1,18 @@
 use super::FaceMaterial;
 use super::faces::Faces;
 
-/// Which material each face has, and in what order faces are taken so that those of one material follow each other.
+/// The material of each face, and the order that groups faces by material.
 #[derive(Debug)]
 pub(super) struct FaceMaterials {
-    /// For each face; empty where all have the mesh's own.
+    /// The material of each face; empty if all have the mesh's own.
     of_face: Vec<Option<u32>>,
-    /// The faces in their new order; `None` where the old will do.
+    /// The faces in their new order; `None` if it is unchanged.
     pub(super) order: Option<Vec<u32>>,
     default: Option<u32>,
 }
 
 impl FaceMaterials {
-    /// The second value counts faces that do not exist.
+    /// Also returns the number of faces in the subsets that do not exist.
     pub(super) fn of(subsets: &[FaceMaterial], default: Option<u32>, faces: &Faces) -> (Self, usize) {
         let mut result = Self {
             of_face: Vec::new(),
@@ -38,7 +38,7 @@ impl FaceMaterials {
         (result, unknown)
     }
 
-    /// Whether all faces have the same.
+    /// Whether all faces have the same material.
     pub(super) fn is_one(&self) -> bool {
         self.of_face.is_empty()
     }
@@ -48,7 +48,7 @@ impl FaceMaterials {
     }
 }
 
-/// Faces by material, materials by their first face, faces of one material as they were; `None` if they are so already.
+/// The faces grouped by material, materials by their first face, in stable order; `None` if they are grouped already.
 fn order(of_face: &[Option<u32>]) -> Option<Vec<u32>> {
     let mut ranks = std::collections::BTreeMap::new();
     let mut interleaved = false;

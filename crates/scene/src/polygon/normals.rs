@@ -3,7 +3,7 @@ use oaktwin_camera::math::DVec3;
 use super::attribute::Triangles;
 use crate::Attribute;
 
-/// Normals of unit length. One that has no direction becomes that of the first triangle that has it.
+/// Normalizes the normals. A zero normal is replaced by that of the first triangle that uses it.
 pub(super) fn unit(
     mut normals: Attribute<[f32; 3]>,
     positions: &[[f32; 3]],
@@ -63,7 +63,7 @@ fn repair(
     }
 }
 
-/// Smooth normals: at each vertex the triangles' own, weighted by their angles there.
+/// Computes smooth normals: at each vertex, the normals of its triangles, weighted by their angles.
 pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribute<[f32; 3]> {
     let mut sums = vec![[0.0_f32; 3]; positions.len()];
     for &triangle in triangles {
@@ -81,17 +81,17 @@ pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribut
     for sum in &mut sums {
         *sum = unit_or_zero(DVec3::from(sum.map(f64::from)));
     }
-    // Where triangles cancel each other out (a sheet folded onto itself), the first has its way.
+    // Where normals cancel out (a sheet folded onto itself), the first triangle's is used.
     let flat = |triangle: [u32; 3]| unit_or_zero(area(positions, triangle));
     repair(&mut sums, triangles, &flat, triangles);
     Attribute::Vertex(sums)
 }
 
-/// The angle between two unit vectors within 1e-3, by arithmetic that is the same on every machine.
+/// The angle between two unit vectors within 1e-3 rad, computed identically on every machine.
 fn angle(a: DVec3, b: DVec3) -> f64 {
     let full = a.dot(b).clamp(-1.0, 1.0);
     let (sine, cosine) = ((1.0 - full).sqrt(), (1.0 + full).sqrt());
-    // Half the angle, as an arc tangent of a number from 0 to 1 or of its inverse.
+    // Half the angle, as the arc tangent of a number from 0 to 1 or of its inverse.
     let arc_tangent = |x: f64| {
         let xx = x * x;
         x * (0.999_866 + xx * (-0.330_299_5 + xx * (0.180_141 + xx * (-0.085_133 + xx * 0.020_835_1))))
@@ -107,7 +107,7 @@ fn point(positions: &[[f32; 3]], vertex: u32) -> DVec3 {
     DVec3::from(positions[vertex as usize].map(f64::from))
 }
 
-/// Twice the area of a triangle, along its normal.
+/// The triangle's normal, with twice its area as length.
 fn area(positions: &[[f32; 3]], triangle: [u32; 3]) -> DVec3 {
     let [a, b, c] = triangle.map(|vertex| point(positions, vertex));
     (b - a).cross(c - a)

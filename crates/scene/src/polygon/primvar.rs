@@ -1,16 +1,16 @@
-/// Values that a mesh carries, as OpenUSD's primvars: how they are spread over it, and what they are.
+/// Values attached to a mesh, like OpenUSD's primvars.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Primvar<T> {
-    /// What has a value of its own.
+    /// The elements that have values.
     pub interpolation: Interpolation,
-    /// The values; without `indices` one for each element of the interpolation.
+    /// The values; without `indices`, one per element.
     pub values: Vec<T>,
-    /// For each element which of the values it has, so that equal ones are stored once.
+    /// For each element, the index of its value.
     pub indices: Option<Vec<i32>>,
 }
 
 impl<T> Primvar<T> {
-    /// A value for each element.
+    /// Creates a primvar with one value per element.
     #[must_use]
     pub const fn new(interpolation: Interpolation, values: Vec<T>) -> Self {
         Self {
@@ -21,20 +21,20 @@ impl<T> Primvar<T> {
     }
 }
 
-/// What has a value of its own.
+/// The elements of a mesh that have values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interpolation {
-    /// The whole mesh has one.
+    /// One value for the whole mesh.
     Constant,
-    /// Each face has one.
+    /// One value per face.
     Uniform,
-    /// Each point has one; OpenUSD's `varying` too, which differs only on a subdivided surface.
+    /// One value per point; includes OpenUSD's `varying`, which differs only on a subdivided surface.
     Vertex,
-    /// Each corner of each face has one.
+    /// One value per corner of each face.
     FaceVarying,
 }
 
-/// How many elements of each kind a mesh has.
+/// The number of elements of each kind.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elements {
     pub(super) faces: usize,
@@ -54,7 +54,7 @@ impl Elements {
 }
 
 impl<T: Copy> Primvar<T> {
-    /// Says what is wrong with it on a mesh of so many elements.
+    /// Checks that the primvar fits a mesh with these elements; the error is the reason.
     pub(super) fn check(&self, elements: Elements) -> Result<(), String> {
         let wanted = elements.of(self.interpolation);
         let Some(indices) = &self.indices else {
@@ -66,20 +66,23 @@ impl<T: Copy> Primvar<T> {
             return if enough {
                 Ok(())
             } else {
-                Err(format!("{} values where {wanted} are needed", self.values.len()))
+                Err(format!("{} values instead of {wanted}", self.values.len()))
             };
         };
         if indices.len() != wanted {
-            return Err(format!("{} indices where {wanted} are needed", indices.len()));
+            return Err(format!("{} indices instead of {wanted}", indices.len()));
         }
         let in_range = |&index: &i32| usize::try_from(index).is_ok_and(|index| index < self.values.len());
         match indices.iter().find(|index| !in_range(index)) {
-            Some(index) => Err(format!("index {index} among {} values", self.values.len())),
+            Some(index) => Err(format!(
+                "index {index} is out of range: there are {} values",
+                self.values.len()
+            )),
             None => Ok(()),
         }
     }
 
-    /// The value of an element; only for one that was checked.
+    /// The value of an element of a checked primvar.
     pub(super) fn get(&self, element: usize) -> Option<T> {
         match &self.indices {
             None => self.values.get(element).copied(),

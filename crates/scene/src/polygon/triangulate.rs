@@ -1,28 +1,28 @@
-//! Polygons into triangles: a fan from the first corner where that covers the polygon, else by clipping ears.
+//! Triangulates polygons: a fan from the first corner if it covers the polygon, otherwise ear clipping.
 
 use oaktwin_camera::math::{DVec2, DVec3};
 
-/// Ears are clipped in a time that grows with the square of the corners: a polygon of more is fanned.
-const MOST_CORNERS_TO_CLIP: usize = 8192;
+/// The time of ear clipping grows with the square of the corners; polygons with more corners are split into fans.
+const MAX_CORNERS_TO_CLIP: usize = 8192;
 
-/// Buffers that are used again for each face.
+/// Buffers that are reused for each face.
 #[derive(Debug, Default)]
 pub(super) struct Triangulator {
     flat: Vec<DVec2>,
-    /// The corners not yet clipped, a ring.
+    /// The ring of corners that are not yet clipped.
     next: Vec<u32>,
     previous: Vec<u32>,
-    /// Corners that are known to be no ears, until a neighbour is clipped.
+    /// Corners that are known not to be ears until a neighbour is clipped.
     blocked: Vec<bool>,
 }
 
 impl Triangulator {
     /// Calls `emit` with the corners (0 is the polygon's first) of each of its `corners − 2` triangles, in the
-    /// polygon's own winding. False if it should have been clipped but has too many corners.
+    /// polygon's winding. Returns false if ear clipping is required but the polygon has too many corners.
     pub(super) fn triangulate(&mut self, polygon: &[DVec3], mut emit: impl FnMut([u32; 3])) -> bool {
         let count = u32::try_from(polygon.len()).unwrap_or(u32::MAX);
         let clip = !fan_covers(polygon);
-        if clip && polygon.len() <= MOST_CORNERS_TO_CLIP {
+        if clip && polygon.len() <= MAX_CORNERS_TO_CLIP {
             self.clip_ears(polygon, &mut emit);
             return true;
         }
@@ -50,12 +50,12 @@ impl Triangulator {
             self.previous[after as usize] = before;
             self.blocked[before as usize] = false;
             self.blocked[after as usize] = false;
-            // Skips a corner, so that the triangles do not all share one.
+            // Skips a corner, so that not all triangles share one.
             at = self.next[after as usize];
         }
     }
 
-    /// Looks along the axis in which the polygon is widest open: coordinates stay as exact as they were.
+    /// Drops the axis along which the polygon's normal is longest, which keeps the coordinates exact.
     fn flatten(&mut self, polygon: &[DVec3]) {
         let normal = newell(polygon);
         let size = normal.abs();
@@ -72,7 +72,7 @@ impl Triangulator {
         self.flat.extend(polygon.iter().map(project));
     }
 
-    /// The next ear from `at`; where the polygon crosses itself and has none, the least bad corner.
+    /// The next ear from `at`; if there is none because the polygon intersects itself, the least bad corner.
     fn choose_ear(&mut self, at: u32, left: u32) -> u32 {
         let mut tip = at;
         let mut fallback = (f64::NEG_INFINITY, at);
@@ -84,7 +84,7 @@ impl Triangulator {
                 }
                 self.blocked[tip as usize] = true;
             }
-            // A corner without area is better than one that is turned over or covers others.
+            // A corner without area is better than an inverted one or one that covers others.
             let badness = if turn > 0.0 { f64::MIN } else { turn };
             if badness > fallback.0 {
                 fallback = (badness, tip);
@@ -103,7 +103,7 @@ impl Triangulator {
         )
     }
 
-    /// Whether another part of the polygon reaches into a corner's triangle.
+    /// Whether another part of the polygon is inside a corner's triangle.
     fn is_blocked(&self, tip: u32) -> bool {
         let (before, after) = (self.previous[tip as usize], self.next[tip as usize]);
         let [a, b, c] = [before, tip, after].map(|corner| self.flat[corner as usize]);
@@ -111,7 +111,7 @@ impl Triangulator {
         while other != before {
             let p = self.flat[other as usize];
             if p == b {
-                // The outline touches itself here, as where a hole is joined to it: what matters is where it goes on.
+                // The outline touches itself here, as where a hole is joined to it: its direction from here decides.
                 let inside = |corner: u32| {
                     let q = self.flat[corner as usize];
                     orient(a, b, q) > 0.0 && orient(b, c, q) > 0.0
@@ -133,12 +133,12 @@ impl Triangulator {
     }
 }
 
-/// Positive where `a`, `b`, `c` turn left. Of coordinates in single precision its sign is all but exact.
+/// Positive if `a`, `b`, `c` turn left. The sign is practically exact for single-precision coordinates.
 fn orient(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Twice the polygon's area along the normal of its best plane.
+/// The normal of the polygon's best plane, with twice the polygon's area as length.
 fn newell(polygon: &[DVec3]) -> DVec3 {
     let Some(&origin) = polygon.first() else {
         return DVec3::ZERO;
@@ -149,14 +149,14 @@ fn newell(polygon: &[DVec3]) -> DVec3 {
         .fold(DVec3::ZERO, |sum, area| sum + area)
 }
 
-/// Whether no triangle of the fan is turned over: then, the polygon being simple, they cover it without overlap. So it
-/// is for every convex polygon, and for a concave one whose first corner sees all others.
+/// Whether no triangle of the fan is inverted: then the fan covers a simple polygon without overlap. This holds
+/// for every convex polygon, and for concave ones whose first corner sees all others.
 fn fan_covers(polygon: &[DVec3]) -> bool {
     if polygon.len() < 4 {
         return true;
     }
     if let &[a, b, c, d] = polygon {
-        // Nearly all quads need no more than this.
+        // Sufficient for nearly all quads.
         let diagonal = c - a;
         let (first, second) = ((b - a).cross(diagonal), diagonal.cross(d - a));
         let normal = first + second;
@@ -169,7 +169,7 @@ fn fan_covers(polygon: &[DVec3]) -> bool {
     let turned = |edge: &[DVec3]| {
         let (from, to) = (edge[0] - origin, edge[1] - origin);
         let area = from.cross(to).dot(normal);
-        // A corner on the line between its neighbours, but for the rounding of single precision, is not turned.
+        // A corner on the line between its neighbours, within single-precision rounding, is not inverted.
         area < 0.0 && area < -1e-6 * from.length() * to.length() * normal.length()
     };
     !polygon.windows(2).any(turned)
@@ -191,7 +191,7 @@ mod tests {
         polygon.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect()
     }
 
-    /// Every triangle winds as the polygon does, and together they have its area: so they cover it.
+    /// Checks that every triangle has the polygon's winding and the areas add up: then the triangles cover the polygon.
     fn assert_covers(polygon: &[DVec3], triangles: &[[u32; 3]]) {
         assert_eq!(triangles.len(), polygon.len() - 2);
         let whole = newell(polygon);
@@ -200,10 +200,7 @@ mod tests {
         for triangle in triangles {
             let [a, b, c] = triangle.map(|corner| polygon[corner as usize]);
             let area = (b - a).cross(c - a).dot(normal);
-            assert!(
-                area > -1e-5 * whole.length(),
-                "{triangle:?} is turned over: {area}"
-            );
+            assert!(area > -1e-5 * whole.length(), "{triangle:?} is inverted: {area}");
             sum += area.abs();
         }
         assert!(
@@ -224,7 +221,7 @@ mod tests {
         let arrow = flat(&[(0., 0.), (2., 1.), (0.5, 0.), (2., -1.)]);
         let from_tail = [&arrow[2..], &arrow[..2]].concat();
         assert_eq!(cut(&from_tail), [[0, 1, 2], [0, 2, 3]]);
-        // From a wing the fan would cover what is outside.
+        // A fan from a wing would cover the outside.
         let from_wing = [&arrow[1..], &arrow[..1]].concat();
         assert_covers(&from_wing, &cut(&from_wing));
     }
@@ -239,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn degenerate_polygons_give_as_many_triangles_as_any() {
+    fn degenerate_polygons_give_the_same_number_of_triangles() {
         for polygon in [
             flat(&[(0., 0.), (1., 0.), (2., 0.), (3., 0.)]),
             flat(&[(1., 1.); 6]),
@@ -267,7 +264,7 @@ mod tests {
     }
 
     proptest! {
-        /// A star of any radii, seen from anywhere, started at any corner.
+        /// A star with any radii, orientation and first corner.
         #[test]
         fn stars_are_covered(
             radii in prop::collection::vec(0.05..10.0_f64, 4..40),
@@ -291,14 +288,14 @@ mod tests {
             let first = first % polygon.len();
             polygon.rotate_left(first);
             if twice {
-                // Repeated points are corners too.
+                // Repeated points count as corners.
                 polygon = polygon.into_iter().flat_map(|p| [p, p]).collect();
             }
             let triangles = cut(&polygon);
             assert_covers(&polygon, &triangles);
         }
 
-        /// Whatever the polygon, each corner is used and the work ends.
+        /// For any polygon, each corner is used and triangulation terminates.
         #[test]
         fn any_corners_give_triangles(points in prop::collection::vec(prop::array::uniform3(-3..3_i8), 3..30)) {
             let polygon: Vec<DVec3> = points.iter().map(|p| DVec3::from(p.map(f64::from))).collect();

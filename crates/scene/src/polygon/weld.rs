@@ -1,19 +1,19 @@
-//! Face-varying values, stored once for each vertex that has the same at all its corners.
+//! Stores face-varying values once per vertex if all its corners have the same value.
 
 use super::attribute::Value;
 
-/// Finds a vertex's earlier corners of the same value.
+/// Finds earlier corners of a vertex with the same value.
 pub(super) struct Welder<T> {
-    /// First one for each vertex, in order; then those of vertices that have several.
+    /// The first value of each vertex in order, followed by additional values.
     pub(super) values: Vec<T>,
-    /// For each value the next of the same vertex; `NONE` at the end.
+    /// For each value the next one of the same vertex; `NONE` at the end.
     next: Vec<u32>,
     seen: Vec<bool>,
 }
 
 const NONE: u32 = u32::MAX;
-/// A vertex with more values than this gets them unwelded, which keeps the time linear.
-const LONGEST_CHAIN: usize = 16;
+/// Vertices with more values than this get further values unwelded, which keeps the time linear.
+const MAX_CHAIN: usize = 16;
 
 impl<T: Value> Welder<T> {
     pub(super) fn new(points: usize) -> Self {
@@ -24,7 +24,7 @@ impl<T: Value> Welder<T> {
         }
     }
 
-    /// Where the value of a corner at `vertex` is.
+    /// The index of `value` at a corner of `vertex`.
     pub(super) fn index(&mut self, vertex: u32, value: T) -> u32 {
         let mut at = vertex;
         if !self.seen[at as usize] {
@@ -32,7 +32,7 @@ impl<T: Value> Welder<T> {
             self.values[at as usize] = value;
             return at;
         }
-        for _ in 0..LONGEST_CHAIN {
+        for _ in 0..MAX_CHAIN {
             if self.values[at as usize] == value {
                 return at;
             }
@@ -42,7 +42,7 @@ impl<T: Value> Welder<T> {
             }
             at = next;
         }
-        // Fewer values than corners and vertices, and those have 31 bits each.
+        // There are fewer values than corners and vertices, each of which has 31 bits.
         let new = u32::try_from(self.values.len()).unwrap_or(NONE);
         self.next.push(self.next[at as usize]);
         self.next[at as usize] = new;

@@ -1,7 +1,7 @@
 use super::{Axis, are_sizes, narrow};
 use crate::{Attribute, Mesh};
 
-/// A cube of that edge; each side has the whole image.
+/// Creates a cube with edges of length `size`; each side shows the whole image.
 #[must_use]
 pub fn cube(size: f64) -> Mesh {
     if !are_sizes(&[size]) {
@@ -17,14 +17,14 @@ pub fn cube(size: f64) -> Mesh {
     mesh.finish()
 }
 
-/// A rectangle that looks along `axis`, seen from both sides. As OpenUSD has it, `width` is along x, or along z where
-/// that is the axis; `length` is along y, or along z where that is.
+/// Creates a rectangle perpendicular to `axis`, visible from both sides. As in OpenUSD, `width` is along x, or along z if
+/// `axis` is x; `length` is along y, or along z if `axis` is y.
 #[must_use]
 pub fn plane(width: f64, length: f64, axis: Axis) -> Mesh {
     if !are_sizes(&[width, length]) {
         return Mesh::default();
     }
-    // What turns into the two: see `Axis::turn`.
+    // The sizes before `Axis::turn`.
     let (x, y) = match axis {
         Axis::X => (length, width),
         Axis::Y => (length, width),
@@ -47,7 +47,7 @@ struct Builder {
 }
 
 impl Builder {
-    /// From `(−x, −y, z)` to `(x, y, z)`, before it is turned to the axis; a negative x makes it look down.
+    /// Adds the rectangle from `(−x, −y, z)` to `(x, y, z)`, turned to the axis; a negative x reverses its normal.
     fn rectangle(&mut self, [x, y, z]: [f64; 3], axis: Axis, normal: [f64; 3]) {
         let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
         for [u, v] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {

@@ -1,32 +1,32 @@
-//! Outlines turned round an axis.
+//! Surfaces of revolution.
 
 use super::{AROUND, Axis, are_sizes, narrow};
 use crate::{Attribute, Mesh, turn};
 
-/// A corner of an outline: distances from the axis and along it.
-struct Stop {
+/// A point of an outline: its distances from the axis and along it.
+struct Knot {
     out: f64,
     along: f64,
-    /// The surface's direction there, of unit length.
+    /// The unit normal of the surface.
     normal: [f64; 2],
     v: f64,
 }
 
-/// What is turned, from the bottom to the top, the surface on its right.
+/// An outline, from the bottom to the top, with the surface on its right.
 #[derive(Default)]
 pub(super) struct Outline {
-    stops: Vec<Stop>,
+    knots: Vec<Knot>,
 }
 
 impl Outline {
-    /// From one quarter of a circle to another: −1 is the pole at the bottom, 0 the equator, 1 the pole at the top.
+    /// Adds an arc between quarters of a circle: −1 is the bottom pole, 0 the equator, 1 the top pole.
     pub(super) fn arc(&mut self, from: i8, to: i8, radius: f64, center: f64, [v0, v1]: [f64; 2]) {
         let steps = u32::from(to.abs_diff(from)) * AROUND / 4;
         for step in 0..=steps {
-            // A turn ahead: there are no negative parts.
+            // Adds a full turn to avoid negative angles.
             let part = if from < 0 { 3 * AROUND / 4 + step } else { step };
             let (cosine, sine) = turn::cos_sin(part, AROUND);
-            self.push(Stop {
+            self.push(Knot {
                 out: radius * cosine,
                 along: center + radius * sine,
                 normal: [cosine, sine],
@@ -35,11 +35,11 @@ impl Outline {
         }
     }
 
-    /// Where one piece goes on smoothly from another there is no band between them.
-    fn push(&mut self, stop: Stop) {
-        let is_last = |last: &Stop| (last.out, last.along) == (stop.out, stop.along);
-        if !self.stops.last().is_some_and(is_last) {
-            self.stops.push(stop);
+    /// Adds a knot, with no surface between it and an equal previous knot.
+    fn push(&mut self, knot: Knot) {
+        let is_last = |last: &Knot| (last.out, last.along) == (knot.out, knot.along);
+        if !self.knots.last().is_some_and(is_last) {
+            self.knots.push(knot);
         }
     }
 
@@ -48,7 +48,7 @@ impl Outline {
         let length = (out * out + along * along).sqrt();
         let normal = [along / length, -out / length];
         for ([out, along], v) in [(from, v0), (to, v1)] {
-            self.push(Stop {
+            self.push(Knot {
                 out,
                 along,
                 normal,
@@ -58,8 +58,8 @@ impl Outline {
     }
 }
 
-/// A body that is turned piece by piece.
-pub(super) struct Turned {
+/// A mesh assembled from surfaces of revolution.
+pub(super) struct Lathe {
     axis: Axis,
     exists: bool,
     positions: Vec<[f32; 3]>,
@@ -68,7 +68,7 @@ pub(super) struct Turned {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Turned {
+impl Lathe {
     pub(super) fn new(axis: Axis, sizes: &[f64]) -> Self {
         Self {
             axis,
@@ -80,46 +80,46 @@ impl Turned {
         }
     }
 
-    /// The outline's surface; u goes round.
+    /// Adds the surface of an outline; u runs around the axis.
     pub(super) fn surface(mut self, outline: &Outline) -> Self {
-        let mut below: Option<(&Stop, u32)> = None;
-        for stop in &outline.stops {
-            let first = self.ring(stop);
+        let mut below: Option<(&Knot, u32)> = None;
+        for knot in &outline.knots {
+            let first = self.ring(knot);
             if let Some((lower, lower_first)) = below {
                 for k in 0..AROUND {
                     let (a, b) = (lower_first + k, lower_first + k + 1);
                     let (d, c) = (first + k, first + k + 1);
                     if lower.out > 0.0 {
-                        self.triangles.push([a, b, if stop.out > 0.0 { c } else { d }]);
+                        self.triangles.push([a, b, if knot.out > 0.0 { c } else { d }]);
                     }
-                    if stop.out > 0.0 {
+                    if knot.out > 0.0 {
                         self.triangles.push([a, c, d]);
                     }
                 }
             }
-            below = Some((stop, first));
+            below = Some((knot, first));
         }
         self
     }
 
-    /// A circle's corners, the first once more at the end; a pole is there once for each triangle at it, half-way
-    /// between that triangle's other corners.
-    fn ring(&mut self, stop: &Stop) -> u32 {
+    /// Adds the vertices of a circle, with the first repeated at the end; a pole has one vertex per triangle, half-way
+    /// between that triangle's other vertices.
+    fn ring(&mut self, knot: &Knot) -> u32 {
         let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
-        let half = u32::from(stop.out <= 0.0);
+        let half = u32::from(knot.out <= 0.0);
         for k in 0..=AROUND {
             let (cosine, sine) = turn::cos_sin(2 * k + half, 2 * AROUND);
-            let [out, up] = stop.normal;
+            let [out, up] = knot.normal;
             self.push(
-                [stop.out * cosine, stop.out * sine, stop.along],
+                [knot.out * cosine, knot.out * sine, knot.along],
                 [out * cosine, out * sine, up],
-                [f64::from(2 * k + half) / f64::from(2 * AROUND), stop.v],
+                [f64::from(2 * k + half) / f64::from(2 * AROUND), knot.v],
             );
         }
         first
     }
 
-    /// A flat lid or floor at `along`, which looks away from the middle.
+    /// Adds a flat disk at `along`, facing away from the centre.
     pub(super) fn disk(mut self, radius: f64, along: f64) -> Self {
         let up = along.signum();
         let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);

@@ -9,7 +9,7 @@ fn corners(mesh: &Mesh, triangle: usize) -> [DVec3; 3] {
         .map(|p| DVec3::from(p.map(f64::from)))
 }
 
-/// Closed, turned outwards, without slivers; its volume and area.
+/// Checks that a mesh is closed, oriented outwards and without slivers; returns its volume and area.
 fn measure(mesh: &Mesh) -> (f64, f64) {
     let (mut volume, mut area) = (0.0, 0.0);
     let mut edges = std::collections::BTreeMap::new();
@@ -28,7 +28,7 @@ fn measure(mesh: &Mesh) -> (f64, f64) {
             assert!((authored.length() - 1.0).abs() < 1e-6);
             assert!(authored.dot(normal.normalize()) > 0.99, "triangle {triangle}");
         }
-        // As positions, each edge has its opposite.
+        // Every edge, by position, has an opposite.
         let bits = mesh
             .corners(triangle)
             .unwrap()
@@ -64,7 +64,7 @@ fn extent(mesh: &Mesh) -> [[f32; 3]; 2] {
 }
 
 #[test]
-fn shapes_are_closed_and_as_large_as_they_should_be() {
+fn shapes_are_closed_with_the_exact_volume_and_area() {
     use std::f64::consts::PI;
     let (volume, area) = measure(&cube(3.0));
     assert!((volume - 27.0).abs() < 1e-9 && (area - 54.0).abs() < 1e-9);
@@ -84,7 +84,7 @@ fn shapes_are_closed_and_as_large_as_they_should_be() {
 }
 
 #[test]
-fn shapes_stand_along_their_axes() {
+fn shapes_extend_along_their_axes() {
     assert_eq!(extent(&cube(2.0)), [[-1.0; 3], [1.0; 3]]);
     assert_eq!(extent(&sphere(2.0)), [[-2.0; 3], [2.0; 3]]);
     assert_eq!(extent(&cylinder(1.0, 6.0, Axis::X))[1], [3.0, 1.0, 1.0]);
@@ -102,7 +102,7 @@ fn shapes_stand_along_their_axes() {
 }
 
 #[test]
-fn planes_look_along_their_axes() {
+fn planes_face_along_their_axes() {
     for (axis, extents, normal) in [
         (Axis::X, [0.0, 3.0, 2.0], [1.0, 0.0, 0.0]),
         (Axis::Y, [2.0, 0.0, 3.0], [0.0, 1.0, 0.0]),
@@ -123,7 +123,7 @@ fn planes_look_along_their_axes() {
 }
 
 #[test]
-fn no_size_no_triangles() {
+fn invalid_sizes_give_no_triangles() {
     for size in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 1e-300] {
         assert_eq!(cube(size), Mesh::default());
         assert_eq!(sphere(size), Mesh::default());

@@ -1,9 +1,9 @@
-//! Files that were cut off or changed: an error or a scene, never a panic.
+//! Truncated and corrupted files give an error or a scene, never a panic.
 
 use proptest::prelude::*;
 
 use crate::support::{Files, check};
-use crate::{gltf, ply, stl};
+use crate::{gltf_builder, ply, stl};
 
 fn whole_files() -> Vec<(&'static str, Vec<u8>)> {
     let obj = "o a\nv 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nusemtl x\nf 1/1/1 2/1/1 -1/1/1\ng b\nf 1 2 3 2\n";
@@ -14,8 +14,11 @@ fn whole_files() -> Vec<(&'static str, Vec<u8>)> {
         ("b.ply", ply::binary(false)),
         ("c.ply", ply::binary(true)),
         ("a.obj", obj.into()),
-        ("a.gltf", gltf::Builder::everything().embedded().into_bytes()),
-        ("a.glb", gltf::Builder::everything().binary()),
+        (
+            "a.gltf",
+            gltf_builder::Builder::everything().embedded().into_bytes(),
+        ),
+        ("a.glb", gltf_builder::Builder::everything().binary()),
     ]
 }
 
@@ -33,10 +36,10 @@ fn whole_files_are_read() {
 }
 
 #[test]
-fn files_may_end_anywhere() {
+fn truncated_files_never_panic() {
     let files = Files::new();
     for (name, bytes) in whole_files() {
-        // All ends of small files, some of large ones.
+        // All lengths of small files, some of large ones.
         let step = 1 + bytes.len() / 500;
         for end in (1..bytes.len()).step_by(step) {
             std::fs::write(files.path(name), &bytes[..end]).unwrap();
@@ -48,11 +51,11 @@ fn files_may_end_anywhere() {
 }
 
 proptest! {
-    // Each writes a file.
+    // Each case writes a file.
     #![proptest_config(ProptestConfig::with_cases(96))]
 
     #[test]
-    fn bytes_may_change(file in 0..8_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
+    fn changed_bytes_never_panic(file in 0..8_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
         let (name, mut bytes) = whole_files().swap_remove(file);
         for (at, byte) in changes {
             let at = at.index(bytes.len());
@@ -62,7 +65,7 @@ proptest! {
     }
 
     #[test]
-    fn digits_may_change(file in 1..7_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), "[-0-9e.]"), 1..8)) {
+    fn changed_digits_never_panic(file in 1..7_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), "[-0-9e.]"), 1..8)) {
         let (name, mut bytes) = whole_files().swap_remove(file);
         let digits: Vec<usize> = (0..bytes.len()).filter(|&i| bytes[i].is_ascii_digit()).collect();
         for (at, byte) in changes {
@@ -72,7 +75,7 @@ proptest! {
     }
 
     #[test]
-    fn rubbish_is_no_scene(name in prop::sample::select(vec!["a.stl", "a.ply", "a.obj", "a.gltf", "a.glb"]), bytes in prop::collection::vec(any::<u8>(), 1..300)) {
+    fn random_bytes_are_rejected(name in prop::sample::select(vec!["a.stl", "a.ply", "a.obj", "a.gltf", "a.glb"]), bytes in prop::collection::vec(any::<u8>(), 1..300)) {
         open(name, &bytes);
     }
 }

@@ -1,4 +1,4 @@
-//! The importers, on small files that the tests write themselves.
+//! Tests of the importers with small generated files.
 
 #![allow(
     clippy::unwrap_used,
@@ -9,6 +9,7 @@
 
 mod bad;
 mod gltf;
+mod gltf_builder;
 mod obj;
 mod options;
 mod ply;

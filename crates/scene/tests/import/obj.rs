@@ -13,7 +13,7 @@ fn objects_and_groups_are_instances_with_their_own_points() {
     let paths: Vec<&str> = scene.instances.iter().map(|i| i.path.as_str()).collect();
     assert_eq!(paths, ["/table/top", "/table/legs", "/chair/legs"]);
     assert_eq!(scene.up, Up::Y);
-    // What comes back to a name goes to it; no part has points of others.
+    // A repeated name continues its part; no part has points of others.
     assert_eq!(scene.meshes[0].triangles.len(), 2);
     assert_eq!(scene.meshes[0].positions.len(), 4);
     assert_eq!(
@@ -59,7 +59,7 @@ fn corners_pick_texture_coordinates_and_normals() {
         mesh.normals,
         Some(Attribute::Triangle(vec![[0., 0., 1.], [0., 1., 0.]]))
     );
-    // Half a set of normals is none, corners without coordinates are at the origin.
+    // Incomplete normals are ignored; corners without texture coordinates get the origin.
     let scene = open(
         "a.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2//1 3\n",
@@ -91,7 +91,7 @@ fn materials_come_from_libraries() {
             newmtl wood\nKd 0 0 0\nmap_Kd -s 2 3 1 -o 0.5 -clamp on images\\my wood.png\n\
             newmtl lost\nKd 0.5\nmap_Kd none.png\nnewmtl wood\nKd 1 1 1\n",
         )
-        .with("images/my wood.png", "not looked at")
+        .with("images/my wood.png", "not read")
         .with(
             "a.obj",
             "mtllib my room.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl wood\nf 1 2 3\n\
@@ -127,36 +127,36 @@ fn materials_come_from_libraries() {
     assert_eq!(material("lost").base_color, Some([0.5; 3]));
     assert_eq!(material("nowhere").base_color, None);
     assert_eq!(imported.findings.len(), 1);
-    assert!(messages(&imported)[0].ends_with("none.png: the image is not there"));
+    assert!(messages(&imported)[0].ends_with("none.png: the image does not exist"));
 }
 
 #[test]
-fn what_cannot_be_rendered_is_counted() {
+fn unsupported_statements_are_counted() {
     let imported = open(
         "a.obj",
         "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\np 1 2\nl 1 2\nl 2 3\nf 1 2 3\nf 1 2\nf 1/7 2/1 3/1\nf 1 2 9\nf 0 1 2\n",
     );
     let found = messages(&imported);
-    assert!(found[0].ends_with("none.mtl: is not there: its materials are left out"));
+    assert!(found[0].ends_with("none.mtl: does not exist: its materials are ignored"));
     assert_eq!(
         found[1..],
         [
-            "lines: left out: 2",
-            "points: left out: 1",
-            "f: texture coordinates and normals that do not exist: 1",
-            "/a: 2 triangles have points that do not exist or are not finite, and are left out",
+            "lines: not supported: 2 skipped",
+            "points: not supported: 1 skipped",
+            "f: 1 indices of texture coordinates and normals are out of range",
+            "/a: 2 triangles have points that are missing or not finite; skipped",
         ]
     );
     assert_eq!(imported.scene.meshes[0].triangles.len(), 2);
 }
 
 #[test]
-fn broken_lines_are_said() {
+fn invalid_lines_are_rejected() {
     assert_eq!(
         error("a.obj", "v 0 0 0\nv 1 zero 0\n"),
-        "a.obj: line 2: a point without three numbers: v 1 zero 0; export or copy it again: it is damaged"
+        "a.obj: line 2: expected three coordinates: v 1 zero 0; the file is damaged: export or copy it again"
     );
-    assert!(error("a.obj", "v 0 0 0\nf 1 x 1\n").contains("line 2: a corner that is no number"));
-    assert!(error("a.obj", "#usda 1.0\ndef Xform {}\n").contains("is no OBJ file"));
-    assert!(error("a.obj", "v 0 0 0\n").contains("has no triangle to render"));
+    assert!(error("a.obj", "v 0 0 0\nf 1 x 1\n").contains("line 2: invalid index of a corner"));
+    assert!(error("a.obj", "#usda 1.0\ndef Xform {}\n").contains("is not an OBJ file"));
+    assert!(error("a.obj", "v 0 0 0\n").contains("contains no triangles"));
 }

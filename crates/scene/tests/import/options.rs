@@ -14,27 +14,30 @@ fn units_become_metres_and_axes_stay() {
     let scaled = open(Some(Up::Z), 0.001).scene;
     assert_eq!((scaled.up, scaled.meters_per_unit), (Up::Z, MetersPerUnit(0.001)));
     let bounds = scaled.bounds().unwrap();
-    assert!((bounds.high - oaktwin_camera::math::DVec3::new(0.01, 0.02, 0.0)).length() < 1e-15);
+    assert!((bounds.max - oaktwin_camera::math::DVec3::new(0.01, 0.02, 0.0)).length() < 1e-15);
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = import::open(&files.path("a.obj"), &ImportOptions { up: None, scale }).unwrap_err();
-        assert_eq!(error.remedy, "give a scale above zero");
+        assert_eq!(error.remedy, "use a finite scale above zero");
     }
 }
 
 #[test]
-fn names_say_what_files_are() {
+fn extensions_determine_the_format() {
     assert_eq!(
         error("a.fbx", "x"),
-        "a.fbx: no importer for files that end in .fbx; give a file that ends in .glb, .gltf, .obj, .ply or .stl"
+        "a.fbx: .fbx files are not supported; use a file that ends in .glb, .gltf, .obj, .ply or .stl"
     );
     assert_eq!(
         error("mesh", "x"),
-        "mesh: its name has no extension that says what it is; give a file that ends in .glb, .gltf, .obj, .ply or .stl"
+        "mesh: the name has no extension; use a file that ends in .glb, .gltf, .obj, .ply or .stl"
     );
     assert_eq!(error("a.obj", ""), "a.obj: is empty; export it again");
     let files = Files::new().with("a.OBJ", TRIANGLE).with("folder.stl/a", "");
     files.open("a.OBJ");
-    assert_eq!(files.error("folder.stl"), "folder.stl: is no file; give a file");
+    assert_eq!(
+        files.error("folder.stl"),
+        "folder.stl: is not a regular file; use a regular file"
+    );
     assert!(files.error("none.ply").starts_with("none.ply: cannot be read: "));
     assert!(import::is_importable("a.GLB".as_ref()) && !import::is_importable("a.usda".as_ref()));
 }

@@ -20,7 +20,7 @@ property list uchar int vertex_indices
 end_header
 ";
 
-/// A pyramid's two sides: a triangle and a quad, with all that points may have.
+/// Two sides of a pyramid, a triangle and a quad, with all supported attributes.
 pub(crate) fn text() -> String {
     let mut text = format!("ply\nformat ascii 1.0\ncomment made by a test\n{HEADER}");
     for (i, [x, y]) in [[0, 0], [1, 0], [1, 1], [0, 1]].into_iter().enumerate() {
@@ -55,7 +55,7 @@ pub(crate) fn binary(big: bool) -> Vec<u8> {
 }
 
 #[test]
-fn all_encodings_are_the_same() {
+fn all_encodings_are_equivalent() {
     let scene = open("scan.ply", text()).scene;
     assert_eq!(scene, open("scan.ply", binary(false)).scene);
     assert_eq!(scene, open("scan.ply", binary(true)).scene);
@@ -71,7 +71,7 @@ fn all_encodings_are_the_same() {
     let Some(Attribute::Vertex(colors)) = &mesh.colors else {
         panic!("{:?}", mesh.colors)
     };
-    // 128 of sRGB is 0.2158605 of light.
+    // sRGB 128 is 0.2158605 in linear light.
     assert!((colors[2][0] - 0.215_860_5).abs() < 1e-6);
     assert_eq!((colors[0], colors[2][2]), ([0.0, 0.0, 1.0], 1.0));
 }
@@ -98,21 +98,21 @@ fn unknown_elements_and_properties_are_skipped() {
     );
     assert_eq!(
         messages(&imported),
-        ["tristrips: strips of triangles are left out"]
+        ["tristrips: triangle strips are not supported; skipped"]
     );
 }
 
 #[test]
-fn clouds_of_points_are_none_of_ours() {
+fn rejects_point_clouds() {
     let cloud = text().replace("element face 2", "element face 0");
     assert_eq!(
         error("a.ply", &cloud[..cloud.len() - 18]),
-        "a.ply: face: it is a cloud of 4 points without faces; make a mesh of it first, for example by Poisson reconstruction"
+        "a.ply: face: is a point cloud of 4 points without faces; convert it to a mesh first, for example by Poisson reconstruction"
     );
 }
 
 #[test]
-fn headers_that_lie_make_no_room() {
+fn rejects_counts_that_exceed_the_file() {
     let lie = |from: &str, to: &str| {
         let bytes = binary(false);
         let body = bytes
@@ -124,13 +124,13 @@ fn headers_that_lie_make_no_room() {
     };
     assert!(
         lie("vertex 4", "vertex 4000000000000000000")
-            .contains("vertex: 4000000000000000000 of them would not fit")
+            .contains("vertex: 4000000000000000000 elements do not fit")
     );
-    assert!(lie("face 2", "face 99999").contains("face: 99999 of them would not fit"));
-    assert!(lie("vertex 4", "vertex -4").contains("line 3: an element without name or count"));
-    assert!(lie("float x", "quad x").contains("line 4: no property that is known"));
+    assert!(lie("face 2", "face 99999").contains("face: 99999 elements do not fit"));
+    assert!(lie("vertex 4", "vertex -4").contains("line 3: invalid element"));
+    assert!(lie("float x", "quad x").contains("line 4: invalid property"));
     assert!(lie("uchar int v", "float int v").contains("is longer than the file"));
-    // Elements without properties take no time however many there are.
+    // Elements without properties take no time, regardless of their number.
     let many = text().replace(
         "element vertex",
         "element nothing 18446744073709551615\nelement vertex",
@@ -139,16 +139,16 @@ fn headers_that_lie_make_no_room() {
 }
 
 #[test]
-fn what_is_missing_is_said() {
+fn rejects_incomplete_files() {
     let broken = |from: &str, to: &str| error("a.ply", text().replace(from, to));
-    assert!(broken("ply\n", "").contains("line 1: is no PLY file"));
-    assert!(broken("format ascii 1.0\n", "").contains("has no line with its format"));
-    assert!(broken("format ascii", "format morse").contains("line 2: no known format"));
-    assert!(broken("end_header", "").contains("no line of a header"));
-    assert!(broken("property float z\n", "property float w\n").contains("has no x, y and z"));
-    assert!(broken("vertex_indices", "others").contains("has no list of vertex_indices"));
+    assert!(broken("ply\n", "").contains("line 1: is not a PLY file"));
+    assert!(broken("format ascii 1.0\n", "").contains("the format is missing"));
+    assert!(broken("format ascii", "format morse").contains("line 2: unknown format"));
+    assert!(broken("end_header", "").contains("unknown header line"));
+    assert!(broken("property float z\n", "property float w\n").contains("x, y and z are missing"));
+    assert!(broken("vertex_indices", "others").contains("the list vertex_indices is missing"));
     assert!(broken("4 0 1 2 3", "4 0 1 2").contains("the file ends before its last element"));
-    assert!(broken("3 0 1 2", "3 0 one 2").contains("line 24: no number: one"));
+    assert!(broken("3 0 1 2", "3 0 one 2").contains("line 24: invalid number: one"));
     let imported = open("a.ply", text().replace("3 0 1 2\n", "3 0 1 9\n"));
     assert_eq!(imported.findings[0].code, "mesh-bad-triangles");
 }

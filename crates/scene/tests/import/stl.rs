@@ -2,7 +2,7 @@ use oaktwin_scene::Up;
 
 use crate::support::{error, messages, open};
 
-/// A tetrahedron's corners, facet by facet.
+/// The corners of a tetrahedron's facets.
 const FACETS: [[[f32; 3]; 3]; 4] = [
     [[0., 0., 0.], [0., 1., 0.], [1., 0., 0.]],
     [[0., 0., 0.], [1., 0., 0.], [0., 0., 1.]],
@@ -36,7 +36,7 @@ pub(crate) fn text(name: &str) -> String {
 }
 
 #[test]
-fn binary_and_text_are_the_same() {
+fn binary_and_text_are_equivalent() {
     let a = open("part.stl", binary("made by a test")).scene;
     let b = open("part.stl", text("part")).scene;
     let c = open("part.stl", binary("solid as many programs write it")).scene;
@@ -44,7 +44,7 @@ fn binary_and_text_are_the_same() {
     assert_eq!(a, c);
     assert_eq!(a.up, Up::Z);
     assert_eq!(a.instances[0].path, "/part");
-    // Points are shared, 0 and −0 are one.
+    // Points are shared; 0 and −0 are equal.
     assert_eq!(a.meshes[0].positions.len(), 4);
     assert_eq!(a.meshes[0].triangles[..2], [[0, 1, 2], [0, 2, 3]]);
     assert_eq!(a.meshes[0].normals, None);
@@ -63,38 +63,38 @@ fn lengths_are_checked() {
     long.extend([1, 2, 3]);
     assert_eq!(
         messages(&open("a.stl", &long)),
-        ["end: 3 bytes after its last facet"]
+        ["end: 3 extra bytes after the last facet"]
     );
     let short = &binary("a")[..200];
     assert_eq!(
         error("a.stl", short),
-        "a.stl: header: says 284 bytes, but there are 200; export or copy it again: it is damaged"
+        "a.stl: header: 284 bytes required, 200 available; the file is damaged: export or copy it again"
     );
     let mut huge = binary("a");
     huge[80..84].fill(0xff);
-    assert!(error("a.stl", &huge).contains("says 214748364834 bytes"));
+    assert!(error("a.stl", &huge).contains("214748364834 bytes required"));
     assert!(error("a.stl", "no such thing").contains("neither a binary nor a text STL file"));
 }
 
 #[test]
-fn text_is_read_by_the_line() {
+fn invalid_text_is_rejected_by_line() {
     assert_eq!(
         error(
             "a.stl",
             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0\n"
         ),
-        "a.stl: line 4: a vertex without three numbers; export or copy it again: it is damaged"
+        "a.stl: line 4: expected three coordinates of a vertex; the file is damaged: export or copy it again"
     );
     assert!(
-        error("a.stl", text("a").replacen("   vertex 0e0 0.0 0\n", "", 1)).contains("a facet of 2 vertices")
+        error("a.stl", text("a").replacen("   vertex 0e0 0.0 0\n", "", 1)).contains("a facet has 2 vertices")
     );
-    assert!(error("a.stl", text("a").replace("endsolid a", "")).contains("the last solid does not end"));
-    assert!(error("a.stl", "solid a\nrubbish\n").contains("line 2: no word of a text STL file: rubbish"));
-    assert!(error("a.stl", "solid a\nendsolid a\n").contains("has no triangle to render"));
+    assert!(error("a.stl", text("a").replace("endsolid a", "")).contains("endsolid is missing"));
+    assert!(error("a.stl", "solid a\nrubbish\n").contains("line 2: unknown keyword: rubbish"));
+    assert!(error("a.stl", "solid a\nendsolid a\n").contains("contains no triangles"));
 }
 
 #[test]
-fn points_that_are_no_numbers_take_their_facets_along() {
+fn skips_facets_with_non_finite_points() {
     let imported = open("a.stl", text("a").replacen("0e0 0.0 0", "nan 0 0", 1));
     assert_eq!(imported.scene.meshes[0].triangles.len(), 3);
     assert_eq!(imported.findings[0].code, "mesh-bad-triangles");

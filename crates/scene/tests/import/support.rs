@@ -6,7 +6,7 @@ use oaktwin_scene::Scene;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, Imported};
 use tempfile::TempDir;
 
-/// A folder with files in it.
+/// A temporary folder with files.
 pub(crate) struct Files(TempDir);
 
 impl Files {
@@ -35,7 +35,7 @@ impl Files {
         imported
     }
 
-    /// The error without the folder's name.
+    /// The error message without the folder's name.
     pub(crate) fn error(&self, name: &str) -> String {
         let folder = format!("{}/", self.0.path().display());
         self.try_open(name).unwrap_err().to_string().replace(&folder, "")
@@ -50,7 +50,7 @@ pub(crate) fn error(name: &str, content: impl AsRef<[u8]>) -> String {
     Files::new().with(name, content).error(name)
 }
 
-/// What every scene must keep to.
+/// Checks the invariants of a scene.
 pub(crate) fn check(scene: &Scene) {
     assert!(!scene.instances.is_empty());
     for instance in &scene.instances {
@@ -89,7 +89,7 @@ pub(crate) fn check(scene: &Scene) {
     }
 }
 
-/// The corners of all triangles in the world.
+/// The corners of all triangles in the world frame.
 pub(crate) fn triangles(scene: &Scene) -> Vec<[DVec3; 3]> {
     let mut all = Vec::new();
     for instance in &scene.instances {
@@ -111,7 +111,6 @@ pub(crate) fn messages(imported: &Imported) -> Vec<String> {
     imported.findings.iter().map(text).collect()
 }
 
-/// Numbers as bytes.
 pub(crate) fn floats(numbers: &[f32]) -> Vec<u8> {
     numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
 }

@@ -1,5 +1,5 @@
-//! Camera mathematics over a pipe, for oracles in other languages: one JSON request a line on standard input, one JSON
-//! answer a line on standard output, `{"error": …}` where there is none. Pixels are in OpenCV's convention.
+//! Camera mathematics over a pipe, for oracles in other languages: one JSON request per line on standard input, one JSON
+//! answer per line on standard output, `{"error": …}` if the request failed. Pixels are in OpenCV's convention.
 
 use std::io::{self, BufRead, Write};
 
@@ -16,22 +16,22 @@ type Matrix = [[f64; 3]; 3];
 #[derive(Deserialize)]
 #[serde(tag = "op", rename_all = "snake_case", deny_unknown_fields)]
 enum Request {
-    /// Points in the camera's frame to pixels.
+    /// Project points in the camera's frame to pixels.
     Project {
         camera: CameraJson,
         points: Vec<[f64; 3]>,
     },
-    /// Pixels to unit rays.
+    /// Unproject pixels to unit rays.
     Unproject {
         camera: CameraJson,
         pixels: Vec<[f64; 2]>,
     },
-    /// Pixels to the plane z = 1.
+    /// Undistort pixels to the plane z = 1.
     Undistort {
         camera: CameraJson,
         pixels: Vec<[f64; 2]>,
     },
-    /// The largest effect of τx, τy.
+    /// The maximum effect of τx and τy.
     TiltError { camera: CameraJson },
     /// Stereo rectification.
     Rectify {
@@ -53,11 +53,11 @@ enum Request {
         keep_aspect_ratio: bool,
         top_left: Option<[f64; 2]>,
     },
-    /// Fields of view.
+    /// The fields of view.
     Fov { intrinsics: IntrinsicsJson },
-    /// The ideal camera of a horizontal field of view.
+    /// The ideal camera with this horizontal field of view.
     FromHfov { size: [u32; 2], hfov: f64 },
-    /// USD camera attributes, and the intrinsics that OpenUSD and Isaac Sim give them.
+    /// USD camera attributes, and the intrinsics that OpenUSD and Isaac Sim derive from them.
     UsdOptics {
         intrinsics: IntrinsicsJson,
         pixel_size_um: f64,
@@ -89,7 +89,7 @@ enum LensJson {
     OpencvFisheye {
         coefficients: Vec<f64>,
     },
-    /// The centre in the USD convention; the camera's intrinsics are replaced by the lens' own.
+    /// The centre is in the USD convention; the camera's intrinsics are replaced by the lens's own.
     Ftheta {
         coefficients: Vec<f64>,
         nominal_size: [u32; 2],
@@ -152,23 +152,7 @@ fn answer(line: &str) -> Answer {
             right,
             right_from_left,
             intrinsics,
-        } => {
-            let intrinsics = match intrinsics {
-                None | Some(Rectified::ZeroDisparity) => RectifiedIntrinsics::ZeroDisparity,
-                Some(Rectified::FreeDisparity) => RectifiedIntrinsics::FreeDisparity,
-                Some(Rectified::LeftCamera) => RectifiedIntrinsics::LeftCamera,
-            };
-            let transform = RigidTransform::from_rows(right_from_left);
-            let pair = stereo_rectify_to(&left.parse()?, &right.parse()?, &transform, intrinsics)?;
-            json!({
-                "r1": rows(pair.rectified_from_left),
-                "r2": rows(pair.rectified_from_right),
-                "p1": pair.projection_left(),
-                "p2": pair.projection_right(),
-                "q": pair.disparity_to_depth().transpose().to_cols_array_2d(),
-                "baseline": pair.baseline,
-            })
-        }
+        } => rectify([&left, &right], right_from_left, intrinsics.as_ref())?,
         Request::Map {
             camera,
             rectified_from_camera,
@@ -185,11 +169,8 @@ fn answer(line: &str) -> Answer {
         } => {
             let size = ImageSize::new(size[0], size[1]);
             let resized = intrinsics.parse().resized(size, keep_aspect_ratio);
-            json!(
-                resized
-                    .cropped(opencv(top_left.unwrap_or_default()), size)
-                    .opencv_matrix()
-            )
+            let top_left = opencv(top_left.unwrap_or_default());
+            json!(resized.cropped(top_left, size).opencv_matrix())
         }
         Request::Fov { intrinsics } => {
             let intrinsics = intrinsics.parse();
@@ -202,25 +183,48 @@ fn answer(line: &str) -> Answer {
             intrinsics,
             pixel_size_um,
             offsets,
-        } => {
-            let offsets = match offsets {
-                Offsets::Openusd => ApertureOffsets::OpenUsd,
-                Offsets::Document => ApertureOffsets::Document,
-                Offsets::Zero => ApertureOffsets::Zero,
-            };
-            let intrinsics = intrinsics.parse();
-            let optics = UsdOptics::from_intrinsics(&intrinsics, pixel_size_um, offsets);
-            json!({
-                "focal_length": optics.focal_length_mm,
-                "horizontal_aperture": optics.horizontal_aperture_mm,
-                "vertical_aperture": optics.vertical_aperture_mm,
-                "horizontal_aperture_offset": optics.horizontal_aperture_offset_mm,
-                "vertical_aperture_offset": optics.vertical_aperture_offset_mm,
-                "hfov": optics.hfov(),
-                "openusd": optics.openusd_intrinsics(intrinsics.size).opencv_matrix(),
-                "isaac": optics.isaac_intrinsics(intrinsics.size).opencv_matrix(),
-            })
-        }
+        } => usd_optics(&intrinsics.parse(), pixel_size_um, &offsets),
+    })
+}
+
+fn rectify(
+    [left, right]: [&CameraJson; 2],
+    right_from_left: [[f64; 4]; 4],
+    intrinsics: Option<&Rectified>,
+) -> Answer {
+    let intrinsics = match intrinsics {
+        None | Some(Rectified::ZeroDisparity) => RectifiedIntrinsics::ZeroDisparity,
+        Some(Rectified::FreeDisparity) => RectifiedIntrinsics::FreeDisparity,
+        Some(Rectified::LeftCamera) => RectifiedIntrinsics::LeftCamera,
+    };
+    let transform = RigidTransform::from_rows(right_from_left);
+    let pair = stereo_rectify_to(&left.parse()?, &right.parse()?, &transform, intrinsics)?;
+    Ok(json!({
+        "r1": rows(pair.rectified_from_left),
+        "r2": rows(pair.rectified_from_right),
+        "p1": pair.projection_left(),
+        "p2": pair.projection_right(),
+        "q": pair.disparity_to_depth().transpose().to_cols_array_2d(),
+        "baseline": pair.baseline,
+    }))
+}
+
+fn usd_optics(intrinsics: &Intrinsics, pixel_size_um: f64, offsets: &Offsets) -> Value {
+    let offsets = match offsets {
+        Offsets::Openusd => ApertureOffsets::OpenUsd,
+        Offsets::Document => ApertureOffsets::Document,
+        Offsets::Zero => ApertureOffsets::Zero,
+    };
+    let optics = UsdOptics::from_intrinsics(intrinsics, pixel_size_um, offsets);
+    json!({
+        "focal_length": optics.focal_length_mm,
+        "horizontal_aperture": optics.horizontal_aperture_mm,
+        "vertical_aperture": optics.vertical_aperture_mm,
+        "horizontal_aperture_offset": optics.horizontal_aperture_offset_mm,
+        "vertical_aperture_offset": optics.vertical_aperture_offset_mm,
+        "hfov": optics.hfov(),
+        "openusd": optics.openusd_intrinsics(intrinsics.size).opencv_matrix(),
+        "isaac": optics.isaac_intrinsics(intrinsics.size).opencv_matrix(),
     })
 }
 

@@ -1,7 +1,7 @@
-//! How long opening a USD stage takes, for `cargo xtask bench load`: `load-bench STAGE RUNS` prints a JSON object a run,
-//! the first being the warm-up; `load-bench STAGE RUNS FRAMES` then also renders depth and colour in turns.
+//! Times opening a USD stage, for `cargo xtask bench load`: `load-bench STAGE RUNS` prints a JSON object per run,
+//! the first being the warm-up; `load-bench STAGE RUNS FRAMES` then also renders depth and colour alternately.
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::time::Instant;
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Depth and colour of the same view in turns, a warm-up of both first.
+/// Renders depth and colour of the same view alternately, after a warm-up of both.
 fn render(scene: Scene, frames: usize) {
     let view = from_above_a_corner(&scene);
     let renderer = Renderer::new(scene);
@@ -59,14 +59,14 @@ fn render(scene: Scene, frames: usize) {
     }
 }
 
-/// What the work returns, its seconds, and its seconds of processor time. Dropping is not timed.
+/// The result of the work, its wall time and its processor time in seconds. Dropping is not timed.
 fn timed<T>(work: impl FnOnce() -> T) -> (T, f64, f64) {
     let (start, cpu) = (Instant::now(), process::cpu_s());
     let value = work();
     (value, start.elapsed().as_secs_f64(), process::cpu_s() - cpu)
 }
 
-/// 1280 × 800 pixels, 77° wide, the whole scene in sight.
+/// A view of 1280 × 800 pixels, 77° wide, that contains the whole scene.
 fn from_above_a_corner(scene: &Scene) -> View {
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for placed in &scene.instances {

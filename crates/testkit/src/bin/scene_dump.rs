@@ -1,6 +1,6 @@
-//! A USD stage or a mesh file as oaktwin sees it, for oracles in other languages: `scene-dump FILE FOLDER [--time CODE]
-//! [--subdivide LEVELS]` writes `FOLDER/scene.json` and beside it `arrays.bin`, little-endian numbers that the JSON
-//! points into as `{"dtype", "shape", "offset"}`.
+//! Dumps a USD stage or a mesh file as imported by oaktwin, for oracles in other languages: `scene-dump FILE FOLDER [--time CODE]
+//! [--subdivide LEVELS]` writes `FOLDER/scene.json` and `FOLDER/arrays.bin`, little-endian numbers that the JSON
+//! refers to as `{"dtype", "shape", "offset"}`.
 
 use std::fs;
 use std::path::Path;
@@ -45,7 +45,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Numbers of many arrays, end to end.
+/// The concatenated bytes of many arrays.
 #[derive(Default)]
 struct Arrays(Vec<u8>);
 
@@ -122,7 +122,7 @@ fn describe(scene: &Scene, arrays: &mut Arrays) -> Value {
     })
 }
 
-/// Surface values at the three corners of each triangle, or none.
+/// Surface values at the three corners of each triangle, or null.
 fn mesh(mesh: &Mesh, arrays: &mut Arrays) -> Value {
     let materials = (0..mesh.triangles.len()).map(|triangle| {
         let material = u32::try_from(triangle)

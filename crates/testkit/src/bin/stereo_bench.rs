@@ -1,10 +1,10 @@
-//! How long the stereo matcher takes, for `cargo xtask bench stereo`.
+//! Benchmarks the stereo matcher, for `cargo xtask bench stereo`.
 //!
-//! `stereo-bench make FOLDER` writes the pair that everybody works on: `left.npy`, `right.npy` (1280×800, 8 bits).
-//! `stereo-bench run FRAMES THREADS [NAME=VALUE…]` matches it so often, parameters changed as named, and prints a JSON
-//! object: seconds a frame by the clock and of processor time, and the most memory that was held.
+//! `stereo-bench make FOLDER` writes the input pair: `left.npy`, `right.npy` (1280×800, 8 bits).
+//! `stereo-bench run FRAMES THREADS [NAME=VALUE…]` matches it repeatedly with the given parameters and prints a JSON
+//! object: wall time and processor time per frame in seconds, and the peak memory.
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
 use std::fs;
@@ -44,7 +44,7 @@ fn make(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A slanted wall and boxes before it, of a texture 2 px fine.
+/// A slanted wall with boxes in front of it, with a texture of 2 px.
 fn pair() -> Result<[Image<u8>; 2], Box<dyn Error>> {
     let mut random = Random::new(1);
     let (width, height) = (WIDTH as usize, HEIGHT as usize);
@@ -94,7 +94,9 @@ fn run(frames: usize, threads: usize, settings: &[&str]) -> Result<(), Box<dyn E
     let mut parameters = Parameters::new(Platform::Rvc2, stereo, WIDTH);
     parameters.set("subpixelFractionalBits", "3")?;
     for setting in settings {
-        let (name, value) = setting.split_once('=').ok_or("a setting is NAME=VALUE")?;
+        let (name, value) = setting
+            .split_once('=')
+            .ok_or("invalid setting: NAME=VALUE required")?;
         parameters.set(name, value)?;
     }
     let engine = StereoMatching::new(parameters)?;

@@ -1,6 +1,6 @@
-//! The part of Embree 4's C interface that is used, and how its shared library is opened. Linux only.
+//! The required part of Embree 4's C interface, and the loading of its shared library. Linux only.
 //!
-//! Names, orders and values are those of `embree4/rtcore_*.h`.
+//! Names, orders and values follow `embree4/rtcore_*.h`.
 
 use std::ffi::{CStr, CString, OsStr, c_char, c_int, c_uint, c_void};
 use std::os::unix::ffi::OsStrExt;
@@ -15,7 +15,7 @@ pub(super) const FORMAT_UINT3: c_int = 0x5003;
 pub(super) const FORMAT_FLOAT3: c_int = 0x9003;
 pub(super) const RAY_QUERY_FLAG_COHERENT: c_int = 1 << 16;
 
-/// `RTCIntersectArguments`, with room for the field that some builds add at its end.
+/// `RTCIntersectArguments`, with space for a field that some builds append.
 #[repr(C)]
 pub(super) struct IntersectArguments {
     pub(super) flags: c_int,
@@ -26,8 +26,8 @@ pub(super) struct IntersectArguments {
     pub(super) reserved: [u64; 4],
 }
 
-/// `RTCRayHit`, `RTCRayHit8` and `RTCRayHit16`, which differ in `N` only, with room for what some builds add at the
-/// end. Each of the three wants at most 64-byte alignment.
+/// `RTCRayHit`, `RTCRayHit8` and `RTCRayHit16`, which differ only in `N`, with space for fields that some builds
+/// append. All three require at most 64-byte alignment.
 #[repr(C, align(64))]
 pub(super) struct RayHit<const N: usize> {
     pub(super) origin: [[f32; N]; 3],
@@ -55,10 +55,10 @@ unsafe extern "C" {
 const RTLD_NOW: c_int = 2;
 const RTLD_GLOBAL: c_int = 0x100;
 
-/// Makes [`Library`] of what each function is called here and there, and of its type.
+/// Defines [`Library`] from the Rust names, C names and types of its functions.
 macro_rules! library {
     ($($field:ident = $name:literal: $type:ty;)*) => {
-        /// Entry points. The library stays loaded for as long as the process lives, so they never dangle.
+        /// The entry points. The library is never unloaded, so they never dangle.
         #[derive(Clone, Copy)]
         pub(super) struct Library {
             $(pub(super) $field: $type,)*
@@ -69,8 +69,8 @@ macro_rules! library {
                 Ok(Self {
                     $($field: {
                         let symbol = symbol(library, $name)?;
-                        // SAFETY: the type is the header's prototype of this very name, and a data pointer and a
-                        // function pointer are the same on every Linux.
+                        // SAFETY: the type is the header's prototype of this function, and data pointers and
+                        // function pointers have the same representation on Linux.
                         unsafe { std::mem::transmute::<*mut c_void, $type>(symbol) }
                     },)*
                 })
@@ -96,7 +96,7 @@ library! {
     intersect16 = c"rtcIntersect16": IntersectPacket<16>;
 }
 
-/// Geometry, kind, slot, format, data, offset, stride and count, the last three in bytes, bytes and items.
+/// Geometry, kind, slot, format, data, offset in bytes, stride in bytes, item count.
 type SetSharedBuffer = unsafe extern "C" fn(Handle, c_int, c_uint, c_int, *const c_void, usize, usize, usize);
 
 /// Valid lanes, scene, rays, arguments.
@@ -104,7 +104,7 @@ type IntersectPacket<const N: usize> =
     unsafe extern "C" fn(*const c_int, Handle, *mut RayHit<N>, *mut IntersectArguments);
 
 impl Library {
-    /// Opens it, once and for good: its threads would not survive an unloading.
+    /// Opens the library and never unloads it: its threads would not survive that.
     pub(super) fn open(path: &OsStr) -> Result<Self, String> {
         let c_path = CString::new(path.as_bytes()).map_err(|error| error.to_string())?;
         // SAFETY: the path ends in a zero byte and outlives the call.
@@ -129,7 +129,7 @@ fn last_error() -> String {
     // SAFETY: no arguments; the text is copied before this thread's next call of the loader.
     let text = unsafe { dlerror() };
     if text.is_null() {
-        return "the loader gives no reason".to_owned();
+        return "unknown loader error".to_owned();
     }
     // SAFETY: not null, and the loader ends its messages with a zero byte.
     unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()

@@ -1,6 +1,6 @@
-//! Embree 4 as a peer: its own shared library, opened at run time.
+//! Embree 4 as a peer: its shared library, loaded at run time.
 //!
-//! The only unsafe code outside SIMD files; nothing that is delivered depends on it.
+//! The only unsafe code outside vector code; no released crate depends on it.
 
 #![allow(unsafe_code, reason = "a bridge to a library in another language")]
 
@@ -11,12 +11,12 @@ use std::path::Path;
 
 use ffi::{Handle, IntersectArguments, Library, RayHit};
 
-/// Triangles that Embree has built its hierarchy over.
+/// A scene of triangles with Embree's acceleration structure.
 pub struct EmbreeScene {
     library: Library,
     device: Handle,
     scene: Handle,
-    /// Embree reads them for as long as the scene lives; never touched after.
+    /// Read by Embree as long as the scene exists; never modified.
     _positions: Vec<[f32; 3]>,
     _triangles: Vec<[u32; 3]>,
 }
@@ -32,22 +32,23 @@ impl std::fmt::Debug for EmbreeScene {
     }
 }
 
-/// One origin and `N` directions.
+/// Rays with one origin and `N` directions.
 #[derive(Clone, Copy, Debug)]
 pub struct Packet<const N: usize> {
-    /// Where all of them start.
+    /// The common origin.
     pub origin: [f32; 3],
-    /// x, y and z of each direction.
+    /// The x, y and z components of the directions.
     pub directions: [[f32; N]; 3],
-    /// Hits begin here, in lengths of the direction.
+    /// The minimum distance of a hit, in lengths of the direction.
     pub near: f32,
 }
 
 impl EmbreeScene {
-    /// Opens the library at `path` and builds with `threads` threads and Embree's default quality.
+    /// Opens the library at `path` and builds the scene with `threads` threads and Embree's default quality.
     ///
     /// # Errors
-    /// The library cannot be opened, lacks a function, refuses the triangles, or an index is out of range.
+    /// Returns an error if the library cannot be opened, lacks a function or rejects the triangles, or if an index is out of
+    /// range.
     pub fn build(
         path: &Path,
         mut positions: Vec<[f32; 3]>,
@@ -60,19 +61,19 @@ impl EmbreeScene {
             .flatten()
             .any(|&index| index as usize >= vertex_count)
         {
-            return Err("a triangle's index is out of range".to_owned());
+            return Err("a vertex index is out of range".to_owned());
         }
-        // Embree reads vertices 16 bytes at a time: the last one needs something behind it.
+        // Embree reads vertices 16 bytes at a time: the last one needs padding.
         positions.push([0.0; 3]);
         let library = Library::open(path.as_os_str())?;
         let configuration = std::ffi::CString::new(format!("threads={threads}")).unwrap_or_default();
-        // SAFETY: the text ends in a zero byte; handles are used as the header says, in its order. The buffers hold
-        // `itemCount` items of 12 bytes, are padded, are kept by `Self` (moving a `Vec` does not move what it holds)
+        // SAFETY: the text ends in a zero byte; handles are used as specified by the header, in its order. The buffers hold
+        // `itemCount` items of 12 bytes, are padded, are owned by `Self` (moving a `Vec` does not move its buffer)
         // and outlive the scene, which `drop` releases first.
         let (device, scene) = unsafe {
             let device = (library.new_device)(configuration.as_ptr());
             if device.is_null() {
-                return Err("Embree makes no device".to_owned());
+                return Err("Embree could not create a device".to_owned());
             }
             let scene = (library.new_scene)(device);
             let geometry = (library.new_geometry)(device, ffi::GEOMETRY_TYPE_TRIANGLE);
@@ -113,21 +114,21 @@ impl EmbreeScene {
         // SAFETY: the device is alive.
         match unsafe { (built.library.device_error)(built.device) } {
             0 => Ok(built),
-            code => Err(format!("Embree's error {code}")),
+            code => Err(format!("Embree error {code}")),
         }
     }
 
-    /// The distance of each ray's first hit in lengths of its direction, `+inf` for a miss. `rtcIntersect1`.
+    /// The distance of each ray's first hit in lengths of its direction, `+inf` for a miss (`rtcIntersect1`).
     #[must_use]
     pub fn intersect1(&self, packet: &Packet<1>) -> [f32; 1] {
         let mut rays = ray_hits(packet);
         let mut arguments = coherent();
-        // SAFETY: the scene is committed; ray and arguments are laid out as the header says and live on this stack.
+        // SAFETY: the scene is committed; ray and arguments have the header's layout and live on this stack.
         unsafe { (self.library.intersect1)(self.scene, &raw mut rays, &raw mut arguments) };
         rays.t_far
     }
 
-    /// As [`Self::intersect1`], eight at once. `rtcIntersect8`.
+    /// Like [`Self::intersect1`], for eight rays (`rtcIntersect8`).
     #[must_use]
     pub fn intersect8(&self, packet: &Packet<8>) -> [f32; 8] {
         let mut rays = ray_hits(packet);
@@ -140,7 +141,7 @@ impl EmbreeScene {
         rays.t_far
     }
 
-    /// As [`Self::intersect1`], sixteen at once. `rtcIntersect16`.
+    /// Like [`Self::intersect1`], for sixteen rays (`rtcIntersect16`).
     #[must_use]
     pub fn intersect16(&self, packet: &Packet<16>) -> [f32; 16] {
         let mut rays = ray_hits(packet);
@@ -156,7 +157,7 @@ impl EmbreeScene {
 
 impl Drop for EmbreeScene {
     fn drop(&mut self) {
-        // SAFETY: both are alive and are not used again; the library itself stays loaded.
+        // SAFETY: both handles are valid and are not used again; the library itself stays loaded.
         unsafe {
             (self.library.release_scene)(self.scene);
             (self.library.release_device)(self.device);
@@ -164,7 +165,7 @@ impl Drop for EmbreeScene {
     }
 }
 
-/// A mask of lanes, aligned as the packets want it.
+/// A mask of lanes with the alignment that packets require.
 #[repr(C, align(64))]
 struct Lanes<const N: usize>([c_int; N]);
 

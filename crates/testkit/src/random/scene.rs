@@ -4,35 +4,35 @@ use oaktwin_scene::{Instance, Mesh, Scene};
 use super::Random;
 use crate::shapes::icosphere;
 
-/// What a random scene is made of. All stand around the origin, a few metres wide, unless they say otherwise.
+/// The contents of a random scene: around the origin and a few metres wide, unless stated otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Boxes in rows, one mesh, turned, stretched and mirrored.
+    /// Boxes in rows in one mesh, rotated, scaled and mirrored.
     Boxes,
-    /// Balls of shared triangles, one mesh.
+    /// Spheres with shared vertices in one mesh.
     Spheres,
-    /// Triangles of all sizes everywhere.
+    /// Triangles of all sizes in random places.
     Soup,
-    /// Triangles a thousand times as long as wide.
+    /// Triangles a thousand times longer than wide.
     Needles,
-    /// Triangles far larger than the scene, through it and around it.
+    /// Triangles far larger than the scene, inside and around it.
     Huge,
     /// Triangles smaller than a pixel.
     Tiny,
-    /// Triangles around the origin that reach behind whoever stands there.
+    /// Triangles around the origin that extend behind a camera there.
     AroundTheOrigin,
-    /// Triangles of the same plane over each other, the same triangle twice, and neighbours a hair apart.
+    /// Overlapping coplanar triangles, duplicates, and neighbours with tiny gaps.
     Coplanar,
-    /// Triangles without area among others: points, lines, vertices used twice.
+    /// A mixture with triangles without area: points, lines, repeated vertices.
     Degenerate,
-    /// Boxes a hundred kilometres from the origin, placed by their instance.
+    /// Boxes a hundred kilometres from the origin, placed by their instance's transform.
     FarAway,
     /// A closed room with a fine floor: no pixel misses.
     Room,
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 11] = [
         Self::Boxes,
         Self::Spheres,
@@ -47,7 +47,7 @@ impl Kind {
         Self::Room,
     ];
 
-    /// What the scene stands around.
+    /// Returns the centre of the scene.
     #[must_use]
     pub fn centre(self) -> DVec3 {
         match self {
@@ -57,7 +57,7 @@ impl Kind {
     }
 }
 
-/// A scene of up to some hundreds of triangles.
+/// Creates a scene of up to several hundred triangles.
 #[must_use]
 pub fn scene(kind: Kind, random: &mut Random) -> Scene {
     let mut builder = Builder::default();
@@ -133,7 +133,7 @@ struct Builder {
 }
 
 impl Builder {
-    #[expect(clippy::cast_possible_truncation, reason = "a handful")]
+    #[expect(clippy::cast_possible_truncation, reason = "few meshes")]
     fn mesh(&mut self, mesh: Mesh) -> u32 {
         self.scene.meshes.push(mesh);
         self.scene.meshes.len() as u32 - 1
@@ -149,7 +149,7 @@ impl Builder {
         });
     }
 
-    /// Triangles without shared vertices, as they stand in the world.
+    /// Adds triangles without shared vertices, in the world frame.
     fn soup(&mut self, count: u32, random: &mut Random, mut triangle: impl FnMut(&mut Random) -> [DVec3; 3]) {
         let mut mesh = Mesh::default();
         for i in 0..count {
@@ -174,7 +174,7 @@ fn coplanar(builder: &mut Builder, random: &mut Random) {
             middle + turned * DVec3::new(p.x, p.y, lift)
         })
     });
-    // Once more, in another order.
+    // Again, in another order.
     let mut again = builder.scene.meshes[0].clone();
     again.triangles.reverse();
     let again = builder.mesh(again);
@@ -196,7 +196,7 @@ fn degenerate(builder: &mut Builder, random: &mut Random) {
     mesh.triangles.extend([[0, 0, 0], [1, 4, 1], [7, 7, 2]]);
 }
 
-/// A box of half edge 1, its corners shared.
+/// A box with a half edge of 1 and shared corners.
 fn cuboid() -> Mesh {
     let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 });
     let quads = [

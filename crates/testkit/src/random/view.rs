@@ -6,23 +6,23 @@ use oaktwin_render::{Clip, View};
 
 use super::Random;
 
-/// What a random camera looks through.
+/// The lens of a random camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lens {
-    /// An ideal pinhole, 20° to 110° wide, its principal point and pixels' shape a little off.
+    /// An ideal pinhole, 20° to 110° wide, with a shifted principal point and slightly non-square pixels.
     Pinhole,
-    /// OpenCV's rational model as a factory fits it to an 80° camera.
+    /// OpenCV's rational model with coefficients typical of a calibrated 80° camera.
     Rational,
     /// OpenCV's fisheye model, 127° wide.
     Fisheye,
 }
 
 impl Lens {
-    /// All of them.
+    /// All lenses.
     pub const ALL: [Self; 3] = [Self::Pinhole, Self::Rational, Self::Fisheye];
 }
 
-/// A camera of `size` pixels that stands within 6 m of `centre`, often inside what is there, and looks about that way.
+/// Creates a camera of `size` pixels within 6 m of `centre`, often inside objects, that roughly faces the centre.
 #[must_use]
 pub fn view(lens: Lens, size: ImageSize, centre: DVec3, random: &mut Random) -> View {
     let width = f64::from(size.width);

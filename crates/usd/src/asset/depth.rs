@@ -1,4 +1,4 @@
-use oaktwin_catalog::{DepthKind, Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::camera::{CameraTraits, base};
@@ -174,12 +174,4 @@ pub(super) fn assumed_names(sensor: &TwinDepthSensor, options: &AssetOptions) ->
         .map(|attribute| attribute.name)
         .collect();
     names.join(", ")
-}
-
-/// Returns `stereo` or `time of flight`.
-pub(super) const fn kind_name(kind: DepthKind) -> &'static str {
-    match kind {
-        DepthKind::Stereo => "stereo",
-        DepthKind::Tof => "time of flight",
-    }
 }

@@ -1,8 +1,8 @@
 //! The documentation strings of an asset: the sources of its numbers, its frames and units, its estimates.
 
-use oaktwin_catalog::{Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_catalog::{DepthKind, Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
 
-use super::{AssetOptions, Target, depth, lens};
+use super::{AssetOptions, Target, lens};
 
 pub(super) const NOISE_MEAN: &str = "The quantization step of the disparity in pixels, not a bias: 0 switches \
     quantization and its jitter off.";
@@ -13,8 +13,8 @@ pub(super) const PRODUCTS: &str = "Templates: Isaac Sim's depth sensor copies th
 
 const SHEET: &str = "Luxonis' parameter sheet of the OAK assets for Isaac Sim";
 
-/// Describes the layer.
-pub(super) fn layer(twin: &Twin, options: &AssetOptions) -> String {
+/// Describes the layer. `assumed_names` lists the attributes that an asset for ovrtx assumes.
+pub(super) fn layer(twin: &Twin, options: &AssetOptions, assumed_names: &str) -> String {
     let device = &twin.device;
     let mut text = format!(
         "{} {}: a digital twin written by oaktwin {}.\n\
@@ -39,13 +39,7 @@ pub(super) fn layer(twin: &Twin, options: &AssetOptions) -> String {
         text.push_str(
             "\nFor ovrtx, experimental: no list of the attributes of its depth sensor's schema is published. Assumed: ",
         );
-        let names: Vec<String> = twin
-            .depth_sensors
-            .iter()
-            .take(1)
-            .map(|sensor| depth::assumed_names(sensor, options))
-            .collect();
-        text.push_str(&names.concat());
+        text.push_str(assumed_names);
         text.push('.');
     }
     text
@@ -105,7 +99,7 @@ pub(super) fn camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -
 pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinCamera) -> String {
     let mut text = format!(
         "The virtual camera of the depth sensor ({}): optics and pose of {}.",
-        depth::kind_name(sensor.spec.kind),
+        kind_name(sensor.spec.kind),
         camera.spec.prim
     );
     if lens::of_depth_camera(twin, camera).is_some() {
@@ -118,10 +112,7 @@ pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinC
 
 /// Describes a render product.
 pub(super) fn product(sensor: &TwinDepthSensor) -> String {
-    format!(
-        "The {} depth sensor's parameters.",
-        depth::kind_name(sensor.spec.kind)
-    )
+    format!("The {} depth sensor's parameters.", kind_name(sensor.spec.kind))
 }
 
 /// Describes the inertial sensor.
@@ -206,4 +197,12 @@ fn is_estimate(table: &Source, sources: &Sources, key: &str) -> bool {
 
 const fn mark(is_estimate: bool) -> &'static str {
     if is_estimate { " (estimate)" } else { "" }
+}
+
+/// Returns `stereo` or `time of flight`.
+const fn kind_name(kind: DepthKind) -> &'static str {
+    match kind {
+        DepthKind::Stereo => "stereo",
+        DepthKind::Tof => "time of flight",
+    }
 }

@@ -72,7 +72,7 @@ pub enum AssetError {
         asset: String,
         /// The device's name.
         model: String,
-        /// What is missing.
+        /// The missing part.
         what: String,
     },
     /// Overrides were requested for a twin without a calibration.

@@ -138,6 +138,10 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
         .children
         .push(depth::products(twin, options, &device_path)?);
 
+    let assumed_names = twin
+        .depth_sensors
+        .first()
+        .map_or_else(String::new, |sensor| depth::assumed_names(sensor, options));
     let mut root = Prim::def("Xform", ROOT).documented(describe::root(twin));
     root.kind = Some("component".into());
     root.asset_info = Dictionary::from([
@@ -149,7 +153,7 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
     let layer = Layer {
         custom_layer_data: layer_data(twin, options),
         default_prim: Some(ROOT.into()),
-        documentation: Some(describe::layer(twin, options)),
+        documentation: Some(describe::layer(twin, options, &assumed_names)),
         kilograms_per_unit: options.rigid_body.then_some(1.0),
         meters_per_unit: Some(1.0),
         up_axis: Some(UpAxis::Z),

@@ -2,9 +2,8 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
-use super::schema::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 use crate::depth_sensor::ATTRIBUTES;
-use crate::nvidia::OUTLIER_REMOVAL;
+use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
 use crate::stage::Value;
 
 pub(super) const CAMERA_TYPE: Rule = Rule {
@@ -74,7 +73,7 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
 
 pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
     let path = &sensor.prim.path;
-    let namespace = namespace(sensor.generation);
+    let namespace = sensor.generation.namespace();
     for (name, attribute) in sensor.prim.in_namespace(namespace) {
         let full = format!("{namespace}{name}");
         if name == "outlierRemovalRange" {
@@ -108,13 +107,6 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
                 "set it to one of 0 (colour) to 7 (disparity)",
             ));
         }
-    }
-}
-
-pub(super) const fn namespace(generation: Generation) -> &'static str {
-    match generation {
-        Generation::Product => PRODUCT_NAMESPACE,
-        Generation::Camera => CAMERA_NAMESPACE,
     }
 }
 

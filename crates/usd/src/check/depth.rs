@@ -1,7 +1,6 @@
 use oaktwin_catalog::{DepthKind, DepthSensor as Spec};
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::attributes::namespace;
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Scene};
 use super::{num, same};
@@ -95,7 +94,7 @@ impl<'a> Parameters<'a> {
     }
 
     pub(super) fn authored(&self, name: &str) -> Option<f64> {
-        let full = format!("{}{name}", namespace(self.sensor.generation));
+        let full = format!("{}{name}", self.sensor.generation.namespace());
         self.sensor.prim.number(&full)
     }
 

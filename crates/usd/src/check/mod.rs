@@ -25,8 +25,58 @@ use oaktwin_diagnostic::{Finding, Level};
 
 use crate::stage::{Stage, StageError, open};
 
-pub use report::{CameraReport, DepthReport, LensReport, Report, ResolutionSource, View};
-pub use rule::{RULES, Rule};
+pub use report::{CameraReport, DepthReport, LensReport, Report, View};
+pub use rule::Rule;
+pub use scene::ResolutionSource;
+
+/// All rules, grouped by topic.
+pub const RULES: &[Rule] = &[
+    stage::NO_CAMERA,
+    stage::COMPOSITION,
+    stage::PACKAGE_LAYOUT,
+    stage::UP_AXIS,
+    stage::STAGE_UNITS,
+    stage::DEFAULT_PRIM,
+    attributes::CAMERA_TYPE,
+    optics::CAMERA_VALUE,
+    optics::UNAUTHORED_OPTICS,
+    optics::ANIMATED_OPTICS,
+    optics::NOT_PERSPECTIVE,
+    optics::NON_SQUARE_PIXELS,
+    optics::VERTICAL_APERTURE,
+    optics::DEPTH_OF_FIELD,
+    optics::CLIPPING_RANGE,
+    units::UNITS_SLIP,
+    units::IMPLAUSIBLE_FOV,
+    offsets::APERTURE_OFFSET,
+    offsets::OFFSET_CONVENTION,
+    lens::LENS_MODEL,
+    lens::LENS_VALUE,
+    lens::LENS_FOCAL_LENGTH,
+    lens::LEGACY_DISTORTION,
+    lens::PROJECTION_TYPE,
+    product::PRODUCT_CAMERA,
+    product::PRODUCT_RESOLUTION,
+    schema::SCHEMA_MISSING,
+    schema::SCHEMA_WRONG_PRIM,
+    schema::SCHEMA_CONFLICT,
+    schema::OVRTX_SCHEMA,
+    attributes::DEPTH_ATTRIBUTE_UNKNOWN,
+    attributes::OUTLIER_REMOVAL_RANGE,
+    attributes::DEPTH_ATTRIBUTE_TYPE,
+    attributes::OUTLIER_REMOVAL_TYPE,
+    depth::DEPTH_VALUE,
+    depth::CONFIDENCE_THRESHOLD,
+    depth::NOISE_MEAN_ZERO,
+    depth::FOCAL_LENGTH_PIXEL,
+    depth::SENSOR_SIZE_PIXEL,
+    depth::DISTANCE_RANGE,
+    depth::MIN_DISTANCE,
+    depth::CLIPPED_RANGE,
+    depth::TOF_AS_STEREO,
+    catalog::CATALOG_VALUE,
+    catalog::CATALOG_MISSING,
+];
 
 /// Options of a check.
 #[derive(Clone, Copy, Debug)]

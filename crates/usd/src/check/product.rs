@@ -1,7 +1,7 @@
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::rule::Rule;
-use super::schema::{PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
+use crate::nvidia::{PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::RenderProduct;
 
 pub(super) const PRODUCT_CAMERA: Rule = Rule {

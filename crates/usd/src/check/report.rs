@@ -3,9 +3,9 @@ use oaktwin_diagnostic::{Finding, Level};
 use serde::Serialize;
 
 use super::depth::Parameters;
-use super::scene::{CheckedCamera, DepthSensor, Generation, Scene};
-use super::schema::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
+use super::scene::{CheckedCamera, DepthSensor, Generation, ResolutionSource, Scene};
 use crate::lens::Lens;
+use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::stage::StageMetadata;
 
 /// The result of checking a file.
@@ -41,20 +41,6 @@ pub struct CameraReport {
     pub openusd: Option<View>,
     /// The lens-distortion schema, whose parameters Isaac Sim's renderer uses instead.
     pub lens: Option<LensReport>,
-}
-
-/// The source of a camera's image size.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ResolutionSource {
-    /// The render product of this path.
-    Product(String),
-    /// The catalog.
-    Catalog,
-    /// The lens schema's `imageSize`.
-    LensSchema,
-    /// A width of 1280 px with the apertures' aspect ratio.
-    Apertures,
 }
 
 /// Pinhole intrinsics at the report's resolution.

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use oaktwin_camera::{ApertureOffsets, ImageSize, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
+use serde::Serialize;
 
-use super::report::ResolutionSource;
-use super::schema::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::asset::PrimNames;
 use crate::lens::Lens;
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::{Prim, RenderProduct, SceneCamera, Stage};
 
 /// OpenUSD's fallback for `metersPerUnit`.
@@ -70,6 +70,29 @@ pub(super) enum Generation {
     Product,
     /// ovrtx's schema, on the camera.
     Camera,
+}
+
+/// The source of a camera's image size.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ResolutionSource {
+    /// The render product of this path.
+    Product(String),
+    /// The catalog.
+    Catalog,
+    /// The lens schema's `imageSize`.
+    LensSchema,
+    /// A width of 1280 px with the apertures' aspect ratio.
+    Apertures,
+}
+
+impl Generation {
+    pub(super) const fn namespace(self) -> &'static str {
+        match self {
+            Self::Product => PRODUCT_NAMESPACE,
+            Self::Camera => CAMERA_NAMESPACE,
+        }
+    }
 }
 
 impl<'a> Scene<'a> {

@@ -3,8 +3,7 @@ use oaktwin_diagnostic::{Finding, Level};
 use super::rule::Rule;
 use super::scene::{Generation, Scene};
 use crate::lens;
-use crate::nvidia::SENSOR_SCHEMA;
-pub(super) use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA, SENSOR_SCHEMA};
 use crate::stage::Prim;
 
 pub(super) const SCHEMA_MISSING: Rule = Rule {

@@ -19,7 +19,7 @@ use crate::text::{Attribute, Layer, Prim, Value, is_identifier};
 pub struct MaterialXError {
     /// The position in bytes from the start.
     pub offset: u64,
-    /// What is wrong.
+    /// The problem.
     pub what: String,
 }
 

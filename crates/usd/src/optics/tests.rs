@@ -76,8 +76,8 @@ fn isaac_projection_ignores_aperture_offsets() {
 fn unauthored_optics_use_openusd_fallbacks() {
     let prim = prim_camera(&[], &[]);
     assert_eq!(default_size(&prim).unwrap(), ImageSize::new(1280, 934));
-    let (seen, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
-    assert!((seen.intrinsics.fx - 640.0 * 50.0 / 20.955).abs() < 1e-9 && findings.is_empty());
+    let (view, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
+    assert!((view.intrinsics.fx - 640.0 * 50.0 / 20.955).abs() < 1e-9 && findings.is_empty());
     assert_eq!(clipping_range_m(&prim, 0.01).0, Some((0.01, 10_000.0)));
 }
 
@@ -140,15 +140,15 @@ fn opencv_lens_replaces_apertures() {
         &opencv("opencvPinhole", &values, [1280, 800]),
     );
     for projection in [Projection::Isaac, Projection::OpenUsd] {
-        let (seen, findings) = camera(&prim, SIZE, projection).unwrap();
-        assert_eq!((seen.intrinsics.fx, seen.intrinsics.fy), (400.0, 395.0));
+        let (view, findings) = camera(&prim, SIZE, projection).unwrap();
+        assert_eq!((view.intrinsics.fx, view.intrinsics.fy), (400.0, 395.0));
         // Half of 645.5 in USD's convention, back in OpenCV's.
         assert_eq!(
-            seen.intrinsics.principal_point::<OpenCv>(),
+            view.intrinsics.principal_point::<OpenCv>(),
             PixelPoint::new(322.25, 205.25)
         );
-        let LensModel::OpenCvPinhole(lens) = seen.lens else {
-            panic!("{:?}", seen.lens)
+        let LensModel::OpenCvPinhole(lens) = view.lens else {
+            panic!("{:?}", view.lens)
         };
         assert_eq!(lens.coefficients[0], -0.1);
         assert!(findings.is_empty(), "{findings:?}");
@@ -164,10 +164,10 @@ fn lens_without_distortion_is_a_pinhole() {
         "OmniLensDistortionOpenCvPinholeAPI",
         &opencv("opencvPinhole", &values, [1280, 800]),
     );
-    let (seen, _) = camera(&prim, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
-    assert_eq!(seen.lens, LensModel::Pinhole);
+    let (view, _) = camera(&prim, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
+    assert_eq!(view.lens, LensModel::Pinhole);
     assert_eq!(
-        seen.intrinsics.principal_point::<OpenCv>(),
+        view.intrinsics.principal_point::<OpenCv>(),
         PixelPoint::new(645.0, 411.0)
     );
 }
@@ -181,18 +181,18 @@ fn reads_the_fisheye_of_wide_models() {
         "OmniLensDistortionOpenCvFisheyeAPI",
         &opencv("opencvFisheye", &values, [1280, 800]),
     );
-    let (seen, findings) = camera(&prim, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
+    let (view, findings) = camera(&prim, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
     assert!(findings.is_empty());
-    let edge = seen.unproject(PixelPoint::<Usd>::new(1280.0, 400.0)).unwrap();
+    let edge = view.unproject(PixelPoint::<Usd>::new(1280.0, 400.0)).unwrap();
     assert!((edge.angle_between(DVec3::Z).to_degrees() - 63.5).abs() < 1e-9);
     // The schema's own fallback of k1 is not 0.
     let bare = with_lens(
         "OmniLensDistortionOpenCvFisheyeAPI",
         &opencv("opencvFisheye", &[("fx", f), ("fy", f)], [1280, 800]),
     );
-    let (seen, _) = camera(&bare, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
+    let (view, _) = camera(&bare, ImageSize::new(1280, 800), Projection::Isaac).unwrap();
     assert_eq!(
-        seen.lens,
+        view.lens,
         LensModel::OpenCvFisheye(OpenCvFisheye {
             k: [0.00245, 0.0, 0.0, 0.0]
         })
@@ -205,9 +205,9 @@ fn f_theta_uses_schema_fallbacks() {
         &["OmniLensDistortionFthetaAPI"],
         &[(MODEL, Value::Text("ftheta".to_owned()))],
     );
-    let (seen, findings) = camera(&prim, ImageSize::new(1936, 1216), Projection::Isaac).unwrap();
+    let (view, findings) = camera(&prim, ImageSize::new(1936, 1216), Projection::Isaac).unwrap();
     assert!(findings.is_empty());
-    let pixel = seen.project(DVec3::Z).unwrap().to::<Usd>();
+    let pixel = view.project(DVec3::Z).unwrap().to::<Usd>();
     assert!((pixel.x - 970.942_44).abs() < 1e-9 && (pixel.y - 600.374_8).abs() < 1e-9);
     for (name, value) in [("nominalWidth", 0.0), ("k1", 0.0), ("maxFov", f64::NAN)] {
         let mut bad = prim.clone();
@@ -222,9 +222,9 @@ fn f_theta_uses_schema_fallbacks() {
         assert!(camera(&bad, SIZE, Projection::Isaac).is_err(), "{name}");
     }
     prim.prim.api_schemas.clear();
-    let (seen, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
+    let (view, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
     assert_eq!(
-        (seen.lens, codes(&findings)),
+        (view.lens, codes(&findings)),
         (LensModel::Pinhole, vec!["lens-model"])
     );
 }
@@ -236,9 +236,9 @@ fn unsupported_models_are_reported_and_become_pinholes() {
         ("OmniLensDistortionLutAPI", "lut"),
     ] {
         let prim = prim_camera(&[schema], &[(MODEL, Value::Text(token.to_owned()))]);
-        let (seen, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
+        let (view, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
         assert_eq!(
-            (seen.lens, codes(&findings)),
+            (view.lens, codes(&findings)),
             (LensModel::Pinhole, vec!["lens-unsupported"])
         );
     }
@@ -260,8 +260,8 @@ fn model_token_selects_between_two_schemas() {
         "OmniLensDistortionOpenCvFisheyeAPI",
     ];
     let prim = prim_camera(&both, &[(MODEL, Value::Text("opencvFisheye".to_owned()))]);
-    let (seen, _) = camera(&prim, ImageSize::new(2048, 1024), Projection::Isaac).unwrap();
-    assert!(matches!(seen.lens, LensModel::OpenCvFisheye(_)));
+    let (view, _) = camera(&prim, ImageSize::new(2048, 1024), Projection::Isaac).unwrap();
+    assert!(matches!(view.lens, LensModel::OpenCvFisheye(_)));
     let prim = prim_camera(&both, &[]);
     let (_, findings) = camera(&prim, ImageSize::new(2048, 1024), Projection::Isaac).unwrap();
     assert_eq!(codes(&findings), ["lens-model"]);

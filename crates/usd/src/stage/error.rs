@@ -1,7 +1,5 @@
 use std::fmt;
 
-use super::inspect::Problem;
-
 /// The reason why a file could not be opened as a stage, on one line: `FILE: PLACE: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct StageError {
@@ -9,9 +7,9 @@ pub struct StageError {
     pub file: String,
     /// The place in the file, if known: a line, a section or a package entry. May be empty.
     pub place: String,
-    /// What is wrong.
+    /// The problem.
     pub what: String,
-    /// What to do.
+    /// The remedy.
     pub remedy: String,
 }
 
@@ -28,10 +26,6 @@ impl StageError {
             what: what.into(),
             remedy: remedy.into(),
         }
-    }
-
-    pub(super) fn from_problem(file: &str, problem: Problem) -> Self {
-        Self::new(file, problem.place, problem.what, problem.remedy)
     }
 }
 

@@ -11,7 +11,7 @@ use super::plain::{api_schemas, plain_prim, plain_target, plain_value};
 use super::reader::{Outcome, Reader, Record};
 use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
-use super::walk::{Visitor, Walk};
+use super::walk::{VisitedPrim, Visitor, Walk};
 use super::{
     Prim, RenderProduct, SceneCamera, SceneOptions, Stage, StageError, StageMetadata, StageScene, Value,
     composition,
@@ -195,7 +195,7 @@ impl Visitor for Extraction {
     fn prim(
         &mut self,
         walk: &Walk<'_>,
-        prim: &Record,
+        prim: &VisitedPrim,
         path: &str,
         context: &Context,
     ) -> Outcome<Option<Context>> {
@@ -205,8 +205,8 @@ impl Visitor for Extraction {
         match prim.type_name.as_str() {
             "Camera" => self.camera(reader, path, &inner),
             "RenderProduct" => {
-                let seen = openusd::sdf::Path::new(path).map(|path| reader.stage.prim(path));
-                let targets = seen.and_then(|prim| prim.relationship("camera").targets());
+                let product = openusd::sdf::Path::new(path).map(|path| reader.stage.prim(path));
+                let targets = product.and_then(|prim| prim.relationship("camera").targets());
                 self.products.push(RenderProduct {
                     prim: plain_at(reader, path, "RenderProduct"),
                     cameras: targets

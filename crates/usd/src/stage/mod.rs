@@ -4,12 +4,14 @@
 //! but does not validate its input; so every layer is validated first (see `inspect`), the library runs on a thread of
 //! its own with a large stack, and a panic becomes a [`StageError`] that names the file.
 
+mod binding;
 mod composition;
 mod error;
 mod extract;
 mod guard;
 mod inspect;
 mod locate;
+mod own;
 mod plain;
 mod prim;
 mod reader;
@@ -99,7 +101,8 @@ fn contained<T: Send>(
         ));
     };
     let read = || {
-        let layer = inspect::file(path).map_err(|problem| StageError::from_problem(&name, problem))?;
+        let layer = inspect::file(path)
+            .map_err(|problem| StageError::new(&name, problem.place, problem.what, problem.remedy))?;
         read(&name, utf8, layer)
     };
     guard::contained(read).unwrap_or_else(|panic| {

@@ -1,10 +1,7 @@
-use std::cell::OnceCell;
-
 use openusd::sdf::{self, Path, Value};
 use openusd::tf::Token;
 use openusd::usd;
 
-use super::scene::Own;
 use super::value::number;
 
 /// An error of the USD library.
@@ -35,18 +32,12 @@ pub(super) struct Record {
     pub(super) active: bool,
     /// The specifier: `def`, `over` or `class`.
     pub(super) specifier: sdf::Specifier,
-    own: OnceCell<Own>,
 }
 
 impl Record {
     /// Whether a property is authored in any layer.
     pub(super) fn has(&self, property: &str) -> bool {
         self.properties.iter().any(|name| name.as_str() == property)
-    }
-
-    /// Returns the prim's own inheritable state, which is read once.
-    pub(super) fn own(&self, reader: &Reader) -> &Own {
-        self.own.get_or_init(|| Own::of(reader, self))
     }
 
     /// Returns the names and paths of the children.
@@ -106,7 +97,6 @@ impl Reader {
                 prototype: None,
                 active,
                 specifier,
-                own: OnceCell::new(),
             });
         }
         let instanceable = matches!(self.field(&path, "instanceable"), Some(Value::Bool(true)));
@@ -123,7 +113,6 @@ impl Reader {
             active,
             specifier,
             path,
-            own: OnceCell::new(),
         })
     }
 

@@ -1,12 +1,43 @@
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
+use std::ops::Deref;
 use std::rc::Rc;
 
 use openusd::sdf::{Path, Specifier};
 
+use super::own::Own;
 use super::reader::{Outcome, Reader, Record, child_path};
 
 /// The maximum depth of prims. Only layers that reference themselves through others exceed it.
 const MAX_DEPTH: usize = 1000;
+
+/// A prim of a traversal.
+pub(super) struct VisitedPrim {
+    record: Record,
+    own: OnceCell<Own>,
+}
+
+impl VisitedPrim {
+    fn new(record: Record) -> Self {
+        Self {
+            record,
+            own: OnceCell::new(),
+        }
+    }
+
+    /// Returns the prim's own inheritable opinions, which are read once.
+    pub(super) fn own(&self, reader: &Reader) -> &Own {
+        self.own.get_or_init(|| Own::of(reader, &self.record))
+    }
+}
+
+impl Deref for VisitedPrim {
+    type Target = Record;
+
+    fn deref(&self) -> &Record {
+        &self.record
+    }
+}
 
 /// A visitor of all prims of a traversal.
 pub(super) trait Visitor {
@@ -17,7 +48,7 @@ pub(super) trait Visitor {
     fn prim(
         &mut self,
         walk: &Walk<'_>,
-        prim: &Record,
+        prim: &VisitedPrim,
         path: &str,
         context: &Self::Context,
     ) -> Outcome<Option<Self::Context>>;
@@ -27,7 +58,7 @@ pub(super) trait Visitor {
 /// instances are read once.
 pub(super) struct Walk<'a> {
     pub(super) reader: &'a Reader,
-    shared: std::cell::RefCell<HashMap<Path, Rc<Record>>>,
+    shared: RefCell<HashMap<Path, Rc<VisitedPrim>>>,
 }
 
 /// The prims that a traversal visits.
@@ -43,19 +74,19 @@ impl<'a> Walk<'a> {
     pub(super) fn new(reader: &'a Reader) -> Self {
         Self {
             reader,
-            shared: std::cell::RefCell::default(),
+            shared: RefCell::default(),
         }
     }
 
     /// Returns the prim at `path`; shared prims are cached.
-    pub(super) fn record(&self, path: &Path, shared: bool) -> Outcome<Rc<Record>> {
+    pub(super) fn record(&self, path: &Path, shared: bool) -> Outcome<Rc<VisitedPrim>> {
         if !shared {
-            return Ok(Rc::new(self.reader.record(path.clone())?));
+            return Ok(Rc::new(VisitedPrim::new(self.reader.record(path.clone())?)));
         }
         if let Some(known) = self.shared.borrow().get(path) {
             return Ok(known.clone());
         }
-        let record = Rc::new(self.reader.record(path.clone())?);
+        let record = Rc::new(VisitedPrim::new(self.reader.record(path.clone())?));
         self.shared.borrow_mut().insert(path.clone(), record.clone());
         Ok(record)
     }

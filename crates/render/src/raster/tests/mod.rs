@@ -1,4 +1,4 @@
-//! Against every ray cast at every triangle in double precision.
+//! Comparisons with brute-force ray casting in double precision.
 
 mod precision;
 mod random;
@@ -12,7 +12,7 @@ use super::Rasterizer;
 use crate::ray::brute;
 use crate::{Clip, View, Visibility};
 
-/// Random numbers: the same on every run.
+/// Reproducible random numbers.
 #[derive(Debug)]
 struct Random(u64);
 
@@ -24,7 +24,6 @@ impl Random {
         z ^ z >> 31
     }
 
-    /// From `low` to `high`.
     fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1u64 << 53) as f64)
     }
@@ -38,7 +37,7 @@ impl Random {
     }
 }
 
-/// At the origin, looking along +z.
+/// A view from the origin along +z.
 fn view(width: u32, height: u32, hfov_deg: f64) -> View {
     let intrinsics = Intrinsics::from_hfov(ImageSize::new(width, height), hfov_deg.to_radians());
     View {
@@ -48,7 +47,7 @@ fn view(width: u32, height: u32, hfov_deg: f64) -> View {
     }
 }
 
-/// Unequal focal lengths, principal point off the centre, turned and moved.
+/// A view with unequal focal lengths, an off-centre principal point, a rotation and a translation.
 fn odd_view(width: u32, height: u32) -> View {
     let focal = f64::from(width);
     let intrinsics = Intrinsics::new(
@@ -76,7 +75,7 @@ fn instance(mesh: u32, world_from_mesh: DAffine3) -> Instance {
     }
 }
 
-/// One mesh where it is.
+/// A scene of one mesh without a transform.
 fn scene(mesh: Mesh) -> Scene {
     Scene {
         meshes: vec![mesh],
@@ -99,12 +98,12 @@ fn render(scene: &Scene, view: &View) -> Visibility {
     assert_eq!(
         rasterizer.depth(scene, view),
         seen.z,
-        "depth alone is the same depth"
+        "depth-only rendering gives the same depth"
     );
     seen
 }
 
-/// How many pixels differ in more than rounding, or see another triangle at the same depth.
+/// The number of pixels with different depth, with another triangle at the same depth, and with a hit.
 #[derive(Debug, Default)]
 struct Difference {
     depth: usize,

@@ -1,9 +1,9 @@
 use super::*;
 
-/// Of depth.
+/// The largest errors of depth.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
-    /// Units in the last place.
+    /// In units in the last place.
     ulp: f64,
     relative: f64,
     pixels: usize,
@@ -11,10 +11,7 @@ struct Worst {
 
 impl Worst {
     fn of(z: f32, truth: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "the depth that is nearest to the truth"
-        )]
+        #[expect(clippy::cast_possible_truncation, reason = "rounds the true depth")]
         let nearest = truth as f32;
         let error = (f64::from(z) - truth).abs();
         Self {
@@ -33,13 +30,13 @@ impl Worst {
     }
 }
 
-/// The errors at triangles that are seen at this incidence and extend so many pixels.
+/// Measures errors at triangles of an angle of incidence and a range of extents in pixels.
 fn errors(incidence_deg: f64, view: &View, extent: [f64; 2], seed: u64) -> Worst {
     let mut random = Random(seed);
     let mut worst = Worst::default();
     let k = view.camera.intrinsics;
     for _ in 0..12 {
-        // One triangle around a ray, its normal turned away from it.
+        // A triangle around a ray, with its normal at the angle of incidence.
         let at = PixelPoint::<Usd>::new(
             random.within(0.1, 0.9) * f64::from(k.size.width),
             random.within(0.1, 0.9) * f64::from(k.size.height),
@@ -79,7 +76,7 @@ fn errors(incidence_deg: f64, view: &View, extent: [f64; 2], seed: u64) -> Worst
                 f64::from(at / k.size.width) + 0.5,
             );
             let ray = view.camera.unproject(centre).unwrap();
-            // Rounding the corners to single precision turns small triangles; and rays beside the first differ.
+            // Rounding the corners to single precision rotates small triangles, and other rays have other incidence.
             let incidence = (normal.dot(ray).abs() / normal.length()).acos().to_degrees();
             if incidence > incidence_deg + 0.5 {
                 continue;
@@ -110,7 +107,7 @@ fn depth_is_exact_to_single_precision() {
             }
         }
     }
-    // Shown where tests are asked to show what they print.
+    // Visible with --nocapture.
     println!("up to 75 deg: {below_75:?}; up to 85 deg: {below_85:?}");
     assert!(below_75.pixels > 10_000 && below_75.ulp <= 4.0);
     assert!(below_85.pixels > 10_000 && below_85.relative <= 1e-6);

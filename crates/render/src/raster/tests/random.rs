@@ -3,7 +3,7 @@ use oaktwin_simd::Level;
 use super::*;
 use crate::raster::cluster::{ClusteredMesh, MAX_TRIANGLES, MAX_VERTICES};
 
-/// Triangles of all sizes in front of the camera, behind it and through it, in meshes that stand several times.
+/// Triangles of all sizes in front of the camera, behind it and around it, in meshes with several instances.
 fn random_scene(seed: u64) -> Scene {
     let mut random = Random(seed);
     let mut scene = Scene::default();
@@ -16,7 +16,7 @@ fn random_scene(seed: u64) -> Scene {
             positions.extend((0..3).map(|_| centre + random.point(size)));
             triangles.push([3 * triangle, 3 * triangle + 1, 3 * triangle + 2]);
         }
-        // Corners shared at random: slivers, and triangles without an area.
+        // Random shared corners: slivers and triangles without area.
         for _ in 0..40 {
             let mut corner = || u32::try_from(random.bits() % 900).unwrap();
             triangles.push([corner(), corner(), corner()]);
@@ -39,7 +39,7 @@ fn random_scene(seed: u64) -> Scene {
 }
 
 #[test]
-fn random_scenes_look_like_the_truth() {
+fn random_scenes_match_brute_force() {
     for (seed, view) in [
         (1, view(128, 80, 77.0)),
         (2, view(131, 83, 100.0)),
@@ -55,7 +55,7 @@ fn random_scenes_look_like_the_truth() {
 }
 
 #[test]
-fn the_clip_cuts_exactly() {
+fn clipping_is_exact() {
     let mut view = odd_view(120, 70);
     view.clip = Clip {
         near_m: 3.0,
@@ -130,8 +130,8 @@ fn images_of_any_size() {
 }
 
 #[test]
-fn soup_and_points_become_clusters() {
-    // Triangles that share nothing, all in one place but for one that is far away; and nothing but a point.
+fn clusters_of_unconnected_and_degenerate_triangles() {
+    // Triangles without shared vertices, all in one place except one far away; and a mesh that is a single point.
     let mut random = Random(9);
     let mut positions: Vec<_> = (0..3000).map(|_| random.point(0.001)).collect();
     positions.extend([DVec3::X * 1e6, DVec3::Y * 1e6, DVec3::Z * 1e6]);

@@ -55,7 +55,7 @@ fn a_closed_mesh_has_no_holes() {
         let mut inside = view(640, 400, 90.0);
         inside.clip.near_m = radius * 1e-4;
         assert_eq!(count_misses(&scene, &inside), 0, "n = {n}");
-        // The pole right ahead, where all triangles of a ring meet at a pixel's centre; and moved aside.
+        // With the pole straight ahead all triangles of a ring meet at a pixel centre.
         for (pitch, aside) in [(90.0, 0.0), (90.0, 0.3), (-90.0, 0.1), (37.0, 0.35)] {
             inside.world_from_camera = RigidTransform::new(
                 DMat3::from_rotation_x(f64::to_radians(pitch)),
@@ -68,7 +68,7 @@ fn a_closed_mesh_has_no_holes() {
 }
 
 #[test]
-fn a_ball_from_outside_looks_like_the_truth() {
+fn a_ball_from_outside_matches_brute_force() {
     let mut scene = scene(ball(24, 1.0));
     scene.instances = [(-1.5, 4.0), (0.0, 3.0), (1.0, 9.0)]
         .map(|(x, z)| instance(0, DAffine3::from_translation(DVec3::new(x, 0.2, z))))
@@ -97,7 +97,7 @@ fn floor(n: u32, extent: f64, y: f64) -> Mesh {
 }
 
 #[test]
-fn a_floor_through_the_near_plane() {
+fn a_floor_that_crosses_the_near_plane() {
     for n in [1, 2, 7, 16] {
         for extent in [3.0, 50.0, 1e6] {
             let scene = scene(floor(n, extent, 1.3));
@@ -105,7 +105,7 @@ fn a_floor_through_the_near_plane() {
             view.world_from_camera.rotation = DMat3::from_rotation_z(0.2);
             let found = difference(&scene, &view);
             assert!(found.hits > 1000 && found.depth <= 2, "{n}, {extent}: {found:?}");
-            // Right below: all but the horizon's row.
+            // Looking down, without the horizon.
             view.world_from_camera.rotation = DMat3::from_rotation_x(-0.9);
             assert!(difference(&scene, &view).depth <= 2, "{n}, {extent}");
         }
@@ -113,7 +113,7 @@ fn a_floor_through_the_near_plane() {
 }
 
 #[test]
-fn the_camera_stands_in_a_plane() {
+fn a_camera_in_the_plane_of_a_mesh() {
     let scene = scene(floor(5, 10.0, 0.0));
     let found = difference(&scene, &view(101, 75, 70.0));
     assert!(
@@ -125,7 +125,7 @@ fn the_camera_stands_in_a_plane() {
 }
 
 #[test]
-fn huge_tiny_and_behind() {
+fn huge_and_tiny_triangles_and_triangles_behind_the_camera() {
     let triangle = |scale: f64, z: f64| {
         mesh(
             &[
@@ -152,7 +152,7 @@ fn huge_tiny_and_behind() {
         assert!(expected.contains(&found.hits), "{scale}, {z}: {found:?}");
         assert!(found.depth <= 2, "{scale}, {z}: {found:?}");
     }
-    // A micrometre's triangle right before a camera that sees that near.
+    // A triangle of a micrometre, with a near plane that does not clip it.
     let mut near = view(320, 200, 77.0);
     near.clip.near_m = 1e-7;
     let found = difference(&scene(triangle(1e-6, 2e-6)), &near);
@@ -160,7 +160,7 @@ fn huge_tiny_and_behind() {
 }
 
 #[test]
-fn needles() {
+fn needle_triangles() {
     let mut random = Random(5);
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
@@ -179,7 +179,7 @@ fn needles() {
 }
 
 #[test]
-fn the_first_of_equals_is_seen() {
+fn the_first_of_equally_near_triangles_is_visible() {
     let mut twice = scene(floor(20, 3.0, 0.0));
     twice.instances = vec![twice.instances[0].clone(); 3];
     let both = twice.meshes[0].triangles.clone();
@@ -193,7 +193,7 @@ fn the_first_of_equals_is_seen() {
 }
 
 #[test]
-fn what_is_not_sound_is_left_out() {
+fn invalid_triangles_are_skipped() {
     let mut bad = floor(2, 1.0, 0.5);
     bad.positions[0] = [f32::NAN, 0.0, 0.0];
     bad.positions[1] = [f32::INFINITY, 0.0, 0.0];

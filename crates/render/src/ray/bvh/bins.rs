@@ -1,12 +1,12 @@
 use super::bounds::{Bounds, Item};
 
-/// How finely the surface area heuristic looks for a place to split.
+/// The number of bins of the surface area heuristic.
 pub(super) const BINS: usize = 16;
 
-/// Adding it to a small number rounds that to a whole one, which then lies in the lowest bits.
+/// Adding it to a small number rounds the number to an integer, which is then the lowest bits of the sum.
 const ROUNDING: f32 = 12_582_912.0;
 
-/// The slices of a range along each axis, by where items' centres are.
+/// The slices of a range along each axis, by the items' centres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     start: [f32; 4],
@@ -14,7 +14,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Over centres (doubled, as [`Bounds::center`] has them) within `centers`; an axis without extent has one slice.
+    /// Creates slices over centres (doubled, as from [`Bounds::center`]) within `centers`; an axis without extent has one slice.
     pub(super) fn new(centers: &Bounds) -> Self {
         let (min, max) = (centers.min(), centers.max());
         let mut grid = Self {
@@ -22,7 +22,7 @@ impl Grid {
             per_length: [0.0; 4],
         };
         for axis in 0..3 {
-            // A little less than all, so that the last centre stays below the end.
+            // Slightly less than 16, so that the last centre stays below the end.
             let per_length = 15.999 / (max[axis] - min[axis]);
             if per_length.is_normal() {
                 grid.start[axis] = min[axis];
@@ -32,7 +32,7 @@ impl Grid {
         grid
     }
 
-    /// The slice that an item is in, for each axis.
+    /// Returns the slice of an item along each axis.
     #[inline]
     pub(super) fn slices(&self, bounds: &Bounds) -> [usize; 4] {
         let center = bounds.center();
@@ -41,7 +41,7 @@ impl Grid {
         rounded.map(|x| (x.to_bits() & 15) as usize)
     }
 
-    /// The slice along one axis; the same as [`slices`](Self::slices) says.
+    /// Returns the slice along one axis, as in [`slices`](Self::slices).
     #[inline]
     pub(super) fn slice(&self, axis: usize, bounds: &Bounds) -> usize {
         let center = bounds.0[axis] - bounds.0[axis + 4];
@@ -50,14 +50,14 @@ impl Grid {
     }
 }
 
-/// What lies in each slice.
+/// The bounding box and the number of items in each slice.
 #[derive(Clone, Debug)]
 pub(super) struct Bins {
     bounds: [[Bounds; BINS]; 3],
     counts: [[u32; BINS]; 3],
 }
 
-/// Items in slices below `slice` go to one side, with these boxes.
+/// A split below `slice`, with the bounding boxes of both sides.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cut {
     pub(super) axis: usize,
@@ -94,7 +94,8 @@ impl Bins {
         self
     }
 
-    /// The cut with the least surface area times leaves of at most `leaf` items; `None` where all is in one slice.
+    /// Returns the cut with the minimum sum of surface area times leaves, of at most `leaf` items; `None` if all items are in one
+    /// slice.
     pub(super) fn best_cut(&self, leaf: usize) -> Option<Cut> {
         let leaves = |items| leaves(items, leaf);
         let mut best: Option<(f32, Cut)> = None;
@@ -114,7 +115,7 @@ impl Bins {
                     continue;
                 }
                 let cost = below.0.half_area() * leaves(below.1) + above.0.half_area() * leaves(above.1);
-                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                if best.as_ref().is_none_or(|(other, _)| cost < *other) {
                     let cut = Cut {
                         axis,
                         slice,
@@ -129,7 +130,7 @@ impl Bins {
     }
 }
 
-/// How many leaves items fill, at best: a leaf costs the same however full it is.
+/// Returns the minimum number of leaves: the cost of a leaf does not depend on its number of items.
 #[allow(clippy::cast_precision_loss, reason = "a heuristic")]
 fn leaves(items: u32, leaf: usize) -> f32 {
     (items as usize).div_ceil(leaf) as f32

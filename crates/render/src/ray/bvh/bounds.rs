@@ -1,9 +1,9 @@
-/// A box, as `[min x, min y, min z, _, -max x, -max y, -max z, _]`: so that joining is one minimum in all lanes.
+/// A box as `[min x, min y, min z, _, -max x, -max y, -max z, _]`, so that joining is a minimum in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds(pub(super) [f32; 8]);
 
 impl Bounds {
-    /// Of nothing.
+    /// The empty box.
     pub(crate) const EMPTY: Self = Self([f32::INFINITY; 8]);
 
     pub(crate) fn new(min: [f32; 3], max: [f32; 3]) -> Self {
@@ -16,7 +16,7 @@ impl Bounds {
             .fold(Self::EMPTY, |bounds, p| bounds.join(Self::new(*p, *p)))
     }
 
-    /// Of all children of a node; NaN where there are none.
+    /// Returns the box of all children of a node; NaN if there are none.
     pub(crate) fn of_nodes(node: &super::Node) -> Self {
         let fold = |values: [f32; 8], f: fn(f32, f32) -> f32| values.into_iter().fold(f32::NAN, f);
         let [a, b, c, d, e, f] = node.bounds;
@@ -34,7 +34,6 @@ impl Bounds {
         [-self.0[4], -self.0[5], -self.0[6]]
     }
 
-    /// Whether every coordinate is a number.
     pub(crate) fn is_finite(&self) -> bool {
         self.min().iter().chain(&self.max()).all(|x| x.is_finite())
     }
@@ -45,14 +44,14 @@ impl Bounds {
         Self(std::array::from_fn(|i| if b[i] < a[i] { b[i] } else { a[i] }))
     }
 
-    /// Half the surface.
+    /// Returns half the surface area.
     #[inline]
     pub(super) fn half_area(&self) -> f32 {
         let [x, y, z] = [0, 1, 2].map(|i| -(self.0[i] + self.0[i + 4]));
         x * y + y * z + z * x
     }
 
-    /// Twice the centre, in lanes 0 to 2.
+    /// Returns twice the centre, in lanes 0 to 2.
     #[inline]
     pub(super) fn center(&self) -> [f32; 4] {
         let b = self.0;
@@ -60,7 +59,7 @@ impl Bounds {
     }
 }
 
-/// A box and which item it belongs to.
+/// A box and the index of its item.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Item(Bounds);
 
@@ -76,7 +75,7 @@ impl Item {
         self.0.0[3].to_bits()
     }
 
-    /// The box; lane 3 is not to be read.
+    /// Returns the box, with the index in lane 3.
     #[inline]
     pub(super) fn bounds(&self) -> Bounds {
         self.0

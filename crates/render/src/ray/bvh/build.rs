@@ -1,4 +1,4 @@
-//! From the top down, by the surface area heuristic over slices. The tree does not depend on the number of threads.
+//! Top-down construction by the binned surface area heuristic. The tree does not depend on the number of threads.
 
 use rayon::prelude::*;
 
@@ -6,14 +6,14 @@ use super::Node;
 use super::bins::{Bins, Grid};
 use super::bounds::{Bounds, Item};
 
-/// From here on down a range is halved whatever its shape, so that no tree is deeper than this and 32 halvings.
-const DEEPEST: u32 = 48;
-/// Ranges of more items than this are built in parallel.
+/// The depth from which on ranges are halved regardless of shape, so that no tree is deeper than this plus 32.
+const MAX_CUT_DEPTH: u32 = 48;
+/// The number of items above which a range is built in parallel.
 const PARALLEL: usize = 1 << 14;
-/// So many items are put into slices at a time where that is done in parallel.
+/// The number of items that one task bins.
 const CHUNK: usize = 1 << 16;
 
-/// The nodes over all items, the root first; leaves, of at most `leaf` items, refer to the items' new order.
+/// Returns the nodes over all items, the root first; leaves, of at most `leaf` items, refer to the items' new order.
 pub(crate) fn build(items: &mut [Item], leaf: usize) -> Vec<Node> {
     let measured = items.par_chunks(CHUNK).map(measure).reduce(
         || (Bounds::EMPTY, Bounds::EMPTY),
@@ -36,7 +36,7 @@ pub(crate) fn build(items: &mut [Item], leaf: usize) -> Vec<Node> {
     nodes
 }
 
-/// Items next to each other, their box, and the box of their (doubled) centres.
+/// A range of items, their bounding box, and the bounding box of their (doubled) centres.
 #[derive(Debug)]
 struct Range<'a> {
     first: usize,
@@ -44,7 +44,7 @@ struct Range<'a> {
     bounds: Bounds,
     centers: Bounds,
     depth: u32,
-    /// The most items of a leaf.
+    /// The maximum number of items of a leaf.
     leaf: usize,
 }
 
@@ -67,9 +67,13 @@ impl<'a> Range<'a> {
         self.items.len() <= self.leaf
     }
 
-    /// Two halves, neither of them empty.
+    /// Splits into two parts, neither of them empty.
     fn split(self) -> [Self; 2] {
-        let cut = if self.depth < DEEPEST { self.cut() } else { None };
+        let cut = if self.depth < MAX_CUT_DEPTH {
+            self.cut()
+        } else {
+            None
+        };
         let Some((grid, cut)) = cut else {
             return self.halve();
         };
@@ -115,7 +119,7 @@ impl<'a> Range<'a> {
         Some((grid, bins.best_cut(self.leaf)?))
     }
 
-    /// In the middle of the list: for items that no plane tells apart.
+    /// Splits in the middle of the list, for items that no plane separates.
     fn halve(self) -> [Self; 2] {
         let middle = self.items.len() / 2;
         let (below, above) = self.items.split_at_mut(middle);
@@ -133,7 +137,7 @@ impl<'a> Range<'a> {
     }
 }
 
-/// The children of a node: the range split until there are eight, the largest first.
+/// Splits a range into up to eight children, always splitting the largest.
 fn children(range: Range<'_>) -> Vec<Range<'_>> {
     if range.items.len() > PARALLEL {
         let [a, b] = range.split();
@@ -141,14 +145,14 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
         low.extend(high);
         return low;
     }
-    let most = items_per_child(range.items.len(), range.leaf);
+    let max_items = items_per_child(range.items.len(), range.leaf);
     let mut children = Vec::with_capacity(8);
     children.push(range);
     while children.len() < 8 {
         let mut widest = None;
         for (index, child) in children.iter().enumerate() {
             let area = child.bounds.half_area();
-            if child.items.len() > most && widest.is_none_or(|(_, least)| area > least) {
+            if child.items.len() > max_items && widest.is_none_or(|(_, other)| area > other) {
                 widest = Some((index, area));
             }
         }
@@ -159,18 +163,18 @@ fn children(range: Range<'_>) -> Vec<Range<'_>> {
     children
 }
 
-/// How many items a child of a node over so many may have: as many as fill whole levels of the tree below it, so that
-/// nodes near the leaves, which are nearly all, have all their children.
+/// Returns the maximum number of items of a child: as many as fill complete levels of the tree below it, so that nodes near the
+/// leaves, which are nearly all nodes, have eight children.
 fn items_per_child(items: usize, leaf: usize) -> usize {
-    let mut most = leaf;
-    while most * 8 < items - items / 8 {
-        most *= 8;
+    let mut max = leaf;
+    while max * 8 < items - items / 8 {
+        max *= 8;
     }
-    // Halves are never quite equal.
-    if most > leaf { most + most / 8 } else { most }
+    // Halves are never exactly equal.
+    if max > leaf { max + max / 8 } else { max }
 }
 
-/// Up to four parts.
+/// Splits into up to four parts.
 fn quarters(range: Range<'_>) -> Vec<Range<'_>> {
     if range.is_leaf() {
         return vec![range];
@@ -189,7 +193,7 @@ fn halves(range: Range<'_>) -> Vec<Range<'_>> {
     }
 }
 
-/// Appends the node over a range and all that is below it.
+/// Appends the node over a range and its descendants.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "items are counted in u32, a leaf has few"
@@ -234,7 +238,7 @@ fn grow(range: Range, nodes: &mut Vec<Node>) {
             node.first[slot] = offset;
             for node in &mut below {
                 for (first, count) in node.first.iter_mut().zip(node.count) {
-                    // Absent children are shifted too; nobody reads them.
+                    // Absent children are shifted too but never read.
                     *first += if count == 0 { offset } else { 0 };
                 }
             }

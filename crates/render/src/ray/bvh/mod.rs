@@ -1,4 +1,4 @@
-//! A bounding volume hierarchy with up to eight children a node, over boxes of anything.
+//! A bounding volume hierarchy with up to eight children per node, over arbitrary boxes.
 
 mod bins;
 mod bounds;
@@ -9,9 +9,9 @@ pub(crate) use bounds::{Bounds, Item};
 pub(crate) use build::build;
 pub(crate) use node::Node;
 
-/// The most items in a leaf: as many as are looked at at once.
+/// The maximum number of items in a leaf, which are tested at once.
 pub(crate) const LEAF: usize = 8;
 
 #[cfg(test)]
-#[allow(clippy::cast_precision_loss, reason = "places are made up")]
+#[allow(clippy::cast_precision_loss, reason = "test coordinates")]
 mod tests;

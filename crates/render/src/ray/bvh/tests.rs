@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Panics unless every item is in one leaf, and inside of every box above it; gives the deepest leaf's depth.
+/// Asserts that each item is in one leaf and inside all boxes above it, and returns the depth of the tree.
 fn check(nodes: &[Node], items: &[Item], original: &[Bounds]) -> usize {
     let mut seen = vec![0; items.len()];
     let mut deepest = 0;
@@ -60,13 +60,13 @@ proptest! {
 }
 
 #[test]
-fn boxes_in_one_place_make_a_flat_tree() {
+fn coincident_boxes_give_a_shallow_tree() {
     let depth = check_build(&vec![cube([1.0, 2.0, 3.0], 0.5); 100_000]);
     assert!(depth <= 8, "{depth}");
 }
 
 #[test]
-fn a_lattice_makes_a_flat_tree() {
+fn a_lattice_gives_a_shallow_tree() {
     let bounds: Vec<Bounds> = (0..60u16 * 60 * 10)
         .map(|i| {
             cube(
@@ -80,7 +80,7 @@ fn a_lattice_makes_a_flat_tree() {
 }
 
 #[test]
-fn boxes_that_grow_without_end_make_no_endless_tree() {
+fn exponentially_growing_boxes_give_a_bounded_depth() {
     let mut bounds = Vec::new();
     let mut at = 1e-37f32;
     while at < 1e38 {
@@ -92,7 +92,7 @@ fn boxes_that_grow_without_end_make_no_endless_tree() {
 }
 
 #[test]
-fn the_largest_numbers_there_are() {
+fn extreme_coordinates() {
     let bounds: Vec<Bounds> = (0..100u8)
         .map(|i| cube([f32::MAX * (f32::from(i) / 50.0 - 1.0), f32::MIN, 0.0], 0.0))
         .collect();
@@ -100,7 +100,7 @@ fn the_largest_numbers_there_are() {
 }
 
 #[test]
-fn the_number_of_threads_changes_nothing() {
+fn the_tree_does_not_depend_on_the_number_of_threads() {
     let bounds: Vec<Bounds> = (0..200_000u32)
         .map(|i| {
             let mix = |n: u32| (i.wrapping_mul(n) >> 12) as f32 / 1e3;

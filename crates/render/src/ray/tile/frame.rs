@@ -5,33 +5,35 @@ use super::rays::Range;
 use crate::ray::bvh::{Bounds, Node};
 use crate::ray::vector::Vector;
 
-/// How the frame of a mesh (or the world) is seen from a tile: its points come into the tile's frame by
-/// `tile_from_frame · (point − coarse − fine)`.
+/// The transform from the frame of a mesh, or the world, into a tile frame: `tile_from_frame · (point − coarse − fine)`.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     pub(super) tile_from_frame: [[f32; 3]; 3],
-    /// The rays' origin in two parts.
+    /// The origin of the rays in two parts.
     pub(super) coarse: [f32; 3],
     pub(super) fine: [f32; 3],
-    /// The same in double precision: the axes and the origin.
+    /// The axes and the origin in double precision.
     exact: (DMat3, DVec3),
-    /// The tile's four sides, inside positive, and its z axis.
+    /// The four sides of the tile's frustum, positive inside, and the plane of depth.
     sides: [Plane; 4],
     depth: Plane,
 }
 
-/// `normal · point − offset`, never below the truth.
+/// An upper bound of `normal · point − offset`.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     normal: [f32; 3],
     offset: f32,
-    /// The planes of a node whose corner lies farthest along the normal.
+    /// The planes of a node's box at the corner farthest along the normal.
     farthest: [usize; 3],
 }
 
 impl Frame {
-    /// From the frame's place in the world and the tile's in the world; `None` where there is nothing to see.
-    #[allow(clippy::cast_possible_truncation, reason = "the rest is kept or allowed for")]
+    /// Creates the transform; `None` if the bounds or the origin are not finite.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the remainder is kept or within the slack"
+    )]
     pub(super) fn new(
         tile_from_world: &DMat3,
         origin_in_frame: DVec3,
@@ -64,7 +66,7 @@ impl Frame {
         })
     }
 
-    /// Which children of a node the tile may see in front of `limit`, and where in z each begins.
+    /// Returns the mask of a node's children that the tile may see in front of `limit`, and the minimum z of each.
     #[inline(always)]
     pub(super) fn children<L: Lanes>(&self, node: &Node, limit: f32) -> (L::I32, L) {
         let zero = L::splat(0.0);
@@ -76,13 +78,13 @@ impl Frame {
         (seen, nearest)
     }
 
-    /// A point of the frame in the tile's, in double precision.
+    /// Transforms a point into the tile frame in double precision.
     pub(super) fn see_exactly(&self, point: DVec3) -> DVec3 {
         let (tile_from_frame, origin) = &self.exact;
         *tile_from_frame * (point - *origin)
     }
 
-    /// Eight points of the frame in the tile's.
+    /// Transforms eight points into the tile frame.
     #[inline(always)]
     pub(super) fn see<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
         let from_origin = point - Vector::splat(self.coarse) - Vector::splat(self.fine);
@@ -96,20 +98,20 @@ impl Frame {
 }
 
 impl Plane {
-    #[allow(clippy::cast_possible_truncation, reason = "allowed for")]
+    #[allow(clippy::cast_possible_truncation, reason = "within the slack")]
     fn new(normal: DVec3, origin: DVec3, bounds: &Bounds) -> Self {
         let (min, max) = (bounds.min(), bounds.max());
         let reach = |axis: usize| f64::from(min[axis].abs().max(max[axis].abs())) + origin[axis].abs();
         let largest: f64 = (0..3).map(|axis| normal[axis].abs() * reach(axis)).sum();
         Self {
             normal: normal.to_array().map(|x| x as f32),
-            // The slack is eight times what rounding can do.
+            // The slack is eight times the rounding error.
             offset: (normal.dot(origin) - 1e-6 * largest) as f32,
             farthest: std::array::from_fn(|axis| if normal[axis] > 0.0 { axis + 3 } else { axis }),
         }
     }
 
-    /// The greatest that it is in each child.
+    /// Returns the maximum in each child.
     #[inline(always)]
     fn farthest<L: Lanes>(&self, node: &Node) -> L {
         let [x, y, z] = self.farthest;

@@ -1,8 +1,7 @@
-//! Sixty-four rays of one origin and about one direction at a time.
+//! Tiles of 64 rays with a common origin and similar directions.
 //!
-//! In the tile's own frame each ray is a point `(u, v)` of the plane `z = 1`. A triangle that is set up once is then
-//! tested against those packets of eight rays that its box in that plane touches, and boxes of the hierarchy are
-//! tested against the whole tile.
+//! In the tile frame each ray is a point `(u, v)` of the plane `z = 1`. A triangle is set up once and tested against the packets
+//! of eight rays that its bounding box in that plane touches; boxes of the hierarchy are tested against the whole tile.
 
 mod frame;
 mod rays;

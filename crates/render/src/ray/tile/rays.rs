@@ -1,45 +1,44 @@
 use oaktwin_camera::math::{DMat3, DVec3};
 
-/// A tile's width and height, px.
+/// The width and height of a tile, px.
 pub(crate) const SIDE: u32 = 8;
-/// Packets in a tile: each of eight rays, four wide and two high.
+/// The number of packets in a tile; each has eight rays, four wide and two high.
 pub(crate) const PACKETS: usize = 8;
 
-/// A value for each ray of a tile, packet by packet.
+/// One value for each ray of a tile, by packet.
 pub(crate) type PerRay<T> = [[T; 8]; PACKETS];
 
 /// The rays of a tile.
 #[derive(Clone, Debug)]
 pub(crate) struct TileRays {
-    /// The tile's frame: its z axis runs through the middle of the tile.
+    /// The tile frame, whose z axis runs through the middle of the tile.
     pub(crate) tile_from_camera: DMat3,
-    /// Where each ray meets the plane z = 1 of the tile's frame.
+    /// The point where each ray meets the plane z = 1 of the tile frame.
     pub(crate) u: PerRay<f32>,
     pub(crate) v: PerRay<f32>,
-    /// How far in z each ray comes with one length of its direction; 0 where there is no ray.
+    /// The z component of each ray's direction in the tile frame; 0 where there is no ray.
     pub(crate) z_per_length: PerRay<f32>,
-    /// Between what u and v each packet's rays are, and a little more: so that rounding at a triangle's side does not
-    /// hide it from a ray. Inside out where there are none.
+    /// The range of u and v of each packet's rays, with a margin for rounding at the edges of triangles; inverted where there
+    /// are no rays.
     pub(crate) packets: Range<[f32; 8]>,
-    /// The same for all.
+    /// The range of all rays.
     pub(crate) all: Range<f32>,
 }
 
-/// The least and the greatest.
+/// Minimum and maximum.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Range<T> {
     pub(crate) u: [T; 2],
     pub(crate) v: [T; 2],
 }
 
-/// The packet and the lane of a pixel of a tile.
+/// Returns the packet and the lane of a pixel of a tile.
 #[inline]
 pub(crate) const fn place(x: usize, y: usize) -> (usize, usize) {
     (y / 2 * 2 + x / 4, y % 2 * 4 + x % 4)
 }
 
 impl TileRays {
-    /// Without rays.
     pub(crate) const NONE: Self = Self {
         tile_from_camera: DMat3::IDENTITY,
         u: [[0.0; 8]; PACKETS],
@@ -55,9 +54,9 @@ impl TileRays {
         },
     };
 
-    /// Of directions in the camera's frame, packet by packet, NaN where there is no ray. In the camera's own frame if
-    /// `is_flat`, which is right where all directions have z = 1.
-    #[allow(clippy::cast_possible_truncation, reason = "of 1e-4 of a pixel")]
+    /// Creates a tile from directions in the camera frame, by packet, NaN where there is no ray. With `is_flat`, for
+    /// directions with z = 1, the tile frame is the camera frame.
+    #[allow(clippy::cast_possible_truncation, reason = "rounds by less than 1e-4 px")]
     pub(crate) fn new(directions: &PerRay<DVec3>, is_flat: bool) -> Self {
         let mut rays = Self::NONE;
         if !is_flat {
@@ -67,7 +66,7 @@ impl TileRays {
         for (packet, directions) in directions.iter().enumerate() {
             for (lane, direction) in directions.iter().enumerate() {
                 let in_tile = rays.tile_from_camera * *direction;
-                // What looks sideways is no part of the tile.
+                // Rays that point sideways are not part of the tile.
                 let is_seen = is_flat || in_tile.z > 0.1 * direction.length();
                 let [u, v] = [in_tile.x / in_tile.z, in_tile.y / in_tile.z].map(|x| x as f32);
                 if !(is_seen && u.is_finite() && v.is_finite()) {
@@ -97,13 +96,12 @@ impl TileRays {
         rays
     }
 
-    /// Whether there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.all.u[0] > self.all.u[1]
     }
 }
 
-/// A frame whose z axis is along a direction and whose x axis is near the camera's.
+/// Returns a frame whose z axis is along a direction and whose x axis is close to the camera's.
 fn frame_along(direction: DVec3) -> DMat3 {
     let z = direction.normalize_or(DVec3::Z);
     let x = if z.x.abs() < 0.99 { DVec3::X } else { DVec3::NEG_Z };

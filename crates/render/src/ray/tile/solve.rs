@@ -1,4 +1,4 @@
-//! Double precision for what single precision found.
+//! Distances in double precision for hits that were found in single precision.
 
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_simd::{F64Lanes, LaneKernel, Lanes};
@@ -9,20 +9,20 @@ use crate::ray::Prepared;
 use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
 
-/// Where rays meet the planes of the triangles that they see.
+/// Intersects rays with the planes of the triangles that they hit.
 pub(crate) struct Solve<'a> {
     pub(crate) scene: &'a Prepared<'a>,
-    /// Where the rays start, in the world.
+    /// The origin of the rays in the world.
     pub(crate) origin: DVec3,
     pub(crate) world_from_camera: DMat3,
     pub(crate) seen: &'a TileHits,
-    /// In the camera's frame.
+    /// The directions in the camera frame.
     pub(crate) directions: &'a PerRay<DVec3>,
-    /// Gets the distance of each ray that sees something, in lengths of its direction.
+    /// The output: the distance of each ray with a hit, in lengths of its direction.
     pub(crate) distances: &'a mut PerRay<f64>,
 }
 
-/// The rays' origin and axes in the frame of an instance's mesh.
+/// The origin and the axes of the rays in the frame of an instance's mesh.
 struct Place<'a> {
     positions: &'a [[f32; 3]],
     tree: &'a MeshTree,
@@ -76,11 +76,11 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// Of a packet's rays that see an instance; `lanes` is not empty.
+    /// Solves a packet's rays that hit an instance; `lanes` is not empty.
     #[inline(always)]
     fn packet<L: Lanes>(&self, place: &Place, packet: usize, lanes: u32) -> L::F64 {
         let slots = &self.seen.triangle[packet];
-        // The other lanes repeat a triangle.
+        // Other lanes repeat a triangle.
         let first = slots[lanes.trailing_zeros() as usize & 7];
         let mut triangles = [[0; 4]; 8];
         for (lane, triangle) in triangles.iter_mut().enumerate() {
@@ -92,7 +92,7 @@ impl<'a> Solve<'a> {
             *triangle = place.tree.triangles[slot as usize];
         }
         let [a, b, c] = corners::<L>(place.positions, &triangles);
-        // Differences and products of single-precision numbers are all but exact here.
+        // Differences and products of single-precision numbers are almost exact here.
         let (ax, ay, az) = (a.x.widen(), a.y.widen(), a.z.widen());
         let (bx, by, bz) = (b.x.widen() - ax, b.y.widen() - ay, b.z.widen() - az);
         let (cx, cy, cz) = (c.x.widen() - ax, c.y.widen() - ay, c.z.widen() - az);

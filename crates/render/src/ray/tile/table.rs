@@ -7,23 +7,23 @@ use rayon::prelude::*;
 
 use super::rays::{PerRay, SIDE, TileRays, place};
 
-/// So many cameras' rays are kept.
+/// The number of cameras whose rays are cached.
 const KEPT: usize = 4;
 
-/// All rays of a camera, in its own frame.
+/// The rays of a camera in the camera frame.
 #[derive(Debug)]
 pub(crate) struct RayTable {
     camera: Camera,
-    /// Whether all directions have z = 1; else they are of unit length.
+    /// Whether all directions have z = 1 rather than unit length.
     is_flat: bool,
     rays: Rays,
 }
 
 #[derive(Debug)]
 enum Rays {
-    /// Of an ideal pinhole: x and y of the directions, for each column and each row.
+    /// An ideal pinhole: x of the directions for each column and y for each row.
     Grid { x: Vec<f64>, y: Vec<f64> },
-    /// Tile by tile.
+    /// Other lenses: the rays of each tile.
     Tiles(Vec<(TileRays, PerRay<DVec3>)>),
 }
 
@@ -61,8 +61,8 @@ impl RayTable {
         }
     }
 
-    /// The rays of the tile in a column and a row of tiles, and their directions in the camera's frame, NaN where
-    /// there is none.
+    /// Returns the rays of the tile in a column and a row of tiles, and their directions in the camera frame, NaN where there is
+    /// no ray.
     pub(crate) fn tile(&self, column: u32, row: u32) -> (Cow<'_, TileRays>, Cow<'_, PerRay<DVec3>>) {
         let size = self.camera.intrinsics.size;
         match &self.rays {
@@ -84,7 +84,7 @@ impl RayTable {
     }
 }
 
-/// The directions of a tile's pixels; NaN outside of the image.
+/// Returns the directions of a tile's pixels; NaN outside the image.
 fn in_tile(
     column: u32,
     row: u32,
@@ -106,8 +106,8 @@ fn in_tile(
     directions
 }
 
-/// A value for each place, by rows.
-#[allow(clippy::cast_possible_truncation, reason = "of what were u32")]
+/// Computes a value for each position, by rows.
+#[allow(clippy::cast_possible_truncation, reason = "indices of u32 sizes")]
 fn over<T: Send>(width: u32, height: u32, value: impl Fn(u32, u32) -> T + Sync) -> Vec<T> {
     let mut values = Vec::new();
     (0..width as usize * height as usize)
@@ -120,12 +120,12 @@ fn over<T: Send>(width: u32, height: u32, value: impl Fn(u32, u32) -> T + Sync) 
     values
 }
 
-/// The rays of the cameras that were used last: bending them is slow, and where the camera stands does not matter.
+/// The rays of the cameras used last: undistortion is slow, and rays do not depend on the camera pose.
 #[derive(Debug, Default)]
 pub(crate) struct RayTables(Mutex<Vec<Arc<RayTable>>>);
 
 impl RayTables {
-    /// Of a camera; `is_flat` if its rays are measured along the optical axis.
+    /// Returns the rays of a camera; `is_flat` if they have z = 1.
     pub(crate) fn get(&self, camera: &Camera, is_flat: bool) -> Arc<RayTable> {
         if camera.lens == LensModel::Pinhole {
             return Arc::new(RayTable::new(*camera, is_flat));
@@ -136,7 +136,7 @@ impl RayTables {
             tables[index..].rotate_left(1);
             return Arc::clone(&tables[tables.len() - 1]);
         }
-        // Made outside of the lock: at worst twice.
+        // Computed outside the lock, at worst twice.
         drop(tables);
         let made = Arc::new(RayTable::new(*camera, is_flat));
         let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -13,17 +13,17 @@ use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
 use crate::ray::stack::{Entry, Stack, push_children};
 
-/// Where all rays start.
+/// The origin of all rays.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
-    /// In the world.
+    /// The point in the world.
     pub(crate) point: DVec3,
     pub(crate) camera_from_world: DMat3,
-    /// A power of two that lengths in the tile's frame are multiplied with, so that they are neither tiny nor huge.
+    /// A power of two by which lengths in the tile frame are scaled to moderate magnitudes.
     pub(crate) scale: f64,
 }
 
-/// The rays of one tile through the whole scene.
+/// Traces the rays of a tile through the scene.
 pub(crate) struct Trace<'a> {
     pub(crate) scene: &'a Prepared<'a>,
     pub(crate) origin: &'a Origin,
@@ -71,7 +71,7 @@ impl LaneKernel for Trace<'_> {
     }
 }
 
-/// What happens in a leaf.
+/// The handling of leaves.
 trait Visit {
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack);
 
@@ -143,7 +143,8 @@ impl Visit for VisitTriangles<'_> {
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Stack) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
-        self.ready.set(corners, self.frame, &self.rays.all, state.least);
+        self.ready
+            .set(corners, self.frame, &self.rays.all, state.min_inverse_z);
         let mut vast = self.ready.vast & ((1 << triangles.len()) - 1);
         while vast != 0 {
             let lane = vast.trailing_zeros() as usize & 7;
@@ -162,7 +163,7 @@ impl Visit for VisitTriangles<'_> {
     }
 }
 
-/// Visits each leaf that the tile may see, near ones first.
+/// Visits each leaf that the tile may see, from near to far.
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],

@@ -5,26 +5,25 @@ use super::frame::Frame;
 use super::rays::Range;
 use crate::ray::corners::Corners;
 
-/// How much farther away a triangle's corner may be than its plane, before single precision is not enough for the plane.
+/// The maximum ratio of the distances of a triangle's corner and of its plane for which single precision suffices.
 const MAX_OBLIQUENESS: f32 = 16.0;
 
-/// Up to eight triangles made ready for rays of one origin.
+/// Up to eight triangles, set up for rays of one origin.
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
-    /// The normals of the planes through the origin and each side: a ray that is on the positive side of all three
-    /// meets the triangle.
+    /// The normals of the planes through the origin and each edge: a ray on the positive side of all three meets the triangle.
     pub(super) sides: [[[f32; 8]; 3]; 3],
-    /// The plane: 1/z along a ray `(u, v, 1)` is the dot product.
+    /// The plane: 1/z along a ray is its dot product with `(u, v, 1)`.
     pub(super) plane: [[f32; 8]; 3],
-    /// Between which 1/z lies.
-    pub(super) least: [f32; 8],
-    pub(super) greatest: [f32; 8],
-    /// Where it is on the plane z = 1.
+    /// The minimum and the maximum of 1/z.
+    pub(super) min_inverse_z: [f32; 8],
+    pub(super) max_inverse_z: [f32; 8],
+    /// The range on the plane z = 1.
     pub(super) u: [[f32; 8]; 2],
     pub(super) v: [[f32; 8]; 2],
-    /// Which of them the tile may see, a bit each.
+    /// The triangles that the tile may see, as bits.
     pub(super) seen: u32,
-    /// Which of those reach so far beyond their distance that they need [`refine`](Self::refine).
+    /// The visible triangles that are so oblique that they need [`refine`](Self::refine).
     pub(super) vast: u32,
 }
 
@@ -32,22 +31,22 @@ impl Triangles {
     pub(super) const NONE: Self = Self {
         sides: [[[0.0; 8]; 3]; 3],
         plane: [[0.0; 8]; 3],
-        least: [0.0; 8],
-        greatest: [0.0; 8],
+        min_inverse_z: [0.0; 8],
+        max_inverse_z: [0.0; 8],
         u: [[0.0; 8]; 2],
         v: [[0.0; 8]; 2],
         seen: 0,
         vast: 0,
     };
 
-    /// Makes triangles ready that the tile may see at 1/z of at least `least`.
+    /// Sets up triangles that the tile may see at 1/z of at least `min_inverse_z`.
     #[inline(always)]
     pub(super) fn set<L: Lanes>(
         &mut self,
         corners: Corners<L>,
         frame: &Frame,
         extent: &Range<f32>,
-        least: f32,
+        min_inverse_z: f32,
     ) {
         let zero = L::splat(0.0);
         let one = L::splat(1.0);
@@ -56,25 +55,25 @@ impl Triangles {
         let c = frame.see(corners[2]);
         let nearest = a.z.min(b.z).min(c.z);
         let farthest = a.z.max(b.z).max(c.z);
-        // Where a corner is behind, the triangle may be anywhere.
+        // With a corner behind the origin, the triangle may be anywhere.
         let in_front = zero.lt(nearest);
         let (wa, wb, wc) = (one / a.z, one / b.z, one / c.z);
         let u = range(in_front, a.x * wa, b.x * wb, c.x * wc);
         let v = range(in_front, a.y * wa, b.y * wb, c.y * wc);
-        let greatest = L::select(
+        let max_inverse_z = L::select(
             in_front,
             wa.max(wb).max(wc) * L::splat(1.0 + 1e-6),
             L::splat(f32::INFINITY),
         );
 
-        // From the back all signs are the other ones.
+        // Seen from the back, all signs are reversed.
         let normal = (b - a).cross(c - a);
         let volume = a.dot(normal);
         let sign = volume.to_bits() & L::I32::splat(i32::MIN);
-        // Seen exactly from the side, it is nothing.
+        // A triangle seen exactly edge-on is invisible.
         let seen = zero.lt(L::from_bits(volume.to_bits() ^ sign))
             & zero.lt(farthest)
-            & L::splat(least).le(greatest)
+            & L::splat(min_inverse_z).le(max_inverse_z)
             & u[0].le(L::splat(extent.u[1]))
             & L::splat(extent.u[0]).le(u[1])
             & v[0].le(L::splat(extent.v[1]))
@@ -86,22 +85,22 @@ impl Triangles {
         }
         let most = volume * L::splat(MAX_OBLIQUENESS);
         let is_oblique = (most * most).lt(a.dot(a) * normal.dot(normal));
-        let is_deep = farthest * L::splat(0.95) * greatest;
+        let is_deep = farthest * L::splat(0.95) * max_inverse_z;
         self.vast = (seen & is_oblique & one.lt(is_deep)).signs();
         a.side(b).flip(sign).store(&mut self.sides[0]);
         b.side(c).flip(sign).store(&mut self.sides[1]);
         c.side(a).flip(sign).store(&mut self.sides[2]);
         (normal * (one / volume)).store(&mut self.plane);
-        (L::splat(1.0 - 1e-6) / farthest).store(&mut self.least);
-        greatest.store(&mut self.greatest);
+        (L::splat(1.0 - 1e-6) / farthest).store(&mut self.min_inverse_z);
+        max_inverse_z.store(&mut self.max_inverse_z);
         u[0].store(&mut self.u[0]);
         u[1].store(&mut self.u[1]);
         v[0].store(&mut self.v[0]);
         v[1].store(&mut self.v[1]);
     }
 
-    /// The plane of one triangle anew, in double precision: its corners are far from where it is looked at.
-    #[allow(clippy::cast_possible_truncation, reason = "rounded once, at the end")]
+    /// Recomputes the plane of an oblique triangle in double precision.
+    #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
     pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
         let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
         let normal = (b - a).cross(c - a);
@@ -114,15 +113,15 @@ impl Triangles {
         }
         let nearest = a.z.min(b.z).min(c.z);
         if nearest > 0.0 {
-            self.greatest[lane] = (1.0 / nearest * (1.0 + 1e-6)) as f32;
+            self.max_inverse_z[lane] = (1.0 / nearest * (1.0 + 1e-6)) as f32;
         } else {
-            self.greatest[lane] = f32::INFINITY;
+            self.max_inverse_z[lane] = f32::INFINITY;
         }
-        self.least[lane] = ((1.0 - 1e-6) / a.z.max(b.z).max(c.z)) as f32;
+        self.min_inverse_z[lane] = ((1.0 - 1e-6) / a.z.max(b.z).max(c.z)) as f32;
     }
 }
 
-/// From the least to the greatest of three, and a little more for rounding; everything if not `known`.
+/// Returns the range of three values with a margin for rounding; an infinite range where `known` is not set.
 #[inline(always)]
 fn range<L: Lanes>(known: L::I32, p: L, q: L, r: L) -> [L; 2] {
     let (low, high) = (p.min(q).min(r), p.max(q).max(r));

@@ -4,16 +4,16 @@ use json::validation::Checked;
 
 use super::document::Document;
 
-/// An accessor whose elements are where it says.
+/// An accessor whose elements have been checked to lie inside its buffers.
 pub(super) struct Accessor<'a> {
     pub(super) count: usize,
-    /// Numbers of each element.
+    /// Numbers per element.
     components: usize,
     kind: ComponentType,
     normalized: bool,
-    /// None: zeros.
+    /// The data and the stride in bytes; `None` if all elements are zero.
     bytes: Option<(&'a [u8], usize)>,
-    /// Elements that have other values, ordered.
+    /// The elements that the sparse part overrides, ordered by index.
     sparse: Vec<(usize, &'a [u8])>,
 }
 
@@ -23,11 +23,11 @@ impl<'a> Accessor<'a> {
     }
 
     fn checked(document: &'a Document, index: usize) -> Result<Self, String> {
-        let said = document.root.accessors.get(index).ok_or("is not there")?;
-        let (Checked::Valid(kind), Checked::Valid(shape)) = (said.component_type, said.type_) else {
-            return Err("is of no known type".into());
+        let declared = document.root.accessors.get(index).ok_or("does not exist")?;
+        let (Checked::Valid(kind), Checked::Valid(shape)) = (declared.component_type, declared.type_) else {
+            return Err("has an unknown type".into());
         };
-        let count = usize::try_from(said.count.0).map_err(|_| "is too long")?;
+        let count = usize::try_from(declared.count.0).map_err(|_| "is too long")?;
         let components = match shape {
             Type::Scalar => 1,
             Type::Vec2 => 2,
@@ -40,30 +40,30 @@ impl<'a> Accessor<'a> {
             count,
             components,
             kind: kind.0,
-            normalized: said.normalized,
+            normalized: declared.normalized,
             bytes: None,
             sparse: Vec::new(),
         };
         let size = accessor.size();
-        if let Some(view) = said.buffer_view {
+        if let Some(view) = declared.buffer_view {
             let (bytes, stride) = document.view(view.value())?;
-            let start = usize::try_from(said.byte_offset.unwrap_or_default().0).ok();
+            let start = usize::try_from(declared.byte_offset.unwrap_or_default().0).ok();
             let stride = stride.unwrap_or(size).max(1);
             let bytes = start
                 .and_then(|start| bytes.get(start..))
-                .ok_or("starts behind its bufferView")?;
+                .ok_or("starts after the end of its bufferView")?;
             let needed = count
                 .checked_sub(1)
                 .map_or(Some(0), |last| last.checked_mul(stride)?.checked_add(size));
             if needed.is_none_or(|needed| needed > bytes.len()) {
-                return Err(format!("its {count} elements are not inside its bufferView"));
+                return Err(format!("its {count} elements exceed its bufferView"));
             }
             accessor.bytes = Some((bytes, stride));
         } else {
-            // Zeros take no room in the file.
+            // An accessor without a bufferView takes no bytes of the file.
             document.allow(count as u64)?;
         }
-        if let Some(sparse) = &said.sparse {
+        if let Some(sparse) = &declared.sparse {
             accessor.sparse = sparse_elements(document, sparse, size, count)?;
         }
         Ok(accessor)
@@ -81,7 +81,7 @@ impl<'a> Accessor<'a> {
         bytes.get(at * stride..at * stride + self.size())
     }
 
-    /// An element's first `N` numbers; missing ones are zero.
+    /// The first `N` numbers of an element; missing ones are zero.
     pub(super) fn floats<const N: usize>(&self, at: usize) -> [f32; N] {
         let mut numbers = [0.0; N];
         if let Some(element) = self.element(at) {
@@ -94,7 +94,7 @@ impl<'a> Accessor<'a> {
 
     fn float(&self, bytes: &[u8]) -> f32 {
         let number = decoded(self.kind, bytes);
-        // The rules of glTF 2.0, section 3.6.2.3.
+        // Normalized integers: glTF 2.0, section 3.6.2.3.
         let one = match self.kind {
             _ if !self.normalized => 1.0,
             ComponentType::I8 => 127.0,
@@ -103,15 +103,12 @@ impl<'a> Accessor<'a> {
             ComponentType::U16 => 65535.0,
             ComponentType::U32 | ComponentType::F32 => 1.0,
         };
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "single precision is what meshes have"
-        )]
+        #[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
         let float = (number / one) as f32;
         if self.normalized { float.max(-1.0) } else { float }
     }
 
-    /// An element as the number of a vertex; −1, which none has, for what cannot be one.
+    /// An element as a vertex index, or −1 if it is not a valid one.
     pub(super) fn index(&self, at: usize) -> i32 {
         if !matches!(
             self.kind,
@@ -120,10 +117,7 @@ impl<'a> Accessor<'a> {
             return -1;
         }
         let number = self.element(at).map_or(0.0, |bytes| decoded(self.kind, bytes));
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "a whole number; what is too large is none"
-        )]
+        #[allow(clippy::cast_possible_truncation, reason = "an integer; the range is checked")]
         let index = number as i32;
         if f64::from(index) == number { index } else { -1 }
     }
@@ -140,7 +134,7 @@ fn sparse_elements<'a>(
     count: usize,
 ) -> Result<Vec<(usize, &'a [u8])>, String> {
     let Checked::Valid(kind) = sparse.indices.component_type else {
-        return Err("its sparse indices are of no known type".into());
+        return Err("its sparse indices have an unknown type".into());
     };
     let changed = usize::try_from(sparse.count.0).map_err(|_| "its sparse part is too long")?;
     let part = |view: usize, offset: u64, size: usize| {
@@ -149,7 +143,7 @@ fn sparse_elements<'a>(
         let range = start.and_then(|start| Some(start..start.checked_add(changed.checked_mul(size)?)?));
         range
             .and_then(|range| bytes.get(range))
-            .ok_or_else(|| "its sparse part is not inside its bufferView".to_string())
+            .ok_or_else(|| "its sparse part exceeds its bufferView".to_string())
     };
     let indices = part(
         sparse.indices.buffer_view.value(),
@@ -184,7 +178,7 @@ fn sparse_elements<'a>(
     }
 }
 
-/// Of as many bytes as the kind has.
+/// Decodes a number of the given type from its bytes.
 fn decoded(kind: ComponentType, bytes: &[u8]) -> f64 {
     let mut padded = [0; 4];
     for (slot, byte) in padded.iter_mut().zip(bytes) {

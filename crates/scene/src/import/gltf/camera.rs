@@ -15,21 +15,25 @@ pub(super) fn read(
     file_from_node: DAffine3,
     builder: &mut Builder,
 ) {
-    let Some(said) = document.root.cameras.get(index) else {
-        builder.warn("gltf-camera", path, format!("cameras[{index}] is not there"));
+    let Some(camera) = document.root.cameras.get(index) else {
+        builder.warn("gltf-camera", path, format!("cameras[{index}] does not exist"));
         return;
     };
-    let perspective = match (&said.type_, &said.perspective) {
+    let perspective = match (&camera.type_, &camera.perspective) {
         (Checked::Valid(Type::Perspective), Some(perspective)) => perspective,
         (Checked::Valid(Type::Orthographic), _) => {
-            builder.warn("gltf-unsupported", path, "an orthographic camera is left out");
+            builder.warn(
+                "gltf-unsupported",
+                path,
+                "orthographic cameras are not supported; skipped",
+            );
             return;
         }
         _ => {
             builder.warn(
                 "gltf-camera",
                 path,
-                format!("cameras[{index}] is of no known type"),
+                format!("cameras[{index}] has an unknown type"),
             );
             return;
         }
@@ -56,12 +60,13 @@ pub(super) fn read(
         _ => builder.warn(
             "gltf-camera",
             path,
-            "left out: no field of view below 180°, or no pose",
+            "skipped: its field of view or its pose is invalid",
         ),
     }
 }
 
-/// Where a node is and how it is turned, without its size: along −z first, then with +y up. `None` where it is squashed.
+/// The position and orientation of a node, without its scale: its −z axis is forward and +y up. `None` if the node's
+/// transform is singular.
 pub(super) fn rigid(world_from_node: DAffine3) -> Option<RigidTransform> {
     let m = world_from_node.matrix3;
     let z = m.z_axis.try_normalize()?;

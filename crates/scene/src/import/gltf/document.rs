@@ -7,20 +7,20 @@ use ::gltf::json;
 use super::uri::{self, Target};
 use crate::import::error::Fault;
 
-/// A file with the buffers it refers to.
+/// A glTF file with its buffers.
 pub(super) struct Document {
     pub(super) root: json::Root,
     buffers: Vec<Vec<u8>>,
     pub(super) folder: PathBuf,
-    /// How many numbers may still be read.
+    /// The number of values that may still be read.
     allowance: Cell<u64>,
 }
 
 const MAGIC: &[u8] = b"glTF";
 const JSON: &[u8] = b"JSON";
 const BINARY: &[u8] = b"BIN\0";
-/// Meshes may share their numbers, but not so often that a small file fills the memory.
-const READS_OF_A_BYTE: u64 = 256;
+/// Meshes may share data; this limit on reads per byte prevents a small file from filling the memory.
+const MAX_READS_PER_BYTE: u64 = 256;
 
 impl Document {
     pub(super) fn open(mut bytes: Vec<u8>, path: &Path) -> Result<Self, Fault> {
@@ -28,7 +28,7 @@ impl Document {
         let (root, binary) = if bytes.starts_with(MAGIC) {
             let (json, binary) = chunks(&bytes)?;
             let root = parse(json)?;
-            // The file's own memory becomes the buffer's.
+            // Reuses the file's memory for the buffer.
             let binary = binary.map(|range| {
                 bytes.truncate(range.end);
                 bytes.drain(..range.start);
@@ -42,7 +42,7 @@ impl Document {
             {
                 return Err(Fault::damaged(
                     "header",
-                    "is no binary glTF file: it does not start with glTF",
+                    "is not a binary glTF file: it does not start with `glTF`",
                 ));
             }
             (parse(&bytes)?, None)
@@ -50,7 +50,7 @@ impl Document {
         if !root.asset.version.starts_with("2.") {
             return Err(Fault::new(
                 "asset.version",
-                format!("is {}", root.asset.version),
+                format!("has version {}", root.asset.version),
                 "convert it to glTF 2.0",
             ));
         }
@@ -64,7 +64,7 @@ impl Document {
         let all: u64 = document.buffers.iter().map(|buffer| buffer.len() as u64).sum();
         document
             .allowance
-            .set((size + all).saturating_mul(READS_OF_A_BYTE).max(1 << 20));
+            .set((size + all).saturating_mul(MAX_READS_PER_BYTE).max(1 << 20));
         Ok(document)
     }
 
@@ -76,7 +76,7 @@ impl Document {
                     Target::Data(bytes) => bytes,
                     Target::File(file) => read_file(&file, &place)?,
                     Target::Unsupported(why) => {
-                        return Err(Fault::new(place, why, "save it with its buffers beside it"));
+                        return Err(Fault::new(place, why, "export it together with its buffers"));
                     }
                 },
                 None if i == 0 => binary.take().unwrap_or_default(),
@@ -87,11 +87,11 @@ impl Document {
                     return Err(Fault::new(
                         place,
                         "is compressed by meshopt",
-                        "save it without compression",
+                        "export it without compression",
                     ));
                 }
                 let message = format!(
-                    "should have {} bytes and has {}",
+                    "{} bytes required, {} available",
                     buffer.byte_length.0,
                     bytes.len()
                 );
@@ -106,34 +106,34 @@ impl Document {
         self.root.extensions_used.iter().any(|used| used == extension)
     }
 
-    /// The bytes of a view, and how far apart its elements are if it says.
+    /// The bytes of a buffer view, and its stride if it has one.
     pub(super) fn view(&self, view: usize) -> Result<(&[u8], Option<usize>), String> {
-        let missing = || format!("bufferViews[{view}] is not there");
-        let said = self.root.buffer_views.get(view).ok_or_else(missing)?;
-        let buffer = said.buffer.value();
+        let missing = || format!("bufferViews[{view}] does not exist");
+        let entry = self.root.buffer_views.get(view).ok_or_else(missing)?;
+        let buffer = entry.buffer.value();
         let range = || {
-            let start = usize::try_from(said.byte_offset.unwrap_or_default().0).ok()?;
-            let end = start.checked_add(usize::try_from(said.byte_length.0).ok()?)?;
+            let start = usize::try_from(entry.byte_offset.unwrap_or_default().0).ok()?;
+            let end = start.checked_add(usize::try_from(entry.byte_length.0).ok()?)?;
             self.buffers.get(buffer)?.get(start..end)
         };
-        let bytes = range().ok_or_else(|| format!("bufferViews[{view}] is not inside buffers[{buffer}]"))?;
-        Ok((bytes, said.byte_stride.map(|stride| stride.0)))
+        let bytes = range().ok_or_else(|| format!("bufferViews[{view}] exceeds buffers[{buffer}]"))?;
+        Ok((bytes, entry.byte_stride.map(|stride| stride.0)))
     }
 
-    /// Asks for room for so many numbers.
+    /// Reserves that many numbers from the allowance.
     pub(super) fn allow(&self, numbers: u64) -> Result<(), String> {
         match self.allowance.get().checked_sub(numbers) {
             Some(left) => {
                 self.allowance.set(left);
                 Ok(())
             }
-            None => Err("the file makes much more of its bytes than they are".into()),
+            None => Err("the decoded data is far larger than the file".into()),
         }
     }
 }
 
 fn parse(json: &[u8]) -> Result<json::Root, Fault> {
-    // Some programs put a byte-order mark in front.
+    // Some exporters write a byte-order mark.
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
     json::Root::from_slice(json).map_err(|error| Fault::damaged("JSON", error.to_string()))
 }
@@ -144,14 +144,14 @@ fn read_file(file: &Path, place: &str) -> Result<Vec<u8>, Fault> {
     if !fs::metadata(file).map_err(fault)?.is_file() {
         return Err(Fault::new(
             place,
-            format!("{}: is no file", file.display()),
+            format!("{}: not a regular file", file.display()),
             remedy,
         ));
     }
     fs::read(file).map_err(fault)
 }
 
-/// The JSON chunk of a binary file, and where its binary one is.
+/// The JSON chunk of a binary file, and the range of its binary chunk.
 fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<std::ops::Range<usize>>), Fault> {
     let word = |at: usize| {
         let word = bytes.get(at..at.checked_add(4)?)?.first_chunk()?;
@@ -159,11 +159,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<std::ops::Range<usize>>), Fault
     };
     let short = || Fault::damaged("header", "the file ends too early");
     if word(4).ok_or_else(short)? != 2 {
-        return Err(Fault::new(
-            "header",
-            "is not of version 2",
-            "convert it to glTF 2.0",
-        ));
+        return Err(Fault::new("header", "is not version 2", "convert it to glTF 2.0"));
     }
     if word(8).ok_or_else(short)? > bytes.len() {
         return Err(short());
@@ -176,7 +172,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<std::ops::Range<usize>>), Fault
     };
     let (kind, json) = chunk(12).ok_or_else(short)?;
     if kind != JSON {
-        return Err(Fault::damaged("header", "its first chunk is no JSON"));
+        return Err(Fault::damaged("header", "the first chunk is not JSON"));
     }
     let binary = chunk(json.end.next_multiple_of(4))
         .filter(|(kind, _)| *kind == BINARY)

@@ -8,10 +8,11 @@ use super::document::Document;
 use crate::import::builder::Builder;
 use crate::{Light, LightKind};
 
-/// Points have no size; these have one that is not noticed, metres.
+/// Punctual lights have no size; this radius in metres is too small to be noticed.
 const RADIUS: f32 = 0.01;
 
-/// A light of `KHR_lights_punctual`: along −z, as here. Its lux and candela become what gives as much light.
+/// Reads a light of `KHR_lights_punctual`, which shines along −z. Its illuminance or intensity is converted to the
+/// radiance of a small area light.
 pub(super) fn read(
     document: &Document,
     index: usize,
@@ -24,36 +25,36 @@ pub(super) fn read(
         .extensions
         .as_ref()
         .and_then(|extensions| extensions.khr_lights_punctual.as_ref());
-    let Some(said) = lights.and_then(|lights| lights.lights.get(index)) else {
-        builder.warn("gltf-light", path, format!("light {index} is not there"));
+    let Some(light) = lights.and_then(|lights| lights.lights.get(index)) else {
+        builder.warn("gltf-light", path, format!("light {index} does not exist"));
         return;
     };
-    let kind = match said.type_ {
-        // A distant light divided by its solid angle gives as many lux; the sun's disk is half a degree wide.
+    let kind = match light.type_ {
+        // A distant light divided by its solid angle gives the same illuminance; the sun's disk is half a degree wide.
         Checked::Valid(Type::Directional) => (
             LightKind::Distant {
                 angle: 0.53_f32.to_radians(),
             },
             1.0,
         ),
-        // A ball of area 4πr² and radiance L shines with L·πr² in all directions.
+        // A sphere of area 4πr² and radiance L has the intensity L·πr² in all directions.
         Checked::Valid(Type::Point) => (LightKind::Sphere { radius: RADIUS }, 4.0),
-        // A disk of area πr² and radiance L shines with L·πr² straight on.
+        // A disk of area πr² and radiance L has the intensity L·πr² along its axis.
         Checked::Valid(Type::Spot) => {
             builder.warn(
                 "gltf-unsupported",
                 path,
-                "the cone of a spot light is left out: it shines forwards",
+                "the cone of the spot light is ignored: it is rendered as a disk light",
             );
             (LightKind::Disk { radius: RADIUS }, 1.0)
         }
         Checked::Invalid => {
-            builder.warn("gltf-light", path, "left out: of no known type");
+            builder.warn("gltf-light", path, "skipped: unknown type");
             return;
         }
     };
     let (kind, factor) = kind;
-    let radiance = said.color.map(|color| color * said.intensity * factor);
+    let radiance = light.color.map(|color| color * light.intensity * factor);
     match rigid(builder.world_from_file() * file_from_node) {
         Some(pose) if radiance.iter().all(|x| x.is_finite() && *x >= 0.0) => {
             let path = builder.free_path(path);
@@ -68,7 +69,7 @@ pub(super) fn read(
         _ => builder.warn(
             "gltf-light",
             path,
-            "left out: its colour or its pose is no number",
+            "skipped: its colour or its pose is not finite",
         ),
     }
 }

@@ -10,18 +10,18 @@ use super::uri::{self, Target};
 use crate::import::builder::Builder;
 use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
 
-/// What primitives need to know of the materials, in the order of the file's.
+/// The materials by their index in the file, with the properties that primitives need.
 pub(super) struct Materials {
-    list: Vec<Known>,
+    list: Vec<MaterialInfo>,
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Known {
-    /// In the scene.
+pub(super) struct MaterialInfo {
+    /// Index into the scene's materials.
     pub(super) number: u32,
-    /// Which set of texture coordinates its base colour has.
+    /// The texture coordinate set of the base colour texture.
     pub(super) uv_set: Option<u32>,
-    /// What multiplies the colours of vertices.
+    /// The factor that vertex colours are multiplied by.
     pub(super) factor: [f32; 3],
     pub(super) double_sided: bool,
 }
@@ -29,11 +29,11 @@ pub(super) struct Known {
 impl Materials {
     pub(super) fn read(document: &Document, builder: &mut Builder) -> Self {
         let mut images = BTreeMap::new();
-        let known = |(i, said): (usize, &json::Material)| {
-            let pbr = &said.pbr_metallic_roughness;
+        let known = |(i, material): (usize, &json::Material)| {
+            let pbr = &material.pbr_metallic_roughness;
             let [r, g, b, _] = pbr.base_color_factor.0;
             let factor = [r, g, b].map(finite);
-            let name = said.name.clone().unwrap_or_else(|| format!("material_{i}"));
+            let name = material.name.clone().unwrap_or_else(|| format!("material_{i}"));
             let texture = pbr.base_color_texture.as_ref();
             let (base_color_texture, uv_set) =
                 match texture.map(|info| read_texture(document, info, &name, &mut images, builder)) {
@@ -44,15 +44,15 @@ impl Materials {
                 name,
                 base_color: Some(factor),
                 base_color_texture,
-                emissive: said.emissive_factor.0.map(finite),
+                emissive: material.emissive_factor.0.map(finite),
                 metallic: finite(pbr.metallic_factor.0).clamp(0.0, 1.0),
                 roughness: finite(pbr.roughness_factor.0).clamp(0.0, 1.0),
             });
-            Known {
+            MaterialInfo {
                 number,
                 uv_set,
                 factor,
-                double_sided: said.double_sided,
+                double_sided: material.double_sided,
             }
         };
         Self {
@@ -60,7 +60,7 @@ impl Materials {
         }
     }
 
-    pub(super) fn get(&self, index: usize) -> Option<Known> {
+    pub(super) fn get(&self, index: usize) -> Option<MaterialInfo> {
         self.list.get(index).copied()
     }
 }
@@ -69,7 +69,7 @@ fn finite(x: f32) -> f32 {
     if x.is_finite() { x } else { 0.0 }
 }
 
-/// The texture and its set of coordinates; `None`, with a finding, where there is no image.
+/// The texture and its set of coordinates; `None`, with a finding, if the image is missing.
 fn read_texture(
     document: &Document,
     info: &json::texture::Info,
@@ -78,7 +78,11 @@ fn read_texture(
     builder: &mut Builder,
 ) -> Option<(TextureUse, u32)> {
     let Some(texture) = document.root.textures.get(info.index.value()) else {
-        builder.warn("texture-missing", material, "its texture is not in the file");
+        builder.warn(
+            "texture-missing",
+            material,
+            "its texture does not exist in the file",
+        );
         return None;
     };
     let image = texture.source.value();
@@ -115,21 +119,21 @@ fn read_texture(
 }
 
 fn source(document: &Document, image: usize) -> Result<TextureSource, String> {
-    let Some(said) = document.root.images.get(image) else {
-        return Err("the image is not in the file".into());
+    let Some(entry) = document.root.images.get(image) else {
+        return Err("the image does not exist in the file".into());
     };
-    let name = said.name.clone().unwrap_or_else(|| format!("images[{image}]"));
+    let name = entry.name.clone().unwrap_or_else(|| format!("images[{image}]"));
     let encoded = |bytes: &[u8]| TextureSource::Encoded {
         name,
         bytes: Arc::from(bytes),
     };
-    match (&said.uri, said.buffer_view) {
+    match (&entry.uri, entry.buffer_view) {
         (_, Some(view)) => document.view(view.value()).map(|(bytes, _)| encoded(bytes)),
         (Some(uri), None) => match uri::resolve(uri, &document.folder) {
             Target::Data(bytes) => Ok(encoded(&bytes)),
             Target::File(file) if file.is_file() => Ok(TextureSource::File(file)),
-            Target::File(file) => Err(format!("{}: the image is not there", file.display())),
-            Target::Unsupported(why) => Err(format!("the image is {why}")),
+            Target::File(file) => Err(format!("{}: the image does not exist", file.display())),
+            Target::Unsupported(why) => Err(format!("the image has {why}")),
         },
         (None, None) => Err("the image has no data".into()),
     }
@@ -143,14 +147,14 @@ fn wrap(mode: Checked<WrappingMode>) -> Wrap {
     }
 }
 
-/// `KHR_texture_transform` between coordinates from the lower left instead of from the upper left.
+/// Converts `KHR_texture_transform` from coordinates with the origin at the upper left to the lower left.
 ///
-/// It scales, turns counter-clockwise as one sees it, then moves: so does Khronos's own viewer. (The formula in the
-/// extension's text turns the other way.)
+/// It scales, rotates counter-clockwise as displayed, then translates, as does Khronos's own viewer. (The formula in the
+/// extension's text rotates the other way.)
 fn image_from_uv(offset: [f32; 2], rotation: f32, scale: [f32; 2]) -> [[f32; 3]; 2] {
     let (sine, cosine) = rotation.sin_cos();
     let ([su, sv], [ou, ov]) = (scale, offset);
-    // From above: u′ = c·su·u + s·sv·v + ou, v′ = −s·su·u + c·sv·v + ov. Then 1 − v for v on both sides.
+    // With the origin at the top: u′ = c·su·u + s·sv·v + ou, v′ = −s·su·u + c·sv·v + ov. Then v becomes 1 − v on both sides.
     let matrix = [
         [cosine * su, -sine * sv, ou + sine * sv],
         [sine * su, cosine * sv, 1.0 - ov - cosine * sv],
@@ -171,16 +175,16 @@ mod tests {
     }
 
     #[test]
-    fn transforms_turn_as_one_sees_them() {
+    fn rotations_are_counter_clockwise_as_displayed() {
         assert_eq!(
             image_from_uv([0.0; 2], 0.0, [1.0; 2]),
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
         );
-        // The upper half of the image: in glTF's coordinates from v = 0 to v = 0.5.
+        // The upper half of the image: v = 0 to v = 0.5 in glTF.
         let upper = image_from_uv([0.0, 0.0], 0.0, [1.0, 0.5]);
         assert_eq!(apply(upper, [0.0, 1.0]), [0.0, 1.0]);
         assert_eq!(apply(upper, [0.0, 0.0]), [0.0, 0.5]);
-        // A quarter turn about the upper left corner, counter-clockwise: what was right of it is above it.
+        // A quarter turn about the upper left corner, counter-clockwise: what was on its right is now above it.
         let turned = image_from_uv([0.0; 2], std::f32::consts::FRAC_PI_2, [1.0; 2]);
         let [u, v] = apply(turned, [0.25, 1.0]);
         assert!(u.abs() < 1e-6 && (v - 1.25).abs() < 1e-6, "{u} {v}");

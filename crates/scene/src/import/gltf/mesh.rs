@@ -1,4 +1,4 @@
-//! Meshes of primitives, each with a material and numbers of its own.
+//! Meshes, whose primitives each have a material and vertex attributes of their own.
 
 mod merge;
 
@@ -10,13 +10,13 @@ use json::validation::Checked;
 
 use super::accessor::Accessor;
 use super::document::Document;
-use super::material::{Known, Materials};
+use super::material::{MaterialInfo, Materials};
 use crate::Mesh;
 use crate::import::builder::Builder;
 use crate::import::error::Fault;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
-/// The mesh of that number; without triangles if there is nothing that could be rendered.
+/// Reads a mesh; it has no triangles if none of its primitives can be rendered.
 pub(super) fn read(
     document: &Document,
     index: usize,
@@ -24,26 +24,26 @@ pub(super) fn read(
     builder: &mut Builder,
 ) -> Result<Mesh, Fault> {
     let place = format!("meshes[{index}]");
-    let Some(said) = document.root.meshes.get(index) else {
-        return Err(Fault::damaged(place, "is not there"));
+    let Some(mesh) = document.root.meshes.get(index) else {
+        return Err(Fault::damaged(place, "does not exist"));
     };
-    let mut left_out: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut unsupported: BTreeMap<&str, usize> = BTreeMap::new();
     let mut parts = Vec::new();
-    for (i, primitive) in said.primitives.iter().enumerate() {
+    for (i, primitive) in mesh.primitives.iter().enumerate() {
         let place = format!("{place}.primitives[{i}]");
         if primitive.targets.is_some() {
-            builder.warn("gltf-unsupported", &place, "its morph targets are left out");
+            builder.warn("gltf-unsupported", &place, "its morph targets are ignored");
         }
         let Checked::Valid(mode) = primitive.mode else {
-            *left_out.entry("primitives of an unknown mode").or_default() += 1;
+            *unsupported.entry("primitives with an unknown mode").or_default() += 1;
             continue;
         };
         match mode {
-            Mode::Points => *left_out.entry("points").or_default() += 1,
-            Mode::Lines | Mode::LineLoop | Mode::LineStrip => *left_out.entry("lines").or_default() += 1,
+            Mode::Points => *unsupported.entry("points").or_default() += 1,
+            Mode::Lines | Mode::LineLoop | Mode::LineStrip => *unsupported.entry("lines").or_default() += 1,
             Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
                 if is_compressed(document, primitive) {
-                    *left_out.entry("primitives compressed by Draco").or_default() += 1;
+                    *unsupported.entry("primitives compressed by Draco").or_default() += 1;
                     continue;
                 }
                 let material = primitive
@@ -55,17 +55,17 @@ pub(super) fn read(
             }
         }
     }
-    for (what, count) in left_out {
+    for (what, count) in unsupported {
         builder.warn(
             "gltf-unsupported",
             &place,
-            format!("{what} are left out: {count}"),
+            format!("{what} are not supported: {count} skipped"),
         );
     }
     Ok(merge::merge(parts))
 }
 
-/// Draco's numbers are where no accessor points.
+/// Whether the data of a primitive is compressed by Draco, so that its accessors have no data.
 fn is_compressed(document: &Document, primitive: &json::mesh::Primitive) -> bool {
     let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
     let accessor = positions.and_then(|index| document.root.accessors.get(index.value()));
@@ -76,7 +76,7 @@ fn is_compressed(document: &Document, primitive: &json::mesh::Primitive) -> bool
 /// The triangles of a primitive.
 pub(super) struct Part {
     mesh: Mesh,
-    /// What its vertices' colours were multiplied with.
+    /// The factor that its vertex colours were multiplied by.
     factor: [f32; 3],
 }
 
@@ -85,7 +85,7 @@ impl Part {
         document: &Document,
         primitive: &json::mesh::Primitive,
         mode: Mode,
-        material: Option<Known>,
+        material: Option<MaterialInfo>,
         place: &str,
         builder: &mut Builder,
     ) -> Result<Self, String> {
@@ -95,7 +95,7 @@ impl Part {
         };
         let positions = find(Semantic::Positions).ok_or("has no POSITION")??;
         if positions.components() != 3 {
-            return Err("its POSITION has no three numbers".into());
+            return Err("its POSITION is not a VEC3".into());
         }
         let (indices, vertices) = indices(document, primitive, mode, positions.count)?;
         document.allow(3 * indices.len() as u64 + vertices.len() as u64)?;
@@ -111,10 +111,10 @@ impl Part {
         let mut optional = |name: &str, semantic: Semantic| {
             let fault = match find(semantic)? {
                 Ok(accessor) if accessor.count == positions.count => return Some(accessor),
-                Ok(accessor) => format!("{} values where {} are needed", accessor.count, positions.count),
+                Ok(accessor) => format!("{} values instead of {}", accessor.count, positions.count),
                 Err(message) => message,
             };
-            builder.warn("mesh-primvar", place, format!("its {name} are left out: {fault}"));
+            builder.warn("mesh-primvar", place, format!("its {name} are ignored: {fault}"));
             None
         };
         polygons.normals = optional("normals", Semantic::Normals)
@@ -144,9 +144,9 @@ fn vertex_values<T>(vertices: &Vertices, value: impl Fn(usize) -> T) -> Primvar<
 
 /// The vertices that a primitive uses.
 enum Vertices {
-    /// All of so many.
+    /// All vertices, with their number.
     All(usize),
-    /// Those, ordered.
+    /// The vertices in the list, ordered.
     Some(Vec<i32>),
 }
 
@@ -161,14 +161,14 @@ impl Vertices {
     fn iter(&self) -> impl Iterator<Item = usize> {
         let at = |i: usize| match self {
             Self::All(_) => i,
-            // None is negative.
+            // Indices in the list are not negative.
             Self::Some(list) => usize::try_from(list[i]).unwrap_or(0),
         };
         (0..self.len()).map(at)
     }
 }
 
-/// The corners of the triangles, and the vertices that they are numbers of.
+/// The vertex index of each triangle corner, and the vertices that the indices refer to.
 fn indices(
     document: &Document,
     primitive: &json::mesh::Primitive,
@@ -185,7 +185,7 @@ fn indices(
     let accessor = Accessor::find(document, index.value())?;
     document.allow(accessor.count as u64)?;
     let mut corners = triangles(mode, accessor.count, |at| accessor.index(at));
-    // Many primitives may share one long list of vertices, of which each uses a part.
+    // Many primitives may share one long vertex list of which each uses a part.
     if corners.len() >= count / 2 {
         return Ok((corners, Vertices::All(count)));
     }
@@ -203,7 +203,7 @@ fn indices(
     Ok((corners, Vertices::Some(used)))
 }
 
-/// Strips and fans as triangles of their own, with glTF's winding.
+/// Converts strips and fans to separate triangles, with glTF's winding.
 fn triangles(mode: Mode, count: usize, index: impl Fn(usize) -> i32) -> Vec<i32> {
     let strip = count.saturating_sub(2);
     match mode {

@@ -1,8 +1,8 @@
-//! glTF 2.0, `.gltf` and `.glb`, from the raw JSON: nothing in it is trusted.
+//! Imports glTF 2.0, `.gltf` and `.glb`, from the raw JSON, without trusting its contents.
 //!
-//! Read: nodes, meshes of triangles, strips and fans, sparse and quantized accessors, base colour with its texture and
+//! Supported: nodes, meshes of triangles, strips and fans, sparse and quantized accessors, base colour with its texture and
 //! `KHR_texture_transform`, vertex colours, cameras, `KHR_lights_punctual`. Skins, morph targets, points, lines and
-//! compressed meshes are findings.
+//! compressed meshes are reported as findings.
 
 mod accessor;
 mod camera;
@@ -19,7 +19,7 @@ use self::document::Document;
 use super::builder::Builder;
 use super::error::Fault;
 
-/// Extensions without which a file cannot be read, and that are.
+/// The supported extensions that a file may require.
 const KNOWN_EXTENSIONS: [&str; 7] = [
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
@@ -37,7 +37,7 @@ pub(super) fn read(bytes: Vec<u8>, path: &Path, builder: &mut Builder) -> Result
             builder.warn(
                 "gltf-extension",
                 extension,
-                "the file needs this extension, which is not supported: something may be missing or wrong",
+                "the file requires this extension, which is not supported; the result may be incomplete or wrong",
             );
         }
     }

@@ -1,20 +1,20 @@
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-/// Where a URI points.
+/// The target of a URI.
 pub(super) enum Target<'a> {
-    /// At bytes in itself.
+    /// The decoded bytes of a data URI.
     Data(Vec<u8>),
-    /// At a file beside the one that has it.
+    /// A file, relative to the file that refers to it.
     File(PathBuf),
-    /// Somewhere else.
+    /// An unsupported URI, with the reason.
     Unsupported(&'a str),
 }
 
 pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> {
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((kind, content)) = data.split_once(',') else {
-            return Target::Unsupported("a data URI without data");
+            return Target::Unsupported("a data URI without content");
         };
         if !kind.trim_end().ends_with(";base64") {
             return Target::Data(unescaped(content).into_owned());
@@ -25,7 +25,7 @@ pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> 
         };
     }
     let name = match uri.split_once(':') {
-        // `C:` is a drive and a longer word a scheme.
+        // `C:` is a drive, a longer prefix a scheme.
         Some(("file", path)) => path.strip_prefix("//").unwrap_or(path),
         Some((scheme, _))
             if scheme.len() > 1
@@ -33,11 +33,11 @@ pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> 
                     .bytes()
                     .all(|b| b.is_ascii_alphanumeric() || b"+-.".contains(&b)) =>
         {
-            return Target::Unsupported("an address that is no local file");
+            return Target::Unsupported("a URI that does not refer to a local file");
         }
         _ => uri,
     };
-    // Not everybody escapes: a name that is there as it stands is meant.
+    // Some exporters do not escape names: a file with the literal name takes precedence.
     let as_it_stands = folder.join(name);
     if as_it_stands.exists() {
         return Target::File(as_it_stands);
@@ -48,7 +48,7 @@ pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> 
     }
 }
 
-/// With `%20` as a space and the like.
+/// Decodes percent-escapes such as `%20`.
 fn unescaped(text: &str) -> Cow<'_, [u8]> {
     if !text.contains('%') {
         return Cow::Borrowed(text.as_bytes());
@@ -72,7 +72,7 @@ fn unescaped(text: &str) -> Cow<'_, [u8]> {
     Cow::Owned(plain)
 }
 
-/// Base 64 of RFC 4648, padded or not, of either alphabet.
+/// Decodes Base64 (RFC 4648), padded or not, with either alphabet.
 fn base64(text: &[u8]) -> Option<Vec<u8>> {
     let end = text.iter().position(|&byte| byte == b'=').unwrap_or(text.len());
     let mut bytes = Vec::with_capacity(end / 4 * 3 + 2);
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn data_is_in_the_uri() {
+    fn data_uris_are_decoded() {
         // The test vectors of RFC 4648, section 10.
         for (text, plain) in [
             ("", ""),

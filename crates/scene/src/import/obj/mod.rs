@@ -1,4 +1,4 @@
-//! OBJ with its MTL: polygons by object or group, texture coordinates, normals, and colours at points.
+//! Imports OBJ with MTL: polygons by object or group, texture coordinates, normals, and vertex colours.
 
 mod mtl;
 mod part;
@@ -36,8 +36,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(
     if known == 0 {
         return Err(Fault::new(
             "",
-            "is no OBJ file: no line of it is known",
-            "give an OBJ file",
+            "is not an OBJ file: it has no OBJ statement",
+            "use an OBJ file",
         ));
     }
     reader.finish();
@@ -50,19 +50,19 @@ struct Reader<'a> {
     pool: Pool,
     parts: Vec<Part>,
     part_of_name: BTreeMap<String, usize>,
-    /// The part that faces go to; `None` after a new name.
+    /// The part that faces are added to; `None` after a new name.
     current: Option<usize>,
     object: String,
     group: String,
     library: Library,
     material: Option<u32>,
-    /// What is not supported, with how often it came.
+    /// Unsupported statements with their number.
     left_out: BTreeMap<&'static str, usize>,
     bad_corners: usize,
 }
 
 impl Reader<'_> {
-    /// False for a line that is not known.
+    /// Returns false for an unknown statement.
     fn line(&mut self, line: &[u8], number: usize) -> Result<bool, Fault> {
         let line = line.split(|&byte| byte == b'#').next().unwrap_or_default();
         let mut words = text::words(line);
@@ -76,22 +76,22 @@ impl Reader<'_> {
         match word {
             b"v" => match text::numbers(&mut words) {
                 Some(point) => self.pool.push_point(point, point_color(&mut words)),
-                None => return bad("a point without three numbers"),
+                None => return bad("expected three coordinates"),
             },
             b"vt" => match text::numbers::<f32, 1>(&mut words) {
                 Some([u]) => self
                     .pool
                     .uvs
                     .push([u, words.next().and_then(text::number).unwrap_or(0.0)]),
-                None => return bad("a texture coordinate without number"),
+                None => return bad("expected a texture coordinate"),
             },
             b"vn" => match text::numbers(&mut words) {
                 Some(normal) => self.pool.normals.push(normal),
-                None => return bad("a normal without three numbers"),
+                None => return bad("expected three numbers of a normal"),
             },
             b"f" => {
                 if self.face(&mut words).is_none() {
-                    return bad("a corner that is no number");
+                    return bad("invalid index of a corner");
                 }
             }
             b"o" => {
@@ -120,7 +120,7 @@ impl Reader<'_> {
         for word in words {
             let mut fields = word.split(|&byte| byte == b'/');
             let point = self.pool.point(text::number(fields.next()?)?);
-            // An empty field is none.
+            // An empty field means that the index is absent.
             let mut optional = |count| match fields.next() {
                 None | Some(b"") => Some(Corner::NONE),
                 Some(field) => Some(index(text::number(field)?, count)),
@@ -156,14 +156,14 @@ impl Reader<'_> {
     fn finish(self) {
         let builder = self.builder;
         for (what, count) in self.left_out {
-            builder.warn("obj-unsupported", what, format!("left out: {count}"));
+            builder.warn("obj-unsupported", what, format!("not supported: {count} skipped"));
         }
         if self.bad_corners > 0 {
             builder.warn(
                 "obj-index",
                 "f",
                 format!(
-                    "texture coordinates and normals that do not exist: {}",
+                    "{} indices of texture coordinates and normals are out of range",
                     self.bad_corners
                 ),
             );
@@ -184,22 +184,22 @@ impl Reader<'_> {
     }
 }
 
-/// The zero-based number of what a file counts from 1, or backwards from −1.
-fn index(said: i64, count: usize) -> i32 {
+/// Converts an OBJ index, which counts from 1 or backwards from −1, to a zero-based one.
+fn index(index: i64, count: usize) -> i32 {
     let count = i64::try_from(count).unwrap_or(i64::MAX);
-    let index = match said {
-        1.. => said - 1,
+    let zero_based = match index {
+        1.. => index - 1,
         0 => -1,
-        _ => said.saturating_add(count),
+        _ => index.saturating_add(count),
     };
-    if (0..count).contains(&index) {
-        i32::try_from(index).unwrap_or(Corner::BAD)
+    if (0..count).contains(&zero_based) {
+        i32::try_from(zero_based).unwrap_or(Corner::BAD)
     } else {
         Corner::BAD
     }
 }
 
-/// The colour that some programs write after a point, perhaps after a weight.
+/// The colour that some programs write after a point, possibly after a weight.
 fn point_color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
     let numbers: Vec<f32> = words.take(4).map_while(text::number).collect();
     match *numbers.as_slice() {
@@ -208,7 +208,7 @@ fn point_color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3
     }
 }
 
-/// What comes after a line's first word, spaces in it included.
+/// The remainder of a line after its first word, including spaces.
 fn rest(line: &[u8], word: usize) -> String {
     let line = line.trim_ascii();
     String::from_utf8_lossy(line.get(word..).unwrap_or_default().trim_ascii()).into_owned()

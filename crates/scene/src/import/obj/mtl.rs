@@ -7,10 +7,10 @@ use crate::import::builder::Builder;
 use crate::import::text;
 use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
 
-/// The materials of the libraries that a file names.
+/// The materials of the MTL files that an OBJ file refers to.
 ///
-/// `Kd` is a linear colour that multiplies `map_Kd`; where it is black, as some programs write it beside an image, the
-/// image is as it is.
+/// `Kd` is a linear colour that multiplies `map_Kd`. Some programs write a black `Kd` beside an image: the image is then
+/// used unchanged.
 #[derive(Default)]
 pub(super) struct Library {
     materials: BTreeMap<String, u32>,
@@ -18,7 +18,7 @@ pub(super) struct Library {
 }
 
 impl Library {
-    /// Reads one, or several: their names are told apart by spaces, which a name may have too.
+    /// Reads one file, or several: names are separated by spaces, but may also contain spaces.
     pub(super) fn load(&mut self, names: &str, folder: &Path, builder: &mut Builder) {
         let whole = folder.join(local(names));
         let files = if whole.is_file() {
@@ -34,7 +34,7 @@ impl Library {
                 builder.warn(
                     "obj-material-library",
                     file.display().to_string(),
-                    "is not there: its materials are left out",
+                    "does not exist: its materials are ignored",
                 );
                 continue;
             }
@@ -49,7 +49,7 @@ impl Library {
         }
     }
 
-    /// The material of a name; one that no library has is made, so that its faces stay apart.
+    /// Returns the material with this name; an undefined one is created, so that its faces stay separate.
     pub(super) fn find(&mut self, name: &str, builder: &mut Builder) -> u32 {
         *self.materials.entry(name.into()).or_insert_with(|| {
             builder.add_material(Material {
@@ -99,23 +99,23 @@ impl Library {
         if material.base_color_texture.is_some() && material.base_color == Some([0.0; 3]) {
             material.base_color = Some([1.0; 3]);
         }
-        // The first of a name counts.
+        // The first definition of a name takes precedence.
         if !self.materials.contains_key(&material.name) {
             let name = material.name.clone();
             self.materials.insert(name, builder.add_material(material));
         }
     }
 
-    /// An image with the options in front of its name.
-    fn texture(&mut self, said: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
-        let (name, options) = Options::split(said);
+    /// Parses a texture statement: options, then the name of the image.
+    fn texture(&mut self, statement: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
+        let (name, options) = Options::split(statement);
         let file = folder.join(local(name));
         let texture = self.textures.entry(file.clone()).or_insert_with(|| {
             if !file.is_file() {
                 builder.warn(
                     "texture-missing",
                     file.display().to_string(),
-                    "the image is not there",
+                    "the image does not exist",
                 );
                 return None;
             }
@@ -143,18 +143,18 @@ struct Options {
 }
 
 impl Options {
-    fn split(said: &str) -> (&str, Self) {
+    fn split(statement: &str) -> (&str, Self) {
         let mut options = Self {
             scale: [1.0; 2],
             offset: [0.0; 2],
             clamp: false,
         };
-        let mut left = said.trim();
+        let mut left = statement.trim();
         while let Some((option, after)) = left
             .strip_prefix('-')
             .and_then(|option| option.split_once(char::is_whitespace))
         {
-            // How many words may follow: numbers, of which the later ones may be missing, or one word.
+            // The maximum number of arguments: numbers, of which the last may be missing, or one word.
             let (words, rest) = match option {
                 "o" | "s" | "t" => leading_numbers(after, 3),
                 "mm" => leading_numbers(after, 2),
@@ -169,7 +169,7 @@ impl Options {
                         .map_or("", |split| split.1);
                     (Vec::new(), rest)
                 }
-                // No option: a name that starts with a hyphen.
+                // Not an option: a name that starts with a hyphen.
                 _ => break,
             };
             let target = match option {
@@ -188,10 +188,10 @@ impl Options {
     }
 }
 
-fn leading_numbers(text: &str, most: usize) -> (Vec<f32>, &str) {
+fn leading_numbers(text: &str, max: usize) -> (Vec<f32>, &str) {
     let mut numbers = Vec::new();
     let mut left = text.trim_start();
-    while numbers.len() < most {
+    while numbers.len() < max {
         let (word, after) = left.split_once(char::is_whitespace).unwrap_or((left, ""));
         let Some(number) = word.parse().ok().filter(|number: &f32| number.is_finite()) else {
             break;
@@ -204,7 +204,7 @@ fn leading_numbers(text: &str, most: usize) -> (Vec<f32>, &str) {
 
 fn color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
     let [r] = text::numbers(words)?;
-    // One number is a grey.
+    // A single number is a grey.
     let color = match text::numbers(words) {
         Some([g, b]) => [r, g, b],
         None => [r; 3],
@@ -217,7 +217,7 @@ fn fraction(word: Option<&[u8]>) -> Option<f32> {
     number.is_finite().then(|| number.clamp(0.0, 1.0))
 }
 
-/// A file's name as this system has it.
+/// Converts a file name to this system's path separators.
 fn local(name: &str) -> PathBuf {
     PathBuf::from(name.replace('\\', "/"))
 }

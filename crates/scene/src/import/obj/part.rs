@@ -1,18 +1,18 @@
 use crate::polygon::{FaceMaterial, Interpolation, PolygonMesh, Primvar};
 
-/// What all faces of a file pick from.
+/// The values that the faces of a file refer to.
 #[derive(Default)]
 pub(super) struct Pool {
     points: Vec<[f32; 3]>,
-    /// Where a point has one; shorter than the points, or empty, where the last have none.
+    /// The colours of the points; may be shorter than the points if the last ones have none.
     colors: Vec<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
     pub(super) normals: Vec<[f32; 3]>,
-    /// Scratch: the number in the current part of what the file has so many of.
+    /// Scratch: the index in the current part of each value in the pool.
     numbers: Vec<i32>,
 }
 
-/// Without a colour of their own, points are white.
+/// The colour of points without one.
 const WHITE: [f32; 3] = [1.0; 3];
 
 impl Pool {
@@ -24,12 +24,12 @@ impl Pool {
         self.points.push(point);
     }
 
-    pub(super) fn point(&self, said: i64) -> i32 {
-        super::index(said, self.points.len())
+    pub(super) fn point(&self, index: i64) -> i32 {
+        super::index(index, self.points.len())
     }
 }
 
-/// Picks by a corner, from zero.
+/// The zero-based indices of a corner.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) point: i32,
@@ -38,18 +38,18 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Not said.
+    /// The index is absent.
     pub(super) const NONE: i32 = -2;
-    /// Said, but not there.
+    /// The index is out of range.
     pub(super) const BAD: i32 = -1;
 }
 
-/// Faces of one name.
+/// The faces with the same object and group name.
 pub(super) struct Part {
     pub(super) path: String,
     pub(super) counts: Vec<i32>,
     pub(super) corners: Vec<Corner>,
-    /// From which face on there is which material.
+    /// The first face of each run of one material, with that material.
     materials: Vec<(usize, Option<u32>)>,
 }
 
@@ -63,14 +63,14 @@ impl Part {
         }
     }
 
-    /// Of the face that was added last.
+    /// Sets the material of the face that was added last.
     pub(super) fn set_material(&mut self, material: Option<u32>) {
         if self.materials.last().is_none_or(|last| last.1 != material) {
             self.materials.push((self.counts.len() - 1, material));
         }
     }
 
-    /// A mesh with what its faces pick, and no more.
+    /// Builds a mesh with only the values that its faces refer to.
     pub(super) fn polygons(self, pool: &mut Pool) -> PolygonMesh {
         let Self {
             counts,
@@ -92,7 +92,7 @@ impl Part {
         if corners.iter().any(|corner| corner.uv >= 0) {
             let (mut values, mut indices) =
                 picked(&pool.uvs, corners.iter().map(|corner| corner.uv), numbers);
-            // Corners without are at the origin.
+            // Corners without texture coordinates get the origin.
             let origin = i32::try_from(values.len()).unwrap_or(-1);
             values.push([0.0; 2]);
             for index in &mut indices {
@@ -104,7 +104,7 @@ impl Part {
                 indices: Some(indices),
             });
         }
-        // Half a set of normals is none.
+        // Normals are used only if all corners have one.
         if corners.iter().all(|corner| corner.normal >= 0) {
             let (values, indices) =
                 picked(&pool.normals, corners.iter().map(|corner| corner.normal), numbers);
@@ -120,8 +120,8 @@ impl Part {
     }
 }
 
-/// The values that are picked, in the order in which they come first, and the picks among them; those of none stay
-/// negative. `numbers` is left as it was found: zero everywhere.
+/// The values that are referred to, in order of first use, and the indices into them; negative indices are kept.
+/// `numbers` must be zero everywhere, and is so again on return.
 fn picked<T: Copy>(
     values: &[T],
     picks: impl Iterator<Item = i32>,
@@ -137,7 +137,7 @@ fn picked<T: Copy>(
             let Ok(at) = usize::try_from(pick) else {
                 return pick;
             };
-            // From one, so that zero is none.
+            // Counts from one, so that zero means unused.
             if numbers[at] == 0 {
                 kept.push(values[at]);
                 touched.push(at);
@@ -152,7 +152,7 @@ fn picked<T: Copy>(
     (kept, indices)
 }
 
-/// The material of most faces, and which faces have others.
+/// The material of most faces, and the faces with other materials.
 fn face_materials(runs: &[(usize, Option<u32>)], faces: usize) -> (Option<u32>, Vec<FaceMaterial>) {
     let first = runs.first().and_then(|run| run.1);
     let mut others: Vec<FaceMaterial> = Vec::new();

@@ -2,7 +2,7 @@ use super::header::{Encoding, Kind};
 use crate::import::error::Fault;
 use crate::import::text;
 
-/// The numbers of a body, one after the other.
+/// Reads the numbers of the body in sequence.
 pub(super) struct Body<'a> {
     rest: &'a [u8],
     encoding: Encoding,
@@ -14,12 +14,12 @@ impl<'a> Body<'a> {
         Self { rest, encoding, line }
     }
 
-    /// How many bytes are left.
+    /// The number of bytes left.
     pub(super) fn left(&self) -> usize {
         self.rest.len()
     }
 
-    /// Numbers as doubles have all values of all kinds.
+    /// Reads a number; a double represents all values of all types.
     pub(super) fn number(&mut self, kind: Kind) -> Result<f64, Fault> {
         match self.encoding {
             Encoding::Text => {
@@ -37,10 +37,10 @@ impl<'a> Body<'a> {
     pub(super) fn length(&mut self, kind: Kind) -> Result<usize, Fault> {
         let length = self.number(kind)?;
         let shortest = if self.encoding == Encoding::Text { 2 } else { 1 };
-        // The last number of a text may end with the file.
+        // In text the last number needs no separator.
         #[allow(clippy::cast_precision_loss, reason = "an upper bound")]
-        let most = (self.left() / shortest + 1) as f64;
-        if length >= 0.0 && length <= most && length.fract() == 0.0 {
+        let max = (self.left() / shortest + 1) as f64;
+        if length >= 0.0 && length <= max && length.fract() == 0.0 {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
             return Ok(length as usize);
         }
@@ -116,7 +116,7 @@ impl<'a> Body<'a> {
         if word.is_empty() {
             return self.too_short();
         }
-        Fault::damaged(self.place(), format!("no number: {}", text::shown(word)))
+        Fault::damaged(self.place(), format!("invalid number: {}", text::shown(word)))
     }
 
     pub(super) fn too_short(&self) -> Fault {

@@ -1,7 +1,7 @@
 use crate::import::error::Fault;
 use crate::import::text;
 
-/// How the numbers of the body are written.
+/// The encoding of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -9,7 +9,7 @@ pub(super) enum Encoding {
     BigEndian,
 }
 
-/// A kind of number.
+/// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     I8,
@@ -50,7 +50,7 @@ impl Kind {
 #[derive(Debug)]
 pub(super) struct Property {
     pub(super) name: String,
-    /// Of lists, that of their lengths.
+    /// The type of a list's length; `None` for a scalar property.
     pub(super) list: Option<Kind>,
     pub(super) kind: Kind,
 }
@@ -63,10 +63,10 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// The fewest bytes that a row takes.
-    pub(super) fn least_size(&self, encoding: Encoding) -> usize {
+    /// The minimum number of bytes per row.
+    pub(super) fn min_size(&self, encoding: Encoding) -> usize {
         let size = |property: &Property| match encoding {
-            // A digit and a space.
+            // A digit and a separator.
             Encoding::Text => 2,
             _ => property.list.unwrap_or(property.kind).size(),
         };
@@ -84,9 +84,9 @@ impl Element {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Where the body starts.
+    /// The number of bytes before the body.
     pub(super) length: usize,
-    /// The body's first line.
+    /// The line number at which the body starts.
     pub(super) lines: usize,
 }
 
@@ -112,7 +112,7 @@ impl Header {
                 (1, _) => {
                     return Err(Fault::damaged(
                         "line 1",
-                        "is no PLY file: it does not start with ply",
+                        "is not a PLY file: it does not start with `ply`",
                     ));
                 }
                 (_, Some(b"format")) => {
@@ -120,7 +120,7 @@ impl Header {
                         Some(b"ascii") => Some(Encoding::Text),
                         Some(b"binary_little_endian") => Some(Encoding::LittleEndian),
                         Some(b"binary_big_endian") => Some(Encoding::BigEndian),
-                        _ => return fault("no known format"),
+                        _ => return fault("unknown format"),
                     };
                 }
                 (_, Some(b"element")) => match (words.next(), words.next().and_then(text::number)) {
@@ -129,25 +129,25 @@ impl Header {
                         count,
                         properties: Vec::new(),
                     }),
-                    _ => return fault("an element without name or count"),
+                    _ => return fault("invalid element: a name and a count are required"),
                 },
                 (_, Some(b"property")) => match (header.elements.last_mut(), property(&mut words)) {
                     (Some(element), Some(property)) => element.properties.push(property),
-                    _ => return fault("no property that is known"),
+                    _ => return fault("invalid property"),
                 },
                 (_, Some(b"end_header")) => {
                     header.length = header.length.min(bytes.len());
                     let Some(format) = format else {
-                        return Err(Fault::damaged("header", "has no line with its format"));
+                        return Err(Fault::damaged("header", "the format is missing"));
                     };
                     header.encoding = format;
                     return Ok(header);
                 }
                 (_, None | Some(b"comment" | b"obj_info")) => {}
-                _ => return fault("no line of a header"),
+                _ => return fault("unknown header line"),
             }
         }
-        Err(Fault::damaged("header", "does not end"))
+        Err(Fault::damaged("header", "end_header is missing"))
     }
 }
 

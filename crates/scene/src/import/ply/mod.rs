@@ -1,6 +1,6 @@
-//! PLY, text and binary of both byte orders: a mesh with normals, colours and texture coordinates at its points.
+//! Imports PLY, text and binary of both byte orders: a mesh with normals, colours and texture coordinates at its points.
 //!
-//! Colours in whole numbers are sRGB, as scanners and viewers have them; in floating point they are linear.
+//! Integer colours are sRGB, as scanners and viewers write them; floating-point colours are linear.
 
 mod body;
 mod header;
@@ -25,20 +25,24 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
             "face" => read_faces(element, &mut body, &mut mesh)?,
             name => {
                 if name == "tristrips" && element.count > 0 {
-                    builder.warn("ply-strips", "tristrips", "strips of triangles are left out");
+                    builder.warn(
+                        "ply-strips",
+                        "tristrips",
+                        "triangle strips are not supported; skipped",
+                    );
                 }
                 skip(element, &mut body)?;
             }
         }
     }
     if mesh.points.is_empty() {
-        return Err(Fault::new("vertex", "there are no points", "export it again"));
+        return Err(Fault::new("vertex", "contains no points", "export it again"));
     }
     if mesh.face_vertex_counts.is_empty() {
         return Err(Fault::new(
             "face",
-            format!("it is a cloud of {} points without faces", mesh.points.len()),
-            "make a mesh of it first, for example by Poisson reconstruction",
+            format!("is a point cloud of {} points without faces", mesh.points.len()),
+            "convert it to a mesh first, for example by Poisson reconstruction",
         ));
     }
     let path = format!("/{}", step(&builder.stem));
@@ -50,15 +54,15 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     Ok(())
 }
 
-/// No room is made for more rows than the file can have.
+/// Rejects an element count that the rest of the file cannot hold, before memory is allocated for it.
 fn check_size(element: &Element, encoding: Encoding, body: &Body<'_>) -> Result<(), Fault> {
-    let least = element.least_size(encoding);
-    let needed = element.count.checked_mul(least);
-    // The last number of a text needs no space.
-    if least > 0 && needed.is_none_or(|needed| needed > body.left() + 1) {
+    let min_size = element.min_size(encoding);
+    let needed = element.count.checked_mul(min_size);
+    // In text the last number needs no separator.
+    if min_size > 0 && needed.is_none_or(|needed| needed > body.left() + 1) {
         return Err(Fault::damaged(
             &element.name,
-            format!("{} of them would not fit into the file", element.count),
+            format!("{} elements do not fit into the file", element.count),
         ));
     }
     Ok(())
@@ -84,13 +88,13 @@ fn skip_property(property: &Property, body: &mut Body<'_>) -> Result<(), Fault> 
     body.skip(property.kind, count)
 }
 
-/// What the columns of the points are for.
+/// The meaning of a column of the vertex element.
 #[derive(Clone, Copy)]
 enum Column {
     Position(usize),
     Normal(usize),
     Uv(usize),
-    /// With what makes a whole number 1.
+    /// A colour channel, with the value that means 1 if it is an integer.
     Color(usize, Option<f64>),
     Other,
 }
@@ -121,17 +125,14 @@ fn columns(element: &Element) -> Vec<Column> {
     element.properties.iter().map(column).collect()
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "single precision is what meshes have"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
 fn read_vertices(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) -> Result<(), Fault> {
     let columns = columns(element);
     if ["x", "y", "z"].iter().any(|name| element.find(&[name]).is_none()) {
         return Err(Fault::new(
             "vertex",
-            "has no x, y and z",
-            "export it again with positions",
+            "x, y and z are missing",
+            "export it with positions",
         ));
     }
     let count = element.count;
@@ -184,8 +185,8 @@ fn read_faces(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) ->
     if corners.is_none_or(|at| element.properties[at].list.is_none()) && element.count > 0 {
         return Err(Fault::new(
             "face",
-            "has no list of vertex_indices",
-            "export it again as a mesh",
+            "the list vertex_indices is missing",
+            "export it as a mesh",
         ));
     }
     mesh.face_vertex_counts.reserve_exact(element.count);
@@ -207,7 +208,7 @@ fn read_faces(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) ->
     Ok(())
 }
 
-/// A point's number; −1, which no point has, for what is none.
+/// Converts a vertex index; −1 for an invalid one.
 #[allow(clippy::cast_possible_truncation, reason = "checked")]
 fn whole(number: f64) -> i32 {
     let index = number as i32;

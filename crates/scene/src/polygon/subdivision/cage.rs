@@ -3,25 +3,25 @@ use crate::polygon::PolygonMesh;
 use crate::polygon::attribute::Value;
 use crate::polygon::faces::Faces;
 
-/// More faces than this are not made.
-pub(super) const MOST_FACES: u64 = 1 << 25;
-/// Beyond this the numbers of new points would not fit.
-const MOST_POINTS: usize = 1 << 30;
+/// The maximum number of faces of a refined mesh.
+pub(super) const MAX_FACES: u64 = 1 << 25;
+/// The maximum number of points, so that indices fit.
+const MAX_POINTS: usize = 1 << 30;
 
 /// The faces of a mesh that can be refined.
 pub(super) struct Cage {
-    /// Where each face's corners start, and where the last one's end.
+    /// The first corner of each face, and the end of the last face.
     pub(super) starts: Vec<u32>,
     /// The point of each corner.
     pub(super) corners: Vec<u32>,
-    /// The number of each face in the mesh.
+    /// The index in the mesh of each face.
     pub(super) faces: Vec<u32>,
-    /// The number of each corner in the mesh.
+    /// The index in the mesh of each corner.
     pub(super) mesh_corners: Vec<u32>,
 }
 
 impl Cage {
-    /// Also says how many faces cannot be refined.
+    /// Also returns the number of faces that cannot be refined.
     pub(super) fn of(mesh: &PolygonMesh) -> (Self, u64) {
         let (faces, _) = Faces::of(mesh);
         let mut cage = Self {
@@ -51,7 +51,7 @@ impl Cage {
         (cage, lost)
     }
 
-    /// For each corner the next one of its face.
+    /// For each corner, the next corner of its face.
     pub(super) fn next_corners(&self) -> impl Iterator<Item = usize> {
         self.starts.windows(2).flat_map(|face| {
             let (start, end) = (face[0] as usize, face[1] as usize);
@@ -63,9 +63,9 @@ impl Cage {
         self.starts.windows(2).all(|face| face[1] - face[0] == 3)
     }
 
-    /// How many levels, at most `levels`, give no more faces than are made.
+    /// The number of levels, at most `levels`, whose result stays within the limits.
     pub(super) fn affordable(&self, scheme: Scheme, levels: u32, points: usize) -> u32 {
-        if points > MOST_POINTS {
+        if points > MAX_POINTS {
             return 0;
         }
         let mut faces = match scheme {
@@ -73,14 +73,14 @@ impl Cage {
             _ => self.corners.len() as u64,
         };
         let mut affordable = 0;
-        while affordable < levels && 0 < faces && faces <= MOST_FACES {
+        while affordable < levels && 0 < faces && faces <= MAX_FACES {
             affordable += 1;
             faces *= 4;
         }
         affordable
     }
 
-    /// The mesh's face that each face came from, after some levels.
+    /// The mesh's face from which each face originates after `levels` levels.
     pub(super) fn origins(&self, scheme: Scheme, levels: u32) -> Vec<u32> {
         let quarters = 4_usize.pow(levels - 1);
         let children = |face: &[u32]| match scheme {

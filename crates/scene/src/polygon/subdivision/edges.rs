@@ -1,20 +1,20 @@
-/// The edges of a mesh, ordered by their ends.
+/// The edges of a mesh, ordered by their end points.
 pub(super) struct Edges {
-    /// The two ends, the lower first.
+    /// The two end points, the lower one first.
     pub(super) ends: Vec<[u32; 2]>,
-    /// For each corner the edge from it to the next corner of its face.
+    /// For each corner, the edge from it to the next corner of its face.
     pub(super) of_corner: Vec<u32>,
-    /// How many faces it has: 2 inside a surface, 1 at its border.
+    /// The number of faces at each edge: 2 inside a surface, 1 at its border.
     pub(super) faces: Vec<u32>,
 }
 
-/// An edge as one number: orders as its ends do.
+/// An edge as a number; the order is that of the end points.
 pub(super) fn key(a: u32, b: u32) -> u64 {
     (u64::from(a.min(b)) << 32) | u64::from(a.max(b))
 }
 
 impl Edges {
-    /// `starts` says where each face's corners start, and where the last one's end.
+    /// `starts` contains the first corner of each face, and the end of the last face.
     pub(super) fn of(starts: &[u32], corners: &[u32]) -> Self {
         let mut halves = Vec::with_capacity(corners.len());
         for face in starts.windows(2) {
@@ -33,7 +33,7 @@ impl Edges {
             let key = same[0].0;
             #[allow(clippy::cast_possible_truncation, reason = "the two halves of the key")]
             edges.ends.push([(key >> 32) as u32, key as u32]);
-            // No more than there are corners.
+            // At most the number of corners.
             edges.faces.push(u32::try_from(same.len()).unwrap_or(u32::MAX));
             for &(_, corner) in same {
                 edges.of_corner[corner as usize] = index;
@@ -46,7 +46,7 @@ impl Edges {
         self.ends.len()
     }
 
-    /// The edge between two points.
+    /// The index of the edge with this [`key`].
     pub(super) fn find(&self, edge: u64) -> Option<usize> {
         self.ends.binary_search_by_key(&edge, |&[a, b]| key(a, b)).ok()
     }

@@ -1,4 +1,4 @@
-//! Refinement of meshes: what a file says about it, and the rules.
+//! Subdivision of polygon meshes.
 
 mod cage;
 mod edges;
@@ -7,57 +7,57 @@ mod seams;
 mod sharp;
 mod surface;
 
-/// How a mesh is refined, in OpenUSD's terms.
+/// The subdivision of a mesh, in OpenUSD's terms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Subdivision {
-    /// The rule for new points; with [`Scheme::None`] the polygons are the surface.
+    /// The scheme; with [`Scheme::None`] the polygons are the surface.
     pub scheme: Scheme,
-    /// Edges that stay sharp.
+    /// The sharp edges.
     pub creases: Vec<Crease>,
-    /// Points that stay sharp, each with how many levels; 10 and more is for ever.
+    /// The sharp points, each with its sharpness in levels; 10 and above is infinite.
     pub corners: Vec<(i32, f32)>,
-    /// What happens at the border of the mesh.
+    /// The rule at the border of the mesh.
     pub boundary: BoundaryRule,
-    /// How face-varying values are refined.
+    /// The rule for face-varying values.
     pub face_varying: FaceVaryingRule,
 }
 
-/// The rule for new points.
+/// A subdivision scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scheme {
-    /// No refinement: polygons.
+    /// No subdivision: the polygons are the surface.
     #[default]
     None,
-    /// Catmull and Clark's, for any polygons.
+    /// Catmull-Clark, for any polygons.
     CatmullClark,
-    /// Loop's, for triangles.
+    /// Loop, for triangles.
     Loop,
-    /// Points are only interpolated.
+    /// Linear interpolation of points.
     Bilinear,
 }
 
-/// A chain of edges that stay sharp.
+/// A chain of sharp edges.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Crease {
     /// The points along it.
     pub points: Vec<i32>,
-    /// For how many levels: one for the whole chain, or one for each of its edges; 10 and more is for ever.
+    /// The sharpness in levels: one value for the whole chain, or one per edge; 10 and above is infinite.
     pub sharpness: Vec<f32>,
 }
 
-/// What happens at the border of a mesh, OpenUSD's `interpolateBoundary`.
+/// The rule at the border of a mesh, OpenUSD's `interpolateBoundary`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundaryRule {
     /// Faces at the border are holes.
     None,
     /// The border is a smooth curve.
     EdgeOnly,
-    /// The border is a smooth curve through points that only one face has.
+    /// The border is a smooth curve, except at points with only one face.
     #[default]
     EdgeAndCorner,
 }
 
-/// How face-varying values are refined, OpenUSD's `faceVaryingLinearInterpolation`.
+/// The rule for face-varying values, OpenUSD's `faceVaryingLinearInterpolation`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FaceVaryingRule {
     /// Smooth everywhere.

@@ -1,8 +1,8 @@
-//! A mesh of polygons with all it carries, some levels finer.
+//! Subdivides a polygon mesh with all its primvars.
 
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::cage::{Cage, MOST_FACES};
+use super::cage::{Cage, MAX_FACES};
 use super::edges::Edges;
 use super::seams::{Seams, border};
 use super::sharp::Sharp;
@@ -11,12 +11,12 @@ use crate::polygon::primvar::Elements;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
 impl PolygonMesh {
-    /// The mesh refined by its own scheme, `levels` times: each level has four times the faces of the one before. With
-    /// [`Scheme::None`] it stays as it is. `place` is what findings say it is: a prim's path.
+    /// Subdivides the mesh by its own scheme, `levels` times; each level has four times as many faces as the one before.
+    /// With [`Scheme::None`] the mesh is unchanged. `place` names it in findings, such as the path of a prim.
     ///
-    /// Positions and per-point values follow the scheme with its creases, corners and border; face-varying ones
-    /// follow [`FaceVaryingRule`]. Authored normals are dropped: OpenUSD wants none on a surface that is refined. Fewer
-    /// levels are made where the result would have more than 2²⁵ faces.
+    /// Positions and per-point values follow the scheme with its creases, corners and border; face-varying values
+    /// follow [`FaceVaryingRule`]. Authored normals are dropped: OpenUSD ignores them on a subdivided surface. The number
+    /// of levels is reduced if the result would have more than 2²⁵ faces.
     #[must_use]
     pub fn subdivided(mut self, levels: u32, place: &str) -> (Self, Vec<Finding>) {
         let scheme = self.subdivision.scheme;
@@ -27,7 +27,7 @@ impl PolygonMesh {
         let sharp = Sharp::of(&self.subdivision, &cage);
         let fits = scheme != Scheme::Loop || cage.all_triangles();
         let affordable = cage.affordable(scheme, levels, self.points.len());
-        let findings = Doubts {
+        let findings = Problems {
             lost,
             unknown: sharp.unknown,
             fits,
@@ -50,7 +50,7 @@ impl PolygonMesh {
         let refinement = Refinement {
             cage,
             sharp,
-            said: &self.subdivision,
+            subdivision: &self.subdivision,
             levels,
             origins: cage.origins(scheme, levels),
             elements: Elements {
@@ -81,7 +81,7 @@ impl PolygonMesh {
         };
     }
 
-    /// Without interpolation of the border, the faces at it only shape those inside.
+    /// Without interpolation at the border, its faces only influence those inside.
     fn hide_border_faces(&mut self, cage: &Cage) {
         let at_border = border(&Edges::of(&cage.starts, &cage.corners), self.points.len());
         for (face, &number) in cage.starts.windows(2).zip(&cage.faces) {
@@ -93,8 +93,8 @@ impl PolygonMesh {
     }
 }
 
-/// What to tell about a refinement.
-struct Doubts {
+/// The problems found during subdivision.
+struct Problems {
     lost: u64,
     unknown: usize,
     fits: bool,
@@ -102,7 +102,7 @@ struct Doubts {
     levels: u32,
 }
 
-impl Doubts {
+impl Problems {
     fn findings(&self, place: &str) -> Vec<Finding> {
         let mut findings = Vec::new();
         let mut warn = |message: String, remedy: &str| {
@@ -116,7 +116,7 @@ impl Doubts {
         };
         if !self.fits {
             warn(
-                "not refined: Loop's scheme is for triangles, and it has other faces".into(),
+                "not subdivided: the scheme loop requires triangles".into(),
                 "triangulate it or use the scheme catmullClark",
             );
             return findings;
@@ -124,16 +124,16 @@ impl Doubts {
         if self.affordable < self.levels {
             warn(
                 format!(
-                    "refined {} times instead of {}: it would have more than {MOST_FACES} faces",
+                    "subdivided {} times instead of {}: the limit is {MAX_FACES} faces",
                     self.affordable, self.levels
                 ),
-                "ask for fewer levels",
+                "reduce the number of levels",
             );
         }
         if self.affordable > 0 && self.lost > 0 {
             warn(
                 format!(
-                    "faces with less than three corners, or with points that do not exist or are not finite, are left out: {}",
+                    "{} faces with fewer than three corners, or with missing or non-finite points; skipped",
                     self.lost
                 ),
                 "",
@@ -142,7 +142,7 @@ impl Doubts {
         if self.unknown > 0 {
             warn(
                 format!(
-                    "creases and corners that are not on its edges and points: {}",
+                    "{} creases and corners are not on an edge or point of the mesh; ignored",
                     self.unknown
                 ),
                 "",
@@ -152,24 +152,24 @@ impl Doubts {
     }
 }
 
-/// What is the same for all that a mesh carries.
+/// The data shared by the subdivision of all primvars.
 struct Refinement<'a> {
     cage: &'a Cage,
     sharp: &'a Sharp,
-    said: &'a Subdivision,
+    subdivision: &'a Subdivision,
     levels: u32,
-    /// The mesh's face that each new face came from.
+    /// The mesh's face from which each new face originates.
     origins: Vec<u32>,
-    /// The mesh's, before.
+    /// The number of elements before subdivision.
     elements: Elements,
 }
 
 impl Refinement<'_> {
     fn at_points<const N: usize>(&self, values: Vec<[f64; N]>) -> super::surface::Surface<N> {
-        let corners_stay = self.said.boundary != BoundaryRule::EdgeOnly;
+        let corners_stay = self.subdivision.boundary != BoundaryRule::EdgeOnly;
         let (starts, corners) = (self.cage.starts.clone(), self.cage.corners.clone());
         self.sharp.surface(values, starts, corners, corners_stay).refined(
-            self.said.scheme,
+            self.subdivision.scheme,
             false,
             self.levels,
         )
@@ -177,7 +177,7 @@ impl Refinement<'_> {
 
     fn primvar<const N: usize>(&self, primvar: Primvar<[f32; N]>) -> Primvar<[f32; N]> {
         if primvar.check(self.elements).is_err() {
-            // Who makes the triangles says so: it fits them no better.
+            // Triangulation reports the mismatch.
             return primvar;
         }
         let value = |element: usize| widen(primvar.get(element).unwrap_or([0.0; N]));
@@ -194,12 +194,12 @@ impl Refinement<'_> {
                 Primvar::new(Interpolation::Vertex, values)
             }
             Interpolation::FaceVarying => {
-                let rule = self.said.face_varying;
+                let rule = self.subdivision.face_varying;
                 let corners = self.cage.mesh_corners.iter();
                 let points = u32::try_from(self.elements.points).unwrap_or(u32::MAX);
                 let surface = Seams::of(corners.map(|&corner| value(corner as usize)), self.cage, points)
                     .surface(rule, self.cage, self.sharp)
-                    .refined(self.said.scheme, rule == FaceVaryingRule::All, self.levels);
+                    .refined(self.subdivision.scheme, rule == FaceVaryingRule::All, self.levels);
                 Primvar {
                     interpolation: Interpolation::FaceVarying,
                     values: surface.values.into_iter().map(narrow).collect(),
@@ -214,7 +214,7 @@ impl Refinement<'_> {
         self.origins.iter().map(index).collect()
     }
 
-    /// The faces that came from some. Those that did not exist stay so.
+    /// The faces that originate from `faces`. Indices out of range stay out of range.
     fn children(&self, faces: &[i32]) -> Vec<i32> {
         let mut chosen = vec![false; self.elements.faces];
         let mut children = Vec::new();
@@ -238,15 +238,12 @@ fn widen<const N: usize>(value: [f32; N]) -> [f64; N] {
     value.map(f64::from)
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "single precision is what meshes have"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
 fn narrow<const N: usize>(value: [f64; N]) -> [f32; N] {
     value.map(|x| x as f32)
 }
 
-/// Numbers of points, corners and faces stay below 2³¹.
+/// The numbers of points, corners and faces stay below 2³¹.
 fn signed(index: u32) -> i32 {
     i32::try_from(index).unwrap_or(i32::MAX)
 }

@@ -1,4 +1,4 @@
-//! Face-varying values as a surface of their own, which is cut open where neighbouring faces disagree.
+//! Face-varying values as a surface that is cut open where neighbouring faces disagree.
 
 use super::FaceVaryingRule;
 use super::cage::Cage;
@@ -16,7 +16,7 @@ pub(super) struct Seams<const N: usize> {
 }
 
 impl<const N: usize> Seams<N> {
-    /// From a value for each corner of the cage.
+    /// Creates seams from a value for each corner of the cage.
     pub(super) fn of(values: impl Iterator<Item = [f64; N]>, cage: &Cage, points: u32) -> Self {
         let mut welder = Welder::new(points as usize);
         let mut points: Vec<u32> = (0..points).collect();
@@ -55,7 +55,7 @@ impl<const N: usize> Seams<N> {
         }
     }
 
-    /// The mesh's sharp edges, between values.
+    /// The mesh's sharp edges as edges between values.
     fn sharp_edges(&self, cage: &Cage, sharp: &Sharp) -> Vec<(u64, f32)> {
         let mut list = Vec::new();
         if sharp.edges.is_empty() {
@@ -75,7 +75,7 @@ impl<const N: usize> Seams<N> {
         list
     }
 
-    /// Which values the rule keeps where they are, besides those that one face has.
+    /// The values that the rule keeps fixed, besides those of a single face.
     fn pinned(&self, rule: FaceVaryingRule, cage: &Cage) -> Vec<bool> {
         let none = vec![false; self.values.len()];
         match rule {
@@ -108,7 +108,7 @@ impl<const N: usize> Seams<N> {
         }
     }
 
-    /// How many values each point of the mesh has.
+    /// The number of values at each point of the mesh.
     fn values_at_points(&self) -> Vec<u32> {
         let mut used = vec![false; self.values.len()];
         for &value in &self.corners {
@@ -127,7 +127,7 @@ impl<const N: usize> Seams<N> {
     }
 }
 
-/// Which points are on an edge that has one face.
+/// The points on an edge with only one face.
 pub(super) fn border(edges: &Edges, points: usize) -> Vec<bool> {
     let mut at_border = vec![false; points];
     for (ends, &faces) in edges.ends.iter().zip(&edges.faces) {

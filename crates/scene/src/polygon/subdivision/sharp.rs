@@ -3,27 +3,27 @@ use super::cage::Cage;
 use super::edges::{Edges, key};
 use super::surface::Surface;
 
-/// What a file says is sharp, as far as it is on the mesh.
+/// The sharp edges and points of a mesh.
 pub(super) struct Sharp {
     /// Ordered by [`key`].
     pub(super) edges: Vec<(u64, f32)>,
     /// Ordered by point.
     pub(super) points: Vec<(u32, f32)>,
-    /// Creases that are no edges, points that do not exist, lists that do not fit.
+    /// The number of creases that are not edges, points that do not exist, and lists of the wrong length.
     pub(super) unknown: usize,
 }
 
 impl Sharp {
-    pub(super) fn of(said: &Subdivision, cage: &Cage) -> Self {
+    pub(super) fn of(subdivision: &Subdivision, cage: &Cage) -> Self {
         let mut sharp = Self {
             edges: Vec::new(),
             points: Vec::new(),
             unknown: 0,
         };
-        if !said.creases.is_empty() {
-            sharp.read_creases(said, &Edges::of(&cage.starts, &cage.corners));
+        if !subdivision.creases.is_empty() {
+            sharp.read_creases(subdivision, &Edges::of(&cage.starts, &cage.corners));
         }
-        for &(point, sharpness) in &said.corners {
+        for &(point, sharpness) in &subdivision.corners {
             match u32::try_from(point) {
                 Ok(point) if sharpness > 0.0 => sharp.points.push((point, sharpness)),
                 Ok(_) => {}
@@ -35,8 +35,8 @@ impl Sharp {
         sharp
     }
 
-    fn read_creases(&mut self, said: &Subdivision, edges: &Edges) {
-        for crease in &said.creases {
+    fn read_creases(&mut self, subdivision: &Subdivision, edges: &Edges) {
+        for crease in &subdivision.creases {
             let each = crease.sharpness.len();
             if each != 1 && each + 1 != crease.points.len() {
                 self.unknown += 1;
@@ -57,7 +57,7 @@ impl Sharp {
         }
     }
 
-    /// A surface with the mesh's own points.
+    /// A surface over the mesh's own points.
     pub(super) fn surface<const N: usize>(
         &self,
         values: Vec<[f64; N]>,
@@ -76,7 +76,7 @@ impl Sharp {
     }
 }
 
-/// Orders by what is sharp, and keeps the sharpest of what is said twice.
+/// Sorts the list, keeping the maximum sharpness of duplicates.
 pub(super) fn sharpest<K: Ord + Copy>(list: &mut Vec<(K, f32)>) {
     list.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
     list.dedup_by_key(|entry| entry.0);

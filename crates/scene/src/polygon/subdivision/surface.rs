@@ -1,21 +1,21 @@
-//! One level of refinement: Catmull and Clark's rules, Loop's, and linear ones, with creases as
-//! `OpenSubdiv` has them.
+//! One level of refinement: the rules of Catmull and Clark, of Loop, and linear ones, with creases as in
+//! `OpenSubdiv`.
 //!
 //! Sources: E. Catmull and J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes" (1978);
 //! C. Loop, "Smooth subdivision surfaces based on triangles" (1987); T. `DeRose`, M. Kass and T. Truong, "Subdivision
-//! surfaces in character animation" (1998) for creases that end after some levels.
+//! surfaces in character animation" (1998) for creases of finite sharpness.
 
 use super::Scheme;
 use super::edges::{Edges, key};
 use crate::turn;
 
-/// This sharp and more: for ever.
+/// This sharpness and above is infinite.
 pub(super) const INFINITE: f32 = 10.0;
 
-/// Polygons with values at their points: positions, or what is refined as they are.
+/// Polygons with values at their points, such as positions.
 pub(super) struct Surface<const N: usize> {
     pub(super) values: Vec<[f64; N]>,
-    /// Where each face's corners start, and where the last one's end.
+    /// The first corner of each face, and the end of the last face.
     pub(super) starts: Vec<u32>,
     /// The point of each corner.
     pub(super) corners: Vec<u32>,
@@ -23,11 +23,11 @@ pub(super) struct Surface<const N: usize> {
     pub(super) sharp_edges: Vec<(u64, f32)>,
     /// Sharp points, ordered.
     pub(super) sharp_points: Vec<(u32, f32)>,
-    /// Whether a point that one face has stays where it is.
+    /// Whether points with a single face are fixed.
     pub(super) sharp_corners: bool,
 }
 
-/// Sharpness one level further down.
+/// The sharpness at the next level.
 fn worn(sharpness: f32) -> f32 {
     if sharpness >= INFINITE {
         INFINITE
@@ -54,14 +54,14 @@ impl Rule {
     }
 }
 
-/// A sharp edge as one of its ends sees it.
+/// A sharp edge seen from one of its end points.
 struct Spoke {
     point: u32,
     end: u32,
     sharpness: f32,
 }
 
-/// What is around each point.
+/// The neighbourhood of each point.
 struct Ring<const N: usize> {
     ends: Vec<[f64; N]>,
     faces: Vec<[f64; N]>,
@@ -70,14 +70,14 @@ struct Ring<const N: usize> {
 }
 
 impl<const N: usize> Surface<N> {
-    /// Some levels finer, each by [`Surface::split`].
+    /// Refines by the given number of levels.
     pub(super) fn refined(self, scheme: Scheme, linear: bool, levels: u32) -> Self {
         let rules = if linear { Scheme::Bilinear } else { scheme };
         (0..levels).fold(self, |surface, _| surface.split(scheme == Scheme::Loop, rules))
     }
 
-    /// The next level: points stay in front, then come those of edges, then those of faces. A face's children follow
-    /// each other, one for each corner that has it first; a triangle's, if into triangles, with a fourth in the middle.
+    /// Returns the next level: existing points first, then those of edges, then those of faces. The children of a face are
+    /// consecutive, one for each corner in order; a triangle split into triangles has a fourth in the middle.
     fn split(self, into_triangles: bool, scheme: Scheme) -> Self {
         let edges = Edges::of(&self.starts, &self.corners);
         let sharpness = self.edge_sharpness(&edges);
@@ -165,7 +165,7 @@ impl<const N: usize> Surface<N> {
         self.starts.windows(2).map(center).collect()
     }
 
-    /// Of all edges: what the file says, and for ever at borders and where more than two faces meet.
+    /// The sharpness of all edges, infinite at borders and where more than two faces meet.
     fn edge_sharpness(&self, edges: &Edges) -> Vec<f32> {
         let mut sharpness: Vec<f32> = edges
             .faces
@@ -187,7 +187,7 @@ impl<const N: usize> Surface<N> {
         sharpness: &[f32],
         faces: &[[f64; N]],
     ) -> Vec<[f64; N]> {
-        // The sum of what smooth edges also depend on: the faces' centres, or their opposite points.
+        // The sum that smooth edges also depend on: the faces' centres, or the opposite points.
         let mut across = vec![[0.0; N]; edges.len()];
         for (face, center) in self.starts.windows(2).zip(faces) {
             for corner in face[0]..face[1] {
@@ -232,20 +232,20 @@ impl<const N: usize> Surface<N> {
         let mut moved = Vec::with_capacity(self.values.len());
         for point in 0..index(self.values.len()) {
             let spokes = spokes.next_if(|spokes| spokes[0].point == point).unwrap_or(&[]);
-            let said = sharp_points
+            let authored = sharp_points
                 .next_if(|sharp| sharp.0 == point)
                 .map_or(0.0, |sharp| sharp.1);
             let sharpness = if self.is_pinned(point, &ring, spokes, edges) {
                 INFINITE
             } else {
-                said
+                authored
             };
             moved.push(self.moved_point(scheme, point, &ring, spokes, sharpness));
         }
         moved
     }
 
-    /// Corners of the border, and points where the surface is none.
+    /// Whether a point is a corner of the border, or not on a manifold surface.
     fn is_pinned(&self, point: u32, ring: &Ring<N>, spokes: &[Spoke], edges: &Edges) -> bool {
         let (edge_count, face_count) = (ring.edge_count[point as usize], ring.face_count[point as usize]);
         let many_faces = |spoke: &Spoke| {
@@ -286,7 +286,7 @@ impl<const N: usize> Surface<N> {
         if before == after {
             return sharp;
         }
-        // In between: as sharp as what ends within this level is on average.
+        // Interpolates by the mean sharpness of the edges that end within this level.
         let ending = spokes
             .iter()
             .map(|spoke| spoke.sharpness)
@@ -326,7 +326,7 @@ impl<const N: usize> Surface<N> {
     }
 }
 
-/// Where a point inside a smooth surface goes.
+/// The new position of a point inside a smooth surface.
 fn smooth<const N: usize>(scheme: Scheme, point: usize, here: [f64; N], ring: &Ring<N>) -> [f64; N] {
     let valence = ring.edge_count[point];
     let n = f64::from(valence);
@@ -344,7 +344,7 @@ fn smooth<const N: usize>(scheme: Scheme, point: usize, here: [f64; N], ring: &R
     sum
 }
 
-/// Sharp edges from both ends, ordered by point.
+/// Sharp edges from both end points, ordered by point.
 fn spokes(edges: &Edges, sharpness: &[f32]) -> Vec<Spoke> {
     let mut spokes = Vec::new();
     for (&[a, b], &sharpness) in edges.ends.iter().zip(sharpness) {
@@ -368,7 +368,7 @@ fn add<const N: usize>(sum: &mut [f64; N], value: [f64; N], weight: f64) {
     }
 }
 
-/// The number of points is limited before a level is begun.
+/// The number of points is limited before a level is computed.
 fn index(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

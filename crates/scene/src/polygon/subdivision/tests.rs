@@ -1,11 +1,11 @@
-//! Refinement against closed forms: what one level gives, and limits that no level may move.
+//! Tests of subdivision against closed forms: the results of one level, and limit points, which no level moves.
 
-use proptest::prelude::*;
+mod values;
 
 use super::*;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
-/// A cube of edge 2 about the origin.
+/// A cube with edges of length 2, centred on the origin.
 fn cube() -> PolygonMesh {
     let signs = [-1.0_f32, 1.0];
     let points = (0..8)
@@ -84,7 +84,7 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
 
-/// The faces' corners, one list each.
+/// The corners of each face.
 fn faces(mesh: &PolygonMesh) -> Vec<&[i32]> {
     let mut rest = mesh.face_vertex_indices.as_slice();
     let mut faces = Vec::new();
@@ -96,7 +96,7 @@ fn faces(mesh: &PolygonMesh) -> Vec<&[i32]> {
     faces
 }
 
-/// Neighbours along edges and, in each face of four, across it.
+/// The neighbours along edges and, in quads, across the diagonal.
 fn neighbours(mesh: &PolygonMesh, point: usize) -> (Vec<usize>, Vec<usize>) {
     let (mut along, mut across) = (Vec::new(), Vec::new());
     for face in faces(mesh) {
@@ -127,7 +127,7 @@ fn weighted(mesh: &PolygonMesh, parts: &[(&[usize], f64)]) -> [f32; 3] {
     sum.map(|x| x as f32)
 }
 
-/// Where a point inside a surface of quads ends up: the eigenvector of Catmull and Clark's matrix.
+/// The limit of a point inside a surface of quads: the eigenvector of the Catmull-Clark matrix.
 fn catmull_clark_limit(mesh: &PolygonMesh, point: usize) -> [f32; 3] {
     let (along, across) = neighbours(mesh, point);
     let n = along.len() as f64;
@@ -152,7 +152,7 @@ fn loop_limit(mesh: &PolygonMesh, point: usize) -> [f32; 3] {
 }
 
 #[test]
-fn a_cube_once() {
+fn refines_a_cube_once() {
     let once = refined(&cube(), 1);
     assert_eq!(once.face_vertex_counts, [4; 24]);
     assert_eq!(once.points.len(), 8 + 12 + 6);
@@ -168,7 +168,7 @@ fn a_cube_once() {
     for face in &once.points[20..] {
         assert_eq!(face.iter().map(|x| x.abs()).sum::<f32>(), 1.0);
     }
-    // The first child of a face is in its first corner and winds as it does.
+    // The first child of a face is at its first corner and has its winding.
     assert_eq!(faces(&once)[0][0], 0);
     let (mesh, _) = refined(&cube(), 2).into_mesh("/m");
     for triangle in 0..mesh.triangles.len() {
@@ -181,7 +181,7 @@ fn a_cube_once() {
 }
 
 #[test]
-fn an_octahedron_once() {
+fn refines_an_octahedron_once() {
     let once = refined(&octahedron(), 1);
     assert_eq!(once.face_vertex_counts, [3; 32]);
     for (point, cage) in once.points.iter().zip(octahedron().points) {
@@ -208,7 +208,7 @@ fn linear_refinement_moves_nothing() {
 }
 
 #[test]
-fn polygons_of_any_kind_become_quads() {
+fn all_polygons_become_quads() {
     let points = vec![
         [0., 0., 0.],
         [2., 0., 0.],
@@ -233,9 +233,9 @@ fn polygons_of_any_kind_become_quads() {
     assert_near(once.points[4], [1.0, 1.0, (2.0 / 3.0 + 2.0 + 2.0) / 4.0]);
 }
 
-/// What `OpenSubdiv` 3 answers (through the Python package `pyOpenSubdiv` 0.0.3, which interpolates edges only).
+/// Expected values from `OpenSubdiv` 3 (Python package `pyOpenSubdiv` 0.0.3, which only interpolates at edges).
 #[test]
-fn an_open_mesh_of_triangles_and_quads_as_opensubdiv_has_it() {
+fn an_open_mesh_of_triangles_and_quads_matches_opensubdiv() {
     let points = vec![
         [0., 0., 0.],
         [2., 0., 0.],
@@ -295,7 +295,7 @@ fn an_open_mesh_of_triangles_and_quads_as_opensubdiv_has_it() {
 }
 
 #[test]
-fn borders_are_splines_and_corners_stay_if_asked() {
+fn borders_are_splines_with_optionally_fixed_corners() {
     for (rule, corner) in [
         (BoundaryRule::EdgeAndCorner, [0.0, 0.0, 0.0]),
         (BoundaryRule::EdgeOnly, [0.125, 0.125, 0.0]),
@@ -320,7 +320,7 @@ fn borders_are_splines_and_corners_stay_if_asked() {
 }
 
 #[test]
-fn creases_hold_as_long_as_they_say() {
+fn creases_last_for_their_sharpness() {
     let ring = vec![0, 1, 3, 2, 0];
     let with = |sharpness: f32| {
         let mut cage = cube();
@@ -330,12 +330,12 @@ fn creases_hold_as_long_as_they_say() {
         });
         cage
     };
-    // A square with creases all round is a curve of its own: two levels of a spline.
+    // A square with creases all round is a spline curve: two levels of it.
     let forever = refined(&with(10.0), 1);
     assert_near(forever.points[0], [-0.75, -0.75, -1.0]);
     assert_eq!(refined(&with(2.0), 2).points, refined(&with(10.0), 2).points);
     assert_ne!(refined(&with(2.0), 3).points, refined(&with(10.0), 3).points);
-    // Below one it is a mixture.
+    // A sharpness below one interpolates.
     let (smooth, sharp, between) = (
         refined(&cube(), 1),
         refined(&with(1.0), 1),
@@ -347,7 +347,7 @@ fn creases_hold_as_long_as_they_say() {
 }
 
 #[test]
-fn corners_hold_as_long_as_they_say() {
+fn corners_last_for_their_sharpness() {
     let with = |sharpness: f32| {
         let mut cage = cube();
         cage.subdivision.corners.push((0, sharpness));
@@ -357,7 +357,7 @@ fn corners_hold_as_long_as_they_say() {
     assert_near(refined(&with(1.0), 1).points[0], [-1.0; 3]);
     let half = -(1.0 + 5.0 / 9.0) / 2.0;
     assert_near(refined(&with(0.5), 1).points[0], [half; 3]);
-    // Three creases that meet are a corner.
+    // Three creases that meet act as a corner.
     let mut cage = cube();
     for end in [1, 2, 4] {
         cage.subdivision.creases.push(Crease {
@@ -366,239 +366,4 @@ fn corners_hold_as_long_as_they_say() {
         });
     }
     assert_near(refined(&cage, 2).points[0], [-1.0; 3]);
-}
-
-#[test]
-fn texture_coordinates_follow_a_flat_sheet_across_a_seam() {
-    use FaceVaryingRule::{All, Boundaries, CornersOnly, CornersPlus1, CornersPlus2};
-    for rule in [CornersOnly, CornersPlus1, CornersPlus2, Boundaries, All] {
-        let mut cage = sheet(2);
-        cage.subdivision.face_varying = rule;
-        let corner = |(corner, &point): (usize, &i32)| {
-            let [x, y, _] = cage.points[point as usize];
-            // The faces on the right have an island of their own.
-            if corner / 4 % 2 == 0 {
-                [x, y]
-            } else {
-                [x + 10.0, y]
-            }
-        };
-        let values: Vec<[f32; 2]> = cage.face_vertex_indices.iter().enumerate().map(corner).collect();
-        cage.uvs = Some(Primvar::new(Interpolation::FaceVarying, values));
-        // So that positions are linear too.
-        cage.subdivision.scheme = Scheme::CatmullClark;
-        let fine = refined(&cage, 2);
-        let uvs = fine.uvs.as_ref().unwrap();
-        let indices = uvs.indices.as_ref().unwrap();
-        for (i, (&point, &index)) in fine.face_vertex_indices.iter().zip(indices).enumerate() {
-            let [x, y, _] = fine.points[point as usize];
-            let [u, v] = uvs.values[index as usize];
-            let left = i / 64 % 2 == 0;
-            let shift = if left { 0.0 } else { 10.0 };
-            if rule == All {
-                // Linear, where the sheet's own corners draw the points beside them.
-                assert!((u - shift - x).abs() < 0.2 && (v - y).abs() < 0.2);
-            } else {
-                assert_near([u - shift, v, 0.0], [x, y, 0.0]);
-            }
-        }
-        // 2·(9·5) values and no more: only the seam has two.
-        assert_eq!(uvs.values.len(), 2 * 45, "{rule:?}");
-    }
-}
-
-#[test]
-fn rules_of_face_varying_values_differ_where_they_should() {
-    use FaceVaryingRule::{All, Boundaries, CornersOnly, CornersPlus1, CornersPlus2, None};
-    // Four squares round a point: the first alone on an island, the others on one that bends round it.
-    let value_at_center = |rule, island_of: fn(usize) -> f32| {
-        let mut cage = sheet(2);
-        cage.subdivision.face_varying = rule;
-        let corner = |(corner, &point): (usize, &i32)| {
-            let [x, y, _] = cage.points[point as usize];
-            [x * x + island_of(corner / 4), y * y]
-        };
-        let values: Vec<[f32; 2]> = cage.face_vertex_indices.iter().enumerate().map(corner).collect();
-        cage.uvs = Some(Primvar::new(Interpolation::FaceVarying, values));
-        let fine = refined(&cage, 1);
-        let uvs = fine.uvs.unwrap();
-        // Child 2 of face 0 and child 3 of face 1 begin at the centre's neighbours; find the corner at the centre.
-        let mut found: Vec<[f32; 2]> = fine
-            .face_vertex_indices
-            .iter()
-            .zip(uvs.indices.unwrap())
-            .filter(|(point, _)| **point == 4)
-            .map(|(_, index)| uvs.values[index as usize])
-            .collect();
-        found.dedup();
-        found
-    };
-    let alone = |face: usize| if face == 0 { 0.0 } else { 10.0 };
-    let pinned = [[1.0, 1.0], [11.0, 1.0]];
-    for rule in [CornersPlus2, Boundaries, All] {
-        assert_eq!(value_at_center(rule, alone), pinned, "{rule:?}");
-    }
-    for rule in [CornersOnly, CornersPlus1] {
-        let values = value_at_center(rule, alone);
-        assert_eq!(values[0], pinned[0], "{rule:?}");
-        assert_ne!(values[1], pinned[1], "{rule:?}");
-    }
-    assert_ne!(value_at_center(None, alone)[0], pinned[0]);
-    let three = |face: usize| [0.0, 10.0, 20.0, 20.0][face];
-    assert_eq!(
-        value_at_center(CornersPlus1, three),
-        [[1.0, 1.0], [11.0, 1.0], [21.0, 1.0]]
-    );
-    assert_ne!(value_at_center(CornersOnly, three)[2], [21.0, 1.0]);
-}
-
-#[test]
-fn what_belongs_to_faces_goes_to_their_children() {
-    let mut cage = sheet(2);
-    cage.colors = Some(Primvar::new(
-        Interpolation::Uniform,
-        vec![[0.0; 3], [1.0; 3], [2.0; 3], [3.0; 3]],
-    ));
-    cage.holes = vec![1];
-    cage.face_materials = vec![crate::polygon::FaceMaterial {
-        faces: vec![2, 99],
-        material: 7,
-    }];
-    cage.material = Some(1);
-    let fine = refined(&cage, 1);
-    assert_eq!(fine.holes, [4, 5, 6, 7]);
-    assert_eq!(fine.face_materials[0].faces, [-1, 8, 9, 10, 11]);
-    let (mesh, findings) = fine.into_mesh("/m");
-    assert_eq!(findings.len(), 1, "the face that does not exist: {findings:?}");
-    let red = |triangle: usize| mesh.colors.as_ref().unwrap().corners(triangle, [0; 3]).unwrap()[0][0];
-    // The faces of one material follow each other.
-    assert_eq!([red(0), red(8), red(15), red(16)], [0.0, 3.0, 3.0, 2.0]);
-    assert_eq!(
-        [7, 8, 16].map(|triangle| mesh.material(triangle)),
-        [Some(1), Some(1), Some(7)]
-    );
-}
-
-#[test]
-fn levels_end_before_there_are_too_many_faces() {
-    let (cage, _) = cage::Cage::of(&sheet(1));
-    let affordable = |points| cage.affordable(Scheme::CatmullClark, u32::MAX, points);
-    assert_eq!(u64::pow(4, affordable(4)), cage::MOST_FACES / 2);
-    assert_eq!(affordable(usize::MAX), 0);
-    assert_eq!(cage.affordable(Scheme::Loop, 3, 4), 3);
-}
-
-#[test]
-fn loops_scheme_wants_triangles() {
-    let mut quads = sheet(1);
-    quads.subdivision.scheme = Scheme::Loop;
-    let (same, findings) = quads.clone().subdivided(2, "/m");
-    assert_eq!(same, quads);
-    assert_eq!(findings[0].code, "mesh-subdivision");
-}
-
-#[test]
-fn unusable_faces_and_creases_are_left_out() {
-    let mut cage = sheet(2);
-    cage.points[0][0] = f32::NAN;
-    cage.face_vertex_indices[6] = 99;
-    cage.subdivision.creases = vec![
-        Crease {
-            points: vec![4, 8],
-            sharpness: vec![1.0],
-        },
-        Crease {
-            points: vec![7, 8, 9],
-            sharpness: vec![1.0; 3],
-        },
-        Crease {
-            points: vec![4, 5],
-            sharpness: vec![1.0],
-        },
-    ];
-    cage.subdivision.corners = vec![(-1, 2.0)];
-    let (fine, findings) = cage.subdivided(1, "/m");
-    assert_eq!(fine.face_vertex_counts.len(), 8);
-    let messages: Vec<&str> = findings.iter().map(|f| f.message.as_str()).collect();
-    assert!(messages[0].ends_with("left out: 2"), "{messages:?}");
-    assert!(messages[1].ends_with("points: 3"), "{messages:?}");
-    assert!(fine.into_mesh("/m").1.is_empty());
-}
-
-#[test]
-fn three_faces_at_an_edge_keep_it_straight() {
-    let points = vec![
-        [0., 0., 0.],
-        [1., 0., 0.],
-        [1., 1., 0.],
-        [0., 1., 0.],
-        [1., -1., 1.],
-        [0., -1., 1.],
-        [1., -1., -1.],
-        [0., -1., -1.],
-    ];
-    let book = mesh(
-        points,
-        &[vec![0, 1, 2, 3], vec![1, 0, 5, 4], vec![0, 1, 6, 7]],
-        Scheme::CatmullClark,
-    );
-    let fine = refined(&book, 1);
-    assert_eq!(fine.points[..2], book.points[..2]);
-}
-
-proptest! {
-    #[test]
-    fn limits_of_quads_stay(offsets in prop::collection::vec(prop::array::uniform3(-0.3..0.3_f32), 26)) {
-        // Every point of a cube once refined, moved about: points of 3 and of 4 edges.
-        let mut cage = refined(&cube(), 1);
-        for (point, offset) in cage.points.iter_mut().zip(&offsets) {
-            for axis in 0..3 {
-                point[axis] += offset[axis];
-            }
-        }
-        let once = refined(&cage, 1);
-        for point in 0..cage.points.len() {
-            let (before, after) = (catmull_clark_limit(&cage, point), catmull_clark_limit(&once, point));
-            prop_assert!(distance(before, after) < 1e-6, "{before:?} {after:?}");
-        }
-    }
-
-    #[test]
-    fn limits_of_triangles_stay(offsets in prop::collection::vec(prop::array::uniform3(-0.3..0.3_f32), 18)) {
-        let mut cage = refined(&octahedron(), 1);
-        for (point, offset) in cage.points.iter_mut().zip(&offsets) {
-            for axis in 0..3 {
-                point[axis] += offset[axis];
-            }
-        }
-        let once = refined(&cage, 1);
-        for point in 0..cage.points.len() {
-            let (before, after) = (loop_limit(&cage, point), loop_limit(&once, point));
-            prop_assert!(distance(before, after) < 1e-6, "{before:?} {after:?}");
-        }
-    }
-
-    /// Whatever the faces, levels end and give a mesh whose indices fit.
-    #[test]
-    fn any_faces_are_refined(
-        faces in prop::collection::vec(prop::collection::vec(-1..9_i32, 0..6), 0..12),
-        loop_scheme in any::<bool>(),
-        face_varying in any::<bool>(),
-    ) {
-        let points = (0..8).map(|i| [i as f32, (i * i % 5) as f32, (i % 3) as f32]).collect();
-        let scheme = if loop_scheme { Scheme::Loop } else { Scheme::CatmullClark };
-        let mut cage = mesh(points, &faces, scheme);
-        let count = cage.face_vertex_indices.len();
-        let uvs: Vec<[f32; 2]> = (0..count).map(|i| [(i % 4) as f32, 0.0]).collect();
-        cage.uvs = face_varying.then_some(Primvar::new(Interpolation::FaceVarying, uvs));
-        cage.subdivision.face_varying = FaceVaryingRule::CornersPlus2;
-        let (fine, _) = cage.subdivided(2, "/m");
-        let (mesh, _) = fine.into_mesh("/m");
-        for (i, triangle) in mesh.triangles.iter().enumerate() {
-            prop_assert!(mesh.corners(i).unwrap().iter().flatten().all(|x| x.is_finite()));
-            if let Some(uvs) = &mesh.uvs {
-                prop_assert!(uvs.corners(i, *triangle).is_some());
-            }
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! What the machine's memory gives: the floor under every frame.
+//! The machine's memory bandwidth: a lower bound for the time of a frame.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -7,7 +7,7 @@ use std::time::Instant;
 const BYTES: usize = 256 << 20;
 const RUNS: usize = 5;
 
-/// Bytes read and written a second, copying with this many threads: the best of a few runs.
+/// Bytes read and written per second when copying with this many threads: the best of several runs.
 pub(crate) fn copying(threads: usize) -> f64 {
     let from = vec![1u64; BYTES / 8];
     let mut to = vec![0u64; BYTES / 8];

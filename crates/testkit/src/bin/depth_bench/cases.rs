@@ -1,4 +1,4 @@
-//! What is timed, by name.
+//! The benchmark cases.
 
 use std::error::Error;
 use std::sync::Arc;
@@ -12,20 +12,20 @@ use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
 use oaktwin_image::{Image, millimetres};
 
-/// A frame's worth of work: the frame's number in.
+/// Processes one frame, given its number.
 type Work<'a> = Box<dyn FnMut(u64) -> Result<(), Box<dyn Error>> + Send + 'a>;
 
-/// Something to time.
+/// A benchmark case.
 pub(crate) struct Case<'a> {
     pub(crate) name: String,
-    /// Pixels of a frame.
+    /// Pixels per frame.
     pub(crate) pixels: usize,
-    /// What must be read and written at least, bytes a frame.
+    /// The minimum number of bytes read and written per frame.
     pub(crate) bytes: usize,
     pub(crate) work: Work<'a>,
 }
 
-/// The filters, as text, each with what a preset would set.
+/// The filters, as text, with typical preset values.
 const FILTERS: [&str; 9] = [
     "median:kernel=3x3",
     "median:kernel=5x5",
@@ -38,10 +38,10 @@ const FILTERS: [&str; 9] = [
     "threshold:minRange=600,maxRange=12000",
 ];
 
-/// Images, rows, columns: a batch of a learner's environments.
+/// A batch of a reinforcement-learning environment: images, rows, columns.
 const BATCH: [usize; 3] = [4096, 60, 106];
 
-/// The sheet's `OAK-D Pro`.
+/// The parameters of the `OAK-D Pro` spec sheet.
 fn sheet() -> Parameters {
     Parameters {
         baseline_mm: 75.0,
@@ -57,17 +57,54 @@ fn sheet() -> Parameters {
     }
 }
 
-/// All of them, of one depth image and its picture.
+/// All cases, for a depth image and its colour image.
 pub(crate) fn all<'a>(
     depth: &'a Image<f32>,
     rgb: &'a Image<[u8; 4]>,
 ) -> Result<Vec<Case<'a>>, Box<dyn Error>> {
-    let (width, height) = (depth.width(), depth.height());
-    let pixels = depth.pixels().len();
-    let shape = [1, height as usize, width as usize];
     let random = Stream::new(7, "Camera_pseudo_depth");
-    let mut cases = Vec::new();
+    let (small, _) = crate::room::see(106, 60);
+    let batch: Arc<[f32]> = small
+        .pixels()
+        .iter()
+        .copied()
+        .cycle()
+        .take(BATCH.iter().product())
+        .collect();
+    let stereo = StereoGeometry {
+        focal_length_px: 805.0,
+        baseline_m: 0.075,
+    };
+    let engine = StereoNoise::new(stereo_noise::Parameters::new(stereo, depth.width()))?;
+    let mut cases = single_view_cases(depth, rgb, &batch, random)?;
+    cases.extend(stereo_noise_cases(depth, batch, &engine, random));
+    cases.push(time_of_flight_case(random)?);
+    // The filters process several frames of the sensor's own noise.
+    let frames: Vec<Image<u16>> = (0..4)
+        .map(|frame| {
+            let mut shot = Shot::new(depth.into());
+            shot.frame = frame;
+            millimetres::from_metres(&engine.sense(&shot, &random).0)
+        })
+        .collect();
+    for text in FILTERS {
+        cases.push(filter_case(text, frames.clone())?);
+    }
+    Ok(cases)
+}
 
+fn shape(image: &Image<f32>) -> [usize; 3] {
+    [1, image.height() as usize, image.width() as usize]
+}
+
+fn single_view_cases<'a>(
+    depth: &'a Image<f32>,
+    rgb: &'a Image<[u8; 4]>,
+    batch: &Arc<[f32]>,
+    random: Stream,
+) -> Result<Vec<Case<'a>>, Box<dyn Error>> {
+    let pixels = depth.pixels().len();
+    let mut cases = Vec::new();
     let fine = Parameters {
         noise_downscale_factor_px: 1.0,
         ..sheet()
@@ -80,30 +117,21 @@ pub(crate) fn all<'a>(
             pixels,
             bytes: 8 * pixels,
             work: Box::new(move |frame| {
-                Ok(engine.sense_batch(depth.pixels(), shape, frame, 0, &random, &mut out)?)
+                Ok(engine.sense_batch(depth.pixels(), shape(depth), frame, 0, &random, &mut out)?)
             }),
         });
     }
-    let (small, _) = crate::room::see(106, 60);
-    let batch_pixels = BATCH.iter().product();
-    let batch: Arc<[f32]> = small
-        .pixels()
-        .iter()
-        .copied()
-        .cycle()
-        .take(batch_pixels)
-        .collect();
     let engine = SingleView::new(sheet(), Assumptions::default())?;
-    let (items, mut out) = (batch.clone(), vec![0.0; batch_pixels]);
+    let (items, mut out) = (batch.clone(), vec![0.0; batch.len()]);
     cases.push(Case {
         name: "single_view, 4096 × 60 × 106".to_owned(),
-        pixels: batch_pixels,
-        bytes: 8 * batch_pixels,
+        pixels: batch.len(),
+        bytes: 8 * batch.len(),
         work: Box::new(move |frame| Ok(engine.sense_batch(&items, BATCH, frame, 0, &random, &mut out)?)),
     });
     let engine = SingleView::new(sheet(), Assumptions::default())?;
     cases.push(Case {
-        name: "single_view, with a picture".to_owned(),
+        name: "single_view, with a colour image".to_owned(),
         pixels,
         bytes: 12 * pixels,
         work: Box::new(move |frame| {
@@ -113,66 +141,65 @@ pub(crate) fn all<'a>(
             Ok(())
         }),
     });
+    Ok(cases)
+}
 
-    let stereo = StereoGeometry {
-        focal_length_px: 805.0,
-        baseline_m: 0.075,
-    };
-    let engine = StereoNoise::new(stereo_noise::Parameters::new(stereo, width))?;
+fn stereo_noise_cases<'a>(
+    depth: &'a Image<f32>,
+    batch: Arc<[f32]>,
+    engine: &StereoNoise,
+    random: Stream,
+) -> [Case<'a>; 2] {
+    let (pixels, batch_pixels) = (depth.pixels().len(), batch.len());
     let mut out = vec![0.0; pixels];
     let sensor = engine.clone();
-    cases.push(Case {
+    let single = Case {
         name: "stereo_noise".to_owned(),
         pixels,
         bytes: 8 * pixels,
         work: Box::new(move |frame| {
-            Ok(sensor.sense_batch(depth.pixels(), shape, frame, 0, &random, &mut out)?)
+            Ok(sensor.sense_batch(depth.pixels(), shape(depth), frame, 0, &random, &mut out)?)
         }),
-    });
+    };
     let mut out = vec![0.0; batch_pixels];
     let sensor = engine.clone();
-    cases.push(Case {
+    let many = Case {
         name: "stereo_noise, 4096 × 60 × 106".to_owned(),
         pixels: batch_pixels,
         bytes: 8 * batch_pixels,
         work: Box::new(move |frame| Ok(sensor.sense_batch(&batch, BATCH, frame, 0, &random, &mut out)?)),
-    });
+    };
+    [single, many]
+}
 
-    // 640x480, as the camera has it.
+/// Time of flight at the camera's 640 × 480.
+fn time_of_flight_case(random: Stream) -> Result<Case<'static>, Box<dyn Error>> {
     let (far, _) = crate::room::see(640, 480);
-    let mut out = vec![0.0; far.pixels().len()];
+    let pixels = far.pixels().len();
+    let mut out = vec![0.0; pixels];
     let sensor = TimeOfFlight::new(time_of_flight::Parameters::new(402.0, 640))?;
-    cases.push(Case {
+    Ok(Case {
         name: "time_of_flight, 640 × 480".to_owned(),
-        pixels: far.pixels().len(),
-        bytes: 8 * far.pixels().len(),
+        pixels,
+        bytes: 8 * pixels,
         work: Box::new(move |frame| {
-            Ok(sensor.sense_batch(far.pixels(), [1, 480, 640], frame, 0, &random, &mut out)?)
+            Ok(sensor.sense_batch(far.pixels(), shape(&far), frame, 0, &random, &mut out)?)
         }),
-    });
+    })
+}
 
-    // What the sensor's own noise makes of it, a few frames in turns.
-    let frames: Vec<Image<u16>> = (0..4)
-        .map(|frame| {
-            let mut shot = Shot::new(depth.into());
-            shot.frame = frame;
-            millimetres::from_metres(&engine.sense(&shot, &random).0)
-        })
-        .collect();
-    for text in FILTERS {
-        let mut chain = Chain::new(vec![filter::parse(text)?]);
-        let frames = frames.clone();
-        cases.push(Case {
-            name: text.to_owned(),
-            pixels,
-            bytes: 4 * pixels,
-            work: Box::new(move |frame| {
-                #[expect(clippy::cast_possible_truncation, reason = "an index into four")]
-                let image = frames[frame as usize % frames.len()].clone();
-                std::hint::black_box(chain.run(image));
-                Ok(())
-            }),
-        });
-    }
-    Ok(cases)
+fn filter_case(text: &str, frames: Vec<Image<u16>>) -> Result<Case<'static>, Box<dyn Error>> {
+    let mut chain = Chain::new(vec![filter::parse(text)?]);
+    let pixels = frames.first().map_or(0, |frame| frame.pixels().len());
+    Ok(Case {
+        name: text.to_owned(),
+        pixels,
+        bytes: 4 * pixels,
+        work: Box::new(move |frame| {
+            #[expect(clippy::cast_possible_truncation, reason = "an index into four")]
+            let image = frames[frame as usize % frames.len()].clone();
+            std::hint::black_box(chain.run(image));
+            Ok(())
+        }),
+    })
 }

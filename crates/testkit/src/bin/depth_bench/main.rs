@@ -1,10 +1,10 @@
-//! How long the sensor models and filters take, for `cargo xtask bench depth`.
+//! Benchmarks of the sensor models and filters, for `cargo xtask bench depth`.
 //!
-//! `depth-bench make FOLDER` writes the images that everybody works on: `depth.npy` and
+//! `depth-bench make FOLDER` writes the input images: `depth.npy` and
 //! `depth_640.npy` (metres), `rgb.npy`, `millimetres.npy` (four noisy frames). `depth-bench run FRAMES THREADS [NAME]` times each case (or those whose name
-//! has NAME in it) and prints a JSON object each.
+//! contains NAME) and prints one JSON object per case.
 
-#![expect(clippy::print_stdout, reason = "its output is what it is for")]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 mod bandwidth;
 mod cases;

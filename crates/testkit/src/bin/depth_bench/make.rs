@@ -10,7 +10,7 @@ use oaktwin_image::{millimetres, npy};
 
 use crate::{HEIGHT, WIDTH, room};
 
-/// The images that everybody works on.
+/// Writes the input images.
 pub(crate) fn images(folder: &Path) -> Result<(), Box<dyn Error>> {
     let (depth, rgb) = room::see(WIDTH, HEIGHT);
     let (rows, columns) = (HEIGHT as usize, WIDTH as usize);

@@ -1,8 +1,8 @@
-//! What the benchmark looks at: a room of planes, balls and boxes of texture, 77° wide, by closed form.
+//! The benchmark's scene: a textured room of planes, spheres and boxes, 77° wide, in closed form.
 
 use oaktwin_image::Image;
 
-/// A ray's direction where z is 1.
+/// A ray direction, scaled to z = 1.
 type Direction = [f32; 3];
 
 const BALLS: [([f32; 3], f32); 4] = [
@@ -11,14 +11,14 @@ const BALLS: [([f32; 3], f32); 4] = [
     ([0.15, -0.35, 1.1], 0.12),
     ([-1.8, -0.4, 4.5], 0.8),
 ];
-/// Panels that face the camera: left, top, right, bottom in metres, and their distance.
+/// Panels facing the camera: left, top, right, bottom and distance in metres.
 const PANELS: [([f32; 4], f32); 3] = [
     ([-0.35, -0.1, 0.1, 0.6], 1.6),
     ([0.5, -0.9, 1.1, -0.2], 2.4),
     ([1.3, -0.3, 2.4, 0.9], 5.0),
 ];
 
-/// Depth (metres, a doorway of nothing in it) and the picture of it.
+/// A depth image in metres, with misses in a doorway, and its colour image.
 pub(crate) fn see(width: u32, height: u32) -> (Image<f32>, Image<[u8; 4]>) {
     let focal = width as f32 / (2.0 * 38.5f32.to_radians().tan());
     let mut depth = Image::filled(width, height, f32::INFINITY);
@@ -49,7 +49,7 @@ fn nearest(direction: Direction) -> f32 {
     at(-1.6 / y); // ceiling
     at(2.8 / x);
     at(-3.1 / x);
-    // The far wall has a door to nowhere.
+    // The far wall has an open door.
     if !(0.05..0.2).contains(&x) {
         at(6.5);
     }

@@ -1,4 +1,4 @@
-//! Images in NPY files.
+//! Reads and writes images as NPY files.
 
 use std::error::Error;
 use std::fs;
@@ -34,7 +34,7 @@ pub(crate) fn read_u8x4(path: &Path) -> Result<Image<[u8; 4]>, Box<dyn Error>> {
     let array = npy::decode(&fs::read(path)?)?;
     match array.values {
         npy::Values::U8(values) => four(&array.shape, &values),
-        _ => Err("the picture is not of uint8".into()),
+        _ => Err("the colour image must be uint8".into()),
     }
 }
 
@@ -43,13 +43,13 @@ pub(crate) fn read_f32x4(path: &Path) -> Result<Image<[f32; 4]>, Box<dyn Error>>
     let array = npy::decode(&fs::read(path)?)?;
     match array.values {
         npy::Values::F32(values) => four(&array.shape, &values),
-        _ => Err("the positions are not of float32".into()),
+        _ => Err("the positions must be float32".into()),
     }
 }
 
 fn four<T: Copy>(shape: &[usize], values: &[T]) -> Result<Image<[T; 4]>, Box<dyn Error>> {
     let &[height, width, 4] = shape else {
-        return Err(format!("{shape:?} is not of rows, columns and 4").into());
+        return Err(format!("invalid shape {shape:?}: rows × columns × 4 required").into());
     };
     let pixels = values.as_chunks::<4>().0.to_vec();
     let image = Image::new(u32::try_from(width)?, u32::try_from(height)?, pixels);

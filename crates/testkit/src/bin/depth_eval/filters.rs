@@ -7,14 +7,14 @@ use oaktwin_image::{Image, npy};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// Filters over a sequence.
+/// Filters a sequence of frames.
 #[derive(Deserialize)]
 pub(crate) struct Request {
     /// `uint8` or `uint16`: frames × rows × columns.
     frames: PathBuf,
-    /// Where the filtered frames go.
+    /// The output file of the filtered frames.
     filtered: PathBuf,
-    /// The filters in text.
+    /// The filters as text.
     filters: Vec<String>,
 }
 
@@ -27,7 +27,7 @@ impl Request {
         let encoded = match &array.values {
             npy::Values::U8(pixels) => run(&array.shape, pixels, filters)?,
             npy::Values::U16(pixels) => run(&array.shape, pixels, filters)?,
-            _ => return Err("frames are uint8 or uint16".into()),
+            _ => return Err("frames must be uint8 or uint16".into()),
         };
         fs::write(&self.filtered, encoded)?;
         Ok(json!({ "filters": texts }))
@@ -40,13 +40,13 @@ fn run<P: Pixel + npy::Element>(
     filters: Vec<Filter>,
 ) -> Result<Vec<u8>, Box<dyn Error>> {
     let &[frames, height, width] = shape else {
-        return Err("frames are frames × rows × columns".into());
+        return Err("invalid shape: frames × rows × columns required".into());
     };
     let (width, height) = (u32::try_from(width)?, u32::try_from(height)?);
     let mut chain = Chain::new(filters);
     let mut filtered = Vec::new();
     for frame in pixels.chunks((pixels.len() / frames.max(1)).max(1)) {
-        let image = Image::new(width, height, frame.to_vec()).ok_or("no image")?;
+        let image = Image::new(width, height, frame.to_vec()).ok_or("invalid image size")?;
         filtered.extend(chain.run(image).into_pixels());
     }
     let (width, height) = chain.size(width, height);

@@ -1,5 +1,5 @@
-//! The sensor models over a pipe, for oracles in other languages: one JSON request a line on standard input, one JSON
-//! answer a line on standard output, `{"error": …}` where there is none. Images are NPY files, named in the request.
+//! The sensor models over a pipe, for oracles in other languages: one JSON request per line on standard input, one JSON
+//! answer per line on standard output, `{"error": …}` if the request failed. Images are NPY files named in the request.
 
 mod files;
 mod filters;
@@ -20,19 +20,19 @@ use serde_json::{Value, json};
 enum Request {
     /// Filters of disparity and depth.
     Filters(filters::Request),
-    /// Raw pairs to rectified ones.
+    /// Rectification of raw image pairs.
     Rectify(rectify::Request),
-    /// Isaac Sim's sensor.
+    /// Isaac Sim's depth sensor.
     SingleView(single_view::Request),
-    /// An OAK's stereo on a pair.
+    /// The stereo matcher on an image pair.
     StereoMatching(stereo_matching::Request),
-    /// The parameters of that by name.
+    /// The parameters of the stereo matcher by name.
     StereoMatchingParameters(stereo_matching::ParametersRequest),
-    /// The errors of an OAK's stereo.
+    /// The error model of stereo depth.
     StereoNoise(stereo_noise::Request),
-    /// The errors of time of flight.
+    /// The error model of time-of-flight depth.
     TimeOfFlight(time_of_flight::Request),
-    /// `DepthAI`'s filter of its depth.
+    /// `DepthAI`'s confidence filter of time-of-flight depth.
     DepthConfidence(time_of_flight::Confidence),
 }
 

@@ -13,10 +13,10 @@ use serde_json::{Value, json};
 
 use crate::files;
 
-/// One camera: OpenCV's numbers.
+/// A camera with OpenCV's parameters.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct OfCamera {
+struct CameraJson {
     matrix: [[f64; 3]; 3],
     coefficients: Vec<f64>,
     #[serde(default)]
@@ -26,11 +26,11 @@ struct OfCamera {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Request {
-    /// Rows × columns of `uint8` or `uint16`: the left and the right image, and where each goes.
+    /// The left and the right image, rows × columns of `uint8` or `uint16`, followed by the output files.
     images: [PathBuf; 2],
     rectified: [PathBuf; 2],
-    cameras: [OfCamera; 2],
-    /// 4×4, m.
+    cameras: [CameraJson; 2],
+    /// 4×4, translation in metres.
     right_from_left: [[f64; 4]; 4],
     method: String,
     target: String,
@@ -47,8 +47,8 @@ impl Request {
         let named = |name: &str| Method::ALL.iter().copied().find(|method| method.name() == name);
         let target = |name: &str| Target::ALL.iter().copied().find(|target| target.name() == name);
         let options = RectifyOptions {
-            method: named(&self.method).ok_or("no such method")?,
-            target: target(&self.target).ok_or("no such target")?,
+            method: named(&self.method).ok_or("unknown method")?,
+            target: target(&self.target).ok_or("unknown target")?,
             edge_fill: u8::try_from(self.edge_fill).map_or(EdgeFill::Replicate, EdgeFill::Value),
         };
         let pair = StereoRectify::new(&a, &b, &RigidTransform::from_rows(self.right_from_left), &options)?;
@@ -58,7 +58,7 @@ impl Request {
     }
 }
 
-impl OfCamera {
+impl CameraJson {
     fn camera(&self, size: ImageSize) -> Result<Camera, Box<dyn Error>> {
         let [[fx, _, cx], [_, fy, cy], _] = self.matrix;
         let lens = if self.fisheye {
@@ -103,20 +103,20 @@ fn write<P: Grey + npy::Element>(
 ) -> Result<(), Box<dyn Error>> {
     let found = rectify
         .rectify(image.into())
-        .ok_or("the images are of two sizes")?;
+        .ok_or("the images have different sizes")?;
     files::write(path, &found)
 }
 
 fn grey(path: &Path) -> Result<AnyGrey, Box<dyn Error>> {
     let array = npy::decode(&fs::read(path)?)?;
     let &[height, width] = array.shape.as_slice() else {
-        return Err("an image has rows and columns".into());
+        return Err("invalid shape: rows × columns required".into());
     };
     let (width, height) = (u32::try_from(width)?, u32::try_from(height)?);
     let image = match array.values {
         npy::Values::U8(values) => Image::new(width, height, values).map(AnyGrey::Eight),
         npy::Values::U16(values) => Image::new(width, height, values).map(AnyGrey::Sixteen),
-        _ => return Err("an image is of uint8 or uint16".into()),
+        _ => return Err("images must be uint8 or uint16".into()),
     };
     image.ok_or_else(|| "too large".into())
 }

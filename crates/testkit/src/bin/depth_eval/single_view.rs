@@ -16,9 +16,9 @@ pub(crate) struct Request {
     depth: PathBuf,
     rgb: Option<PathBuf>,
     positions: Option<PathBuf>,
-    /// Where the results go.
+    /// The output files.
     out: Out,
-    /// By the names of the schema's attributes; the others are those of Isaac Sim 5.1.
+    /// The parameters by the schema's attribute names; the defaults are Isaac Sim 5.1's.
     #[serde(default)]
     parameters: BTreeMap<String, String>,
     #[serde(default)]
@@ -30,7 +30,7 @@ pub(crate) struct Request {
     item: u32,
 }
 
-/// The files of the outputs that are wanted.
+/// The files of the requested outputs.
 #[derive(Deserialize)]
 struct Out {
     distance: PathBuf,
@@ -89,7 +89,7 @@ impl Request {
     }
 }
 
-/// Whether there is such an image and a place for it.
+/// Writes an image if it exists and its file is requested.
 fn write4<T: npy::Element>(
     path: Option<&Path>,
     image: Option<&Image<[T; 4]>>,

@@ -18,14 +18,14 @@ const STEREO: StereoGeometry = StereoGeometry {
 
 #[derive(serde::Deserialize)]
 pub(crate) struct Request {
-    /// 8 or 16 bits.
+    /// `uint8` or `uint16`.
     left: PathBuf,
     right: PathBuf,
-    /// Of the images that the focal length is for.
+    /// The width of the images at the given focal length.
     width: u32,
     #[serde(default)]
     set: BTreeMap<String, String>,
-    /// Where the disparity and the confidence go.
+    /// The output files.
     disparity: PathBuf,
     confidence: PathBuf,
 }
@@ -46,7 +46,7 @@ impl Request {
             (Levels::U16(left), Levels::U16(right)) => {
                 Pair::new(ImageView::from(left), ImageView::from(right))?
             }
-            _ => return Err("one is of uint8, one of uint16".into()),
+            _ => return Err("the images have different dtypes".into()),
         };
         let (matched, findings) = (engine.disparity(&pair), inspect(&pair, &parameters));
         files::write(&self.disparity, &matched.disparity)?;
@@ -58,7 +58,7 @@ impl Request {
 
 #[derive(serde::Deserialize)]
 pub(crate) struct ParametersRequest {
-    /// RVC2 or RVC4.
+    /// `RVC2` or `RVC4`.
     platform: String,
 }
 
@@ -66,7 +66,7 @@ impl ParametersRequest {
     pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
         let platforms = [Platform::Rvc2, Platform::Rvc4];
         let platform = platforms.into_iter().find(|known| known.name() == self.platform);
-        let parameters = Parameters::new(platform.ok_or("no such platform")?, STEREO, 1280);
+        let parameters = Parameters::new(platform.ok_or("unknown platform")?, STEREO, 1280);
         let values = NAMES.into_iter().map(|name| Ok((name, parameters.get(name)?)));
         let values: BTreeMap<&str, String> = values.collect::<Result<_, Box<dyn Error>>>()?;
         Ok(json!({ "parameters": values }))
@@ -81,13 +81,13 @@ enum Levels {
 fn decode(path: &Path) -> Result<Levels, Box<dyn Error>> {
     let array = npy::decode(&fs::read(path)?)?;
     let &[height, width] = array.shape.as_slice() else {
-        return Err("an image has rows and columns".into());
+        return Err("invalid shape: rows × columns required".into());
     };
     let (width, height) = (u32::try_from(width)?, u32::try_from(height)?);
     let levels = match array.values {
         npy::Values::U8(values) => Image::new(width, height, values).map(Levels::U8),
         npy::Values::U16(values) => Image::new(width, height, values).map(Levels::U16),
-        _ => return Err("images are of uint8 or uint16".into()),
+        _ => return Err("images must be uint8 or uint16".into()),
     };
     levels.ok_or_else(|| "too large".into())
 }

@@ -15,24 +15,24 @@ use crate::files;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Request {
-    /// Rows × columns, or of a batch images × rows × columns.
+    /// Rows × columns, or for a batch images × rows × columns.
     depth: PathBuf,
-    /// The picture, rows × columns × 4 of `uint8`.
+    /// The colour image, rows × columns × 4 of `uint8`.
     rgb: Option<PathBuf>,
-    /// Where the disparities go; not those of a batch.
+    /// The output file of the disparity; not for a batch.
     disparity: Option<PathBuf>,
-    /// Where the depth goes.
+    /// The output file of the depth.
     distance: Option<PathBuf>,
     seed: u64,
     camera: String,
     frame: u64,
     #[serde(default)]
     item: u32,
-    /// Of the matcher.
+    /// The matcher's focal length.
     focal_length_px: f64,
     baseline_m: f64,
     width_px: u32,
-    /// By name.
+    /// The parameters by name.
     #[serde(default)]
     parameters: Map<String, Value>,
 }
@@ -46,7 +46,7 @@ impl Request {
             let shape = [count, height, width];
             let mut out = vec![0.0f32; depth.len()];
             sensor.sense_batch(depth, shape, self.frame, self.item, &random, &mut out)?;
-            let distance = self.distance.as_ref().ok_or("a batch has a distance")?;
+            let distance = self.distance.as_ref().ok_or("a batch requires `distance`")?;
             fs::write(distance, npy::encode(&array.shape, &out)?)?;
             return Ok(json!({}));
         }

@@ -15,15 +15,15 @@ use crate::files;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Request {
-    /// Rows × columns, or of a batch images × rows × columns.
+    /// Rows × columns, or for a batch images × rows × columns.
     depth: PathBuf,
-    /// The picture, rows × columns × 4 of `uint8`.
+    /// The colour image, rows × columns × 4 of `uint8`.
     rgb: Option<PathBuf>,
-    /// m/s away along each ray, rows × columns of `float32`.
+    /// The receding velocity along each ray in m/s, rows × columns of `float32`.
     velocity: Option<PathBuf>,
-    /// Where the depth goes.
+    /// The output file of the depth.
     distance: PathBuf,
-    /// Where the others go; not those of a batch.
+    /// The output files of the other images; not for a batch.
     amplitude: Option<PathBuf>,
     confidence: Option<PathBuf>,
     seed: u64,
@@ -31,7 +31,7 @@ pub(crate) struct Request {
     frame: u64,
     #[serde(default)]
     item: u32,
-    /// By name.
+    /// The parameters by name.
     #[serde(default)]
     parameters: Map<String, Value>,
 }
@@ -86,11 +86,11 @@ impl Request {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Confidence {
-    /// `uint16`, rows × columns, as the amplitude is.
+    /// `uint16`, rows × columns, like the amplitude.
     depth: PathBuf,
     amplitude: PathBuf,
     threshold: f32,
-    /// Where the results go.
+    /// The output files.
     filtered: PathBuf,
     confidence: PathBuf,
 }
@@ -111,7 +111,7 @@ impl Confidence {
 fn read_u16(path: &Path) -> Result<Image<u16>, Box<dyn Error>> {
     let array = npy::decode(&fs::read(path)?)?;
     let (&[height, width], npy::Values::U16(pixels)) = (array.shape.as_slice(), array.values) else {
-        return Err("not rows × columns of uint16".into());
+        return Err("invalid image: rows × columns of uint16 required".into());
     };
     Image::new(u32::try_from(width)?, u32::try_from(height)?, pixels).ok_or_else(|| "too large".into())
 }

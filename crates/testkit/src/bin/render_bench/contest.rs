@@ -1,4 +1,4 @@
-//! The side of the contest: engines are started, fed, and take turns.
+//! Runs the engines as processes and times their frames alternately.
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -21,16 +21,16 @@ pub(crate) struct Args {
     /// Only this engine (repeatable): raster, ray, embree, open3d, mitsuba
     #[arg(long)]
     engine: Vec<String>,
-    /// How many frames of each
+    /// Number of frames per engine
     #[arg(long, default_value_t = 30)]
     frames: usize,
-    /// Few frames, and not the largest scene
+    /// Render few frames, and skip the largest scene
     #[arg(long)]
     quick: bool,
-    /// How many threads; as many as the machine runs at once if not said
+    /// Number of threads (default: all hardware threads)
     #[arg(long)]
     threads: Option<usize>,
-    /// Without the engines that are Python packages
+    /// Skip the engines that are Python packages
     #[arg(long)]
     no_python: bool,
     /// Print JSON
@@ -40,19 +40,19 @@ pub(crate) struct Args {
     places: Places,
 }
 
-/// Where things are that this program does not make itself.
+/// Locations of external files.
 #[derive(clap::Args)]
 pub(crate) struct Places {
-    /// The Python environment of `cargo xtask bench render`; Embree's library is in it too
+    /// The Python environment of `cargo xtask bench render`, which also contains Embree's library
     #[arg(long)]
     environment: Option<PathBuf>,
 }
 
-/// Frames in a row, so that an engine's own data is in the caches again for all but the first.
-const FRAMES_IN_A_TURN: usize = 3;
+/// Consecutive frames, so that an engine's data is in the caches for all but the first.
+const FRAMES_PER_TURN: usize = 3;
 
-/// Whose depth the others are compared with, the first that is there.
-const JUDGES: [(&str, &str); 4] = [("open3d", ""), ("embree", "1"), ("mitsuba", ""), ("ray", "")];
+/// The engines whose depth is the reference; the first available one is used.
+const REFERENCES: [(&str, &str); 4] = [("open3d", ""), ("embree", "1"), ("mitsuba", ""), ("ray", "")];
 
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let contest = Contest::new(args)?;
@@ -88,14 +88,14 @@ struct Contest<'a> {
     turns: usize,
 }
 
-/// An engine at work.
+/// The process of an engine.
 struct Process {
     child: Child,
     input: ChildStdin,
     output: BufReader<ChildStdout>,
 }
 
-/// An engine that has loaded the scene, and what it has shown so far.
+/// An engine that has loaded the scene, and its results so far.
 struct Contestant {
     engine: &'static str,
     process: Process,
@@ -114,7 +114,10 @@ const ENGINES: [&str; 5] = ["raster", "ray", "embree", "open3d", "mitsuba"];
 impl<'a> Contest<'a> {
     fn new(args: &'a Args) -> Result<Self, String> {
         if let Some(unknown) = args.engine.iter().find(|name| !ENGINES.contains(&name.as_str())) {
-            return Err(format!("no engine is called {unknown}: {}", ENGINES.join(", ")));
+            return Err(format!(
+                "unknown engine {unknown}; expected one of {}",
+                ENGINES.join(", ")
+            ));
         }
         let here = std::thread::available_parallelism().map_or(1, usize::from);
         let frames = if args.quick {
@@ -126,13 +129,13 @@ impl<'a> Contest<'a> {
             args,
             folder: args.places.folder()?,
             threads: args.threads.unwrap_or(here).max(1),
-            turns: frames.div_ceil(FRAMES_IN_A_TURN).max(1),
+            turns: frames.div_ceil(FRAMES_PER_TURN).max(1),
         })
     }
 
     fn hold(&self, scene: &Scene) -> Outcome {
         let view = scene.view(1280, 800);
-        let mut outcome = Outcome::new(scene.title, &view, self.threads, self.turns * FRAMES_IN_A_TURN);
+        let mut outcome = Outcome::new(scene.title, &view, self.threads, self.turns * FRAMES_PER_TURN);
         let files = match scene.files(&self.folder) {
             Ok(files) => files,
             Err(reason) => {
@@ -157,18 +160,20 @@ impl<'a> Contest<'a> {
             }
         }
         let depths = self.depths(scene, &mut contestants);
-        let judge = JUDGES.iter().find_map(|&(engine, mode)| {
+        let reference = REFERENCES.iter().find_map(|&(engine, mode)| {
             let found = depths.iter().find(|(e, m, _)| *e == engine && m == mode)?;
             Some((engine, mode, found.2.as_slice()))
         });
-        outcome.judge = judge.map_or(String::new(), |(engine, mode, _)| format!("{engine} {mode}"));
+        outcome.reference = reference.map_or(String::new(), |(engine, mode, _)| format!("{engine} {mode}"));
         for contestant in contestants {
             for (mode, times) in contestant.modes {
                 let depth = depths
                     .iter()
                     .find(|(engine, m, _)| *engine == contestant.engine && *m == mode);
-                let agreement = match (depth, judge) {
-                    (Some((_, _, depth)), Some((_, _, judge))) => Some(Agreement::between(depth, judge)),
+                let agreement = match (depth, reference) {
+                    (Some((_, _, depth)), Some((_, _, reference))) => {
+                        Some(Agreement::between(depth, reference))
+                    }
                     _ => None,
                 };
                 outcome.rows.push(Row {
@@ -223,7 +228,7 @@ impl<'a> Contest<'a> {
         Ok(command)
     }
 
-    /// What each of them sees, by engine and mode.
+    /// The depth images by engine and mode.
     fn depths(&self, scene: &Scene, contestants: &mut [Contestant]) -> Vec<(&'static str, String, Vec<f32>)> {
         let mut depths = Vec::new();
         for contestant in contestants {
@@ -247,11 +252,11 @@ impl<'a> Contest<'a> {
 impl Contestant {
     fn take_turn(&mut self, threads: usize) {
         for (mode, times) in &mut self.modes {
-            // Some pools wait busily for more work for a moment: not at the next engine's cost.
+            // Some thread pools spin for a moment after their work; this must not slow down the next engine.
             std::thread::sleep(Duration::from_millis(5));
             times
                 .all_threads
-                .append(self.process.frames(mode, threads, FRAMES_IN_A_TURN));
+                .append(self.process.frames(mode, threads, FRAMES_PER_TURN));
             if threads > 1 {
                 times.one_thread.append(self.process.frames(mode, 1, 2));
             }
@@ -301,8 +306,8 @@ impl Process {
         let mut answer = String::new();
         let read = sent.and_then(|()| self.output.read_line(&mut answer));
         match (read, serde_json::from_str(&answer)) {
-            (Err(error), _) => Err(format!("it ended early: {error}")),
-            (Ok(0), _) => Err("it ended early".to_owned()),
+            (Err(error), _) => Err(format!("the engine ended early: {error}")),
+            (Ok(0), _) => Err("the engine ended early".to_owned()),
             (Ok(_), Ok(Answer::Value(value))) => Ok(value),
             (Ok(_), Ok(Answer::Error { error })) => Err(error),
             (Ok(_), Err(error)) => Err(format!("{error}: {answer}")),
@@ -312,14 +317,14 @@ impl Process {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // An engine that does not answer any more is not waited for.
+        // Does not wait for an engine that no longer answers.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
 impl Places {
-    /// The folder for the triangles, beside the build's.
+    /// The folder for the triangles, beside the build's output.
     pub(crate) fn folder(&self) -> Result<PathBuf, String> {
         let folder = Self::target()?.join("bench-render");
         std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -331,7 +336,7 @@ impl Places {
         let target = this.parent().and_then(Path::parent);
         target
             .map(Path::to_owned)
-            .ok_or_else(|| format!("{}: has no folder above", this.display()))
+            .ok_or_else(|| format!("{}: has no parent folder", this.display()))
     }
 
     fn environment(&self) -> Result<PathBuf, String> {
@@ -343,7 +348,7 @@ impl Places {
             Ok(folder)
         } else {
             Err(format!(
-                "{}: not there; `cargo xtask bench render` makes it",
+                "{}: does not exist; `cargo xtask bench render` creates it",
                 folder.display()
             ))
         }
@@ -370,6 +375,6 @@ impl Places {
         };
         libraries
             .find(is_it)
-            .ok_or_else(|| format!("{}: holds no embreex.libs/libembree4", environment.display()))
+            .ok_or_else(|| format!("{}: embreex.libs/libembree4 is missing", environment.display()))
     }
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::engine::Engine;
 use crate::protocol::ViewJson;
 
-/// Rows that a thread takes at once, columns of a packet.
+/// The rows of a work item and the columns of a packet.
 const BAND: usize = 4;
 
 pub(crate) struct Embree {
@@ -17,7 +17,7 @@ pub(crate) struct Embree {
     rays: Rays,
 }
 
-/// The rays of a view in float32, the same bits for whoever casts them.
+/// The rays of a view in float32, bit-identical for all engines.
 struct Rays {
     width: usize,
     height: usize,
@@ -47,7 +47,7 @@ impl Embree {
                 let rows = pixels.len() / width;
                 for y0 in (0..rows).step_by((N / BAND).max(1)) {
                     for x0 in (0..width).step_by(columns) {
-                        // Lanes outside the image look at its border.
+                        // Lanes outside the image are clamped to its border.
                         let place = |lane: usize| {
                             (
                                 (x0 + lane % columns).min(width - 1),
@@ -108,7 +108,7 @@ impl Rays {
         }
     }
 
-    /// The order of the operations is the one in `bench_render.py`.
+    /// The order of the operations is that of `bench_render.py`.
     fn direction(&self, x: usize, y: usize) -> [f32; 3] {
         let (x, y) = (self.columns[x], self.rows[y]);
         self.rotation.map(|[a, b, c]| a * x + (b * y + c))

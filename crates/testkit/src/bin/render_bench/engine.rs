@@ -3,16 +3,16 @@ use std::collections::btree_map::Entry;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Something that renders depth frames of triangles that it was given.
+/// Renders depth frames of a triangle mesh.
 pub(crate) trait Engine {
-    /// Ways to render that are timed apart.
+    /// The rendering modes, which are timed separately.
     fn modes(&self) -> Vec<String>;
 
-    /// Depth of each pixel, row by row, metres, `+inf` for a miss; in the current thread pool.
+    /// The depth of each pixel in metres, row by row, `+inf` for a miss; runs in the current thread pool.
     fn frame(&self, mode: &str) -> Vec<f32>;
 }
 
-/// A pool of threads for each number of them that was asked for.
+/// The thread pools by their number of threads.
 #[derive(Default)]
 pub(crate) struct Pools(BTreeMap<usize, ThreadPool>);
 

@@ -1,15 +1,12 @@
-//! Depth frames of this project's backends beside Embree's, Open3D's and Mitsuba's: same triangles, same rays, same
-//! number of threads, in turns.
+//! Compares depth frames of this project's backends with Embree's, Open3D's and Mitsuba's: the same triangles, rays and
+//! number of threads, alternately.
 //!
-//! Every engine is a process of its own, so that its memory is its own and its threads rest while others work; all
-//! speak [`protocol`]. `cargo xtask bench render` runs this program with the Python environment that it makes; alone,
-//! `render-bench --no-python` compares with Embree, and `render-bench profile raster plane` renders one scene in this
-//! very process, for profilers.
+//! Every engine runs in its own process, so that memory is separate and its threads are idle while others work; all
+//! use [`protocol`]. `cargo xtask bench render` runs this program with the Python environment that it creates;
+//! `render-bench --no-python` compares with Embree only, and `render-bench profile raster plane` renders one scene in this
+//! process, for profilers.
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a program for people: its output is what it is for"
-)]
+#![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 mod contest;
 #[cfg(target_os = "linux")]
@@ -28,7 +25,10 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
-#[command(name = "render-bench", about = "Depth frames beside other engines'")]
+#[command(
+    name = "render-bench",
+    about = "Benchmark of depth rendering against other engines"
+)]
 struct Args {
     #[command(subcommand)]
     command: Option<Command>,
@@ -38,26 +38,26 @@ struct Args {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Render one scene again and again in this process, for a profiler
+    /// Render one scene repeatedly in this process, for a profiler
     Profile {
         /// raster, ray, embree
         engine: String,
         /// The scene's name
         scene: String,
-        /// How many frames
+        /// Number of frames
         #[arg(long, default_value_t = 20)]
         frames: usize,
-        /// How many threads
+        /// Number of threads
         #[arg(long, default_value_t = 1)]
         threads: usize,
         /// For Embree's library and the chess set's triangles, as without a command
         #[command(flatten)]
         places: contest::Places,
     },
-    /// Be an engine: commands come by standard input
+    /// Run an engine that reads commands from standard input
     #[command(hide = true)]
     Worker {
-        /// Which
+        /// The engine
         engine: String,
         /// Embree's library
         #[arg(long)]

@@ -14,7 +14,7 @@ pub(crate) struct Ours {
 }
 
 impl Ours {
-    /// The scene is ready when this returns: a backend prepares itself for the first pixel.
+    /// Builds the scene, including the preparation that a backend does for the first pixel.
     pub(crate) fn build(backend: Backend, mesh: Mesh, view: &ViewJson) -> Self {
         let placed = Instance {
             mesh: 0,

@@ -1,6 +1,6 @@
-//! What the contest and its engines say to each other: one JSON request a line on the engine's standard input, one
-//! JSON answer a line on its standard output, `{"error": …}` where there is none. `tests/oracles/bench_render.py`
-//! speaks it too.
+//! The protocol between the benchmark and its engines: one JSON request per line on the engine's standard input, one
+//! JSON answer per line on its standard output, `{"error": …}` if it failed. `tests/oracles/bench_render.py`
+//! implements it, too.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Deserialize, Serialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub(crate) enum Request {
-    /// Read the triangles, build, render a first frame in every mode.
+    /// Read the triangles, build, and render a first frame in every mode.
     Load {
         /// float32 (n, 3), little-endian, without a header.
         positions: PathBuf,
@@ -28,13 +28,13 @@ pub(crate) enum Request {
     Depth { mode: String, path: PathBuf },
 }
 
-/// A pinhole with its principal point in the middle of the image. The ray through pixel (x, y) is
+/// A pinhole with its principal point at the image centre. The ray through pixel (x, y) is
 /// `rotation · ((x + 0.5 − width / 2) / focal, (y + 0.5 − height / 2) / focal, 1)`, so that its parameter is depth.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct ViewJson {
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// px
+    /// The focal length in pixels.
     pub(crate) focal: f64,
     /// Rows of `world_from_camera`; the camera's axes are OpenCV's.
     pub(crate) rotation: [[f64; 3]; 3],
@@ -45,21 +45,21 @@ pub(crate) struct ViewJson {
 /// The answer to `Load`.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct Loaded {
-    /// Ways to render that are timed apart: `""` where there is one.
+    /// The separately timed rendering modes: `[""]` if there is only one.
     pub(crate) modes: Vec<String>,
-    /// From triangles in memory to the first pixel.
+    /// The time from triangles in memory to the first pixel.
     pub(crate) build_s: f64,
-    /// By how much the process has grown since before it read the triangles.
+    /// The growth of the process's memory since before it read the triangles.
     pub(crate) resident_bytes: u64,
-    /// The same at its largest.
+    /// The peak growth.
     pub(crate) peak_bytes: u64,
 }
 
 /// The answer to `Frames`.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct Frames {
-    /// Of each frame.
+    /// The wall time of each frame.
     pub(crate) wall_s: Vec<f64>,
-    /// Of all threads together, of each frame.
+    /// The processor time of all threads for each frame.
     pub(crate) cpu_s: Vec<f64>,
 }

@@ -1,4 +1,4 @@
-//! What is rendered, and from where.
+//! The benchmark's scenes and views.
 
 use std::path::Path;
 
@@ -12,16 +12,16 @@ use crate::triangles::Files;
 /// A scene of the benchmark.
 pub(crate) struct Scene {
     pub(crate) name: &'static str,
-    /// For people.
+    /// The title in the table.
     pub(crate) title: &'static str,
     eye: [f64; 3],
     target: [f64; 3],
     up: DVec3,
-    /// `None` where another program has to write the triangles.
+    /// `None` if the triangles are written by another program.
     make: Option<fn() -> Mesh>,
 }
 
-/// From small to large.
+/// The scenes, from small to large.
 pub(crate) const SCENES: [Scene; 4] = [
     Scene {
         name: "sphere",
@@ -65,7 +65,7 @@ pub(crate) const SCENES: [Scene; 4] = [
     },
 ];
 
-/// By its name.
+/// Returns the scene with this name.
 pub(crate) fn find(name: &str) -> Result<&'static Scene, String> {
     let names = || {
         SCENES
@@ -75,17 +75,17 @@ pub(crate) fn find(name: &str) -> Result<&'static Scene, String> {
             .join(", ")
     };
     let found = SCENES.iter().find(|scene| scene.name == name);
-    found.ok_or_else(|| format!("no scene is called {name}: {}", names()))
+    found.ok_or_else(|| format!("unknown scene {name}; expected one of {}", names()))
 }
 
 impl Scene {
-    /// Its triangles, made on first use; why not, where that cannot be done.
+    /// The scene's triangle files, created on first use.
     pub(crate) fn files(&self, folder: &Path) -> Result<Files, String> {
         let files = Files::of(folder, self.name);
         match self.make {
             None if files.exist() => Ok(files),
             None => Err(
-                "its triangles are extracted by `cargo xtask bench render` with OAKTWIN_TEST_DATA set"
+                "the triangles are extracted by `cargo xtask bench render` with OAKTWIN_TEST_DATA set"
                     .to_owned(),
             ),
             Some(make) => {
@@ -96,7 +96,7 @@ impl Scene {
         }
     }
 
-    /// Seen with 77° from left to right, as by an OAK-D's stereo cameras.
+    /// A view with a horizontal field of view of 77°, like that of an OAK-D's stereo cameras.
     pub(crate) fn view(&self, width: u32, height: u32) -> ViewJson {
         let eye = DVec3::from(self.eye);
         let forward = (DVec3::from(self.target) - eye).normalize();

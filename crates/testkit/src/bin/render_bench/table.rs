@@ -1,4 +1,4 @@
-//! What came of it, for people.
+//! The result table.
 
 use serde::Serialize;
 
@@ -12,10 +12,10 @@ pub(crate) struct Outcome {
     height: u32,
     threads: usize,
     frames: usize,
-    /// Whose depth the others are compared with.
-    pub(crate) judge: String,
+    /// The engine whose depth is the reference.
+    pub(crate) reference: String,
     pub(crate) rows: Vec<Row>,
-    /// What did not take part, and why.
+    /// The engines that were skipped, with the reason.
     pub(crate) skipped: Vec<(String, String)>,
 }
 
@@ -29,27 +29,27 @@ pub(crate) struct Row {
     pub(crate) agreement: Option<Agreement>,
 }
 
-/// How two depth images differ.
+/// The differences between two depth images.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct Agreement {
-    /// Pixels that hit something in the first image.
+    /// Pixels with a hit in the first image.
     hits: usize,
-    /// Pixels of which only one image says a miss, or whose relative difference is above [`SAME`].
+    /// Pixels that are a miss in only one image, or whose relative difference exceeds [`SAME`].
     differing: usize,
-    /// The largest relative difference of the other pixels.
+    /// The maximum relative difference of the other pixels.
     largest: f64,
-    /// The median relative difference of pixels that are hits in both.
+    /// The median relative difference of pixels with hits in both images.
     median: f64,
 }
 
-/// Relative difference up to which two depths are the same.
+/// The relative difference up to which two depths count as equal.
 const SAME: f64 = 1e-5;
 
 impl Agreement {
-    pub(crate) fn between(depth: &[f32], judge: &[f32]) -> Self {
+    pub(crate) fn between(depth: &[f32], reference: &[f32]) -> Self {
         let mut relative = Vec::new();
-        let mut one_sided = depth.len().abs_diff(judge.len());
-        for (&ours, &theirs) in depth.iter().zip(judge) {
+        let mut one_sided = depth.len().abs_diff(reference.len());
+        for (&ours, &theirs) in depth.iter().zip(reference) {
             match (ours.is_finite(), theirs.is_finite()) {
                 (true, true) => {
                     let (ours, theirs) = (f64::from(ours), f64::from(theirs));
@@ -78,7 +78,7 @@ impl Outcome {
             height: view.height,
             threads,
             frames,
-            judge: String::new(),
+            reference: String::new(),
             rows: Vec::new(),
             skipped: Vec::new(),
         }
@@ -93,7 +93,7 @@ impl Outcome {
             println!(
                 "| engine | frame, ms | × Open3D | × Embree 16 | × Embree 8 | CPU, ms | 1 thread, ms | scaling | build, ms | \
                  MB | B/triangle | peak MB | pixels ≠ {} | largest rel. diff. of the rest | median |",
-                self.judge
+                self.reference
             );
             println!("|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
             for row in &self.rows {
@@ -105,7 +105,7 @@ impl Outcome {
         }
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "sizes for people")]
+    #[expect(clippy::cast_precision_loss, reason = "displayed sizes")]
     fn print_row(&self, row: &Row) {
         let frame = median(&row.all_threads.wall_s);
         let cpu = median(&row.all_threads.cpu_s);
@@ -163,11 +163,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_wrong_answer_is_counted() {
+    fn counts_wrong_depths() {
         let inf = f32::INFINITY;
-        let judge = [1.0, 2.0, inf, 4.0, inf];
+        let reference = [1.0, 2.0, inf, 4.0, inf];
         let ours = [1.0, 2.000_001, inf, 4.1, 5.0];
-        let agreement = Agreement::between(&ours, &judge);
+        let agreement = Agreement::between(&ours, &reference);
         assert_eq!((agreement.hits, agreement.differing), (4, 2));
         assert!(agreement.largest > 1e-7 && agreement.largest < 1e-6);
         let nan = Agreement::between(&[f32::NAN], &[1.0]);

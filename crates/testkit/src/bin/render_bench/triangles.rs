@@ -1,4 +1,4 @@
-//! Triangles in files that every engine can read: bare little-endian numbers.
+//! Triangle files that every engine can read: little-endian numbers without a header.
 
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Write};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_scene::Mesh;
 
-/// Where a scene's triangles are.
+/// The files of a scene's triangles.
 #[derive(Clone, Debug)]
 pub(crate) struct Files {
     pub(crate) positions: PathBuf,
@@ -53,7 +53,7 @@ fn write(path: &Path, words: impl Iterator<Item = [u8; 4]>) -> io::Result<()> {
     file.flush()
 }
 
-/// Piece by piece, so that the file is never in memory twice: memory is measured.
+/// Reads piecewise, so that the file is never in memory twice: memory is measured.
 fn read<T>(path: &Path, parse: impl Fn([[u8; 4]; 3]) -> [T; 3]) -> io::Result<Vec<[T; 3]>> {
     let file = File::open(path)?;
     let count = usize::try_from(file.metadata()?.len() / 12).unwrap_or(usize::MAX);

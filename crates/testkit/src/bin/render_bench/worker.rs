@@ -1,4 +1,4 @@
-//! The side of the engines.
+//! Runs an engine.
 
 use std::io::{self, BufRead, Write};
 use std::path::Path;
@@ -18,7 +18,7 @@ use crate::protocol::{Frames, Loaded, Request, ViewJson};
 use crate::scenes;
 use crate::triangles::{self, Files};
 
-/// Answers requests until there are no more.
+/// Answers requests until the input ends.
 pub(crate) fn serve(engine: &str, library: Option<&Path>) -> Result<(), String> {
     let mut worker = Worker::new(engine, library);
     let mut out = io::stdout().lock();
@@ -34,7 +34,7 @@ pub(crate) fn serve(engine: &str, library: Option<&Path>) -> Result<(), String> 
     Ok(())
 }
 
-/// Frames of one scene in this process.
+/// Renders frames of one scene in this process.
 pub(crate) fn profile(
     engine: &str,
     scene: &str,
@@ -126,7 +126,11 @@ impl<'a> Worker<'a> {
                         let library = library.ok_or("Embree's library was not found")?;
                         Box::new(Embree::build(library, mesh, view, threads)?)
                     }
-                    _ => return Err(format!("no engine is called {name}: raster, ray, embree")),
+                    _ => {
+                        return Err(format!(
+                            "unknown engine {name}; expected one of raster, ray, embree"
+                        ));
+                    }
                 })
             })??;
         let build_s = start.elapsed().as_secs_f64();

@@ -4,6 +4,7 @@
 //! Needed because `openusd` 0.6.0 panics, allocates without bound or overflows the stack on damaged files.
 
 mod binary;
+mod cursor;
 mod package;
 mod text;
 mod values;

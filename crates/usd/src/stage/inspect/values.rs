@@ -1,6 +1,6 @@
 //! Checks the lengths of the values in a binary layer. The layout follows the reader in OpenUSD's `crateFile.cpp`.
 
-use super::binary::{Cursor, INTS_PER_BYTE};
+use super::cursor::{Cursor, INTS_PER_BYTE};
 
 const ARRAY: u64 = 1 << 63;
 const INLINED: u64 = 1 << 62;

@@ -4,9 +4,9 @@ use oaktwin_camera::math::DAffine3;
 use oaktwin_scene::Label;
 use openusd::sdf::Path;
 
+use super::super::binding::Bindings;
+use super::super::own::{Own, Purpose};
 use super::super::reader::Record;
-use super::binding::Bindings;
-use super::own::{Own, Purpose};
 
 /// The state that a prim inherits from its ancestors.
 #[derive(Clone)]

@@ -1,6 +1,5 @@
 //! Converts composed prims to a [`Scene`].
 
-mod binding;
 mod builder;
 mod camera;
 mod context;
@@ -9,7 +8,6 @@ mod instancer;
 mod light;
 mod material;
 mod mesh;
-mod own;
 mod primvar;
 mod shape;
 
@@ -20,7 +18,6 @@ pub(super) use builder::{Builder, Children};
 pub(super) use camera::pose;
 pub(super) use context::Context;
 pub(super) use findings::Findings;
-pub(super) use own::Own;
 
 use super::{RenderProduct, SceneCamera, StageMetadata};
 

@@ -1,7 +1,7 @@
 use super::Part;
 use crate::{Attribute, MaterialSpan, Mesh};
 
-/// The primitives of a mesh as one, in their order.
+/// Merges the primitives of a mesh, in order.
 pub(super) fn merge(mut parts: Vec<Part>) -> Mesh {
     parts.retain(|part| !part.mesh.triangles.is_empty());
     if parts.len() < 2 {
@@ -32,7 +32,7 @@ pub(super) fn merge(mut parts: Vec<Part>) -> Mesh {
     merged
 }
 
-/// Those of all parts, where one has some: the others get what stands for none.
+/// The values of all parts if any part has some; parts without values get the default.
 fn vertex_values<T: Copy>(
     parts: &[Part],
     get: impl Fn(&Part) -> Option<&Attribute<T>>,
@@ -51,7 +51,7 @@ fn vertex_values<T: Copy>(
     Some(Attribute::Vertex(values))
 }
 
-/// Parts without normals stay flat beside those that have some.
+/// The normals of all parts; parts without normals stay flat.
 fn normals(parts: &[Part]) -> Option<Attribute<[f32; 3]>> {
     let all = parts.iter().all(|part| part.mesh.normals.is_some());
     if all || parts.iter().all(|part| part.mesh.normals.is_none()) {
@@ -75,7 +75,7 @@ fn normals(parts: &[Part]) -> Option<Attribute<[f32; 3]>> {
     Some(Attribute::Corner { values, indices })
 }
 
-/// Lists in memory are shorter than that.
+/// Lists in memory have fewer than 2³² elements.
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

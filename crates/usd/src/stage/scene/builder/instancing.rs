@@ -4,10 +4,10 @@ use openusd::sdf::Path;
 
 use super::super::context::Context;
 use super::super::instancer::PointInstancer;
-use super::super::own::Own;
 use super::{Builder, Children};
+use crate::stage::own::Own;
 use crate::stage::reader::{Outcome, Record};
-use crate::stage::walk::{Visitor, Walk, Which};
+use crate::stage::walk::{VisitedPrim, Visitor, Walk, Which};
 
 /// Marks the name of a prim inside a point instancer's prototype until its point is known. No path starts with it.
 const PROTOTYPE_PREFIX: &str = "[]";
@@ -125,7 +125,7 @@ impl Visitor for PrototypeVisitor<'_> {
     fn prim(
         &mut self,
         walk: &Walk<'_>,
-        prim: &Record,
+        prim: &VisitedPrim,
         path: &str,
         context: &Context,
     ) -> Outcome<Option<Context>> {

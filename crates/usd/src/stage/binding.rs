@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use openusd::sdf::Path;
 
-use super::super::reader::{Reader, Record};
-use super::super::value::{boolean, text};
+use super::reader::{Reader, Record};
+use super::value::{boolean, text};
 
 /// The purposes of bindings, in the order in which they are tried: full, all-purpose, preview.
 const PURPOSES: [&str; 3] = [":full", "", ":preview"];

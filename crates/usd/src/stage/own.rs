@@ -1,10 +1,10 @@
-use super::super::reader::{Reader, Record};
-use super::super::transform::{LocalTransform, local_transform};
-use super::super::value::{text, texts};
 use super::binding::{Binding, bindings};
+use super::reader::{Reader, Record};
+use super::transform::{LocalTransform, local_transform};
+use super::value::{text, texts};
 
 /// The inheritable opinions authored on a prim itself.
-pub(in crate::stage) struct Own {
+pub(super) struct Own {
     pub(super) transform: Option<LocalTransform>,
     pub(super) invisible: bool,
     pub(super) purpose: Option<Purpose>,
@@ -26,7 +26,7 @@ pub(super) enum Purpose {
 }
 
 impl Own {
-    pub(in crate::stage) fn of(reader: &Reader, prim: &Record) -> Self {
+    pub(super) fn of(reader: &Reader, prim: &Record) -> Self {
         let token = |name: &str| reader.value(prim, name).and_then(text);
         Self {
             transform: local_transform(reader, prim),

@@ -1,0 +1,141 @@
+use std::path::Path;
+
+use oaktwin::camera::ImageSize;
+use oaktwin::catalog::{Origin, Role};
+use oaktwin::depth::preset::Platform;
+use oaktwin::depth::rectify::{Method, RectifyOptions};
+use oaktwin::sense::FieldOfView;
+use oaktwin::sensor::{SensorOptions, platform};
+use oaktwin::stereo::{Matcher, PairOf, StereoError, check_calibration};
+use oaktwin::usd::asset::LensChoice;
+use pyo3::prelude::*;
+
+use crate::choice::choose;
+use crate::device::Device;
+use crate::error::{error, wrong};
+
+pub(super) const METHODS: [(&str, Method); 4] = [
+    ("auto", Method::Auto),
+    ("homography", Method::Homography),
+    ("mesh", Method::Mesh),
+    ("full", Method::Full),
+];
+
+/// The image size before the first pair, if no device defines it.
+const FIRST_SIZE: ImageSize = ImageSize {
+    width: 1280,
+    height: 800,
+};
+
+/// The origin of the image pairs.
+pub(super) enum Source {
+    Device {
+        device: Py<Device>,
+        is_raw: bool,
+        rectify: Option<Method>,
+    },
+    Rectified {
+        field_of_view: FieldOfView,
+        baseline_m: f64,
+    },
+}
+
+impl Source {
+    pub(super) fn device(
+        device: &Bound<'_, Device>,
+        raw: Option<bool>,
+        rectify: Option<&str>,
+    ) -> PyResult<Self> {
+        let own = device.get();
+        let rectify = rectify
+            .map(|name| choose("rectify", name, &METHODS))
+            .transpose()?;
+        if let Origin::Calibration { file_name, .. } = &own.twin.origin {
+            check_calibration(Path::new(file_name), &own.findings).map_err(error)?;
+        }
+        let raw_by_default = own.twin.origin != Origin::Nominal || own.lens == LensChoice::Fisheye;
+        if raw == Some(false) && rectify.is_some() {
+            let is = "raw=False means that the images are rectified already";
+            return Err(wrong("rectify", is, "omit rectify or raw=False"));
+        }
+        Ok(Self::Device {
+            device: device.clone().unbind(),
+            is_raw: raw.unwrap_or(raw_by_default || rectify.is_some()),
+            rectify,
+        })
+    }
+
+    pub(super) fn rectified(fx: Option<f64>, hfov_deg: Option<f64>, baseline: Option<f64>) -> PyResult<Self> {
+        let field_of_view = match (fx, hfov_deg) {
+            (Some(fx), None) => Some(FieldOfView::FocalLength(fx)),
+            (None, Some(hfov)) => Some(FieldOfView::Degrees(hfov)),
+            (None, None) => None,
+            _ => {
+                return Err(wrong(
+                    "fx, hfov_deg",
+                    "only one of them may be given",
+                    "pass fx or hfov_deg",
+                ));
+            }
+        };
+        match (field_of_view, baseline) {
+            (Some(field_of_view), Some(baseline_m)) => Ok(Self::Rectified {
+                field_of_view,
+                baseline_m,
+            }),
+            _ => Err(wrong(
+                "device",
+                "the camera of the images is unknown",
+                "pass a device, or fx (or hfov_deg) and baseline of a rectified pair",
+            )),
+        }
+    }
+
+    /// The image size of the matcher before the first pair.
+    pub(super) fn first_size(&self) -> ImageSize {
+        match self {
+            Self::Device { device, .. } => {
+                let left = device.get().twin.camera(Role::Left);
+                left.map_or(FIRST_SIZE, |left| left.intrinsics.size)
+            }
+            Self::Rectified { .. } => FIRST_SIZE,
+        }
+    }
+
+    pub(super) fn matcher(
+        &self,
+        chosen: Option<Platform>,
+        options: &SensorOptions,
+        size: ImageSize,
+    ) -> Result<Matcher, StereoError> {
+        let pair_of = match self {
+            Self::Device {
+                device,
+                is_raw,
+                rectify,
+            } => {
+                let device = device.get();
+                let own = chosen.or_else(|| platform(&device.twin));
+                PairOf::Twin {
+                    twin: &device.twin,
+                    lens: device.lens,
+                    is_raw: *is_raw,
+                    rectify: rectify.map(|method| RectifyOptions {
+                        method,
+                        ..RectifyOptions::of(own.unwrap_or(Platform::Rvc4))
+                    }),
+                    platform: chosen,
+                }
+            }
+            Self::Rectified {
+                field_of_view,
+                baseline_m,
+            } => PairOf::Rectified {
+                field_of_view: *field_of_view,
+                baseline_m: *baseline_m,
+                platform: chosen.unwrap_or(Platform::Rvc2),
+            },
+        };
+        Matcher::new(&pair_of, size, options)
+    }
+}
