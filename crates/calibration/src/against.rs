@@ -2,18 +2,17 @@ use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Role, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level, fold_name, message, opt};
 
-use crate::check::{RESOLUTION, baseline_finding, pair_place};
+use crate::check::{RESOLUTION, baseline_finding};
 use crate::{Calibration, CameraCalibration, Socket};
 
-/// A rescaled fx this far (as a ratio − 1) from the nominal one is odd: lenses of real units differ by 6 %.
-const ODD_FOCAL_LENGTH: f64 = 0.10;
-/// How far the ratio of an image's sides may be from its sensor's: 4056x3040 and 4:3 are 0.0007 apart.
+/// The relative difference of a rescaled fx from the nominal one that causes a warning; lenses of real units differ by 6 %.
+const SUSPICIOUS_FOCAL_LENGTH: f64 = 0.10;
+/// The tolerance of an image's aspect ratio; 4056x3040 and 4:3 differ by 0.0007.
 const SAME_ASPECT: f64 = 0.01;
 
-/// What does not fit between a unit's calibration and the model that it is taken for: its name, its baseline, the
-/// sizes of its images, its focal lengths. A baseline more than 10 % off, and an image larger than its sensor, are
-/// [errors](Level::Error) that [`crate::force`] makes warnings. `nominal` is the model's [nominal
-/// twin](Catalog::nominal), and `catalog` knows its sensors.
+/// Compares a unit's calibration with its model: name, baseline, image sizes and focal lengths. A difference of the baseline
+/// above 10 % and an image larger than its sensor are [errors](Level::Error), which [`crate::force`] downgrades to warnings.
+/// `nominal` is the model's [nominal twin](Catalog::nominal), and `catalog` contains its sensors.
 #[must_use]
 pub fn check_against(calibration: &Calibration, nominal: &Twin, catalog: &Catalog) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -29,7 +28,7 @@ pub fn check_against(calibration: &Calibration, nominal: &Twin, catalog: &Catalo
     findings
 }
 
-/// The calibration of a twin's camera, by its socket.
+/// Returns the calibration of a twin's camera.
 pub(crate) fn calibrated<'a>(
     calibration: &'a Calibration,
     camera: &TwinCamera,
@@ -41,7 +40,7 @@ pub(crate) fn socket_of(camera: &TwinCamera) -> Option<Socket> {
     u8::try_from(camera.spec.socket).ok().map(Socket)
 }
 
-/// The sockets of a twin's stereo pair.
+/// Returns the sockets of a twin's stereo pair.
 pub(crate) fn pair_of(nominal: &Twin) -> Option<(Socket, Socket)> {
     let socket = |role| nominal.camera(role).and_then(socket_of);
     Some((socket(Role::Left)?, socket(Role::Right)?))
@@ -58,7 +57,7 @@ fn product(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
         "product-name",
         Level::Warning,
         "productName",
-        format!("the file is of a \"{product}\", not of an {}", device.name),
+        format!("the file is for a \"{product}\", not for an {}", device.name),
         "check that the file belongs to this model",
     ))
 }
@@ -67,7 +66,7 @@ fn baseline(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
     let (left, right) = pair_of(nominal)?;
     let found = calibration.baseline(left, right, false).ok()?;
     let expected = nominal.device.stereo_baseline_mm * 1e-3;
-    // Where the file's own design says the same as the model, reading it has already told.
+    // If the design in the file agrees with the model, reading the file has reported the difference.
     if let Ok(spec) = calibration.baseline(left, right, true)
         && calibration.stereo_pair() == Some((left, right))
         && (spec / expected - 1.0).abs() < 1e-3
@@ -75,7 +74,7 @@ fn baseline(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
         return None;
     }
     let who = format!("an {} has", nominal.device.name);
-    baseline_finding(pair_place(calibration, left, right), found, expected, &who)
+    baseline_finding(calibration.baseline_place(left, right), found, expected, &who)
 }
 
 fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog) -> Option<Finding> {
@@ -110,10 +109,10 @@ fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog)
             Level::Warning,
             place,
             format!(
-                "{size} has not the shape of any mode of the {} ({native})",
+                "the aspect ratio of {size} is not that of any mode of the {} ({native})",
                 sensor.id
             ),
-            "it is scaled and cropped about the centre; calibrate at the sensor's own size",
+            "images are scaled and cropped about the centre; calibrate at the sensor's own size",
         ));
     }
     None
@@ -123,7 +122,7 @@ fn focal_length(found: &CameraCalibration, camera: &TwinCamera) -> Option<Findin
     let size = camera.intrinsics.size;
     let (fx, nominal) = (found.intrinsics.resized(size, true).fx, camera.intrinsics.fx);
     let off = fx / nominal - 1.0;
-    if off.abs() <= ODD_FOCAL_LENGTH {
+    if off.abs() <= SUSPICIOUS_FOCAL_LENGTH {
         return None;
     }
     Some(Finding::new(
@@ -131,7 +130,7 @@ fn focal_length(found: &CameraCalibration, camera: &TwinCamera) -> Option<Findin
         Level::Warning,
         format!("{}.intrinsicMatrix", found.place),
         format!(
-            "fx is {fx:.1} px at {size} where the {} camera nominally has {nominal:.1} px, {:+.1} %",
+            "fx is {fx:.1} px at {size}, but nominally {nominal:.1} px for the {} camera ({:+.1} %)",
             camera.spec.prim,
             off * 100.0
         ),

@@ -1,4 +1,4 @@
-//! What a calibration must be beyond its syntax, by itself.
+//! Checks of a calibration's content.
 
 use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
@@ -7,18 +7,18 @@ use crate::model::{Calibration, CameraCalibration, Link};
 use crate::reader::Reader;
 use crate::rectify::rectifying_rotations;
 
-/// A baseline this far off (as a ratio − 1) is odd: real units are within 1.6 %.
-pub(crate) const ODD_BASELINE: f64 = 0.03;
-/// A baseline this far off was calibrated with a wrong board scale, or belongs to another model.
+/// The relative error of a baseline that causes a warning; real units are within 1.6 %.
+pub(crate) const SUSPICIOUS_BASELINE: f64 = 0.03;
+/// The relative error of a baseline that means a wrong scale of the calibration board, or another model.
 pub(crate) const WRONG_BASELINE: f64 = 0.10;
-/// The code of the findings that [`force`] makes warnings.
+/// The code of an error that [`force`] downgrades.
 pub(crate) const BASELINE: &str = "baseline-off";
-/// Another code that [`force`] makes a warning.
+/// The code of another error that [`force`] downgrades.
 pub(crate) const RESOLUTION: &str = "resolution-off";
-/// How far the file's rectification may be from that of its extrinsics, as an angle, rad.
-const ODD_RECTIFICATION: f64 = 1e-3;
+/// The angle between the file's rectification and that of its extrinsics that causes a warning, rad.
+const SUSPICIOUS_RECTIFICATION: f64 = 1e-3;
 
-/// Makes warnings of the errors that a person may decide to live with: a baseline or a resolution that does not fit.
+/// Downgrades the errors that a user may choose to ignore to warnings: a mismatch of the baseline or resolution.
 pub fn force(findings: &mut [Finding]) {
     for finding in findings {
         if finding.level == Level::Error && [BASELINE, RESOLUTION].contains(&finding.code) {
@@ -48,7 +48,7 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
         let hfov_deg = k.hfov().to_degrees();
         if !(5.0..=170.0).contains(&hfov_deg) {
             let message = format!(
-                "fx = {} px over {} columns is a field of view of {hfov_deg:.1} deg",
+                "fx = {} px and a width of {} px mean a field of view of {hfov_deg:.1} deg",
                 k.fx, size.width
             );
             reader.warn(
@@ -59,7 +59,7 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
             );
         }
         if !reaches_corners(camera) {
-            let message = "the lens model folds back inside the image: some pixels see nothing by it";
+            let message = "the lens model folds back inside the image; some pixels have no ray";
             reader.warn(
                 "distortion-folds",
                 format!("{}.distortionCoeff", camera.place),
@@ -73,7 +73,7 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
                 "focal-length",
                 &place,
                 message,
-                "the pixels of these sensors are square: calibrate again",
+                "these sensors have square pixels; calibrate again",
             );
         }
     }
@@ -101,7 +101,7 @@ pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
     let others = calibration.imu.iter().chain(&calibration.housing);
     for link in of_cameras.chain(others) {
         if !calibration.cameras.contains_key(&link.to) {
-            let message = format!("leads to {}, which is not in cameraData", link.to);
+            let message = format!("refers to {}, which is not in cameraData", link.to);
             reader.error(
                 "dangling-socket",
                 format!("{}.toCameraSocket", link.place),
@@ -110,13 +110,13 @@ pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
             );
         }
     }
-    let mut told: Vec<crate::Socket> = Vec::new();
+    let mut reported: Vec<crate::Socket> = Vec::new();
     for camera in calibration.cameras.values() {
         let cycle = cycle_through(calibration, camera);
-        if let Some(cycle) = cycle.filter(|_| !told.contains(&camera.socket)) {
+        if let Some(cycle) = cycle.filter(|_| !reported.contains(&camera.socket)) {
             let names: Vec<String> = cycle.iter().map(ToString::to_string).collect();
             let message = format!(
-                "the extrinsics run in a circle: {} -> {}",
+                "the extrinsics form a cycle: {} -> {}",
                 names.join(" -> "),
                 camera.socket
             );
@@ -124,14 +124,14 @@ pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
                 "cycle",
                 format!("{}.extrinsics.toCameraSocket", camera.place),
                 message,
-                "set -1 for one of them, the root",
+                "set the root's to -1",
             );
-            told.extend(cycle);
+            reported.extend(cycle);
         }
     }
 }
 
-/// The sockets on the circle that the camera is part of.
+/// Returns the sockets of the cycle that contains the camera.
 fn cycle_through(calibration: &Calibration, start: &CameraCalibration) -> Option<Vec<crate::Socket>> {
     let mut seen = vec![start.socket];
     let mut link = start.extrinsics.as_ref();
@@ -140,7 +140,7 @@ fn cycle_through(calibration: &Calibration, start: &CameraCalibration) -> Option
             return Some(seen);
         }
         if seen.contains(to) {
-            return None; // a circle further on, told there
+            return None; // a cycle that does not contain this camera
         }
         seen.push(*to);
         link = calibration.cameras.get(to)?.extrinsics.as_ref();
@@ -155,10 +155,10 @@ pub(crate) fn stereo(reader: &mut Reader, calibration: &Calibration) {
     let Ok(right_from_left) = calibration.transform(left, right, false) else {
         return;
     };
-    let place = || pair_place(calibration, left, right);
+    let place = || calibration.baseline_place(left, right);
     let t = right_from_left.translation;
     if let Ok(spec) = calibration.baseline(left, right, true)
-        && let Some(finding) = baseline_finding(place(), t.length(), spec, "the board's design says")
+        && let Some(finding) = baseline_finding(place(), t.length(), spec, "the board's design has")
     {
         reader.findings.push(finding);
     }
@@ -202,9 +202,9 @@ fn rectification(reader: &mut Reader, calibration: &Calibration, right_from_left
     ] {
         let Some(stored) = stored else { continue };
         let angle = rotation_angle(stored * computed.transpose());
-        if angle > ODD_RECTIFICATION {
+        if angle > SUSPICIOUS_RECTIFICATION {
             let message = format!(
-                "is {:.3} deg from what the extrinsics give; not used",
+                "differs by {:.3} deg from the rotation by the extrinsics; ignored",
                 angle.to_degrees()
             );
             reader.warn(
@@ -218,7 +218,7 @@ fn rectification(reader: &mut Reader, calibration: &Calibration, right_from_left
 }
 
 fn rotation_angle(r: oaktwin_camera::math::DMat3) -> f64 {
-    // From the skew part too, because acos alone has no digits near zero.
+    // The skew part is more accurate than acos near zero.
     let skew = oaktwin_camera::math::DVec3::new(
         r.y_axis.z - r.z_axis.y,
         r.z_axis.x - r.x_axis.z,
@@ -228,24 +228,11 @@ fn rotation_angle(r: oaktwin_camera::math::DMat3) -> f64 {
     skew.length().atan2(trace - 1.0)
 }
 
-/// Where the baseline of a pair is written: the translation of the left camera, or of the right one if the left is
-/// the root.
-pub(crate) fn pair_place(calibration: &Calibration, left: crate::Socket, right: crate::Socket) -> String {
-    let camera = [left, right]
-        .into_iter()
-        .filter_map(|socket| calibration.cameras.get(&socket))
-        .find(|camera| camera.extrinsics.is_some());
-    camera.map_or_else(
-        || "cameraData".to_owned(),
-        |camera| format!("{}.extrinsics.translation", camera.place),
-    )
-}
-
 pub(crate) fn baseline_finding(place: String, found_m: f64, nominal_m: f64, who: &str) -> Option<Finding> {
     let off = found_m / nominal_m - 1.0;
     let level = if off.abs() > WRONG_BASELINE {
         Level::Error
-    } else if off.abs() > ODD_BASELINE {
+    } else if off.abs() > SUSPICIOUS_BASELINE {
         Level::Warning
     } else {
         return None;
@@ -255,13 +242,13 @@ pub(crate) fn baseline_finding(place: String, found_m: f64, nominal_m: f64, who:
         level,
         place,
         format!(
-            "the baseline is {:.2} mm where {who} {:.2} mm, {:+.1} %",
+            "the baseline is {:.2} mm, but {who} {:.2} mm ({:+.1} %)",
             found_m * 1e3,
             nominal_m * 1e3,
             off * 100.0
         ),
         message![
-            "check the size of the calibration board's squares and the model; ",
+            "check the model and the square size of the calibration board; ",
             opt("force"),
             " ignores the error"
         ],

@@ -4,7 +4,7 @@ use oaktwin_diagnostic::Finding;
 
 use crate::Socket;
 
-/// Why a calibration cannot be used.
+/// An error in a calibration.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
     /// The file is not a JSON document.
@@ -12,35 +12,35 @@ pub enum CalibrationError {
     Json {
         /// The file.
         file: String,
-        /// From 1.
+        /// The line, from 1.
         line: usize,
-        /// From 1, in characters.
+        /// The column in characters, from 1.
         column: usize,
-        /// What is wrong.
+        /// The problem.
         what: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
-    /// The document is not a calibration that means anything.
+    /// The document is not a valid calibration.
     #[error("{file}: {}", Errors(.errors))]
-    Meaningless {
+    Invalid {
         /// The file.
         file: String,
-        /// What is wrong, in the file's order; at least one.
+        /// The errors in the order of the file; at least one.
         errors: Vec<Finding>,
     },
-    /// A camera that the calibration lacks.
-    #[error("{file}: cameraData: no {socket}; name one of {}", Sockets(.present))]
+    /// The calibration does not contain a camera.
+    #[error("{file}: cameraData: no camera {socket}; use one of {}", Sockets(.present))]
     NoCamera {
         /// The file.
         file: String,
-        /// The one asked for.
+        /// The requested socket.
         socket: Socket,
-        /// Those it has.
+        /// The sockets of the calibration.
         present: Vec<Socket>,
     },
-    /// Two parts of the device that no chain of extrinsics joins.
-    #[error("{file}: cameraData: no extrinsics join {from} and {to}; calibrate them together")]
+    /// No chain of extrinsics connects two parts of the device.
+    #[error("{file}: cameraData: no extrinsics connect {from} and {to}; calibrate them together")]
     Disconnected {
         /// The file.
         file: String,
@@ -49,42 +49,42 @@ pub enum CalibrationError {
         /// The other part.
         to: String,
     },
-    /// The specified (board) translation of a link was never filled in.
-    #[error("{file}: {place}.specTranslation: all zero, so there is none; use the calibrated translation")]
+    /// The translation of the board's design is missing.
+    #[error("{file}: {place}.specTranslation: missing (all zero); use the calibrated translation")]
     NoSpecTranslation {
         /// The file.
         file: String,
-        /// The extrinsics' path.
+        /// The path of the extrinsics.
         place: String,
     },
-    /// The file places no such part.
-    #[error("{file}: {place}: the file does not place it; calibrate it, or do without")]
+    /// The file does not contain the extrinsics of a part.
+    #[error("{file}: {place}: missing or empty; calibrate this part or do not use it")]
     NotPlaced {
         /// The file.
         file: String,
         /// The key.
         place: &'static str,
     },
-    /// The calibration does not do for what is asked.
+    /// The calibration is unsuitable for the operation.
     #[error("{file}: {place}: {what}; {remedy}")]
     Unsuited {
         /// The file.
         file: String,
-        /// The field's path.
+        /// The path of the field.
         place: String,
-        /// What is wrong.
+        /// The problem.
         what: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
 }
 
 impl CalibrationError {
-    /// Everything that is wrong, where the error knows more than the one thing that it prints.
+    /// Returns all errors of an invalid document. The error's text contains only the first.
     #[must_use]
     pub fn findings(&self) -> &[Finding] {
         match self {
-            Self::Meaningless { errors, .. } => errors,
+            Self::Invalid { errors, .. } => errors,
             _ => &[],
         }
     }

@@ -4,11 +4,11 @@ use crate::model::{Calibration, Link};
 use crate::{CalibrationError, Socket};
 
 impl Calibration {
-    /// `to_from_from`: takes points in camera `from`'s optical frame to camera `to`'s, m. With `use_spec` the
+    /// Returns `to_from_from`, the transform from camera `from`'s optical frame to camera `to`'s, m. With `use_spec` the
     /// translations are those of the board's design.
     ///
     /// # Errors
-    /// A camera is missing, no chain joins the two, or a link lacks a design translation.
+    /// Returns an error if a camera is missing, no extrinsics connect the two, or a design translation is missing.
     pub fn transform(
         &self,
         from: Socket,
@@ -23,18 +23,18 @@ impl Calibration {
         Ok(root_from_to.inverse() * root_from_from)
     }
 
-    /// The distance between two optical centres, m.
+    /// Returns the distance between two optical centres, m.
     ///
     /// # Errors
-    /// As [`Self::transform`].
+    /// Returns the same errors as [`Self::transform`].
     pub fn baseline(&self, a: Socket, b: Socket, use_spec: bool) -> Result<f64, CalibrationError> {
         Ok(self.transform(a, b, use_spec)?.translation.length())
     }
 
-    /// Takes points in the inertial unit's frame to a camera's optical frame, m.
+    /// Returns the transform from the inertial unit's frame to a camera's optical frame, m.
     ///
     /// # Errors
-    /// The file does not place the inertial unit, or as [`Self::transform`].
+    /// Returns an error if the file has no extrinsics of the inertial unit, and those of [`Self::transform`].
     pub fn camera_from_imu(
         &self,
         camera: Socket,
@@ -43,10 +43,10 @@ impl Calibration {
         self.camera_from_link(camera, self.imu.as_ref(), "imuExtrinsics", use_spec)
     }
 
-    /// Takes points in the housing's frame to a camera's optical frame, m.
+    /// Returns the transform from the housing's frame to a camera's optical frame, m.
     ///
     /// # Errors
-    /// The file does not place the housing, or as [`Self::transform`].
+    /// Returns an error if the file has no extrinsics of the housing, and those of [`Self::transform`].
     pub fn camera_from_housing(
         &self,
         camera: Socket,
@@ -70,13 +70,13 @@ impl Calibration {
         let camera_from_to = self.transform(link.to, camera, use_spec)?;
         let mut to_from_self = link.camera_from_self;
         if use_spec {
-            // Zeros are a place here, and DepthAI takes them for one.
+            // DepthAI accepts a zero translation here.
             to_from_self.translation = link.spec_translation.unwrap_or_default();
         }
         Ok(camera_from_to * to_from_self)
     }
 
-    /// The root of a camera's chain, and `root_from_camera`.
+    /// Returns the root of a camera's chain, and `root_from_camera`.
     fn root_from(
         &self,
         camera: Socket,
@@ -84,7 +84,7 @@ impl Calibration {
     ) -> Result<(Socket, RigidTransform), CalibrationError> {
         let mut at = camera;
         let mut at_from_camera = RigidTransform::IDENTITY;
-        // Checked when read, but a caller may have changed the value: no chain is longer than there are cameras.
+        // Cycles are rejected when the file is read, but a caller may have changed the value.
         for _ in 0..=self.cameras.len() {
             let Some(link) = &self.camera(at)?.extrinsics else {
                 return Ok((at, at_from_camera));

@@ -1,7 +1,7 @@
-//! Calibrations of OAK cameras: `DepthAI`'s JSON without loss ([`raw`]), checked ([`Calibration`]), applied to a
-//! catalog's device ([`twin()`]), and exported ([`export`]).
+//! Calibrations of OAK cameras: `DepthAI`'s JSON, lossless ([`raw`]) and checked ([`Calibration`]), applied to a device of the
+//! catalog ([`twin()`]), and exported ([`export`]).
 //!
-//! Lengths are metres, where the files have centimetres; camera frames are OpenCV's (x right, y down, z forward).
+//! Lengths are in metres, in the files in centimetres. Camera frames are OpenCV's (x right, y down, z forward).
 
 mod against;
 mod check;
@@ -29,5 +29,5 @@ pub use socket::Socket;
 pub use summary::{CalibrationSummary, CameraSummary, ImuSummary, PairSummary, StereoSummary, summary};
 pub use twin::twin;
 
-/// The calibration of one OAK-D Pro PoE, made up for demonstrations: plausible numbers, no real unit's.
+/// A plausible, synthetic calibration of an OAK-D Pro PoE for demonstrations.
 pub const EXAMPLE: &str = include_str!("../fixtures/example-oak-d-pro-poe.json");

@@ -6,26 +6,26 @@ use serde::Serialize;
 
 use crate::{CalibrationError, Socket};
 
-/// One unit's calibration, checked: finite, connected without cycles, with rotations that rotate.
+/// The checked calibration of one unit: all numbers are finite, extrinsics have no cycles, and rotations are orthonormal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Calibration {
-    /// What messages call the file.
+    /// The file's name in messages.
     pub file_name: String,
-    /// The format's version: 4 to 7.
+    /// The version of the format, 4 to 7.
     pub version: u32,
-    /// What the board says it is.
+    /// The identification of the board.
     pub board: Board,
     /// The cameras.
     pub cameras: BTreeMap<Socket, CameraCalibration>,
-    /// The stereo pair as the file has it.
+    /// The stereo pair in the file.
     pub stereo: Option<StereoRectification>,
-    /// Where the inertial unit is: from its frame to a camera's.
+    /// The extrinsics of the inertial unit.
     pub imu: Option<Link>,
-    /// Where the housing's frame is: from it to a camera's.
+    /// The extrinsics of the housing.
     pub housing: Option<Link>,
 }
 
-/// The names and numbers of a board, as the file spells them; empty where it has none.
+/// The names and numbers of a board as in the file; missing names are empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Board {
     /// `OAK-D-PRO-POE`; the spelling varies by batch.
@@ -38,36 +38,37 @@ pub struct Board {
     pub board_conf: String,
     /// `F1-FV00-BC001`.
     pub hardware_conf: String,
-    /// Free text.
+    /// A free text.
     pub board_custom: String,
-    /// The unit's own name.
+    /// The name of the unit.
     pub device_name: String,
-    /// When it was made or calibrated, seconds since 1970; 0 where unknown.
+    /// The time of production or calibration, seconds since 1970; 0 if unknown.
     pub batch_time: i64,
-    /// Bits.
+    /// Bit flags.
     pub board_options: i64,
 }
 
 /// One camera of a [`Calibration`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraCalibration {
-    /// Its socket.
+    /// The socket.
     pub socket: Socket,
-    /// Its place in the file, for findings: `cameraData[1]`.
+    /// The path in the file for findings, such as `cameraData[1]`.
     pub place: String,
-    /// Which family of lens models its coefficients belong to.
+    /// The family of lens models of the coefficients.
     pub kind: CameraKind,
-    /// Of images of the size that it was calibrated at.
+    /// The intrinsics at the calibrated image size.
     pub intrinsics: Intrinsics,
     /// The lens.
     pub lens: LensModel,
-    /// The coefficients as the file has them: for a fisheye its first four.
+    /// The coefficients in the file; of a fisheye the first four.
     pub distortion: Vec<f64>,
-    /// `specHfovDeg`: of the design with its distortion; no focal length follows from it.
+    /// `specHfovDeg`: the horizontal field of view of the design including distortion, degrees. It does not determine the
+    /// focal length.
     pub spec_hfov_deg: f64,
-    /// The focus motor's position, 0 to 255; 0 on a fixed focus.
+    /// The position of the focus motor, 0 to 255; 0 for a fixed focus.
     pub lens_position: u8,
-    /// The way to another camera; none at the root of a chain.
+    /// The extrinsics to another camera; `None` at the root of a chain.
     pub extrinsics: Option<Link>,
 }
 
@@ -80,16 +81,16 @@ pub enum CameraKind {
     Fisheye,
 }
 
-/// The place of something in a camera's frame.
+/// The extrinsics of a part of the device, relative to a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
-    /// Its place in the file, for findings: `cameraData[1].extrinsics`.
+    /// The path in the file for findings, such as `cameraData[1].extrinsics`.
     pub place: String,
     /// The camera.
     pub to: Socket,
-    /// Calibrated: takes points to the camera's optical frame (x right, y down, z forward), m.
+    /// The calibrated transform to the camera's optical frame (x right, y down, z forward), m.
     pub camera_from_self: RigidTransform,
-    /// The translation by the board's design, m; none where the file has zeros.
+    /// The translation of the board's design, m; `None` if the file has zeros.
     pub spec_translation: Option<DVec3>,
 }
 
@@ -100,20 +101,20 @@ pub struct StereoRectification {
     pub left: Socket,
     /// The right camera.
     pub right: Socket,
-    /// Rectified-left from left; none where the file has none.
+    /// The rotation from left to rectified-left, if the file contains it.
     pub rectified_from_left: Option<DMat3>,
-    /// Rectified-right from right.
+    /// The rotation from right to rectified-right, if the file contains it.
     pub rectified_from_right: Option<DMat3>,
 }
 
 impl CameraCalibration {
-    /// The size that the camera was calibrated at.
+    /// Returns the calibrated image size.
     #[must_use]
     pub const fn size(&self) -> ImageSize {
         self.intrinsics.size
     }
 
-    /// Its optics.
+    /// Returns the intrinsics and the lens.
     #[must_use]
     pub const fn camera(&self) -> Camera {
         Camera::new(self.intrinsics, self.lens)
@@ -121,7 +122,7 @@ impl CameraCalibration {
 }
 
 impl Link {
-    /// [`Self::camera_from_self`], with the board's design translation in place of the calibrated one if asked.
+    /// Returns [`Self::camera_from_self`], with `use_spec` with the translation of the board's design.
     pub(crate) fn transform(&self, file: &str, use_spec: bool) -> Result<RigidTransform, CalibrationError> {
         if !use_spec {
             return Ok(self.camera_from_self);
@@ -137,10 +138,10 @@ impl Link {
 }
 
 impl Calibration {
-    /// The camera of a socket.
+    /// Returns the camera of a socket.
     ///
     /// # Errors
-    /// [`CalibrationError::NoCamera`].
+    /// Returns [`CalibrationError::NoCamera`] if there is none.
     pub fn camera(&self, socket: Socket) -> Result<&CameraCalibration, CalibrationError> {
         self.cameras
             .get(&socket)
@@ -151,12 +152,25 @@ impl Calibration {
             })
     }
 
-    /// The sockets of the stereo pair, (left, right): the file's, or else `CAM_B` and `CAM_C` where it has both.
+    /// Returns the sockets of the stereo pair, (left, right): those in the file, or else `CAM_B` and `CAM_C` if it has both.
     #[must_use]
     pub fn stereo_pair(&self) -> Option<(Socket, Socket)> {
         let pair = self
             .stereo
             .map_or((Socket::CAM_B, Socket::CAM_C), |s| (s.left, s.right));
         (self.cameras.contains_key(&pair.0) && self.cameras.contains_key(&pair.1)).then_some(pair)
+    }
+
+    /// Returns the path of a pair's baseline in the file: the translation of the left camera, or of the right one if the left
+    /// is the root.
+    pub(crate) fn baseline_place(&self, left: Socket, right: Socket) -> String {
+        let camera = [left, right]
+            .into_iter()
+            .filter_map(|socket| self.cameras.get(&socket))
+            .find(|camera| camera.extrinsics.is_some());
+        camera.map_or_else(
+            || "cameraData".to_owned(),
+            |camera| format!("{}.extrinsics.translation", camera.place),
+        )
     }
 }

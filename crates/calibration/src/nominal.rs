@@ -1,4 +1,4 @@
-use oaktwin_camera::{LensModel, RigidTransform};
+use oaktwin_camera::{OpenCvLens, RigidTransform};
 use oaktwin_catalog::{Role, Twin, TwinCamera};
 
 use crate::Socket;
@@ -8,9 +8,10 @@ use crate::rectify::rectifying_rotations;
 
 const CM_PER_M: f64 = 100.0;
 
-/// A twin as a `DepthAI` JSON of version 7: for a nominal twin, the calibration of the ideal device, for those who have
-/// none yet. `DepthAI` loads it, and its numbers are the twin's: principal points in OpenCV's convention, where the
-/// centre of a centred image is (W − 1)/2; left leads to right and right to the camera on socket 0, as in factory files.
+/// Converts a twin to a `DepthAI` JSON of version 7. For a nominal twin, this is the calibration of the ideal device.
+///
+/// Principal points are in OpenCV's convention, with the centre of an image at (W − 1)/2. As in factory files, the extrinsics
+/// of left refer to right and those of right to the camera on socket 0.
 #[must_use]
 pub fn nominal_calibration(twin: &Twin) -> Raw {
     let device = &twin.device;
@@ -64,14 +65,14 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
 }
 
 fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
-    let (kind, coefficients) = match &camera.lens {
-        LensModel::OpenCvPinhole(lens) => (0, lens.coefficients.to_vec()),
-        LensModel::OpenCvFisheye(lens) => (1, lens.k.to_vec()),
-        // DepthAI has no f-theta; no calibration or catalog gives one either.
-        LensModel::Pinhole | LensModel::FTheta(_) => (0, vec![0.0; 14]),
+    let (kind, coefficients) = match camera.lens.as_opencv() {
+        Some(OpenCvLens::Pinhole(coefficients)) => (0, coefficients.to_vec()),
+        Some(OpenCvLens::Fisheye(k)) => (1, k.to_vec()),
+        // Neither DepthAI nor any calibration or catalog has another lens.
+        None => (0, vec![0.0; 14]),
     };
     let size = camera.intrinsics.size;
-    // Of the design with its distortion, where that is known.
+    // Including distortion, if known.
     let spec_hfov_deg = camera.spec.fisheye_hfov_deg.unwrap_or(camera.spec.hfov_deg);
     let extrinsics = match next(twin, root, camera) {
         Some((socket, next)) => extrinsics(
@@ -92,7 +93,7 @@ fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera)
     ])
 }
 
-/// The camera that a camera's extrinsics lead to.
+/// Returns the camera that a camera's extrinsics refer to.
 fn next<'a>(
     twin: &'a Twin,
     root: Option<(Socket, &'a TwinCamera)>,
@@ -133,7 +134,7 @@ fn stereo(twin: &Twin) -> Node {
 }
 
 fn extrinsics(to: Socket, transform: &RigidTransform) -> Node {
-    // Ten decimals of a centimetre are a picometre: they hide the last bits of the conversion from metres.
+    // Rounding to 1e-10 cm, a picometre, hides rounding errors of the conversion from metres.
     let cm = |m: f64| tidy((m * CM_PER_M * 1e10).round() / 1e10);
     let t = transform.translation;
     let translation = || {
@@ -154,7 +155,7 @@ fn extrinsics(to: Socket, transform: &RigidTransform) -> Node {
     ])
 }
 
-/// What stands for "none": zeros, and no socket.
+/// Returns empty extrinsics: zeros, and no socket.
 fn no_extrinsics() -> Node {
     let zero = || Node::from([("x", 0.0.into()), ("y", 0.0.into()), ("z", 0.0.into())]);
     Node::from([
@@ -169,7 +170,7 @@ fn matrix(rows: [[f64; 3]; 3]) -> Node {
     rows.map(|row| Node::from(row.map(tidy).to_vec())).to_vec().into()
 }
 
-/// 0 in place of −0.
+/// Replaces −0 by 0.
 fn tidy(x: f64) -> f64 {
     x + 0.0
 }

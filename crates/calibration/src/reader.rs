@@ -33,13 +33,13 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// The first of several names of one key.
+    /// Returns the value of the first key that exists.
     pub(crate) fn get_any(&self, keys: &[&str]) -> Option<Self> {
         keys.iter().find_map(|key| self.get(key))
     }
 }
 
-/// Reads values out of a document and collects what is wrong with them. A method that returns `None` has said why.
+/// Reads values of a document and collects errors. A method that returns `None` has recorded an error.
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
     pub(crate) errors: Vec<Finding>,
@@ -76,10 +76,10 @@ impl Reader {
 
     fn wrong_type(&mut self, field: &Field<'_>, wanted: &str) {
         let found = match &field.node.value {
-            Value::Null if wanted.contains("number") => "null, which is how DepthAI writes NaN".to_owned(),
+            Value::Null if wanted.contains("number") => "null (DepthAI's NaN)".to_owned(),
             other => other.kind().to_owned(),
         };
-        let message = format!("line {} has {found} where {wanted} belongs", field.node.at.line);
+        let message = format!("line {} has {found} instead of {wanted}", field.node.at.line);
         let place = if field.path.is_empty() {
             "the document"
         } else {
@@ -111,7 +111,7 @@ impl Reader {
         );
     }
 
-    /// The field is an object; keys beyond `known` are noted, repeated ones warned of.
+    /// Checks that the field is an object. Unknown keys are noted, repeated ones cause a warning.
     pub(crate) fn object(&mut self, field: &Field<'_>, known: &[&str]) -> Option<()> {
         let Value::Object(entries) = &field.node.value else {
             self.wrong_type(field, "an object");
@@ -124,11 +124,11 @@ impl Reader {
                 self.warn(
                     "repeated-key",
                     place,
-                    "the key is there twice",
-                    "the last one is used; remove the other",
+                    "repeated key",
+                    "the last value is used; remove the others",
                 );
             } else if !known.contains(&key.as_str()) {
-                let message = "not a key of DepthAI's format; kept, not used";
+                let message = "not a key of DepthAI's format; preserved, but ignored";
                 self.note("unknown-key", field.key_path(key), message);
             }
         }
@@ -147,7 +147,7 @@ impl Reader {
         Some(items.iter().enumerate().map(item).collect())
     }
 
-    /// A finite number that a 32-bit float can hold, as `DepthAI` keeps it.
+    /// Reads a number in the range of a 32-bit float, which `DepthAI` stores.
     pub(crate) fn number(&mut self, field: &Field<'_>) -> Option<f64> {
         let Value::Number(text) = &field.node.value else {
             self.wrong_type(field, "a number");
@@ -159,24 +159,27 @@ impl Reader {
             self.error(
                 "not-finite",
                 &field.path,
-                format!("line {}: {shown} is beyond a 32-bit float", field.node.at.line),
+                format!(
+                    "line {}: {shown} is out of the range of a 32-bit float",
+                    field.node.at.line
+                ),
                 "correct it, or export the calibration again",
             );
         }
         value
     }
 
-    pub(crate) fn integer(&mut self, field: &Field<'_>, least: i64, most: i64) -> Option<i64> {
+    pub(crate) fn integer(&mut self, field: &Field<'_>, min: i64, max: i64) -> Option<i64> {
         let value = self.number(field)?;
         #[expect(clippy::cast_possible_truncation, reason = "checked on the same line")]
         let whole = (value.fract() == 0.0 && value.abs() < 9e15).then_some(value as i64);
-        let found = whole.filter(|i| (least..=most).contains(i));
+        let found = whole.filter(|i| (min..=max).contains(i));
         if found.is_none() {
             self.error(
                 "out-of-range",
                 &field.path,
                 format!(
-                    "line {}: {value} is not a whole number from {least} to {most}",
+                    "line {}: {value} is not a whole number from {min} to {max}",
                     field.node.at.line
                 ),
                 "correct it, or export the calibration again",
@@ -233,7 +236,7 @@ impl Reader {
     }
 }
 
-/// A matrix in rows as `glam` keeps it.
+/// Converts rows to a matrix.
 pub(crate) fn from_rows(rows: [[f64; 3]; 3]) -> DMat3 {
     DMat3::from_cols_array_2d(&rows).transpose()
 }

@@ -6,8 +6,8 @@ use oaktwin_camera::{
 
 use crate::{Calibration, CalibrationError, Socket};
 
-/// The rotations that make a pair's rows parallel: (rectified-left from left, rectified-right from right). They depend on
-/// nothing but the extrinsics. `None` where the two cameras are in one place.
+/// Returns the rectifying rotations of a pair: (rectified-left from left, rectified-right from right). They depend on the
+/// extrinsics only. `None` if the baseline is zero.
 pub(crate) fn rectifying_rotations(right_from_left: &RigidTransform) -> Option<(DMat3, DMat3)> {
     let any = Camera::new(
         Intrinsics::from_hfov(ImageSize::new(2, 2), 1.0),
@@ -27,16 +27,16 @@ pub struct StereoPair {
     pub right: Socket,
     /// The calibrated extrinsics, m.
     pub right_from_left: RigidTransform,
-    /// As `cv2.stereoRectify` computes it with its default flags, for images of the left camera's size; for fisheye
-    /// lenses, which that function does not know, the rectified intrinsics are the left camera's.
+    /// The rectification by `cv2.stereoRectify` with its default flags, for images of the left camera's size. For fisheye
+    /// lenses, which that function does not support, the rectified intrinsics are those of the left camera.
     pub rectification: Rectification,
 }
 
 impl Calibration {
-    /// The stereo pair, rectified. `None` where the calibration has no two such cameras, or nothing joins them.
+    /// Returns the rectified stereo pair, or `None` if the calibration has no such cameras or no extrinsics connect them.
     ///
     /// # Errors
-    /// The two cameras are in one place.
+    /// Returns an error if the baseline is zero.
     pub fn rectified_pair(&self) -> Result<Option<StereoPair>, CalibrationError> {
         let Some((left, right)) = self.stereo_pair() else {
             return Ok(None);
@@ -50,7 +50,7 @@ impl Calibration {
             stereo_rectify(&a.camera(), &right_at_size, &right_from_left).map_err(|error| {
                 CalibrationError::Unsuited {
                     file: self.file_name.clone(),
-                    place: crate::check::pair_place(self, left, right),
+                    place: self.baseline_place(left, right),
                     what: error.to_string(),
                     remedy: "calibrate the stereo pair again",
                 }

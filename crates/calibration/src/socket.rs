@@ -2,7 +2,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-/// A camera's socket on the board, as `DepthAI` numbers them: 0 is `CAM_A`.
+/// A camera socket of the board, as numbered by `DepthAI`: 0 is `CAM_A`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Socket(pub u8);
 
@@ -13,10 +13,10 @@ impl Socket {
     pub const CAM_B: Self = Self(1);
     /// `CAM_C`, the right one of the stereo pair.
     pub const CAM_C: Self = Self(2);
-    /// The last one that `DepthAI` knows, `CAM_J`.
+    /// `CAM_J`, the last socket in `DepthAI`.
     pub const LAST: Self = Self(9);
 
-    /// The socket of a number in a file; −1, and the 255 that firmware writes for it, mean "none".
+    /// Returns the socket of a number in a file; −1 and 255, which firmware writes for it, mean "none".
     pub(crate) fn from_file(number: i64) -> Result<Option<Self>, String> {
         match number {
             -1 | 255 => Ok(None),
@@ -25,11 +25,11 @@ impl Socket {
                 .map(Self)
                 .filter(|socket| *socket <= Self::LAST)
                 .map(Some)
-                .ok_or_else(|| format!("{number} is no camera socket")),
+                .ok_or_else(|| format!("{number} is not a camera socket")),
         }
     }
 
-    /// Its number in files.
+    /// Returns the number in files.
     #[must_use]
     pub const fn number(self) -> i32 {
         self.0 as i32

@@ -6,25 +6,25 @@ use serde::Serialize;
 use crate::rectify::rectifying_rotations;
 use crate::{Board, Calibration, CalibrationError, CameraKind, Socket};
 
-/// Everything that a calibration says, for people and programs: 3×3 and 4×4 matrices in rows, lengths in centimetres
-/// as in the file. Each transform is what `DepthAI`'s `getCameraExtrinsics(from, to)` answers.
+/// A summary of a calibration, as printed and in JSON. Matrices (3×3 and 4×4) are lists of rows, lengths in centimetres as in
+/// the file. Transforms equal `DepthAI`'s `getCameraExtrinsics(from, to)`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CalibrationSummary {
-    /// What messages call the file.
+    /// The file's name in messages.
     pub file: String,
-    /// The format's version.
+    /// The version of the format.
     pub version: u32,
-    /// What the board says it is.
+    /// The identification of the board.
     pub board: Board,
-    /// By socket.
+    /// The cameras, ordered by socket.
     pub cameras: Vec<CameraSummary>,
-    /// Every camera to every other.
+    /// All ordered pairs of cameras.
     pub pairs: Vec<PairSummary>,
-    /// The stereo pair, if its cameras are there and joined.
+    /// The stereo pair, if extrinsics connect its cameras.
     pub stereo: Option<StereoSummary>,
-    /// The inertial unit to every camera that it is joined with.
+    /// The inertial unit relative to each connected camera.
     pub imu: Vec<ImuSummary>,
-    /// What is odd.
+    /// Notes, warnings and errors.
     pub findings: Vec<Finding>,
 }
 
@@ -33,11 +33,11 @@ pub struct CalibrationSummary {
 pub struct CameraSummary {
     /// `CAM_A`
     pub socket: Socket,
-    /// Its family of lens models.
+    /// The family of lens models.
     pub model: CameraKind,
-    /// Columns that it was calibrated at.
+    /// The calibrated image width, px.
     pub width: u32,
-    /// Rows that it was calibrated at.
+    /// The calibrated image height, px.
     pub height: u32,
     /// OpenCV's camera matrix, px.
     pub camera_matrix: [[f64; 3]; 3],
@@ -45,32 +45,32 @@ pub struct CameraSummary {
     pub hfov_deg: f64,
     /// `2 atan(height / (2 fy))`.
     pub vfov_deg: f64,
-    /// Corner to corner.
+    /// The diagonal field of view, degrees.
     pub dfov_deg: f64,
-    /// By the design, with distortion.
+    /// The horizontal field of view of the design including distortion, degrees.
     pub spec_hfov_deg: f64,
     /// The coefficients in OpenCV's order.
     pub distortion: Vec<f64>,
-    /// The focus motor's position.
+    /// The position of the focus motor.
     pub lens_position: u8,
-    /// The camera that its extrinsics lead to; none at a root.
+    /// The camera that the extrinsics refer to; `None` at a root.
     pub extrinsics_to: Option<Socket>,
 }
 
 /// Two cameras of a [`CalibrationSummary`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PairSummary {
-    /// Points are in this camera's frame,
+    /// The camera of the source frame.
     pub from: Socket,
-    /// and get into this one's.
+    /// The camera of the target frame.
     pub to: Socket,
-    /// Calibrated, translation in cm; none where no extrinsics join the two.
+    /// The calibrated transform, translation in cm; `None` if no extrinsics connect the two.
     pub to_from_from_cm: Option<[[f64; 4]; 4]>,
-    /// With the translations of the board's design; none where the file lacks one.
+    /// The transform with the translations of the board's design; `None` if the file lacks one.
     pub spec_to_from_from_cm: Option<[[f64; 4]; 4]>,
-    /// The distance, cm.
+    /// The calibrated distance, cm.
     pub baseline_cm: Option<f64>,
-    /// The distance by the board's design, cm.
+    /// The distance of the board's design, cm.
     pub spec_baseline_cm: Option<f64>,
 }
 
@@ -81,9 +81,9 @@ pub struct StereoSummary {
     pub left: Socket,
     /// The right camera.
     pub right: Socket,
-    /// Computed from the calibrated extrinsics, as `cv2.stereoRectify`'s R1.
+    /// R1 of `cv2.stereoRectify`, computed from the calibrated extrinsics.
     pub rectified_from_left: [[f64; 3]; 3],
-    /// Likewise R2.
+    /// R2 of `cv2.stereoRectify`.
     pub rectified_from_right: [[f64; 3]; 3],
 }
 
@@ -92,13 +92,13 @@ pub struct StereoSummary {
 pub struct ImuSummary {
     /// The camera.
     pub camera: Socket,
-    /// Calibrated, translation in cm.
+    /// The calibrated transform, translation in cm.
     pub camera_from_imu_cm: [[f64; 4]; 4],
-    /// With the translations of the board's design; none where the file lacks one.
+    /// The transform with the translations of the board's design; `None` if the file lacks one.
     pub spec_camera_from_imu_cm: Option<[[f64; 4]; 4]>,
 }
 
-/// A calibration's summary with what was found on the way to it.
+/// Creates the summary of a calibration with its findings.
 #[must_use]
 pub fn summary(calibration: &Calibration, findings: &[Finding]) -> CalibrationSummary {
     CalibrationSummary {

@@ -4,23 +4,22 @@ use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level};
 
 use crate::against::{calibrated, pair_of, socket_of};
-use crate::check::pair_place;
 use crate::rectify::rectifying_rotations;
 use crate::{Calibration, CalibrationError};
 
-/// The twin of one unit: `nominal`, with the focal lengths, principal points, lenses and places of a calibration.
+/// Creates the twin of one unit: `nominal` with the intrinsics, lenses and poses of a calibration.
 ///
-/// Intrinsics are rescaled to the nominal image size by `DepthAI`'s rule. The body frame stays what it is in the
-/// nominal device: its origin is midway between the left and right optical centres, and its axes are those of the
-/// *rectified* stereo pair, since depth images live there: y to the left along the true baseline, x forward in the mean
-/// direction of both cameras. So a unit's cameras get the small rotations that they really have, about a frame that
-/// depends on no single camera. Depth sensors keep their parameters but for the focal length, which is the rounded fx
-/// of their camera. Cameras that the calibration lacks keep their nominal values, with a warning.
+/// Intrinsics are rescaled to the nominal image size by `DepthAI`'s rule. As in the nominal device, the origin of the body frame
+/// is midway between the left and right optical centres, and its axes are those of the *rectified* stereo pair, like those of
+/// depth images: y to the left along the baseline, x forward in the mean direction of both cameras. Thus the cameras have
+/// their small calibrated rotations relative to a frame that depends on no single camera. Depth sensors keep their parameters
+/// except the focal length, which is the rounded fx of their camera. Cameras that are missing in the calibration keep their
+/// nominal values, with a warning.
 ///
-/// Call [`crate::check_against`] first: this function takes the calibration as it is.
+/// This function does not validate the calibration; call [`crate::check_against`] first.
 ///
 /// # Errors
-/// The left camera is not to the left of the right one.
+/// Returns an error if the left camera is not to the left of the right one.
 pub fn twin(
     calibration: &Calibration,
     nominal: &Twin,
@@ -52,7 +51,7 @@ pub fn twin(
                 "imu-nominal",
                 Level::Note,
                 "imuExtrinsics",
-                "the file does not place the inertial unit; its nominal place is kept",
+                "the file has no extrinsics of the inertial unit; its nominal pose is used",
                 "",
             )),
         }
@@ -62,7 +61,7 @@ pub fn twin(
 
 type Body = (crate::Socket, RigidTransform);
 
-/// The left camera's socket and `body_from_left`; `None`, with a warning, where the file does not join the pair.
+/// Returns the left camera's socket and `body_from_left`, or `None` with a warning if no extrinsics connect the pair.
 fn body(
     calibration: &Calibration,
     nominal: &Twin,
@@ -78,7 +77,9 @@ fn body(
                 "pair-nominal",
                 Level::Warning,
                 "cameraData",
-                format!("the file does not join {left} and {right} ({error}); all cameras keep their nominal places"),
+                format!(
+                    "no extrinsics connect {left} and {right} ({error}); all cameras keep their nominal poses"
+                ),
                 "calibrate the stereo pair",
             ));
             return Ok(None);
@@ -87,17 +88,17 @@ fn body(
     let t = right_from_left.translation;
     if t.x >= 0.0 || t.x.abs() <= t.y.abs().max(t.z.abs()) {
         let message = format!(
-            "{right} sees {left}, the left camera, at ({:.2}, {:.2}, {:.2}) cm: not on its left",
+            "{left}, the left camera, is at ({:.2}, {:.2}, {:.2}) cm in the frame of {right}, not to its left",
             t.x * 100.0,
             t.y * 100.0,
             t.z * 100.0
         );
-        return Err(CalibrationError::Meaningless {
+        return Err(CalibrationError::Invalid {
             file: calibration.file_name.clone(),
             errors: vec![Finding::new(
                 "stereo-swapped",
                 Level::Error,
-                pair_place(calibration, left, right),
+                calibration.baseline_place(left, right),
                 message,
                 "calibrate the stereo pair again",
             )],
@@ -129,7 +130,7 @@ fn apply(
             "camera-nominal",
             Level::Warning,
             "cameraData",
-            format!("no {socket}: the {role} camera keeps its nominal values"),
+            format!("{socket} is missing; the {role} camera keeps its nominal values"),
             "calibrate it",
         ));
         return;
@@ -146,7 +147,7 @@ fn apply(
             Level::Warning,
             format!("{}.extrinsics", found.place),
             format!(
-                "no extrinsics join {} and {left}: the {role} camera keeps its nominal place",
+                "no extrinsics connect {} and {left}; the {role} camera keeps its nominal pose",
                 found.socket
             ),
             "calibrate the cameras together",

@@ -90,7 +90,7 @@ fn real_exports_round_trip() {
 
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
-fn everything_that_depthai_answers() {
+fn agrees_with_depthai() {
     let data = data();
     let golden = fs::read(data.join("depthai-golden/calibration_handler.json")).unwrap();
     let golden: Value = serde_json::from_slice(&golden).unwrap();
@@ -171,24 +171,24 @@ fn project(file: &str, answers: &Value, calibration: &Calibration) {
 
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
-fn what_is_odd_about_real_exports() {
+fn findings_of_real_exports() {
     let data = data();
     let mut paths: Vec<_> = fs::read_dir(data.join("calibration"))
         .unwrap()
         .map(|e| e.unwrap().path())
         .collect();
     paths.sort();
-    let mut told = String::new();
+    let mut text = String::new();
     for path in paths
         .iter()
         .filter(|p| p.extension().is_some_and(|e| e == "json"))
     {
         let (raw, _) = read(path);
         let (_, findings) = Calibration::from_raw(&raw).unwrap();
-        told += &format!("{}\n", raw.name);
+        text += &format!("{}\n", raw.name);
         for finding in findings {
-            told += &format!("    {finding}\n");
+            text += &format!("    {finding}\n");
         }
     }
-    insta::assert_snapshot!(told);
+    insta::assert_snapshot!(text);
 }

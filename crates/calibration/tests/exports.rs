@@ -63,7 +63,7 @@ fn kalibr_of_wide_lenses() {
 }
 
 #[test]
-fn depthai_is_the_file_itself() {
+fn depthai_returns_the_file() {
     let (raw, calibration) = load("oak-4-d.json");
     let export = export(&raw, &calibration, Format::DepthAi).unwrap();
     let text =
@@ -72,7 +72,7 @@ fn depthai_is_the_file_itself() {
 }
 
 #[test]
-fn nominal_devices_lose_nothing() {
+fn exports_nominal_devices_without_loss() {
     for device in Catalog::builtin().devices() {
         let raw = nominal_calibration(&Catalog::builtin().nominal(device));
         let (calibration, _) = Calibration::from_raw(&raw).unwrap();

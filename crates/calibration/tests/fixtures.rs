@@ -1,4 +1,4 @@
-//! The project's own calibrations: what is good reads and returns, what is odd is told, what is bad is refused.
+//! The project's own calibrations: valid files round-trip, suspicious ones cause findings, invalid ones errors.
 
 #![allow(
     clippy::unwrap_used,
@@ -82,11 +82,11 @@ fn good_files_fit_their_models() {
             .collect();
         let expected: &[&str] = match name {
             "oak-d-pro-w-poe.json" | "oak-d-sr-poe.json" => &[
-                "note[imu-nominal]: imuExtrinsics: the file does not place the inertial unit; its nominal place is kept",
+                "note[imu-nominal]: imuExtrinsics: the file has no extrinsics of the inertial unit; its nominal pose is used",
             ],
             "fisheye-two-roots.json" => &[
-                "warning[focal-length-off]: cameraData[3].intrinsicMatrix: fx is 3082.9 px at 3840x2160 where the Camera_rgb_imx378 camera nominally has 2288.2 px, +34.7 %; check that the file belongs to this model",
-                "warning[place-nominal]: cameraData[3].extrinsics: no extrinsics join CAM_A and CAM_B: the RGB camera keeps its nominal place; calibrate the cameras together",
+                "warning[focal-length-off]: cameraData[3].intrinsicMatrix: fx is 3082.9 px at 3840x2160, but nominally 2288.2 px for the Camera_rgb_imx378 camera (+34.7 %); check that the file belongs to this model",
+                "warning[place-nominal]: cameraData[3].extrinsics: no extrinsics connect CAM_A and CAM_B; the RGB camera keeps its nominal pose; calibrate the cameras together",
             ],
             _ => &[],
         };
@@ -102,7 +102,7 @@ fn good_files_fit_their_models() {
 }
 
 #[test]
-fn a_twin_stands_on_its_rectified_pair() {
+fn twins_are_aligned_with_their_rectified_pair() {
     for (name, model) in GOOD {
         let (calibration, _) = good(name);
         let (twin, _) = twin(&calibration, &nominal(model), name).unwrap();
@@ -139,7 +139,7 @@ fn a_twin_stands_on_its_rectified_pair() {
 }
 
 #[test]
-fn a_twin_has_the_units_optics_at_the_nominal_size() {
+fn twins_have_the_units_optics_at_the_nominal_size() {
     let (calibration, _) = good("oak-4-d.json");
     let nominal = nominal("OAK4-D");
     let (twin, _) = twin(&calibration, &nominal, "x.json").unwrap();
@@ -163,7 +163,7 @@ fn a_twin_has_the_units_optics_at_the_nominal_size() {
 }
 
 #[test]
-fn a_time_of_flight_twin_takes_each_sensors_own_focal_length() {
+fn time_of_flight_twins_use_the_focal_length_of_each_sensor() {
     let (calibration, _) = good("oak-d-sr-poe.json");
     let (twin, _) = twin(&calibration, &nominal("OAK-D ToF"), "x.json").unwrap();
     let focal: Vec<f64> = twin.depth_sensors.iter().map(|d| d.focal_length_px).collect();
@@ -171,7 +171,7 @@ fn a_time_of_flight_twin_takes_each_sensors_own_focal_length() {
 }
 
 #[test]
-fn a_calibration_at_another_size_is_rescaled() {
+fn rescales_calibrations_of_another_size() {
     let (mut calibration, _) = good("example-oak-d-pro-poe.json");
     let full = calibration.cameras[&Socket::CAM_A].intrinsics;
     let half = calibration.cameras[&Socket::CAM_A]
@@ -185,7 +185,7 @@ fn a_calibration_at_another_size_is_rescaled() {
 }
 
 #[test]
-fn nominal_devices_survive_the_way_through_depthais_format() {
+fn nominal_devices_round_trip_through_depthai() {
     for device in Catalog::builtin().devices() {
         let nominal = Catalog::builtin().nominal(device);
         let raw = nominal_calibration(&nominal);
@@ -212,8 +212,8 @@ fn nominal_devices_survive_the_way_through_depthais_format() {
 }
 
 #[test]
-fn every_bad_file_is_refused_in_one_line() {
-    let mut told = String::new();
+fn rejects_invalid_files_in_one_line() {
+    let mut text = String::new();
     for (name, bytes) in json_files("bad") {
         let error = load(&bytes, &name).expect_err(&name);
         let line = error.to_string();
@@ -221,33 +221,33 @@ fn every_bad_file_is_refused_in_one_line() {
             line.starts_with(&format!("{name}: ")) && !line.contains('\n'),
             "{line}"
         );
-        writeln!(told, "{line}").unwrap();
+        writeln!(text, "{line}").unwrap();
         for more in error.findings().iter().skip(1) {
-            writeln!(told, "    {more}").unwrap();
+            writeln!(text, "    {more}").unwrap();
         }
     }
-    insta::assert_snapshot!(told);
+    insta::assert_snapshot!(text);
 }
 
 #[test]
-fn every_odd_file_is_read_and_told() {
+fn findings_of_suspicious_files() {
     let nominal = nominal("OAK-D Pro PoE");
-    let mut told = String::new();
+    let mut text = String::new();
     for (name, bytes) in json_files("odd") {
         let (calibration, mut findings) = load(&bytes, &name).unwrap();
         findings.extend(check_against(&calibration, &nominal, Catalog::builtin()));
         assert_ne!(findings, [], "{name}");
-        writeln!(told, "{name}").unwrap();
+        writeln!(text, "{name}").unwrap();
         for finding in &findings {
-            writeln!(told, "    {finding}").unwrap();
+            writeln!(text, "    {finding}").unwrap();
         }
         if let Err(error) = twin(&calibration, &nominal, &name) {
-            writeln!(told, "    twin: {error}").unwrap();
+            writeln!(text, "    twin: {error}").unwrap();
         }
         force(&mut findings);
         assert!(findings.iter().all(|f| f.level < Level::Error));
     }
-    insta::assert_snapshot!(told);
+    insta::assert_snapshot!(text);
 }
 
 #[test]

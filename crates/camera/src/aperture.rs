@@ -1,21 +1,21 @@
 use crate::{ImageSize, Intrinsics, OpenCv, PixelPoint, Usd};
 
-/// How a principal point becomes the aperture offsets of a USD camera.
+/// The conversion of a principal point to the aperture offsets of a USD camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ApertureOffsets {
     /// OpenUSD's sign: the offset moves the window, so `h = −(cx − W/2)·p` and `v = +(cy − H/2)·p`, with cx and cy
-    /// in the [`Usd`] convention. This is what `GfCamera` projects with.
+    /// in the [`Usd`] convention. `GfCamera` projects with these.
     #[default]
     OpenUsd,
-    /// The formula of Luxonis' parameter sheet, `h = +(cx − W/2)·p` and `v = +(cy − H/2)·p`, on the calibration
-    /// file's own numbers (the [`OpenCv`] convention).
+    /// The formula of Luxonis' parameter sheet, `h = +(cx − W/2)·p` and `v = +(cy − H/2)·p`, with cx and cy in the
+    /// [`OpenCv`] convention of calibration files.
     Document,
     /// No offsets.
     Zero,
 }
 
-/// The optical attributes of a `UsdGeomCamera` in *millimetre numbers*, as camera vendors' assets for Isaac Sim
-/// have them. Projection depends on their ratios alone.
+/// The optical attributes of a `UsdGeomCamera` in millimetres, as in camera vendors' assets for Isaac Sim. The projection
+/// depends on their ratios only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UsdOptics {
     /// `focalLength`.
@@ -31,8 +31,7 @@ pub struct UsdOptics {
 }
 
 impl UsdOptics {
-    /// What a camera of these intrinsics and this pixel size is in USD:
-    /// `focalLength = p (fx + fy)/2`, `aperture = p · size`, offsets as `offsets` says.
+    /// Converts intrinsics and a pixel size: `focalLength = p (fx + fy)/2`, `aperture = p · size`.
     #[must_use]
     pub fn from_intrinsics(intrinsics: &Intrinsics, pixel_size_um: f64, offsets: ApertureOffsets) -> Self {
         let mm_per_px = |px: f64| pixel_size_um * px * 1e-3;
@@ -60,8 +59,8 @@ impl UsdOptics {
         }
     }
 
-    /// The intrinsics that OpenUSD gives these attributes on an image of `size`: each axis by its own aperture, the
-    /// principal point moved by the offsets.
+    /// Returns the intrinsics by OpenUSD's definition for an image of `size`: each axis is scaled by its own aperture, and
+    /// the offsets move the principal point.
     #[must_use]
     pub fn openusd_intrinsics(&self, size: ImageSize) -> Intrinsics {
         let (width, height) = (f64::from(size.width), f64::from(size.height));
@@ -78,8 +77,8 @@ impl UsdOptics {
         )
     }
 
-    /// The intrinsics that Isaac Sim's renderer gives them: `fx = fy = W·f/aperture`, centred; the vertical aperture
-    /// and the offsets are ignored (RTX through Isaac Sim 6.0).
+    /// Returns the intrinsics of Isaac Sim's renderer: `fx = fy = W·f/aperture`, centred. It ignores the vertical aperture
+    /// and the offsets (RTX up to Isaac Sim 6.0).
     #[must_use]
     pub fn isaac_intrinsics(&self, size: ImageSize) -> Intrinsics {
         let fx = f64::from(size.width) * self.focal_length_mm / self.horizontal_aperture_mm;
@@ -87,17 +86,17 @@ impl UsdOptics {
         Intrinsics::new(size, fx, fx, centre)
     }
 
-    /// The horizontal field of view, `2 atan(aperture / (2 f))`.
+    /// Returns the horizontal field of view, `2 atan(aperture / (2 f))`.
     #[must_use]
     pub fn hfov(&self) -> f64 {
         2.0 * (self.horizontal_aperture_mm / (2.0 * self.focal_length_mm)).atan()
     }
 }
 
-/// Tenths of a stage unit: what OpenUSD defines `focalLength`, the apertures and their offsets to be.
+/// Converts millimetres to tenths of a stage unit, in which OpenUSD defines `focalLength`, the apertures and their offsets.
 ///
-/// A length of `mm` is this number on a stage of `meters_per_unit`. Vendors' assets for Isaac Sim do not follow it
-/// (they write millimetres), which matters only where the numbers meet others, as in depth of field.
+/// Vendors' assets for Isaac Sim use millimetres instead. That matters only where the numbers are combined with others, as
+/// for depth of field.
 #[must_use]
 pub fn tenths_of_stage_unit(mm: f64, meters_per_unit: f64) -> f64 {
     mm * 1e-3 / meters_per_unit * 10.0
@@ -110,7 +109,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn openusd_offsets_give_the_principal_point_back(
+        fn openusd_offsets_preserve_the_principal_point(
             f in 200.0..3000.0f64, cx in 500.0..780.0f64, cy in 300.0..500.0f64, pixel_size_um in 0.5..10.0f64,
         ) {
             let size = ImageSize::new(1280, 800);

@@ -2,7 +2,7 @@ use glam::{DVec2, DVec3};
 
 use crate::{FTheta, ImageSize, Intrinsics, LensModel, OpenCv, PixelConvention, PixelPoint};
 
-/// A camera in its own frame (OpenCV's axes: x right, y down, z forward): intrinsics and a lens.
+/// Intrinsics and a lens. The camera's frame has OpenCV's axes: x right, y down, z forward.
 ///
 /// ```
 /// use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, Usd, math::DVec3};
@@ -28,37 +28,37 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Of its two parts.
+    /// Creates a camera from its parts.
     #[must_use]
     pub const fn new(intrinsics: Intrinsics, lens: LensModel) -> Self {
         Self { intrinsics, lens }
     }
 
-    /// An f-theta lens, whose intrinsics are its own, on an image of `size`.
+    /// Creates a camera with an f-theta lens, which determines the intrinsics, for an image of `size`.
     #[must_use]
     pub fn from_ftheta(lens: FTheta, size: ImageSize) -> Self {
         Self::new(lens.intrinsics(size), LensModel::FTheta(lens))
     }
 
-    /// The pixel that sees a point; it may lie outside the image. `None` where no pixel does: behind a pinhole, or
-    /// beyond the fold of the lens model.
+    /// Returns the pixel position of a point, which may be outside the image. `None` behind a pinhole and beyond the fold of
+    /// the lens model.
     #[must_use]
     pub fn project(&self, point_in_camera: DVec3) -> Option<PixelPoint<OpenCv>> {
         let distorted = self.lens.project_ray(point_in_camera)?;
         Some(self.intrinsics.pixel_from_normalized(distorted))
     }
 
-    /// The unit ray, in the camera's frame, that a pixel sees; `None` where the lens model has none.
+    /// Returns the unit ray of a pixel in the camera's frame, or `None` where the lens model has none.
     #[must_use]
     pub fn unproject<C: PixelConvention>(&self, pixel: PixelPoint<C>) -> Option<DVec3> {
         self.lens.unproject(self.intrinsics.normalized_from_pixel(pixel))
     }
 
-    /// How far off, in pixels, the worst point of the image is when the sensor's tilt τx, τy is dropped (as by
-    /// [`OpenCvPinhole::without_tilt`](crate::OpenCvPinhole::without_tilt)) and nothing else is changed.
+    /// Returns the largest error in pixels of ignoring the sensor's tilt τx, τy (see
+    /// [`OpenCvPinhole::without_tilt`](crate::OpenCvPinhole::without_tilt)).
     ///
-    /// The image's outline is looked at pixel by pixel and its inside on a grid of 64 × 64. 0 without a tilt; infinite
-    /// when the tilted plane's horizon crosses the image.
+    /// It is evaluated at each pixel of the image's border and on a grid of 64 × 64 inside. 0 without a tilt; infinite if the
+    /// tilted plane's horizon crosses the image.
     #[must_use]
     pub fn largest_tilt_error_px(&self) -> f64 {
         let LensModel::OpenCvPinhole(lens) = self.lens else {
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn tilt_error_is_the_largest_difference_of_two_projections() {
+    fn tilt_error_is_the_largest_difference_of_projections() {
         let mut coefficients = [0.0; 14];
         coefficients[0] = -0.05;
         coefficients[12] = -0.0248;
@@ -138,7 +138,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn unproject_then_project(x in -100.0..1400.0f64, y in -100.0..900.0f64) {
+        fn project_inverts_unproject(x in -100.0..1400.0f64, y in -100.0..900.0f64) {
             for lens in [
                 LensModel::Pinhole,
                 LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&[-0.05, 0.02, 1e-3, -1e-3, 0.01]).unwrap()),

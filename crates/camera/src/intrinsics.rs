@@ -5,7 +5,7 @@ use crate::{ImageSize, OpenCv, PixelConvention, PixelPoint, Usd};
 /// The intrinsic parameters of a camera: focal lengths and principal point in pixels of an image of `size`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
-    /// The image that the parameters hold for.
+    /// The size of the image.
     pub size: ImageSize,
     /// Horizontal focal length, px.
     pub fx: f64,
@@ -15,7 +15,7 @@ pub struct Intrinsics {
 }
 
 impl Intrinsics {
-    /// Focal lengths in pixels and the principal point, in whichever convention it is known.
+    /// Creates intrinsics from focal lengths in pixels and the principal point in either convention.
     #[must_use]
     pub fn new<C: PixelConvention>(
         size: ImageSize,
@@ -31,7 +31,7 @@ impl Intrinsics {
         }
     }
 
-    /// The ideal camera of a horizontal field of view: square pixels, centred,
+    /// Creates the intrinsics of an ideal camera from its horizontal field of view: square pixels, centred,
     /// `fx = width / (2 tan(hfov / 2))`.
     #[must_use]
     pub fn from_hfov(size: ImageSize, hfov: f64) -> Self {
@@ -40,7 +40,7 @@ impl Intrinsics {
         Self::new(size, fx, fx, centre)
     }
 
-    /// From OpenCV's camera matrix `[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`, row by row.
+    /// Creates intrinsics from the rows of OpenCV's camera matrix, `[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`.
     #[must_use]
     pub fn from_opencv_matrix(size: ImageSize, k: [[f64; 3]; 3]) -> Self {
         Self::new(
@@ -51,57 +51,57 @@ impl Intrinsics {
         )
     }
 
-    /// OpenCV's camera matrix, row by row.
+    /// Returns the rows of OpenCV's camera matrix.
     #[must_use]
     pub fn opencv_matrix(&self) -> [[f64; 3]; 3] {
         let c = self.principal_point;
         [[self.fx, 0.0, c.x], [0.0, self.fy, c.y], [0.0, 0.0, 1.0]]
     }
 
-    /// OpenCV's camera matrix: pixel = K · (x/z, y/z, 1).
+    /// Returns OpenCV's camera matrix: pixel = K · (x/z, y/z, 1).
     #[must_use]
     pub fn matrix(&self) -> DMat3 {
         DMat3::from_cols_array_2d(&self.opencv_matrix()).transpose()
     }
 
-    /// The principal point in the convention that the caller names.
+    /// Returns the principal point in the convention `C`.
     #[must_use]
     pub fn principal_point<C: PixelConvention>(&self) -> PixelPoint<C> {
         self.principal_point.to()
     }
 
-    /// The mean focal length `(fx + fy) / 2`, px.
+    /// Returns the mean focal length `(fx + fy) / 2`, px.
     #[must_use]
     pub fn mean_focal_length(&self) -> f64 {
         f64::midpoint(self.fx, self.fy)
     }
 
-    /// The horizontal field of view of the ideal pinhole, `2 atan(width / (2 fx))`, wherever the principal point is.
+    /// Returns the horizontal field of view of the ideal pinhole, `2 atan(width / (2 fx))`; the principal point is ignored.
     #[must_use]
     pub fn hfov(&self) -> f64 {
         fov(f64::from(self.size.width) / self.fx)
     }
 
-    /// The vertical field of view, `2 atan(height / (2 fy))`.
+    /// Returns the vertical field of view, `2 atan(height / (2 fy))`.
     #[must_use]
     pub fn vfov(&self) -> f64 {
         fov(f64::from(self.size.height) / self.fy)
     }
 
-    /// The diagonal field of view, corner to corner through the centre.
+    /// Returns the diagonal field of view, from corner to corner through the centre.
     #[must_use]
     pub fn dfov(&self) -> f64 {
         fov((f64::from(self.size.width) / self.fx).hypot(f64::from(self.size.height) / self.fy))
     }
 
-    /// The pixel of a point on the plane z = 1.
+    /// Returns the pixel of a point on the plane z = 1.
     #[must_use]
     pub fn pixel_from_normalized(&self, normalized: DVec2) -> PixelPoint<OpenCv> {
         let c = self.principal_point;
         PixelPoint::new(self.fx * normalized.x + c.x, self.fy * normalized.y + c.y)
     }
 
-    /// The point on the plane z = 1 that an ideal pinhole sees at `pixel`.
+    /// Returns the point on the plane z = 1 of a pixel of an ideal pinhole.
     #[must_use]
     #[inline]
     pub fn normalized_from_pixel<C: PixelConvention>(&self, pixel: PixelPoint<C>) -> DVec2 {
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn matrix_is_row_major_in_and_out() {
+    fn matrices_are_row_major() {
         let k = [[800.0, 0.0, 640.0], [0.0, 801.0, 400.0], [0.0, 0.0, 1.0]];
         let camera = Intrinsics::from_opencv_matrix(ImageSize::new(1280, 800), k);
         assert_eq!(camera.opencv_matrix(), k);

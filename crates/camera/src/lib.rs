@@ -1,11 +1,11 @@
-//! Camera mathematics of an OAK twin: intrinsics, lens models, poses, stereo rigs, rectification and
-//! OpenUSD's apertures. Pure `f64` functions; no files, no global state.
+//! Camera mathematics: intrinsics, lens models, poses, stereo geometry, rectification and OpenUSD's apertures. Pure `f64`
+//! functions; no files, no global state.
 //!
 //! # Conventions
-//! * Angles are radians; a name that ends in `_deg` is in degrees.
-//! * A pixel position says where the centre of the first pixel lies ([`OpenCv`]: 0, [`Usd`]: 0.5).
+//! * Angles are in radians, unless the name ends in `_deg`.
+//! * The type of a pixel position defines the centre of the first pixel ([`OpenCv`]: 0, [`Usd`]: 0.5).
 //! * Transforms are named `target_from_source`, and points carry their frame: `point_in_camera`.
-//! * A camera's own frame is OpenCV's optical one (x right, y down, z forward) unless a name says otherwise.
+//! * A camera's frame is OpenCV's optical frame (x right, y down, z forward) unless a name says otherwise.
 
 mod aperture;
 mod camera;
@@ -22,7 +22,9 @@ mod stereo;
 pub use aperture::{ApertureOffsets, UsdOptics, tenths_of_stage_unit};
 pub use camera::Camera;
 pub use intrinsics::Intrinsics;
-pub use lens::{FTheta, LensError, LensModel, OpenCvFisheye, OpenCvPinhole};
+pub use lens::{
+    FTheta, LensError, LensFamily, LensModel, LensNames, OpenCvFisheye, OpenCvLens, OpenCvPinhole,
+};
 pub use map::undistort_rectify_map;
 pub use pixel::{OpenCv, PixelConvention, PixelPoint, Usd};
 pub use pose::{Axes, RigidTransform};
@@ -32,7 +34,7 @@ pub use rectify::{
 pub use size::ImageSize;
 pub use stereo::StereoGeometry;
 
-/// The vector and matrix types of this crate's interface, from `glam`, so that one version serves all.
+/// The vector and matrix types of this crate's interface, re-exported from `glam`.
 pub mod math {
     pub use glam::{DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 }

@@ -2,12 +2,12 @@ use glam::DMat3;
 
 use crate::{Camera, Intrinsics, OpenCv, PixelPoint};
 
-/// Where in a camera's image each pixel of a rectified image lies: the lookup table of `cv2.initUndistortRectifyMap`
-/// and, for a fisheye lens, `cv2.fisheye.initUndistortRectifyMap`.
+/// Returns the source position of each pixel of a rectified image: the lookup table of `cv2.initUndistortRectifyMap` and, for
+/// a fisheye lens, `cv2.fisheye.initUndistortRectifyMap`.
 ///
-/// Row by row, one `[x, y]` in the [`OpenCv`] convention for each pixel of `rectified.size`. As in OpenCV, positions
-/// may lie outside the image, and beyond the lens model's fold they are what its formula says. NaN where a ray meets no
-/// plane z = 1 of a pinhole (OpenCV divides anyway).
+/// The items are `[x, y]` in the [`OpenCv`] convention for each pixel of `rectified.size`, row by row. As in OpenCV, positions
+/// may be outside the image, and beyond the lens model's fold they follow its formula. NaN where a ray does not intersect the
+/// plane z = 1 (OpenCV divides anyway).
 ///
 /// ```
 /// use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, math::DMat3, undistort_rectify_map};

@@ -3,7 +3,7 @@ use std::marker::PhantomData;
 
 use glam::DVec2;
 
-/// Where the centre of an image's first pixel lies.
+/// The position of the centre of an image's first pixel.
 pub trait PixelConvention: Copy + fmt::Debug + PartialEq + 'static {
     /// Both coordinates of the centre of the first pixel.
     const FIRST_CENTRE: f64;
@@ -30,15 +30,15 @@ impl PixelConvention for Usd {
 /// A position in an image, in pixels: x to the right, y down, with its convention in the type.
 #[derive(Clone, Copy, PartialEq)]
 pub struct PixelPoint<C> {
-    /// To the right.
+    /// The distance to the right.
     pub x: f64,
-    /// Down.
+    /// The distance down.
     pub y: f64,
     convention: PhantomData<C>,
 }
 
 impl<C: PixelConvention> PixelPoint<C> {
-    /// The position (x, y) in this convention.
+    /// Creates the position (x, y) in this convention.
     #[must_use]
     pub const fn new(x: f64, y: f64) -> Self {
         Self {
@@ -48,7 +48,7 @@ impl<C: PixelConvention> PixelPoint<C> {
         }
     }
 
-    /// The same place in another convention.
+    /// Converts to another convention.
     #[must_use]
     #[inline]
     pub fn to<D: PixelConvention>(self) -> PixelPoint<D> {
@@ -56,7 +56,7 @@ impl<C: PixelConvention> PixelPoint<C> {
         PixelPoint::new(self.x + shift, self.y + shift)
     }
 
-    /// The bare coordinates.
+    /// Returns the coordinates without their convention.
     #[must_use]
     pub const fn xy(self) -> DVec2 {
         DVec2::new(self.x, self.y)
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn centre_of_an_image_in_both_conventions() {
+    fn converts_the_centre_of_an_image() {
         let centre = PixelPoint::<Usd>::new(640.0, 400.0);
         assert_eq!(centre.to::<OpenCv>(), PixelPoint::new(639.5, 399.5));
         assert_eq!(centre.to::<OpenCv>().to::<Usd>(), centre);

@@ -1,18 +1,18 @@
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
-/// What the axes of a right-handed frame point at.
+/// The axes of a right-handed frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axes {
     /// A camera prim of OpenUSD: x right, y up, looking along −z.
     Usd,
-    /// OpenCV and DepthAI, ROS's `*_optical_frame`: x right, y down, z forward.
+    /// OpenCV, DepthAI and ROS's `*_optical_frame`: x right, y down, z forward.
     OpenCv,
     /// A body in ROS (REP-103): x forward, y left, z up.
     Ros,
 }
 
 impl Axes {
-    /// The rotation that takes coordinates in axes `from` to coordinates in axes `self`, of one and the same frame.
+    /// Returns the rotation of coordinates in axes `from` to coordinates in axes `self`.
     #[must_use]
     pub fn rotation_from(self, from: Self) -> DMat3 {
         self.opencv_from_self().transpose() * from.opencv_from_self()
@@ -30,23 +30,23 @@ impl Axes {
 
 /// A rotation and a translation: `point_in_target = rotation · point_in_source + translation`.
 ///
-/// A value is named `target_from_source`. The translation's unit is the caller's; this project keeps metres.
+/// A value is named `target_from_source`. The unit of the translation is up to the caller; this project uses metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidTransform {
-    /// Orthonormal, determinant +1.
+    /// An orthonormal matrix with determinant +1.
     pub rotation: DMat3,
-    /// Where the source's origin lies in the target.
+    /// The position of the source's origin in the target frame.
     pub translation: DVec3,
 }
 
 impl RigidTransform {
-    /// The frames coincide.
+    /// The identity.
     pub const IDENTITY: Self = Self {
         rotation: DMat3::IDENTITY,
         translation: DVec3::ZERO,
     };
 
-    /// From a rotation and a translation.
+    /// Creates a transform from a rotation and a translation.
     #[must_use]
     pub const fn new(rotation: DMat3, translation: DVec3) -> Self {
         Self {
@@ -55,21 +55,22 @@ impl RigidTransform {
         }
     }
 
-    /// From a 4×4 matrix in rows, as OpenCV and DepthAI print it. The last row is taken to be (0, 0, 0, 1).
+    /// Creates a transform from the rows of a 4×4 matrix, as OpenCV and DepthAI print it. The last row is assumed to be
+    /// (0, 0, 0, 1).
     #[must_use]
     pub fn from_rows(rows: [[f64; 4]; 4]) -> Self {
         let m = DMat4::from_cols_array_2d(&rows).transpose();
         Self::new(DMat3::from_mat4(m), m.w_axis.truncate())
     }
 
-    /// The 4×4 matrix in rows, column-vector convention (OpenUSD's is the transpose).
+    /// Returns the rows of the 4×4 matrix for column vectors (OpenUSD uses the transpose).
     #[must_use]
     pub fn rows(&self) -> [[f64; 4]; 4] {
         let m = DMat4::from_mat3_translation(self.rotation, self.translation);
         m.transpose().to_cols_array_2d()
     }
 
-    /// `source_from_target`.
+    /// Returns `source_from_target`.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
@@ -82,14 +83,15 @@ impl RigidTransform {
         self.rotation * point_in_source + self.translation
     }
 
-    /// The rotation as a unit quaternion with w ≥ 0.
+    /// Returns the rotation as a unit quaternion with w ≥ 0.
     #[must_use]
     pub fn quaternion(&self) -> DQuat {
         let q = DQuat::from_mat3(&self.rotation).normalize();
         if q.w < 0.0 { -q } else { q }
     }
 
-    /// How far the rotation is from orthonormal: the largest entry of `|RᵀR − I|`, or infinity for a reflection.
+    /// Returns the deviation of the rotation from orthonormal: the largest entry of `|RᵀR − I|`, or infinity for a
+    /// reflection.
     #[must_use]
     pub fn orthonormality_error(&self) -> f64 {
         if self.rotation.determinant() <= 0.0 {
@@ -102,7 +104,7 @@ impl RigidTransform {
     }
 }
 
-/// `a_from_c = a_from_b * b_from_c`.
+/// Composes transforms: `a_from_c = a_from_b * b_from_c`.
 impl std::ops::Mul for RigidTransform {
     type Output = Self;
 
@@ -120,7 +122,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn axes_point_where_they_say() {
+    fn converts_between_axes() {
         let forward = DVec3::Z; // OpenCV
         assert_eq!(Axes::Ros.rotation_from(Axes::OpenCv) * forward, DVec3::X);
         assert_eq!(Axes::Usd.rotation_from(Axes::OpenCv) * forward, DVec3::NEG_Z);
@@ -135,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_are_rows() {
+    fn rows_round_trip() {
         let t = RigidTransform::new(DMat3::from_rotation_z(0.3), DVec3::new(1.0, 2.0, 3.0));
         assert_eq!(t.rows()[0][3], 1.0);
         assert_eq!(t.rows()[1][0], 0.3_f64.sin());
@@ -144,7 +146,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn inverse_undoes(axis in prop::array::uniform3(-1.0..1.0f64), angle in -3.0..3.0f64, t in prop::array::uniform3(-10.0..10.0f64)) {
+        fn inverse_cancels(axis in prop::array::uniform3(-1.0..1.0f64), angle in -3.0..3.0f64, t in prop::array::uniform3(-10.0..10.0f64)) {
             prop_assume!(DVec3::from(axis).length() > 0.1);
             let a_from_b = RigidTransform::new(DMat3::from_axis_angle(DVec3::from(axis).normalize(), angle), DVec3::from(t));
             let p = DVec3::new(0.1, -2.0, 5.0);

@@ -2,63 +2,65 @@
 
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
-use crate::{Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvPinhole, PixelPoint, RigidTransform};
+use crate::{
+    Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvLens, OpenCvPinhole, PixelPoint, RigidTransform,
+};
 
-/// Along which axis of the rectified images the right camera lies.
+/// The axis of the rectified images that the baseline is parallel to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaselineAxis {
-    /// Beside the left one: epipolar lines are rows.
+    /// The cameras are side by side; epipolar lines are rows.
     Horizontal,
-    /// Above or below it: epipolar lines are columns.
+    /// One camera is above the other; epipolar lines are columns.
     Vertical,
 }
 
-/// The intrinsics that the rectified images get.
+/// The intrinsics of the rectified images.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RectifiedIntrinsics {
-    /// `cv2.stereoRectify` with `CALIB_ZERO_DISPARITY`, its default: the mean focal length across the baseline, and one
-    /// principal point for both that centres the undistorted corners.
+    /// `cv2.stereoRectify` with `CALIB_ZERO_DISPARITY`, its default: the mean focal length perpendicular to the baseline, and
+    /// a common principal point that centres the undistorted corners.
     #[default]
     ZeroDisparity,
     /// `cv2.stereoRectify` without that flag: principal points that differ along the baseline.
     FreeDisparity,
-    /// The left camera's own, for both: what `DepthAI`'s host-side rectification and its RVC4 devices use.
+    /// Those of the left camera, for both: `DepthAI`'s host-side rectification and RVC4 devices.
     LeftCamera,
 }
 
-/// Two cameras turned so that rows (or columns) meet. The rectified images have no distortion.
+/// The rectification of a pair, which aligns rows (or columns). Rectified images have no distortion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rectification {
-    /// OpenCV's R1: rotates points of the left camera's frame.
+    /// OpenCV's R1: the rotation of points in the left camera's frame.
     pub rectified_from_left: DMat3,
-    /// OpenCV's R2: rotates points of the right camera's frame.
+    /// OpenCV's R2: the rotation of points in the right camera's frame.
     pub rectified_from_right: DMat3,
-    /// The left part of OpenCV's P1.
+    /// The intrinsics in OpenCV's P1.
     pub left: Intrinsics,
-    /// The left part of OpenCV's P2.
+    /// The intrinsics in OpenCV's P2.
     pub right: Intrinsics,
-    /// Where the right camera lies.
+    /// The axis of the baseline.
     pub axis: BaselineAxis,
-    /// The distance of the optical centres, in the unit of the transform that was given.
+    /// The distance of the optical centres, in the unit of the given transform.
     pub baseline: f64,
-    /// The left camera's centre in the rectified right frame, along the baseline: negative when the right camera lies
-    /// to the right or below. The same unit.
+    /// The position of the left camera's centre along the baseline in the rectified right frame, in the same unit: negative
+    /// if the right camera is to the right or below.
     pub offset: f64,
 }
 
-/// Why two cameras cannot be rectified.
+/// An error in the geometry of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RectifyError {
-    /// No baseline, or one that is not a number.
-    #[error("the cameras are {0} apart; rectification needs two places")]
+    /// The baseline is zero or not finite.
+    #[error("the distance of the cameras is {0}; rectification needs a finite distance above 0")]
     Baseline(f64),
     /// The matrix is singular or a reflection.
     #[error(
-        "the rotation between the cameras has determinant {0}; give an orthonormal matrix of determinant 1"
+        "the rotation between the cameras has determinant {0}; give an orthonormal matrix with determinant 1"
     )]
     Rotation(f64),
-    /// Images of different sizes.
-    #[error("the images are {0} and {1}; bring the intrinsics to one size first")]
+    /// The images differ in size.
+    #[error("the image sizes {0} and {1} differ; resize the intrinsics first")]
     Sizes(ImageSize, ImageSize),
 }
 
@@ -67,7 +69,7 @@ pub enum RectifyError {
 /// See [`stereo_rectify_to`]; the intrinsics are [`RectifiedIntrinsics::ZeroDisparity`].
 ///
 /// # Errors
-/// No baseline, no rotation, or images of two sizes.
+/// Returns an error if the baseline is zero, the matrix is not a rotation, or the image sizes differ.
 ///
 /// ```
 /// use oaktwin_camera::math::{DMat3, DVec3};
@@ -91,17 +93,17 @@ pub fn stereo_rectify(
     stereo_rectify_to(left, right, right_from_left, RectifiedIntrinsics::default())
 }
 
-/// Rectifies a pair, with a choice of the rectified images' intrinsics.
+/// Rectifies a pair with the given choice of intrinsics.
 ///
-/// Each camera turns by half of the rotation between them, then both turn by the least angle that lays an axis along the
-/// baseline. The rotations depend on `right_from_left` alone, for any lens. A rotation that is not quite orthonormal
-/// (float32 numbers) is replaced by the nearest one, as OpenCV does.
+/// Each camera is rotated by half of the rotation between them, then both by the smallest angle that aligns an axis with the
+/// baseline. The rotations depend on `right_from_left` only, for any lens. A matrix that is not quite orthonormal (float32
+/// numbers) is replaced by the nearest rotation, as in OpenCV.
 ///
-/// The two OpenCV choices of intrinsics need the image's corners on the plane z = 1. A fisheye or f-theta camera has none
-/// there; a pair with such a lens gets [`RectifiedIntrinsics::LeftCamera`] whatever is asked, as `DepthAI` does.
+/// Both of OpenCV's choices of intrinsics need the image's corners on the plane z = 1, where fisheye and f-theta cameras have
+/// none. A pair with such a lens always uses [`RectifiedIntrinsics::LeftCamera`], as in `DepthAI`.
 ///
 /// # Errors
-/// No baseline, no rotation, or images of two sizes.
+/// Returns an error if the baseline is zero, the matrix is not a rotation, or the image sizes differ.
 pub fn stereo_rectify_to(
     left: &Camera,
     right: &Camera,
@@ -140,7 +142,7 @@ pub fn stereo_rectify_to(
         }
         (choice, Some(left_lens), Some(right_lens)) => {
             let (a, b) = (&left.intrinsics, &right.intrinsics);
-            // Across the baseline, so that the epipolar lines of both images keep their scale.
+            // Perpendicular to the baseline, so that the epipolar lines of both images keep their scale.
             let focal = match axis {
                 BaselineAxis::Horizontal => f64::midpoint(a.fy, b.fy),
                 BaselineAxis::Vertical => f64::midpoint(a.fx, b.fx),
@@ -173,13 +175,13 @@ pub fn stereo_rectify_to(
 }
 
 impl Rectification {
-    /// OpenCV's P1, row by row: left pixel from a point in the rectified left frame.
+    /// Returns the rows of OpenCV's P1, which projects points in the rectified left frame into the left image.
     #[must_use]
     pub fn projection_left(&self) -> [[f64; 4]; 3] {
         self.left.opencv_matrix().map(|[a, b, c]| [a, b, c, 0.0])
     }
 
-    /// OpenCV's P2, row by row: right pixel from a point in the rectified *left* frame.
+    /// Returns the rows of OpenCV's P2, which projects points in the rectified *left* frame into the right image.
     #[must_use]
     pub fn projection_right(&self) -> [[f64; 4]; 3] {
         let mut p = self.right.opencv_matrix().map(|[a, b, c]| [a, b, c, 0.0]);
@@ -190,11 +192,11 @@ impl Rectification {
         p
     }
 
-    /// OpenCV's Q: `Q · (x, y, disparity, 1)` is the point in the rectified left frame, homogeneous, for a left pixel
+    /// Returns OpenCV's Q: `Q · (x, y, disparity, 1)` is the homogeneous point in the rectified left frame of a left pixel
     /// and its disparity (left minus right, along the baseline).
     ///
-    /// Q has one focal length, as OpenCV's: with [`RectifiedIntrinsics::LeftCamera`] it is the one along the baseline,
-    /// and exact for square pixels.
+    /// Like OpenCV's, Q has one focal length. With [`RectifiedIntrinsics::LeftCamera`] it is that along the baseline, which
+    /// is exact for square pixels.
     #[must_use]
     pub fn disparity_to_depth(&self) -> DMat4 {
         let (a, b) = (
@@ -213,7 +215,7 @@ impl Rectification {
         )
     }
 
-    /// The pair as stereo geometry, given that the transform was in metres.
+    /// Returns the stereo geometry, if the given transform was in metres.
     #[must_use]
     pub fn stereo_geometry(&self) -> crate::StereoGeometry {
         let focal_length_px = match self.axis {
@@ -227,7 +229,7 @@ impl Rectification {
     }
 }
 
-/// The orthogonal factor of the polar decomposition: the nearest rotation, by Higham's iteration.
+/// Returns the nearest rotation, the orthogonal factor of the polar decomposition, by Higham's iteration.
 fn nearest_rotation(m: DMat3) -> Result<DMat3, RectifyError> {
     let determinant = m.determinant();
     if !(m.is_finite() && determinant > 1e-6) {
@@ -248,7 +250,7 @@ fn nearest_rotation(m: DMat3) -> Result<DMat3, RectifyError> {
     Ok(r)
 }
 
-/// The rotation about the same axis by half the angle.
+/// Returns the rotation about the same axis by half the angle.
 fn half_rotation(rotation: DMat3) -> DMat3 {
     let q = DQuat::from_mat3(&rotation).normalize();
     let q = if q.w < 0.0 { -q } else { q };
@@ -256,7 +258,7 @@ fn half_rotation(rotation: DMat3) -> DMat3 {
     DMat3::from_quat(DQuat::from_xyzw(q.x, q.y, q.z, q.w + 1.0).normalize())
 }
 
-/// The rotation by the least angle that turns `from` into the direction of the unit vector `onto`.
+/// Returns the smallest rotation that aligns `from` with the unit vector `onto`.
 fn rotation_onto(from: DVec3, onto: DVec3) -> DMat3 {
     let cross = from.cross(onto);
     let Some(axis) = cross.try_normalize() else {
@@ -266,18 +268,14 @@ fn rotation_onto(from: DVec3, onto: DVec3) -> DMat3 {
 }
 
 fn opencv_lens(lens: &LensModel) -> Option<OpenCvPinhole> {
-    match lens {
-        LensModel::Pinhole => Some(OpenCvPinhole {
-            coefficients: [0.0; 14],
-        }),
-        LensModel::OpenCvPinhole(lens) => Some(*lens),
-        LensModel::OpenCvFisheye(_) | LensModel::FTheta(_) => None,
+    match lens.as_opencv() {
+        Some(OpenCvLens::Pinhole(coefficients)) => Some(OpenCvPinhole { coefficients }),
+        _ => None,
     }
 }
 
-/// The principal point that puts the mean of the four undistorted, rotated corners at the image's middle.
-///
-/// Of the pixel centres, (0 | W − 1, 0 | H − 1).
+/// Returns the principal point that moves the mean of the four undistorted, rotated corners to the image's centre. Corners are
+/// pixel centres, (0 | W − 1, 0 | H − 1).
 fn centre_of_corners(camera: &Intrinsics, lens: &OpenCvPinhole, rotation: DMat3, focal: f64) -> DVec2 {
     let (right, bottom) = (
         f64::from(camera.size.width) - 1.0,
@@ -294,9 +292,10 @@ fn centre_of_corners(camera: &Intrinsics, lens: &OpenCvPinhole, rotation: DMat3,
     DVec2::new(right / 2.0, bottom / 2.0) - sum / 4.0
 }
 
-/// `cv2.undistortPoints` as `cv2.stereoRectify` calls it: five steps of a fixed-point iteration, converged or not.
+/// Undistorts a point like `cv2.undistortPoints` in `cv2.stereoRectify`: with five steps of a fixed-point iteration, converged
+/// or not.
 ///
-/// Only the choice of a principal point rests on it, and any choice is right; this one is OpenCV's.
+/// It determines only the principal point, for which any choice is valid; this one is OpenCV's.
 fn opencv_undistort(lens: &OpenCvPinhole, distorted: DVec2) -> DVec2 {
     let Some(target) = lens.untilt(distorted) else {
         return distorted;
@@ -315,7 +314,7 @@ fn opencv_undistort(lens: &OpenCvPinhole, distorted: DVec2) -> DVec2 {
     at
 }
 
-/// OpenCV keeps these corners in float32.
+/// Rounds to float32, as OpenCV stores these corners.
 fn as_f32(p: DVec2) -> DVec2 {
     p.as_vec2().as_dvec2()
 }
@@ -335,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ideal_pair_is_left_as_it_is() {
+    fn ideal_pairs_do_not_change() {
         let camera = Camera::new(
             Intrinsics::from_hfov(ImageSize::new(1280, 800), 1.34),
             LensModel::Pinhole,
@@ -353,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_rectified() {
+    fn rejects_invalid_geometry() {
         let a = camera(800.0, 640.0, 400.0);
         let of = |b: &Camera, rotation, x| {
             stereo_rectify(&a, b, &RigidTransform::new(rotation, DVec3::new(x, 0.0, 0.0)))
@@ -370,12 +369,12 @@ mod tests {
         let error = of(&b, DMat3::IDENTITY, 1.0).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "the images are 1280x800 and 640x400; bring the intrinsics to one size first"
+            "the image sizes 1280x800 and 640x400 differ; resize the intrinsics first"
         );
     }
 
     #[test]
-    fn a_fisheye_pair_takes_the_left_intrinsics() {
+    fn fisheye_pairs_use_the_left_intrinsics() {
         let mut a = camera(560.0, 640.0, 400.0);
         a.lens = LensModel::OpenCvFisheye(crate::OpenCvFisheye::default());
         let b = camera(570.0, 630.0, 410.0);
@@ -386,7 +385,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn epipolar_lines_meet_and_depth_comes_back(
+        fn aligns_epipolar_lines_and_preserves_depth(
             turn in prop::array::uniform3(-0.1..0.1f64), t in prop::array::uniform3(-0.02..0.02f64),
             vertical: bool, sign: bool, p in prop::array::uniform2(-0.5..0.5f64), z in 1.0..5.0f64,
             choice in prop::sample::select(vec![RectifiedIntrinsics::ZeroDisparity, RectifiedIntrinsics::FreeDisparity]),
@@ -422,7 +421,7 @@ mod tests {
         }
 
         #[test]
-        fn rotations_are_rotations(turn in prop::array::uniform3(-1.5..1.5f64), noise in prop::array::uniform9(-1e-7..1e-7f64)) {
+        fn returns_rotations(turn in prop::array::uniform3(-1.5..1.5f64), noise in prop::array::uniform9(-1e-7..1e-7f64)) {
             let rotation = DMat3::from_euler(glam::EulerRot::XYZ, turn[0], turn[1], turn[2]);
             let near = nearest_rotation(rotation + DMat3::from_cols_array(&noise)).unwrap();
             let error = |m: DMat3| RigidTransform::new(m, DVec3::ZERO).orthonormality_error();

@@ -1,20 +1,20 @@
 //! Intrinsics at another resolution, by the rule of DepthAI's `CalibrationHandler::getCameraIntrinsics`.
 //!
-//! The library scales cx and cy as they stand, with no half-pixel shift, and so does this: what a device's own software
-//! would say is what a twin is compared with.
+//! The library scales cx and cy without a half-pixel shift. So does this module, because twins are compared with the numbers
+//! of the device's own software.
 
 use crate::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 
 impl ImageSize {
-    /// This size scaled to a width, the height in proportion and cut to whole pixels: `DepthAI`'s rule for a height
-    /// of −1. `None` when this size is empty or the result is too large.
+    /// Returns this size scaled to a width, with a proportional height rounded down: `DepthAI`'s rule for a height of −1.
+    /// `None` if this size is empty or the result is too large.
     #[must_use]
     pub fn scaled_to_width(self, width: u32) -> Option<Self> {
         Some(Self::new(width, proportional(self.height, width, self.width)?))
     }
 
-    /// This size scaled to a height, the width in proportion and cut to whole pixels: `DepthAI`'s rule for a width
-    /// of −1. `None` when this size is empty or the result is too large.
+    /// Returns this size scaled to a height, with a proportional width rounded down: `DepthAI`'s rule for a width of −1.
+    /// `None` if this size is empty or the result is too large.
     #[must_use]
     pub fn scaled_to_height(self, height: u32) -> Option<Self> {
         Some(Self::new(proportional(self.width, height, self.height)?, height))
@@ -27,11 +27,11 @@ fn proportional(length: u32, to: u32, from: u32) -> Option<u32> {
 }
 
 impl Intrinsics {
-    /// The intrinsics of the same camera at another image size, as `DepthAI` computes them.
+    /// Returns the intrinsics at another image size, as `DepthAI` computes them.
     ///
-    /// With `keep_aspect_ratio` (`DepthAI`'s default), the image is scaled to cover `size` and its surplus cut off on
-    /// both sides alike; but a wide calibration (aspect above 1.5, to 1.778) asked for at 4:3 or narrower (to 1.34) is
-    /// taken to be a crop of a taller sensor, and grows above and below instead. Without, each axis is scaled by itself.
+    /// With `keep_aspect_ratio` (`DepthAI`'s default), the image is scaled to cover `size` and cropped equally on both sides.
+    /// However, a wide calibration (aspect above 1.5 and up to 1.778) at a requested aspect of 4:3 or narrower (up to 1.34) is
+    /// treated as a crop of a taller sensor: the image grows above and below instead. Otherwise each axis is scaled on its own.
     ///
     /// ```
     /// use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
@@ -56,7 +56,7 @@ impl Intrinsics {
         } else {
             (w / from_w).max(h / from_h)
         };
-        // One of the two is 0, up to rounding: the axis that gave the scale.
+        // The second term is 0, up to rounding, for the axis that determined the scale.
         let centre = PixelPoint::<OpenCv>::new(
             c.x * scale + (w - from_w * scale) / 2.0,
             c.y * scale + (h - from_h * scale) / 2.0,
@@ -64,7 +64,7 @@ impl Intrinsics {
         Self::new(size, self.fx * scale, self.fy * scale, centre)
     }
 
-    /// The intrinsics of a part of the image: `size` pixels from `top_left` on, whose first pixel may lie outside.
+    /// Returns the intrinsics of a part of the image: `size` pixels from `top_left`, which may be outside the image.
     #[must_use]
     pub fn cropped(&self, top_left: PixelPoint<OpenCv>, size: ImageSize) -> Self {
         let c = self.principal_point::<OpenCv>();
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_of_the_library() {
+    fn agrees_with_depthai() {
         // depthai 3.12.0 on two cameras of one OAK-D Pro, to three decimals.
         let mono = Intrinsics::from_opencv_matrix(
             ImageSize::new(1280, 800),
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     #[ignore = "needs OAKTWIN_TEST_DATA"]
-    fn what_depthai_answers_for_real_exports() {
+    fn agrees_with_depthai_for_real_exports() {
         let data = std::env::var_os("OAKTWIN_TEST_DATA").expect("OAKTWIN_TEST_DATA names the test data");
         let path = std::path::Path::new(&data).join("data/depthai-golden/calibration_handler.json");
         let golden: serde_json::Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn one_side_in_proportion_is_cut_not_rounded() {
+    fn rounds_proportional_sides_down() {
         let size = ImageSize::new(4056, 3040);
         assert_eq!(size.scaled_to_width(640), Some(ImageSize::new(640, 479)));
         assert_eq!(size.scaled_to_height(480), Some(ImageSize::new(640, 480)));

@@ -5,20 +5,20 @@ use serde::{Deserialize, Serialize};
 /// The size of an image in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct ImageSize {
-    /// Columns.
+    /// The number of columns.
     pub width: u32,
-    /// Rows.
+    /// The number of rows.
     pub height: u32,
 }
 
 impl ImageSize {
-    /// An image of `width` columns and `height` rows.
+    /// Creates a size of `width` columns and `height` rows.
     #[must_use]
     pub const fn new(width: u32, height: u32) -> Self {
         Self { width, height }
     }
 
-    /// Width over height.
+    /// Returns the width divided by the height.
     #[must_use]
     pub fn aspect(self) -> f64 {
         f64::from(self.width) / f64::from(self.height)

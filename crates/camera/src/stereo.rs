@@ -1,6 +1,6 @@
-/// A rectified stereo pair: depth is focal length times baseline over disparity.
+/// The geometry of a rectified stereo pair: depth = focal length · baseline / disparity.
 ///
-/// Nothing is limited here: a disparity of 0 is infinitely far. `DepthAI` writes 0 for it.
+/// A disparity of 0 is an infinite depth here, where `DepthAI` writes 0.
 ///
 /// ```
 /// use oaktwin_camera::StereoGeometry;
@@ -11,29 +11,29 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StereoGeometry {
-    /// Of the rectified images, px.
+    /// The focal length of the rectified images, px.
     pub focal_length_px: f64,
-    /// Between the optical centres, m.
+    /// The baseline in metres.
     pub baseline_m: f64,
 }
 
 impl StereoGeometry {
-    /// The disparity of a depth along the optical axis, px.
+    /// Returns the disparity of a depth along the optical axis, px.
     #[must_use]
     pub fn disparity(&self, depth_m: f64) -> f64 {
         self.focal_length_px * self.baseline_m / depth_m
     }
 
-    /// The depth of a disparity, m: of a matcher's largest, the nearest that it can see.
+    /// Returns the depth of a disparity, m. A matcher's largest disparity gives its minimum depth.
     #[must_use]
     pub fn depth(&self, disparity_px: f64) -> f64 {
         self.focal_length_px * self.baseline_m / disparity_px
     }
 
-    /// How much farther the next measurable depth lies, m: `depth(d − step) − z`, exactly.
+    /// Returns the difference to the next larger measurable depth, m: exactly `depth(d − step) − z = z² / (f b / step − z)`.
     ///
-    /// That is `z² / (f b / step − z)`. The usual `z² · step / (f b)` is its first order, and too small. Infinite when
-    /// the disparity is no more than one step.
+    /// The usual `z² · step / (f b)` is its first-order approximation, and too small. Infinite if the disparity is at most
+    /// one step.
     #[must_use]
     pub fn depth_step(&self, depth_m: f64, disparity_step_px: f64) -> f64 {
         let disparity = self.disparity(depth_m);
@@ -51,7 +51,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn depth_step_is_to_the_next_depth(
+        fn depth_step_reaches_the_next_depth(
             f in 300.0..3000.0f64, b in 0.01..0.2f64, z in 0.2..20.0f64, step in 0.01..1.0f64,
         ) {
             let stereo = StereoGeometry { focal_length_px: f, baseline_m: b };
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_of_the_disparity_range() {
+    fn minimum_depth_of_an_oak() {
         // OAK-D Pro W: 97° across 1280 px, 75 mm, 95 and 190 px.
         let focal_length_px = 640.0 / 48.5f64.to_radians().tan();
         let stereo = StereoGeometry {

@@ -1,4 +1,4 @@
-/// The files of this crate's `data/`: name and text, devices in the sheet's order.
+/// The names and texts of the files in `data/`; devices are in the order of the sheet.
 pub(crate) const FILES: [(&str, &str); 10] = [
     (
         "data/sensors/imx378.toml",

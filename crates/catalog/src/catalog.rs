@@ -7,21 +7,21 @@ use serde::Serialize;
 use crate::document::Document;
 use crate::{CatalogError, Device, Sensor, UnknownModel, builtin, check};
 
-/// The sensors and devices that are known.
+/// A collection of sensors and devices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalog {
     sensors: Vec<Sensor>,
     devices: Vec<Device>,
 }
 
-/// The text of a catalog file and its name.
+/// The name and text of a catalog file.
 pub(crate) struct SourceFile<'a> {
     pub(crate) file: &'a Path,
     pub(crate) text: &'a str,
 }
 
 impl Catalog {
-    /// The five models and five sensors that come with this crate.
+    /// Returns the five models and five sensors of this crate.
     #[must_use]
     pub fn builtin() -> &'static Self {
         static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
@@ -38,7 +38,7 @@ impl Catalog {
             )]
             Catalog::empty()
                 .with_files(&files)
-                .expect("the built-in catalog is sound")
+                .expect("the built-in catalog is valid")
         });
         &BUILTIN
     }
@@ -50,30 +50,29 @@ impl Catalog {
         }
     }
 
-    /// The devices in the sheet's order, then a user's own by name of their file.
+    /// Returns the devices in the order of the sheet, then user-defined ones by file name.
     #[must_use]
     pub fn devices(&self) -> &[Device] {
         &self.devices
     }
 
-    /// The sensors.
+    /// Returns the sensors.
     #[must_use]
     pub fn sensors(&self) -> &[Sensor] {
         &self.sensors
     }
 
-    /// The sensor of this id.
+    /// Returns the sensor with an id.
     #[must_use]
     pub fn sensor(&self, id: &str) -> Option<&Sensor> {
         let id = fold_name(id);
         self.sensors.iter().find(|sensor| fold_name(&sensor.id) == id)
     }
 
-    /// The device of this name: its id, name, prim or an alias, without regard to case, spaces, hyphens and
-    /// underscores.
+    /// Returns the device with a name: its id, name, prim or an alias, ignoring case, spaces, hyphens and underscores.
     ///
     /// # Errors
-    /// There is none; the error lists the nearest.
+    /// Returns an error with the nearest names if no device has this name.
     pub fn device(&self, name: &str) -> Result<&Device, UnknownModel> {
         let wanted = fold_name(name);
         let found = self
@@ -98,7 +97,7 @@ impl Catalog {
         })
     }
 
-    /// This catalog and these files; an entry takes the place of the one with its id.
+    /// Adds files to the catalog. An entry replaces an earlier one with the same id.
     pub(crate) fn with_files(mut self, files: &[SourceFile<'_>]) -> Result<Self, CatalogError> {
         let documents = files
             .iter()
@@ -123,7 +122,7 @@ impl Catalog {
     }
 }
 
-/// A device has cameras or a prim; a file with neither is a sensor's.
+/// Whether a file describes a device: these have cameras or a prim, sensors have neither.
 fn is_device(document: &Document<'_>) -> bool {
     ["camera", "prim", "body", "depth_sensor"]
         .iter()
@@ -143,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_builtin_catalog_is_sound() {
+    fn builtin_catalog_is_valid() {
         let catalog = Catalog::builtin();
         let names: Vec<&str> = catalog.devices().iter().map(|d| d.name.as_str()).collect();
         assert_eq!(
@@ -161,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn names_match_however_they_are_written() {
+    fn finds_devices_by_any_spelling() {
         let catalog = Catalog::builtin();
         for (asked, id) in [
             ("oak-d pro poe", "oak_d_pro_poe"),

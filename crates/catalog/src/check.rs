@@ -3,6 +3,8 @@
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_diagnostic::{fold_name, nearest};
+use oaktwin_parameter::Table;
+use oaktwin_parameter::nvidia::Attributes;
 
 use crate::document::Document;
 use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
@@ -288,17 +290,7 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
             "name the role of one of its cameras",
         ));
     }
-    for (key, value) in [
-        ("focus_distance", spec.focus_distance),
-        ("baseline_mm", spec.baseline_mm),
-        ("focal_length_px", spec.focal_length_px),
-        ("sensor_size_px", spec.sensor_size_px),
-        ("max_disparity_px", spec.max_disparity_px),
-        ("min_distance_m", spec.min_distance_m),
-        ("noise_downscale_factor_px", spec.noise_downscale_factor_px),
-    ] {
-        positive(doc, &place(key), value)?;
-    }
+    positive(doc, &place("focus_distance"), spec.focus_distance)?;
     for (key, value) in [
         ("extended_max_disparity_px", spec.extended_max_disparity_px),
         ("extended_min_distance_m", spec.extended_min_distance_m),
@@ -307,15 +299,15 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
             positive(doc, &place(key), value)?;
         }
     }
-    not_negative(doc, &place("noise_mean_px"), spec.noise_mean_px)?;
-    not_negative(doc, &place("noise_sigma_px"), spec.noise_sigma_px)?;
-    if !(0.0..=1.0).contains(&spec.confidence_threshold) {
-        return Err(doc.error(
-            &place("confidence_threshold"),
-            format!("{} is not a threshold", spec.confidence_threshold),
-            "give a number from 0 to 1",
-        ));
+    let attributes = spec.attributes(false);
+    for row in Attributes::rows() {
+        let numbers = (row.numbers)(&attributes);
+        if let Some(value) = numbers.into_iter().find(|&number| !row.about.accepts(number)) {
+            let what = format!("{value} is out of range");
+            return Err(doc.error(&place(row.about.field), what, row.about.expectation()));
+        }
     }
+    positive(doc, &place("baseline_mm"), spec.baseline_mm)?;
     ascending(doc, &place("clipping_range_m"), spec.clipping_range_m)?;
     ascending(doc, &place("ideal_range_m"), spec.ideal_range_m)?;
     ascending(

@@ -3,10 +3,10 @@ use serde::Serialize;
 
 use crate::{AccuracyBand, Catalog, DepthKind, Device, Role, Sensor, Twin, TwinCamera};
 
-/// A table of text: every row has as many cells as the header.
+/// A table of text. Each row has as many cells as the header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Table {
-    /// What it shows.
+    /// The title.
     pub title: String,
     /// The columns.
     pub header: Vec<String>,
@@ -23,19 +23,19 @@ impl Table {
         }
     }
 
-    /// A row of a label and a cell for each of the things compared.
-    fn row<T>(&mut self, label: &str, things: &[T], cell: impl Fn(&T) -> String) {
+    /// Adds a row with a label and a cell for each compared item.
+    fn row<T>(&mut self, label: &str, items: &[T], cell: impl Fn(&T) -> String) {
         let mut row = vec![label.to_owned()];
-        row.extend(things.iter().map(cell));
+        row.extend(items.iter().map(cell));
         self.rows.push(row);
     }
 }
 
-/// The comparison tables of Luxonis' parameter sheet for these devices, in its order and its wording: the USD camera
-/// parameters of each (mm), the depth sensors, the sheet's accuracy by range, the features.
+/// Returns the comparison tables of Luxonis' parameter sheet for devices, in its order and wording: the USD camera parameters of
+/// each (mm), the depth sensors, the accuracy by range, and the features.
 ///
 /// # Panics
-/// A device names a sensor that the catalog does not have. No device of the catalog does.
+/// Panics if the catalog does not contain a sensor of a device; it contains those of its own devices.
 #[must_use]
 pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
     let twins: Vec<Twin> = devices.iter().map(|device| catalog.nominal(device)).collect();
@@ -46,7 +46,7 @@ pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
     tables
 }
 
-/// The USD camera parameters of one device, mm.
+/// Returns the USD camera parameters of one device, mm.
 fn cameras(twin: &Twin) -> Table {
     let header = [
         "Camera",
@@ -125,7 +125,7 @@ fn depth_sensors(twins: &[Twin]) -> Table {
     table
 }
 
-/// The first table of each device, which is the sheet's.
+/// Returns the accuracy by range: the first table of each device, which is that of the sheet.
 fn accuracy(devices: &[&Device]) -> Table {
     let names = devices.iter().map(|device| match device.accuracy.first() {
         Some(table) if device.depth_sensors.len() > 1 => {
@@ -231,7 +231,7 @@ fn features(catalog: &Catalog, devices: &[&Device]) -> Table {
     table
 }
 
-/// The sheet's own line, or the nearest band where a device has none.
+/// Returns the sheet's line, or the first band of devices that have none.
 fn close_range(device: &Device) -> String {
     if let Some(headline) = &device.accuracy_headline {
         return headline.comparison.clone();
@@ -264,7 +264,7 @@ const fn kind_name(kind: DepthKind) -> &'static str {
     }
 }
 
-/// Up to three decimals, and at least one.
+/// Formats with one to three decimals.
 fn short(value: f64) -> String {
     let text = format!("{value:.3}");
     let trimmed = text.trim_end_matches('0');

@@ -1,4 +1,4 @@
-//! A TOML file with the lines of its keys, and serde's complaints about it in this project's words.
+//! TOML files with the lines of their keys, and readable versions of serde's errors.
 
 use std::path::Path;
 
@@ -22,8 +22,8 @@ impl<'a> Document<'a> {
         if text.contains('\0') {
             return Err(error(
                 None,
-                "a binary file",
-                "give a TOML file of a sensor or a device",
+                "the file is binary",
+                "pass a TOML file of a sensor or a device",
             ));
         }
         if text.trim().is_empty() {
@@ -47,7 +47,7 @@ impl<'a> Document<'a> {
         self.table.get_ref().contains_key(key)
     }
 
-    /// Every number of the file that is NaN or infinite is an error: no quantity here can be.
+    /// Rejects NaN and infinite numbers.
     pub(crate) fn check_finite(&self) -> Result<(), CatalogError> {
         // The parser bounds the depth, and so this recursion.
         fn walk(value: &Spanned<DeValue<'_>>) -> Option<usize> {
@@ -66,7 +66,7 @@ impl<'a> Document<'a> {
                 self.file,
                 Some(line_at(self.text, offset)),
                 "not a finite number",
-                "give the value",
+                "set a finite number",
             )),
             None => Ok(()),
         }
@@ -81,7 +81,7 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// An error at `place`, a path of keys and indices as in `camera.0.hfov_deg`.
+    /// Creates an error at `place`, a path of keys and indices such as `camera.0.hfov_deg`.
     pub(crate) fn error(
         &self,
         place: &str,
@@ -91,7 +91,7 @@ impl<'a> Document<'a> {
         CatalogError::new(self.file, self.line_of(place), problem, remedy)
     }
 
-    /// Whether the file says something at `place`.
+    /// Whether the file has a value at `place`.
     pub(crate) fn contains(&self, place: &str) -> bool {
         let mut segments = place.split('.');
         let first = segments.next().and_then(|key| self.table.get_ref().get(key));
@@ -104,7 +104,7 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// The line of `place`, or of the last part of its path that exists.
+    /// Returns the line of `place`, or of the last existing part of its path.
     fn line_of(&self, place: &str) -> Option<usize> {
         let mut segments = place.split('.');
         let (key, mut value) = self.table.get_ref().get_key_value(segments.next()?)?;
@@ -119,7 +119,7 @@ impl<'a> Document<'a> {
     }
 }
 
-/// The value of `segment` in `value`, and where its key (or it, in an array) begins.
+/// Returns the value of `segment` in `value`, and the offset of its key, or in an array of the value itself.
 fn step<'v, 'a>(value: &'v DeValue<'a>, segment: &str) -> Option<(usize, &'v Spanned<DeValue<'a>>)> {
     match value {
         DeValue::Table(table) => {
@@ -134,7 +134,7 @@ fn step<'v, 'a>(value: &'v DeValue<'a>, segment: &str) -> Option<(usize, &'v Spa
     }
 }
 
-/// From 1.
+/// Returns the line of an offset, from 1.
 fn line_at(text: &str, offset: usize) -> usize {
     1 + text
         .as_bytes()
@@ -148,7 +148,7 @@ fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Serde's message in the words of people who write these files: what is wrong and what to do.
+/// Converts serde's message to a problem and a remedy.
 fn explain(message: &str) -> (String, String) {
     let names = quoted(message);
     let named = names.split_first();
@@ -159,7 +159,7 @@ fn explain(message: &str) -> (String, String) {
         )
     } else if let (true, Some((name, _))) = (message.starts_with("missing field"), named) {
         (
-            format!("the key '{name}' is missing from the table that begins here"),
+            format!("the key '{name}' is missing in the table that starts here"),
             format!("add '{name} = ...'"),
         )
     } else if let (true, Some((name, known))) = (message.starts_with("unknown variant"), named) {
@@ -175,12 +175,12 @@ fn explain(message: &str) -> (String, String) {
         };
         (
             plain_types(&problem),
-            "see the schema for what the key takes".to_owned(),
+            "see the schema for the type of the key".to_owned(),
         )
     }
 }
 
-/// Rust's names of types in words.
+/// Replaces Rust's names of types by words.
 fn plain_types(message: &str) -> String {
     let Some((found, expected)) = message.split_once(", expected ") else {
         return message.to_owned();
@@ -195,7 +195,7 @@ fn plain_types(message: &str) -> String {
     format!("{found}, expected {expected}")
 }
 
-/// The parts of a message between backticks.
+/// Returns the parts of a message between backticks.
 fn quoted(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
@@ -205,7 +205,7 @@ fn list(names: &[&str]) -> String {
     quoted.join(", ")
 }
 
-/// The units that names end in: what is said of them where the wrong one was used. None: not used here.
+/// The unit suffixes of keys, with the explanation if a key has another unit; `None` for units that no key has.
 const UNITS: [(&str, Option<&str>); 14] = [
     ("deg", Some("angles are in degrees here")),
     ("mm", Some("this is in millimetres here")),
@@ -244,6 +244,6 @@ fn remedy_for_key(name: &str, known: &[&str]) -> String {
     match nearest(name, known.iter().copied()).first() {
         Some(key) => format!("did you mean '{key}'?"),
         None if known.is_empty() => "remove it".to_owned(),
-        None => format!("the keys here are {}", list(known)),
+        None => format!("expected one of {}", list(known)),
     }
 }

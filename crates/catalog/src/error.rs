@@ -3,16 +3,16 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// A catalog file that cannot be used: where, what is wrong, what to do.
+/// An error in a catalog file.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub struct CatalogError {
     /// The file or folder.
     pub file: PathBuf,
-    /// The line, from 1, where one is to blame.
+    /// The line, from 1, if the error is at a line.
     pub line: Option<usize>,
-    /// What is wrong.
+    /// The problem.
     pub problem: String,
-    /// What to do about it.
+    /// The remedy.
     pub remedy: String,
 }
 
@@ -47,12 +47,12 @@ impl fmt::Display for CatalogError {
     }
 }
 
-/// A model that the catalog does not have.
+/// An unknown model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub struct UnknownModel {
-    /// As asked for.
+    /// The requested name.
     pub name: String,
-    /// The names of the models most like it, best first; may be empty.
+    /// The nearest names, best first; may be empty.
     pub nearest: Vec<String>,
     /// The names of all models.
     pub known: Vec<String>,

@@ -1,4 +1,4 @@
-//! A user's own folder of sensors and devices.
+//! Folders of user-defined sensors and devices.
 
 use std::fs;
 use std::io::Read;
@@ -7,19 +7,18 @@ use std::path::{Path, PathBuf};
 use crate::catalog::SourceFile;
 use crate::{Catalog, CatalogError};
 
-/// A catalog file is a few kilobytes; what is larger is something else.
-const LARGEST_FILE: u64 = 1 << 20;
+/// The maximum size of a catalog file, bytes. Typical files have a few kilobytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// More files than this in one folder is something else than a catalog.
-const MOST_FILES: usize = 1000;
+/// The maximum number of files.
+const MAX_FILES: usize = 1000;
 
 impl Catalog {
-    /// The built-in catalog and a user's own: `DIR/sensors/*.toml`, `DIR/devices/*.toml` and `DIR/*.toml`. An entry
-    /// with the id of a built-in one takes its place.
+    /// Loads the built-in catalog and a folder: `DIR/sensors/*.toml`, `DIR/devices/*.toml` and `DIR/*.toml`. An entry replaces a
+    /// built-in one with the same id.
     ///
     /// # Errors
-    /// The folder cannot be read or holds no TOML file, or a file is not a sound sensor or device. The error names
-    /// file and line.
+    /// Returns an error if the folder cannot be read or contains no TOML file, or a file is not a valid sensor or device.
     pub fn with_dir(dir: impl AsRef<Path>) -> Result<Self, CatalogError> {
         let dir = dir.as_ref();
         let paths = toml_files(dir)?;
@@ -36,7 +35,7 @@ impl Catalog {
     }
 }
 
-/// Sorted, so that the order of a folder's listing means nothing.
+/// Returns the TOML files of a folder, sorted.
 fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
     let mut paths = Vec::new();
     for (folder, required) in [
@@ -52,7 +51,7 @@ fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
                 &folder,
                 None,
                 format!("cannot list the folder: {cause}"),
-                "give a folder of TOML files",
+                "pass a folder of TOML files",
             )
         };
         for entry in fs::read_dir(&folder).map_err(failed)? {
@@ -60,13 +59,13 @@ fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
             if path.extension().is_some_and(|extension| extension == "toml") {
                 paths.push(path);
             }
-            if paths.len() > MOST_FILES {
-                let problem = format!("more than {MOST_FILES} TOML files");
+            if paths.len() > MAX_FILES {
+                let problem = format!("more than {MAX_FILES} TOML files");
                 return Err(CatalogError::new(
                     &folder,
                     None,
                     problem,
-                    "give a folder of sensors and devices alone",
+                    "pass a folder that contains only sensors and devices",
                 ));
             }
         }
@@ -75,8 +74,8 @@ fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
         return Err(CatalogError::new(
             dir,
             None,
-            "no TOML file in it",
-            "put sensors and devices into it, or into its folders 'sensors' and 'devices'",
+            "the folder contains no TOML file",
+            "add sensors and devices to it or to its subfolders 'sensors' and 'devices'",
         ));
     }
     paths.sort();
@@ -95,25 +94,25 @@ fn read(path: &Path) -> Result<String, CatalogError> {
     if !metadata.is_file() {
         return Err(error(
             "not a file".to_owned(),
-            "give the name another ending than .toml, or remove it",
+            "rename it to an extension other than .toml, or remove it",
         ));
     }
     let too_large = || {
         error(
             "larger than 1 MiB".to_owned(),
-            "a sensor or a device takes a few kilobytes",
+            "files of sensors and devices have a few kilobytes",
         )
     };
-    if metadata.len() > LARGEST_FILE {
+    if metadata.len() > MAX_FILE_BYTES {
         return Err(too_large());
     }
     let mut bytes = Vec::new();
     let file = fs::File::open(path).map_err(unreadable)?;
     // The file may have grown since.
-    file.take(LARGEST_FILE + 1)
+    file.take(MAX_FILE_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
+    if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(too_large());
     }
     String::from_utf8(bytes).map_err(|cause| {

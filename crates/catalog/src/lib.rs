@@ -1,5 +1,5 @@
-//! OAK sensors and devices as data: every number of Luxonis' parameter sheet, each with its source, and whatever
-//! better evidence says beside it.
+//! OAK sensors and devices as data: all numbers of Luxonis' parameter sheet with their sources, and better evidence where it
+//! exists.
 //!
 //! ```
 //! use oaktwin_catalog::{Catalog, Role};
@@ -12,9 +12,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A model of one's own is a TOML file of the form of `data/devices/*.toml`, loaded with [`Catalog::with_dir`] and
-//! checked: its form against the types of this crate (as JSON schemas in `schema/`), its sense by rules that name file,
-//! line and remedy.
+//! Users can add models as TOML files like `data/devices/*.toml`, which [`Catalog::with_dir`] loads and checks: their structure
+//! against the types of this crate (with JSON schemas in `schema/`), and their content by rules. Errors state file, line and
+//! remedy.
 
 mod builtin;
 mod catalog;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use oaktwin_camera::ImageSize;
+use oaktwin_parameter::nvidia::Attributes;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -290,6 +291,30 @@ pub struct DepthSensor {
     /// The keys that come from elsewhere.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: Sources,
+}
+
+impl DepthSensor {
+    /// The attributes of the render product in the standard or the extended mode. Attributes that the parameter sheet lacks
+    /// have the schema's defaults.
+    #[must_use]
+    pub fn attributes(&self, is_extended: bool) -> Attributes {
+        let extended =
+            |standard: f64, extended: Option<f64>| extended.filter(|_| is_extended).unwrap_or(standard);
+        Attributes {
+            baseline_mm: self.baseline_mm,
+            focal_length_px: self.focal_length_px,
+            sensor_size_px: self.sensor_size_px,
+            max_disparity_px: extended(self.max_disparity_px, self.extended_max_disparity_px),
+            min_distance_m: extended(self.min_distance_m, self.extended_min_distance_m),
+            max_distance_m: self.max_distance_m,
+            noise_mean_px: self.noise_mean_px,
+            noise_sigma_px: self.noise_sigma_px,
+            noise_downscale_factor_px: self.noise_downscale_factor_px,
+            confidence_threshold: self.confidence_threshold,
+            outlier_removal_range_px: self.outlier_removal_range_px,
+            ..Attributes::isaac_5_1()
+        }
+    }
 }
 
 /// The body of a device.

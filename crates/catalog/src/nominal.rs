@@ -6,17 +6,17 @@ use crate::{Catalog, Device, Origin, Twin, TwinCamera, TwinDepthSensor};
 const M_PER_MM: f64 = 1e-3;
 
 impl Catalog {
-    /// The [nominal](Self::nominal) twins of all devices, in their order.
+    /// Returns the [nominal](Self::nominal) twins of all devices in order.
     #[must_use]
     pub fn nominals(&self) -> Vec<Twin> {
         self.devices().iter().map(|device| self.nominal(device)).collect()
     }
 
-    /// The ideal device of the catalog: every camera a centred pinhole of its field of view at its sensor's used
-    /// resolution, in its nominal place, looking along +x of the body.
+    /// Returns the nominal twin of a device: each camera is a centred pinhole with its field of view, at its sensor's used
+    /// resolution and nominal position, facing +x of the body.
     ///
     /// # Panics
-    /// The device names a sensor that this catalog does not have. No device of this catalog does.
+    /// Panics if the catalog does not contain a sensor of the device; it contains those of its own devices.
     #[must_use]
     pub fn nominal(&self, device: &Device) -> Twin {
         let cameras = device
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn cameras_stand_where_they_should_and_look_forward() {
+    fn cameras_have_their_nominal_poses() {
         let catalog = Catalog::builtin();
         for device in catalog.devices() {
             let twin = catalog.nominal(device);
@@ -95,10 +95,10 @@ mod tests {
         }
     }
 
-    /// The inertial units' poses from the board files: centimetres, in the frame of the camera on socket 0 (x right,
-    /// y down, z forward), converted here independently of the catalog's own numbers.
+    /// Compares with the poses in the board files: centimetres, in the frame of the camera on socket 0 (x right, y down,
+    /// z forward), converted independently of the catalog's numbers.
     #[test]
-    fn imu_poses_are_those_of_the_board_files() {
+    fn imu_poses_match_the_board_files() {
         let bno = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
         let lsm = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let sr = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
@@ -126,7 +126,7 @@ mod tests {
         }
     }
 
-    /// Board file of that device, in the time-of-flight camera's frame: right at x = -1.7382 cm, left 2 cm on.
+    /// Positions from the device's board file in the time-of-flight camera's frame: right at x = -1.7382 cm, left 2 cm further.
     #[test]
     fn the_time_of_flight_camera_is_right_of_the_stereo_pair() {
         let catalog = Catalog::builtin();

@@ -13,11 +13,10 @@ pub enum LensChoice {
 }
 
 impl Twin {
-    /// The intrinsics and lens of one of this twin's cameras, at the sensor's used resolution.
+    /// Returns the intrinsics and lens of one of this twin's cameras at the sensor's used resolution.
     ///
     /// `lens` chooses between the two nominal lenses of a nominal twin's wide cameras. Every camera of a calibrated twin
-    /// keeps its own lens: one without distortion is a pinhole, and so is one that the calibration lacks, so that
-    /// all cameras of a unit are modelled alike.
+    /// keeps its own lens. Cameras without distortion and cameras that are missing in the calibration are pinholes.
     #[must_use]
     pub fn optics(&self, camera: &TwinCamera, lens: LensChoice) -> Optics {
         let own = Optics::new(camera.intrinsics, camera.lens);
@@ -100,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn cameras_absent_from_the_calibration_are_pinholes() {
+    fn cameras_missing_in_the_calibration_are_pinholes() {
         let twin = calibrated(LensModel::OpenCvFisheye(OpenCvFisheye { k: [0.1; 4] }));
         let right = optics(&twin, Role::Right, LensChoice::Fisheye);
         assert_eq!(right, own(&nominal("oak4_d_wide"), Role::Right));

@@ -2,7 +2,7 @@ use serde_json::Value;
 
 use crate::{Device, Sensor};
 
-/// The JSON schema of a sensor's file.
+/// Returns the JSON schema of a sensor's file.
 #[must_use]
 pub fn sensor_schema() -> Value {
     described(
@@ -11,7 +11,7 @@ pub fn sensor_schema() -> Value {
     )
 }
 
-/// The JSON schema of a device's file.
+/// Returns the JSON schema of a device's file.
 #[must_use]
 pub fn device_schema() -> Value {
     described(
@@ -20,7 +20,7 @@ pub fn device_schema() -> Value {
     )
 }
 
-/// The schemas as this crate's folder `schema/` keeps them: name and text.
+/// Returns the names and texts of the schemas in this crate's folder `schema/`.
 #[must_use]
 pub fn schema_files() -> [(&'static str, String); 2] {
     [
@@ -30,7 +30,7 @@ pub fn schema_files() -> [(&'static str, String); 2] {
     .map(|(name, schema)| (name, format!("{schema:#}\n")))
 }
 
-/// The schema with its dialect and title first, as people expect to find them.
+/// Returns the schema with its dialect and title first, as is customary.
 fn described(schema: Value, title: &str) -> Value {
     let Value::Object(mut rest) = schema else {
         return schema;

@@ -6,27 +6,27 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Body, Camera, DepthSensor, Device, Imu, Projector, Sensor};
 
-/// Where a number comes from.
+/// The source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Source {
     /// Luxonis' parameter sheet of the OAK assets for Isaac Sim.
     Document,
-    /// A maker's datasheet.
+    /// A manufacturer's datasheet.
     Datasheet,
     /// A page of the vendor's documentation.
     VendorPage,
-    /// The factory or user calibration of real units.
+    /// Factory or user calibrations of real units.
     CalibrationExport,
-    /// A schema of OpenUSD or of NVIDIA's.
+    /// A schema of OpenUSD or NVIDIA.
     Schema,
     /// Luxonis' board and housing files.
     BoardFile,
     /// Computed from other entries.
     Derived,
-    /// A judgement where no source speaks.
+    /// An estimate in the absence of sources.
     Estimate,
-    /// The user's own.
+    /// The user.
     User,
 }
 
@@ -34,7 +34,7 @@ pub enum Source {
 pub type Sources = BTreeMap<String, Source>;
 
 impl Source {
-    /// As files spell it: `vendor-page`.
+    /// Returns the name in catalog files, such as `vendor-page`.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -57,9 +57,9 @@ impl fmt::Display for Source {
     }
 }
 
-/// A table of a catalog file, whose values have sources.
+/// A table of a catalog file whose values have sources.
 pub trait Sourced {
-    /// Where the value of `key`, one of this table's own, comes from.
+    /// Returns the source of a key of this table.
     fn source_of(&self, key: &str) -> Source;
 }
 
@@ -81,7 +81,7 @@ mod tests {
     use crate::{Catalog, DepthKind, Role};
 
     #[test]
-    fn words_are_those_of_the_files() {
+    fn names_match_the_serialization() {
         fn spelt<T: Serialize>(value: T) -> String {
             serde_json::to_value(value).unwrap().as_str().unwrap().to_owned()
         }
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_has_its_own_source_or_its_tables() {
+    fn keys_default_to_the_source_of_their_table() {
         let device = Catalog::builtin().device("OAK4-D").unwrap();
         let pro = Catalog::builtin().device("OAK-D Pro PoE").unwrap();
         assert_eq!(pro.body.source_of("mass_g"), Source::VendorPage);

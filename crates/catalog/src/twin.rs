@@ -1,35 +1,36 @@
 use oaktwin_camera::{
     Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
 };
+use oaktwin_parameter::nvidia::Attributes;
 
 use crate::{Camera, DepthSensor, Device, Role};
 
-/// A device with every camera resolved: its optics, lens and place. Nominal as the catalog has it, or one unit as
-/// its calibration has it.
+/// A device with the intrinsics, lens and pose of each camera: nominal values of the catalog, or those of one unit's
+/// calibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Twin {
     /// The catalog's entry.
     pub device: Device,
-    /// The cameras, in the catalog's order.
+    /// The cameras in the catalog's order.
     pub cameras: Vec<TwinCamera>,
-    /// The depth sensors, in the catalog's order.
+    /// The depth sensors in the catalog's order.
     pub depth_sensors: Vec<TwinDepthSensor>,
-    /// The inertial unit's place in the body frame, m.
+    /// The pose of the inertial unit in the body frame, m.
     pub body_from_imu: RigidTransform,
-    /// What the numbers come from.
+    /// The origin of the numbers.
     pub origin: Origin,
 }
 
-/// What the numbers of a [`Twin`] come from.
+/// The origin of a [`Twin`]'s numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// The catalog alone.
+    /// The catalog.
     Nominal,
-    /// A unit's calibration: its product name and, where known, its file's name.
+    /// The calibration of a unit.
     Calibration {
-        /// As the file spells it; may be empty.
+        /// The product name in the file; may be empty.
         product_name: String,
-        /// The file's name without its folder.
+        /// The file name without the folder.
         file_name: String,
     },
 }
@@ -39,13 +40,13 @@ pub enum Origin {
 pub struct TwinCamera {
     /// The catalog's entry.
     pub spec: Camera,
-    /// Pixel pitch of the used mode, µm.
+    /// The pixel pitch of the sensor's mode, µm.
     pub pixel_size_um: f64,
-    /// At the sensor's used resolution.
+    /// The intrinsics at the sensor's used resolution.
     pub intrinsics: Intrinsics,
     /// The lens.
     pub lens: LensModel,
-    /// From the camera's optical frame (x right, y down, z forward) to the body frame (x forward, y left, z up;
+    /// The transform from the camera's optical frame (x right, y down, z forward) to the body frame (x forward, y left, z up;
     /// origin midway between left and right), m.
     pub body_from_camera: RigidTransform,
 }
@@ -59,8 +60,19 @@ pub struct TwinDepthSensor {
     pub focal_length_px: f64,
 }
 
+impl TwinDepthSensor {
+    /// The attributes of the render product in the standard or the extended mode.
+    #[must_use]
+    pub fn attributes(&self, is_extended: bool) -> Attributes {
+        Attributes {
+            focal_length_px: self.focal_length_px,
+            ..self.spec.attributes(is_extended)
+        }
+    }
+}
+
 impl Twin {
-    /// The camera of a role, if the device has it.
+    /// Returns the camera of a role, if the device has it.
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&TwinCamera> {
         self.cameras.iter().find(|camera| camera.spec.role == role)
@@ -68,8 +80,8 @@ impl Twin {
 }
 
 impl TwinCamera {
-    /// The equidistant lens `r = f θ` that spans the real lens's field of view across the image, `f = width / hfov`,
-    /// centred: for the cameras whose catalog entry has such a field of view. No unit's coefficients are known.
+    /// Returns a centred equidistant lens `r = f θ` with the field of view of the real lens, `f = width / hfov`, if the catalog
+    /// contains that field of view. The distortion of individual units is not known.
     #[must_use]
     pub fn nominal_fisheye(&self) -> Option<Optics> {
         let size = self.intrinsics.size;

@@ -126,22 +126,22 @@ fn wrong_keys_say_the_line_and_the_right_key() {
 }
 
 #[test]
-fn wrong_values_say_the_line_and_the_remedy() {
+fn invalid_values_have_a_line_and_a_remedy() {
     for (from, to, message) in [
         (
             "hfov_deg = 77.0",
             "hfov_deg = \"77\"",
-            "wrong type: string \"77\", expected a number; see the schema for what the key takes",
+            "wrong type: string \"77\", expected a number; see the schema for the type of the key",
         ),
         (
             "hfov_deg = 77.0",
             "hfov_deg = nan",
-            "not a finite number; give the value",
+            "not a finite number; set a finite number",
         ),
         (
             "baseline_mm = 75.0\nfocal",
             "baseline_mm = inf\nfocal",
-            "not a finite number; give the value",
+            "not a finite number; set a finite number",
         ),
         (
             "hfov_deg = 77.0",
@@ -186,7 +186,7 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "confidence_threshold = 0.8",
             "confidence_threshold = 80",
-            "80 is not a threshold; give a number from 0 to 1",
+            "80 is out of range; expected a number from 0 to 1",
         ),
         (
             "clipping_range_m = [0.01, 100.0]",
@@ -226,17 +226,17 @@ fn wrong_values_say_the_line_and_the_remedy() {
         (
             "socket = 1",
             "socket = 1.5",
-            "wrong type: floating point `1.5`, expected a whole number; see the schema for what the key takes",
+            "wrong type: floating point `1.5`, expected a whole number; see the schema for the type of the key",
         ),
         (
             "outlier_removal_range_px = 3",
             "outlier_removal_range_px = -3",
-            "wrong value: integer `-3`, expected a whole number, 0 or more; see the schema for what the key takes",
+            "wrong value: integer `-3`, expected a whole number, 0 or more; see the schema for the type of the key",
         ),
         (
             "[body]",
             "body = 3\n[other]",
-            "wrong type: integer `3`, expected a table; see the schema for what the key takes",
+            "wrong type: integer `3`, expected a table; see the schema for the type of the key",
         ),
         (
             "stereo_role = \"left\"",
@@ -273,7 +273,7 @@ fn wrong_values_say_the_line_and_the_remedy() {
 }
 
 #[test]
-fn a_missing_key_says_which_table() {
+fn missing_keys_name_their_table() {
     let text = own_device().replacen("hfov_deg = 77.0\n", "", 1);
     let line = own_device()
         .lines()
@@ -282,12 +282,12 @@ fn a_missing_key_says_which_table() {
     assert_eq!(
         error(&[("devices/mine.toml", text.as_bytes())]),
         format!(
-            "devices/mine.toml:{line}: the key 'hfov_deg' is missing from the table that begins here; add 'hfov_deg = ...'"
+            "devices/mine.toml:{line}: the key 'hfov_deg' is missing in the table that starts here; add 'hfov_deg = ...'"
         )
     );
     assert_eq!(
         error(&[("s.toml", b"id = \"X\"\n")]),
-        "s.toml:1: the key 'manufacturer' is missing from the table that begins here; add 'manufacturer = ...'"
+        "s.toml:1: the key 'manufacturer' is missing in the table that starts here; add 'manufacturer = ...'"
     );
 }
 
@@ -321,10 +321,10 @@ fn sensors_are_checked_too() {
 }
 
 #[test]
-fn what_is_no_catalog_is_refused() {
+fn rejects_invalid_folders() {
     assert_eq!(
         error(&[("notes.txt", b"")]),
-        "DIR: no TOML file in it; put sensors and devices into it, or into its folders 'sensors' and 'devices'"
+        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors' and 'devices'"
     );
     assert_eq!(
         error(&[("a.toml", b" \n")]),
@@ -332,7 +332,7 @@ fn what_is_no_catalog_is_refused() {
     );
     assert_eq!(
         error(&[("a.toml", b"a\0b")]),
-        "a.toml: a binary file; give a TOML file of a sensor or a device"
+        "a.toml: the file is binary; pass a TOML file of a sensor or a device"
     );
     assert_eq!(
         error(&[("a.toml", b"id = 1\n# \xff\xfe")]),
@@ -340,11 +340,11 @@ fn what_is_no_catalog_is_refused() {
     );
     assert_eq!(
         error(&[("a.toml", &vec![b'#'; 1 << 20 | 1])]),
-        "a.toml: larger than 1 MiB; a sensor or a device takes a few kilobytes"
+        "a.toml: larger than 1 MiB; files of sensors and devices have a few kilobytes"
     );
     assert_eq!(
         error(&[("a.toml/b.txt", b"")]),
-        "a.toml: not a file; give the name another ending than .toml, or remove it"
+        "a.toml: not a file; rename it to an extension other than .toml, or remove it"
     );
     assert_eq!(
         error(&[

@@ -1,5 +1,5 @@
-//! The program `oaktwin`: digital twins of Luxonis OAK depth cameras. Arguments, messages and exit codes; the work
-//! is the library's. A library itself, so that other programs can be it.
+//! The program `oaktwin`: digital twins of Luxonis OAK depth cameras. This crate parses arguments and handles messages
+//! and exit codes. It is a library so that other programs can run it.
 
 mod args;
 mod commands;
@@ -18,14 +18,14 @@ use oaktwin::diagnostic;
 use args::{Cli, Command};
 use context::{Context, Exit, Result};
 
-/// The program, with these arguments, the first of which is its name; what it prints goes to the process's own standard
-/// output and error. How it ended, as a process's exit code: 0, 1 (findings), 2 (an error), 130 (Ctrl-C).
+/// Runs the program with `arguments`, the first of which is its name, printing to standard output and standard error.
+/// Returns the exit code: 0 (success), 1 (findings), 2 (error) or 130 (Ctrl-C).
 #[must_use]
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(message) => {
-            // Help and version are messages too; a closed pipe is no error.
+            // Help and version are messages, too; a closed pipe is not an error.
             let _ = message.print();
             return u8::try_from(message.exit_code()).unwrap_or(Exit::Error.code());
         }
@@ -33,9 +33,9 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     diagnostic::with_style(output::flag, || finish(run(&cli)))
 }
 
-/// The exit code of a command that has ended, after its error has been printed.
-fn finish(ended: Result<Exit>) -> u8 {
-    match ended {
+/// Prints a command's error, if any, and returns the exit code.
+fn finish(result: Result<Exit>) -> u8 {
+    match result {
         Ok(exit) => exit.code(),
         Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Good.code(),
         Err(error) => {
@@ -46,7 +46,7 @@ fn finish(ended: Result<Exit>) -> u8 {
 }
 
 fn run(cli: &Cli) -> Result<Exit> {
-    // These two need no catalog, and must work where a catalog is broken.
+    // These commands need no catalog and must work even if it is invalid.
     match &cli.command {
         Command::Completions(args) => return commands::manual::completions(args),
         Command::Man(args) => return commands::manual::man(args),

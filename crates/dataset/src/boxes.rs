@@ -3,7 +3,7 @@ use oaktwin_image::npy::{self, Field};
 
 use crate::file::Fault;
 
-/// Replicator's record of a two-dimensional box, packed.
+/// The fields of Replicator's packed record of a two-dimensional box.
 const FIELDS: [Field; 6] = [
     Field::of::<u32>("semanticId"),
     Field::of::<i32>("x_min"),
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn records_of_24_bytes() {
+    fn writes_records_of_24_bytes() {
         let one = Box2d {
             semantic_id: 2,
             x_min: 10,

@@ -1,4 +1,4 @@
-use oaktwin_camera::{Camera, LensModel, OpenCv, RigidTransform, UsdOptics};
+use oaktwin_camera::{Camera, LensModel, OpenCv, OpenCvLens, RigidTransform, UsdOptics};
 use serde::Serialize;
 
 use crate::matrices::{projection, view_transform};
@@ -10,40 +10,40 @@ pub struct View {
     pub optics: UsdOptics,
     /// The rendering camera: resolution, lens and, for a pinhole, focal lengths and principal point.
     pub camera: Camera,
-    /// The pose of the camera (OpenCV's axes) in metres.
+    /// The camera pose in metres; the camera has OpenCV's axes.
     pub world_from_camera: RigidTransform,
-    /// The clipping range in scene units.
+    /// The clipping range, scene units.
     pub clipping_range: [f64; 2],
     /// The metres per scene unit.
     pub meters_per_unit: f64,
-    /// The focus distance in scene units.
+    /// The focus distance, scene units.
     pub focus_distance: f64,
-    /// The f-number; 0 without depth of field.
+    /// The f-number; 0 disables depth of field.
     pub f_stop: f64,
 }
 
 /// The output of Replicator's `camera_params` annotator, with its fields and JSON keys in its order.
 ///
-/// Numbers that are `float32` in Replicator are rounded to it. An infinite clipping distance, which JSON cannot represent,
+/// Numbers that Replicator stores as `float32` are rounded to it. An infinite clipping distance, which JSON does not support,
 /// becomes the maximum of `float32`.
 ///
-/// # Use
+/// # Usage
 /// With points as rows, `point_in_clip = point_in_world · camera_view_transform · camera_projection`, in scene units;
-/// the camera looks along −z, y up, and depth is reversed (1 near, 0 far).
+/// the camera faces −z with y up, and depth is reversed (1 near, 0 far).
 /// `u = (x/w + 1)/2 · width`, `v = (1 − y/w)/2 · height`.
 ///
 /// # Lenses
-/// The projection of a pinhole is that of the image, including offsets. For other lenses it is, as in Isaac Sim, that of the
-/// focal length and the horizontal aperture only, and the other fields describe the lens:
+/// The projection of a pinhole is that of the rendered image, including offsets. For other lenses, as in Isaac Sim, it depends
+/// only on the focal length and the horizontal aperture, and other fields describe the lens:
 ///
 /// | model | `opencv_fx`, `fy`, `optical_centre` | `polynomial` | `lens_p`, `lens_s` |
 /// |---|---|---|---|
 /// | `pinholeOpenCV` | OpenCV's, px | k1 to k6 | p1 p2, s1 to s4 |
 /// | `fisheyeOpenCV` | OpenCV's, px | k1 to k4, 0 | |
-/// | `fisheyePolynomial` | centre in px of the nominal image | θ(r) by rising power, rad | |
+/// | `fisheyePolynomial` | centre in px of the nominal image | θ(r) in ascending powers, rad | |
 ///
-/// Replicator's documentation does not specify the fields of the coefficients of OpenCV's pinhole; its nodes name `lens_p` the
-/// tangential and `lens_s` the thin-prism ones, which leaves `polynomial` for the radial ones. A sensor tilt is not included.
+/// Replicator's documentation does not define the fields of OpenCV's pinhole coefficients. Its nodes describe `lens_p` as
+/// tangential and `lens_s` as thin prism, so the radial ones must be in `polynomial`. The sensor's tilt is not represented.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CameraParams {
     /// The horizontal and vertical aperture of the prim.
@@ -52,52 +52,52 @@ pub struct CameraParams {
     /// The horizontal and vertical aperture offset of the prim.
     #[serde(rename = "cameraApertureOffset")]
     pub aperture_offset: [f64; 2],
-    /// The tangential distortion.
+    /// Tangential distortion.
     #[serde(rename = "cameraFisheyeLensP")]
     pub lens_p: Vec<f64>,
-    /// The thin-prism distortion.
+    /// Thin-prism distortion.
     #[serde(rename = "cameraFisheyeLensS")]
     pub lens_s: Vec<f64>,
-    /// The maximum field of view in degrees; 0 without a limit.
+    /// The full field of view, degrees; 0 for no limit.
     #[serde(rename = "cameraFisheyeMaxFOV")]
     pub max_fov_deg: f64,
-    /// The height of the lens's nominal image, px.
+    /// The height of the image that the lens parameters refer to, px.
     #[serde(rename = "cameraFisheyeNominalHeight")]
     pub nominal_height: u32,
-    /// The width of the lens's nominal image, px.
+    /// The width of the image that the lens parameters refer to, px.
     #[serde(rename = "cameraFisheyeNominalWidth")]
     pub nominal_width: u32,
-    /// The optical centre of every lens except the plain pinhole, px.
+    /// The optical centre, px; 0 for an ideal pinhole.
     #[serde(rename = "cameraFisheyeOpticalCentre")]
     pub optical_centre: [f64; 2],
-    /// The polynomial of the lens.
+    /// The lens's polynomial.
     #[serde(rename = "cameraFisheyePolynomial")]
     pub polynomial: Vec<f64>,
     /// The focal length of the prim.
     #[serde(rename = "cameraFocalLength")]
     pub focal_length: f64,
-    /// The focus distance in scene units.
+    /// The focus distance, scene units.
     #[serde(rename = "cameraFocusDistance")]
     pub focus_distance: f64,
-    /// The f-number; 0 without depth of field.
+    /// The f-number; 0 disables depth of field.
     #[serde(rename = "cameraFStop")]
     pub f_stop: f64,
     /// The name of the lens model.
     #[serde(rename = "cameraModel")]
     pub model: &'static str,
-    /// The clipping range in scene units.
+    /// The clipping range, scene units.
     #[serde(rename = "cameraNearFar")]
     pub near_far: [f64; 2],
-    /// OpenCV's horizontal focal length, px; 0 for a lens of another kind.
+    /// OpenCV's horizontal focal length, px; 0 for other lenses.
     #[serde(rename = "cameraOpenCVFx")]
     pub opencv_fx: f64,
-    /// OpenCV's vertical focal length, px; 0 for a lens of another kind.
+    /// OpenCV's vertical focal length, px; 0 for other lenses.
     #[serde(rename = "cameraOpenCVFy")]
     pub opencv_fy: f64,
-    /// Four rows of the matrix from camera to clip space, for points as rows.
+    /// The four rows of the matrix from camera to clip space, for points as rows.
     #[serde(rename = "cameraProjection")]
     pub projection: [f64; 16],
-    /// Four rows of the matrix from world to camera, for points as rows, in scene units.
+    /// The four rows of the matrix from world to camera, for points as rows, in scene units.
     #[serde(rename = "cameraViewTransform")]
     pub view_transform: [f64; 16],
     /// The metres per scene unit.
@@ -109,7 +109,7 @@ pub struct CameraParams {
 }
 
 impl CameraParams {
-    /// Returns the parameters of a rendered frame's camera.
+    /// Creates the parameters of a view.
     #[must_use]
     pub fn new(view: &View) -> Self {
         let optics = &view.optics;
@@ -146,29 +146,30 @@ impl CameraParams {
 
     fn describe_lens(&mut self, camera: &Camera) {
         let intrinsics = &camera.intrinsics;
-        match camera.lens {
-            LensModel::Pinhole => return,
-            LensModel::OpenCvPinhole(lens) => {
-                let [k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, _, _] = lens.coefficients.map(single);
-                self.model = "pinholeOpenCV";
+        self.model = camera.lens.names().replicator;
+        if camera.lens == LensModel::Pinhole {
+            return;
+        }
+        if let LensModel::FTheta(lens) = camera.lens {
+            self.polynomial = lens.coefficients().map(single).to_vec();
+            self.optical_centre = [lens.optical_centre.x, lens.optical_centre.y].map(single);
+            self.max_fov_deg = single(lens.max_fov.to_degrees());
+            self.nominal_width = lens.nominal_size.width;
+            self.nominal_height = lens.nominal_size.height;
+            return;
+        }
+        match camera.lens.as_opencv() {
+            Some(OpenCvLens::Pinhole(coefficients)) => {
+                let [k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, _, _] = coefficients.map(single);
                 self.polynomial = vec![k1, k2, k3, k4, k5, k6];
                 self.lens_p = vec![p1, p2];
                 self.lens_s = vec![s1, s2, s3, s4];
             }
-            LensModel::OpenCvFisheye(lens) => {
-                let [k1, k2, k3, k4] = lens.k.map(single);
-                self.model = "fisheyeOpenCV";
+            Some(OpenCvLens::Fisheye(k)) => {
+                let [k1, k2, k3, k4] = k.map(single);
                 self.polynomial = vec![k1, k2, k3, k4, 0.0];
             }
-            LensModel::FTheta(lens) => {
-                self.model = "fisheyePolynomial";
-                self.polynomial = lens.coefficients().map(single).to_vec();
-                self.optical_centre = [lens.optical_centre.x, lens.optical_centre.y].map(single);
-                self.max_fov_deg = single(lens.max_fov.to_degrees());
-                self.nominal_width = lens.nominal_size.width;
-                self.nominal_height = lens.nominal_size.height;
-                return;
-            }
+            None => self.polynomial = camera.lens.coefficients().iter().copied().map(single).collect(),
         }
         let centre = intrinsics.principal_point::<OpenCv>();
         self.optical_centre = [centre.x, centre.y].map(single);
@@ -202,13 +203,13 @@ mod tests {
 
     #[test]
     #[ignore = "needs OAKTWIN_TEST_DATA"]
-    fn equals_isaac_sim() {
+    fn agrees_with_isaac_sim() {
         let data = std::env::var_os("OAKTWIN_TEST_DATA").expect("OAKTWIN_TEST_DATA names the test data");
         let folder = PathBuf::from(data).join("conformance/isaac-camera-params");
         let diagonal = DVec3::new(1.0, -1.0, 0.0).normalize();
         let forward = DVec3::new(1.0, 1.0, -2.0).normalize();
         let poses = [
-            // From above and from a corner, both towards the origin.
+            // Straight down, and from a corner; both face the origin.
             ("rp1", DVec3::new(0.0, 0.0, 10.0), DVec3::Y, DVec3::NEG_X),
             (
                 "rp2",
@@ -255,8 +256,8 @@ mod tests {
     }
 
     #[test]
-    fn equals_a_manual_calculation() {
-        // 3 m above the origin, facing +y, in a stage with centimetres and z up.
+    fn agrees_with_manual_calculation() {
+        // 3 m up, facing +y, in a stage in centimetres whose z is up.
         let mut view = view(DVec3::new(1.0, 2.0, 3.0), DVec3::X, DVec3::Z, [1.0, 3.0]);
         view.meters_per_unit = 0.01;
         view.optics.horizontal_aperture_mm = 24.0;

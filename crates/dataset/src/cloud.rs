@@ -4,23 +4,23 @@ use oaktwin_image::npy;
 
 use crate::file::Fault;
 
-/// `(N, 3)` float32.
+/// Encodes points as `(N, 3)` float32.
 pub(crate) fn points(points: &[[f32; 3]]) -> Result<Vec<u8>, Fault> {
     Ok(npy::encode(&[points.len(), 3], points.as_flattened())?)
 }
 
-/// `(N, 4)` float32; the fourth is 1, as in Replicator.
+/// Encodes normals as `(N, 4)` float32; the fourth component is 1, as in Replicator.
 pub(crate) fn normals(normals: &[[f32; 3]]) -> Result<Vec<u8>, Fault> {
     let padded: Vec<[f32; 4]> = normals.iter().map(|&[x, y, z]| [x, y, z, 1.0]).collect();
     Ok(npy::encode(&[normals.len(), 4], padded.as_flattened())?)
 }
 
-/// `(N, 4)` uint8.
+/// Encodes colours as `(N, 4)` uint8.
 pub(crate) fn rgb(rgb: &[[u8; 4]]) -> Result<Vec<u8>, Fault> {
     Ok(npy::encode(&[rgb.len(), 4], rgb.as_flattened())?)
 }
 
-/// `(N,)` of Replicator's uint8, or of uint32 if an id does not fit.
+/// Encodes ids as `(N,)` uint8, as in Replicator, or uint32 if an id exceeds 255.
 pub(crate) fn ids(ids: &[u32]) -> Result<Vec<u8>, Fault> {
     let bytes: Option<Vec<u8>> = ids.iter().map(|&id| u8::try_from(id).ok()).collect();
     Ok(match bytes {
@@ -43,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn encodes_types_and_shapes() {
+    fn writes_types_and_shapes() {
         let says =
             |descr, shape| format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}");
         assert_eq!(header(points(&[[0.0; 3]; 5])), says("<f4", "(5, 3)"));

@@ -1,4 +1,4 @@
-//! JSON on one line with a space after `,` and `:`, like Python's `json`.
+//! JSON on one line with a space after `,` and `:`, as Python's `json` writes it.
 
 use std::io;
 
@@ -8,7 +8,7 @@ use serde_json::ser::{Formatter, Serializer};
 /// Encodes a value.
 pub(crate) fn encode(value: &impl Serialize) -> Vec<u8> {
     let mut out = Vec::new();
-    // All keys are strings, and writing to a `Vec` does not fail.
+    // All serialized types have string keys, and writing to a `Vec` cannot fail.
     let written = value.serialize(&mut Serializer::with_formatter(&mut out, Spaced));
     debug_assert!(written.is_ok(), "{written:?}");
     out
@@ -35,7 +35,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn equals_pythons_json() {
+    fn formats_like_python() {
         let value = json!({"a": [1, 2.0], "b": {"c": "d", "e": []}});
         assert_eq!(
             super::encode(&value),

@@ -1,11 +1,11 @@
-//! The two matrices of `camera_params`: four rows each, for points as rows.
+//! The matrices of `camera_params`, as four rows each, for points as rows.
 
 use oaktwin_camera::math::DMat4;
 use oaktwin_camera::{Axes, LensModel, Usd};
 
 use crate::View;
 
-/// The matrix from camera to clip space.
+/// Returns the matrix from camera to clip space.
 pub(crate) fn projection(view: &View) -> [f64; 16] {
     let size = view.camera.intrinsics.size;
     let (width, height) = (f64::from(size.width), f64::from(size.height));
@@ -15,7 +15,7 @@ pub(crate) fn projection(view: &View) -> [f64; 16] {
     };
     let centre = intrinsics.principal_point::<Usd>();
     let [near, far] = view.clipping_range;
-    // For an infinite far plane the limits of n/(f − n) and n f/(f − n).
+    // For an infinite far plane, these are the limits of n/(f − n) and n f/(f − n).
     let (depth, depth_offset) = if far.is_finite() {
         (near / (far - near), near * far / (far - near))
     } else {
@@ -32,7 +32,7 @@ pub(crate) fn projection(view: &View) -> [f64; 16] {
     m
 }
 
-/// The matrix from world to camera, scene units.
+/// Returns the matrix from world to camera, scene units.
 pub(crate) fn view_transform(view: &View) -> [f64; 16] {
     let usd_from_opencv = Axes::Usd.rotation_from(Axes::OpenCv);
     let camera_from_world = view.world_from_camera.inverse();
@@ -40,7 +40,7 @@ pub(crate) fn view_transform(view: &View) -> [f64; 16] {
         usd_from_opencv * camera_from_world.rotation,
         usd_from_opencv * camera_from_world.translation / view.meters_per_unit,
     );
-    // The columns for points as columns are the rows for points as rows. Adding 0 makes −0 a 0.
+    // Columns of a matrix for column vectors are the rows for row vectors. Adding 0 replaces −0 by 0.
     m.to_cols_array().map(|value| value + 0.0)
 }
 
@@ -52,7 +52,7 @@ pub(crate) mod tests {
     use oaktwin_camera::{Camera, ImageSize, Intrinsics, PixelPoint, RigidTransform, UsdOptics};
     use proptest::prelude::*;
 
-    /// The camera of Isaac Sim's tests of its pose writer.
+    /// The camera in the tests of Isaac Sim's pose writer.
     pub(crate) fn view(eye: DVec3, right: DVec3, up: DVec3, clipping_range: [f64; 2]) -> View {
         let optics = UsdOptics {
             focal_length_mm: 24.0,
@@ -74,7 +74,7 @@ pub(crate) mod tests {
     }
 
     proptest! {
-        /// The documented use of the two matrices projects points like the camera.
+        /// Projects a point by the documented formula of the two matrices, and compares with the camera.
         #[test]
         fn a_point_lands_on_its_pixel(
             axis in prop::array::uniform3(-1.0..1.0f64), angle in -3.0..3.0f64, eye in prop::array::uniform3(-9.0..9.0f64),
@@ -91,7 +91,7 @@ pub(crate) mod tests {
 
             let point_in_camera = DVec3::from(point);
             let point_in_world = view.world_from_camera.apply(point_in_camera) / view.meters_per_unit;
-            // Row vectors: the transposes of what glam multiplies from the left.
+            // For row vectors, these are transposes of glam's matrices.
             let matrix = |rows: &[f64; 16]| DMat4::from_cols_array(rows);
             let clip: DVec4 =
                 matrix(&params.projection) * (matrix(&params.view_transform) * point_in_world.extend(1.0));

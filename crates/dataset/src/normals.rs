@@ -1,9 +1,9 @@
 use oaktwin_image::Image;
 
-/// `BasicWriter`'s image of normals: `(n · 0.5 + 0.5) · 255`, truncated (the rule of Replicator's `colorize_normals`).
+/// Converts normals to colours like `BasicWriter`: `(n · 0.5 + 0.5) · 255`, truncated (Replicator's `colorize_normals`).
 ///
-/// Replicator's normals have a fourth component, 1, which becomes the opacity. Its value at a miss is not documented; here every
-/// pixel is opaque, and a miss (a normal of 0) is the grey 127.
+/// Replicator's normals have a fourth component, 1, which becomes the opacity. Its value for a miss is not documented; here all
+/// pixels are opaque, and a miss (a normal of 0) is grey 127.
 pub(crate) fn colorize(normals: &Image<[f32; 3]>) -> Image<[u8; 4]> {
     normals.map(|normal| {
         #[expect(
@@ -21,7 +21,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn truncates() {
+    fn converts_like_replicator() {
         let normals = Image::new(3, 1, vec![[1.0, -1.0, 0.0], [0.0; 3], [0.6, -0.8, -0.0]]).unwrap();
         assert_eq!(
             colorize(&normals).pixels(),

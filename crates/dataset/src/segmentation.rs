@@ -1,7 +1,7 @@
-//! Segmentations in `BasicWriter`'s form: an image, and the meaning of its values.
+//! Segmentations in the format of `BasicWriter`: an image and a legend of its values.
 //!
-//! Colorized, a pixel is RGBA and the JSON's keys are `"(r, g, b, a)"`; otherwise a pixel is the id as 16-bit grey (the
-//! maximum of PNG; `BasicWriter` passes 32 bits to its encoder, which truncates them) and the keys are ids.
+//! If colorized, pixels are RGBA and the JSON keys are `"(r, g, b, a)"`. Otherwise pixels are ids in 16-bit grey, the maximum of
+//! PNG (`BasicWriter` passes 32 bits to its encoder, which truncates them), and the keys are ids.
 
 use std::collections::BTreeMap;
 
@@ -11,23 +11,23 @@ use serde_json::{Map, Value, json};
 
 use crate::file::Fault;
 
-/// The name of pixels without a prim.
+/// The label of the background.
 const BACKGROUND: &str = "BACKGROUND";
 
-/// The name of prims without labels.
+/// The label of prims without labels.
 const UNLABELLED: &str = "UNLABELLED";
 
 /// The kind of ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// 0 is the background, others are prims.
+    /// Ids of prims; 0 is the background.
     InstanceId,
-    /// 0 is the background, 1 a prim without labels, others are sets of labels.
+    /// Ids of sets of labels; 0 is the background, 1 means unlabelled.
     Semantic,
 }
 
 impl Kind {
-    /// The colour of an id, the same in every image.
+    /// Returns the colour of an id, which is the same in all images.
     fn color(self, id: u32) -> [u8; 4] {
         match (self, id) {
             (_, 0) => [0; 4],
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// An RGBA image of ids.
+/// Converts ids to RGBA.
 pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
     let mut last = (0, kind.color(0));
     ids.map(|&id| {
@@ -56,7 +56,7 @@ pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
     })
 }
 
-/// A 16-bit image of ids.
+/// Converts ids to 16 bits.
 pub(crate) fn grey(ids: &Image<u32>) -> Result<Image<u16>, Fault> {
     if let Some(&id) = ids.pixels().iter().find(|&&id| id > u32::from(u16::MAX)) {
         return Err(Fault::IdTooLarge(id));
@@ -66,7 +66,8 @@ pub(crate) fn grey(ids: &Image<u32>) -> Result<Image<u16>, Fault> {
     Ok(grey)
 }
 
-/// The meaning of the image's values. As in Replicator it always includes the background and, if colorized, unlabelled prims.
+/// Returns the legend of the image's values. As in Replicator, it always contains the background and, if colorized, the
+/// unlabelled value.
 pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, colorized: bool) -> Value {
     let key = |id: u32| {
         if colorized {
@@ -85,7 +86,7 @@ pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, coloriz
     legend.insert(key(0), kind.named(BACKGROUND));
     legend.insert(unlabelled, kind.named(UNLABELLED));
     for (&id, name) in names {
-        // Strings and maps of strings do not fail.
+        // Strings and maps of strings can always be serialized.
         legend.insert(key(id), serde_json::to_value(name).unwrap_or_default());
     }
     Value::Object(legend)
@@ -96,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn maps_colours_to_labels() {
+    fn legends_name_colors() {
         let ids = Image::new(3, 1, vec![0, 3, 2]).unwrap();
         let picture = colorize(Kind::Semantic, &ids);
         assert_eq!(picture.pixels()[0], [0; 4]);
@@ -120,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_ids_to_prim_paths() {
+    fn legends_of_prims_contain_paths() {
         let names = BTreeMap::from([(1, "/World/Cup".to_owned())]);
         assert_eq!(
             legend(Kind::InstanceId, &names, true).to_string(),

@@ -10,7 +10,6 @@
 
 pub mod align;
 mod batch;
-mod choice;
 mod disparity;
 pub mod dots;
 mod error;
@@ -18,7 +17,6 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
-mod named;
 pub mod preset;
 pub mod random;
 pub mod rectify;

@@ -30,9 +30,9 @@ impl Engine {
     pub fn parameters(&self) -> Vec<(&'static str, String)> {
         match self {
             Self::SingleView(engine) => {
-                let (names, own) = (single_view::Parameters::NAMES, engine.parameters());
-                let named = |name: &&'static str| Some((*name, own.get(name)?));
-                names.iter().filter_map(named).collect()
+                let mut parameters: Vec<_> = engine.parameters().by_name().collect();
+                parameters.sort_unstable();
+                parameters
             }
             Self::StereoNoise(engine) => engine.parameters().by_name().collect(),
             Self::TimeOfFlight(engine) => engine.parameters().by_name().collect(),

@@ -1,4 +1,4 @@
-//! Numbers to bytes and back, in loops that compile to plain copies or vector shuffles.
+//! Conversion of numbers to bytes and back, in loops that compile to copies or vector shuffles.
 
 /// A number with a fixed width in files.
 pub(crate) trait Scalar: Copy + Default {
@@ -8,10 +8,10 @@ pub(crate) trait Scalar: Copy + Default {
     /// Appends `values`, most significant byte first.
     fn put_be(values: &[Self], out: &mut Vec<u8>);
 
-    /// As many values as `bytes` hold whole, least significant byte first.
+    /// Reads all complete values in `bytes`, least significant byte first.
     fn get_le(bytes: &[u8]) -> Vec<Self>;
 
-    /// As many values as `bytes` hold whole, most significant byte first.
+    /// Reads all complete values in `bytes`, most significant byte first.
     fn get_be(bytes: &[u8]) -> Vec<Self>;
 }
 
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_byte_orders_there_and_back() {
+    fn both_byte_orders_round_trip() {
         let values = [1.5f32, f32::INFINITY, -0.0, f32::from_bits(1)];
         let mut little = vec![9];
         f32::put_le(&values, &mut little);

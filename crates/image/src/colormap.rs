@@ -1,17 +1,17 @@
-//! Colours for numbers: turbo for quantities, distinct ones for ids.
+//! Colour maps: turbo for quantities, distinct colours for ids.
 
 use std::sync::LazyLock;
 
-/// Anton Mikhailov's turbo colour map at 0 to 1 in 256 steps, sRGB.
+/// Returns Anton Mikhailov's turbo colour map from 0 to 1 in 256 steps, sRGB.
 ///
-/// Computed from the polynomials of fifth degree that Ruofei Du fitted to it (Google, "Turbo, an improved rainbow
-/// colormap for visualization", 2019). They differ from the original by a little, most at the dark blue end.
+/// It is computed from Ruofei Du's polynomial fit of degree 5 (Google, "Turbo, an improved rainbow colormap for visualization",
+/// 2019), which differs slightly from the original, most at the dark blue end.
 #[must_use]
 pub fn turbo() -> &'static [[u8; 3]; 256] {
     &TURBO
 }
 
-/// By rising power, for red, green and blue.
+/// The coefficients for red, green and blue, in ascending powers.
 const POLYNOMIALS: [[f64; 6]; 3] = [
     [
         0.135_721_38,
@@ -51,23 +51,22 @@ static TURBO: LazyLock<[[u8; 3]; 256]> = LazyLock::new(|| {
     })
 });
 
-/// Hues of full value and 90 % saturation: all colours whose largest channel is 255 and whose least is 25.
+/// The number of hues of full value and 90 % saturation: all colours with a maximum channel of 255 and a minimum of 25.
 const HUES: u32 = 6 * 230;
 
-/// Near `HUES` divided by the golden ratio, and prime: it meets every hue before it repeats one, and neighbours lie
-/// far apart.
+/// A prime near `HUES` divided by the golden ratio: all hues occur before one repeats, and successive hues differ much.
 const HUE_STEP: u32 = 853;
 
-/// Colours without 255 in any channel, and without black.
+/// The number of colours without 255 in any channel, except black.
 const OTHERS: u32 = 255 * 255 * 255 - 1;
 
-/// Near `OTHERS` divided by the golden ratio; it has no factor in common with it.
+/// A number near `OTHERS` divided by the golden ratio, and coprime to it.
 const OTHER_STEP: u32 = 10_247_853;
 
-/// A colour for each index from 0, opaque and never black, the same one always.
+/// Returns a fixed colour for each index from 0, opaque and never black.
 ///
-/// The first 1380 are vivid hues, far apart for neighbouring indices. No two of the first 16 million are equal, so that
-/// a colour can be taken back to what it stands for.
+/// The first 1380 colours are vivid hues, which differ much for successive indices. The first 16 million are all different, so
+/// that colours can be mapped back to indices.
 #[must_use]
 pub fn distinct(index: u32) -> [u8; 4] {
     #[expect(clippy::cast_possible_truncation, reason = "each is below 256")]
@@ -98,7 +97,7 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn turbo_goes_from_dark_blue_over_green_to_dark_red() {
+    fn turbo_is_near_the_published_table() {
         let turbo = turbo();
         // The published table's ends and middle are (48, 18, 59), (164, 252, 60), (122, 4, 3).
         for (i, published) in [(0, [48, 18, 59]), (128, [164, 252, 60]), (255, [122, 4, 3])] {
@@ -108,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn every_index_has_a_colour_of_its_own() {
+    fn colours_are_unique() {
         let colours: HashSet<[u8; 4]> = (0..200_000).map(distinct).collect();
         assert_eq!(colours.len(), 200_000);
         assert!(
@@ -120,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn the_steps_share_no_factor_with_what_they_step_through() {
+    fn steps_are_coprime_to_their_ranges() {
         let gcd = |mut a: u32, mut b: u32| {
             while b > 0 {
                 (a, b) = (b, a % b);
@@ -132,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_differ() {
+    fn successive_colours_differ() {
         for i in 0..100 {
             let (a, b) = (distinct(i), distinct(i + 1));
             let apart: u32 = a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(b))).sum();

@@ -1,20 +1,19 @@
-//! Several pictures on one: of several cameras, colour above depth above what was measured of it, a column each; or of one
-//! scene, each below its title.
+//! Contact sheets: a column of colour, depth and measured depth for each camera, or panels with titles.
 
 use crate::preview::{self, Marks};
 use crate::text::{self, Style};
 use crate::{Image, ZDepth};
 
-/// What one camera saw.
+/// The images of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Above the pictures.
+    /// The title above the images.
     pub title: String,
-    /// sRGB and coverage.
+    /// The colour image: sRGB and coverage.
     pub rgb: Image<[u8; 4]>,
-    /// In the same size.
+    /// Ground-truth depth of the same size.
     pub depth: ZDepth,
-    /// What the camera's depth sensor reports, in the same size.
+    /// Measured depth of the same size.
     pub measured: ZDepth,
 }
 
@@ -22,12 +21,12 @@ pub struct Column {
 pub const PAPER: [u8; 3] = [24, 24, 24];
 /// The colour of text on a sheet, sRGB.
 pub const INK: [u8; 3] = [235, 235, 235];
-/// The gap around every picture, px.
+/// The gap around images, px.
 pub const GAP: u32 = 8;
-/// Of the titles, px.
+/// The height of titles, px.
 const TITLE: u32 = 14;
 
-/// A picture of all columns at half their size, with the same depth scale (nearest and farthest, metres) for all.
+/// Draws all columns at half size, with a common depth range (minimum and maximum, metres).
 #[must_use]
 pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> {
     let options = preview::Options { range: Some(range_m) };
@@ -64,22 +63,22 @@ pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> 
     sheet
 }
 
-/// What is to be seen of a scene.
+/// The image of a panel.
 #[derive(Clone, Copy, Debug)]
 pub enum Picture<'a> {
-    /// sRGB and coverage.
+    /// A colour image: sRGB and coverage.
     Rgb(&'a Image<[u8; 4]>),
-    /// What a monochrome camera recorded.
+    /// The image of a monochrome camera.
     Grey(&'a Image<u8>),
-    /// Metres; what has no value is grey.
+    /// Depth, metres; invalid pixels are grey.
     Depth(&'a ZDepth),
 }
 
-/// A picture to paste, and its title.
+/// An image with its title.
 type Titled<'a> = (&'a str, Image<[u8; 3]>);
 
-/// Pictures at half their size, each below its title, so many in a row; below them the one scale of depth, nearest and
-/// farthest, metres.
+/// Draws panels at half size below their titles, `in_a_row` per row, with a legend of the common depth range (minimum and
+/// maximum, metres) below.
 #[must_use]
 pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f32)) -> Image<[u8; 3]> {
     let mut marks = Marks::default();
@@ -123,7 +122,7 @@ pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f3
     sheet
 }
 
-/// Each pixel the mean of four, covered or not: what nothing covers has the sky's colour.
+/// Halves an image by averaging blocks of 2 × 2 pixels, ignoring coverage: the background has the colour of the sky.
 fn averaged(rgb: &Image<[u8; 4]>) -> Image<[u8; 3]> {
     let (width, height) = (rgb.width() / 2, rgb.height() / 2);
     let mut half = Image::filled(width, height, PAPER);
@@ -149,7 +148,7 @@ fn averaged(rgb: &Image<[u8; 4]>) -> Image<[u8; 3]> {
     half
 }
 
-/// Every second pixel of every second row: depth is not averaged over edges.
+/// Halves an image by taking each second pixel of each second row, since depth must not be averaged over edges.
 fn halved(depth: &ZDepth) -> ZDepth {
     let (width, height) = (depth.0.width() / 2, depth.0.height() / 2);
     let rows = depth.0.rows().step_by(2).take(height as usize);
@@ -160,7 +159,7 @@ fn halved(depth: &ZDepth) -> ZDepth {
     ZDepth(Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(0, 0, 0.0)))
 }
 
-/// Copies a picture onto a sheet; what lies outside of the sheet is cut off.
+/// Copies an image onto a sheet, clipped to the sheet.
 pub fn paste(sheet: &mut Image<[u8; 3]>, picture: &Image<[u8; 3]>, left: u32, top: u32) {
     let width = sheet.width() as usize;
     for (row, y) in picture.rows().zip(top as usize..) {
@@ -176,7 +175,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_lie_where_they_should() {
+    fn places_images_in_columns() {
         let column = |width: u32, height: u32| Column {
             title: "OAK".to_owned(),
             rgb: Image::filled(width, height, [200, 100, 50, 255]),
@@ -197,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn panels_lie_below_their_titles() {
+    fn places_panels_below_titles() {
         let grey = Image::filled(80, 40, 77);
         let depth = ZDepth(Image::filled(80, 40, 0.0));
         let three = [
@@ -217,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn four_pixels_are_one() {
+    fn averages_four_pixels() {
         let mut rgb = Image::filled(2, 2, [0, 0, 0, 255]);
         rgb.pixels_mut()[0] = [255, 4, 0, 255];
         assert_eq!(averaged(&rgb).pixels(), [[64, 1, 0]]);

@@ -2,7 +2,7 @@ use crate::Image;
 
 /// Distance along the optical axis, metres: Isaac's `distance_to_image_plane`, ROS's and `DepthAI`'s depth.
 ///
-/// In ground truth a miss is `+inf`; what a sensor reports has 0 where it measured nothing.
+/// In ground truth, a miss is `+inf`. In a sensor's output, 0 means no measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ZDepth(pub Image<f32>);
 

@@ -1,16 +1,16 @@
 use std::borrow::Cow;
 
-/// Bytes that are no image, or an image that a format cannot hold. Whoever opened the file puts its name in front.
+/// An error of a codec: invalid bytes, or an image that the format does not support. Callers add the file name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{format}: {place}: {problem}; {remedy}")]
 pub struct CodecError {
     /// The file format.
     pub format: &'static str,
-    /// Where in the file.
+    /// The place in the file.
     pub place: Cow<'static, str>,
-    /// What is wrong there.
+    /// The problem.
     pub problem: String,
-    /// What to do about it.
+    /// The remedy.
     pub remedy: &'static str,
 }
 

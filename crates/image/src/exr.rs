@@ -1,9 +1,8 @@
-//! `OpenEXR`: depth as one channel of `float32`, every bit kept.
+//! `OpenEXR`: depth as one channel of `float32`, lossless, including infinity and NaN.
 //!
-//! The channel that is written is `Y`, the luminance of an image without colour: OpenCV writes and reads such files, and
-//! every viewer shows them. `OpenEXR`'s own name for depth is `Z` (its technical introduction), but OpenCV opens a file
-//! with that channel alone and returns nothing but zeros (its issue 22592), which nobody would notice.
-//! Infinity and NaN are written as they are.
+//! The written channel is `Y`, the luminance of a greyscale image, which OpenCV writes and reads and all viewers display.
+//! `OpenEXR`'s name for depth is `Z` (its technical introduction), but OpenCV silently returns zeros for files with only that
+//! channel (its issue 22592).
 
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,13 +16,13 @@ use crate::{CodecError, Image, limits};
 
 const FORMAT: &str = "OpenEXR";
 
-/// The channel that is written.
+/// The name of the written channel.
 pub const CHANNEL: &str = "Y";
 
-/// A file of one channel named [`CHANNEL`].
+/// Encodes an image as one channel named [`CHANNEL`].
 ///
 /// # Errors
-/// An image without pixels, which the format does not have.
+/// Returns an error if the image has no pixels, which the format does not support.
 pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
     let size = Vec2(image.width() as usize, image.height() as usize);
     let samples = FlatSamples::F32(image.pixels().to_vec());
@@ -43,7 +42,7 @@ pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
             FORMAT,
             "image",
             format!("{} × {} pixels", image.width(), image.height()),
-            "give an image with pixels in it",
+            "pass an image with pixels",
         ));
     }
     ExrImage::from_layer(layer)
@@ -54,8 +53,8 @@ pub fn encode(image: &Image<f32>) -> Result<Vec<u8>, CodecError> {
     Ok(out.into_inner())
 }
 
-/// Names of a depth channel, the surest first, in small letters: `OpenEXR`'s own `Z`, Blender's `V` (and its layer
-/// `Depth`), annotators'; a luminance; the first of three channels that are alike.
+/// The names of depth channels in lower case, by priority: `OpenEXR`'s `Z`, Blender's `V` (and its layer `Depth`), names of
+/// annotators, luminance, and the first of three equal channels.
 const DEPTH_NAMES: [&str; 7] = [
     "z",
     "v",
@@ -66,12 +65,11 @@ const DEPTH_NAMES: [&str; 7] = [
     "r",
 ];
 
-/// The depth in a file: its channel `Z`, else `V`, `depth`, `distance_to_image_plane`, `distance_to_camera`, `Y`, in
-/// whichever layer (`View Layer.Depth.Z`) and in letters of either size; else `R`, where `G` and `B` equal it; else its
-/// only channel.
+/// Decodes the depth in a file: its channel `Z`, otherwise `V`, `depth`, `distance_to_image_plane`, `distance_to_camera` or `Y`,
+/// in any layer (`View Layer.Depth.Z`) and ignoring case; otherwise `R`, if `G` and `B` equal it; otherwise its only channel.
 ///
 /// # Errors
-/// Bytes that are no `OpenEXR` file of scan lines or tiles, or one of several channels of other names.
+/// Returns an error if the bytes are not an `OpenEXR` file of scan lines or tiles, or if it has several channels of other names.
 pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
     let mut channels = channels(bytes)?;
     let is_named = |given: &str, name: &str| {
@@ -100,8 +98,8 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
                 return Err(CodecError::new(
                     FORMAT,
                     "channels",
-                    "R, G and B differ: a picture in colours, not a depth",
-                    "save the depth, in a channel named Z",
+                    "R, G and B differ, so this is a colour image, not depth",
+                    "save the depth in a channel named Z",
                 ));
             }
         }
@@ -113,7 +111,7 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
     Image::new(channels.width, channels.height, pixels).ok_or_else(incomplete)
 }
 
-/// The colours in a file, its channels R, G and B, or Y thrice. Linear.
+/// Decodes the linear colours in a file: its channels R, G and B, or Y for all three.
 pub(crate) fn decode_rgb(bytes: &[u8]) -> Result<Image<[f32; 3]>, CodecError> {
     let channels = channels(bytes)?;
     let of = |name: &str| channels.names.iter().position(|given| given == name);
@@ -143,7 +141,7 @@ struct Channels {
 }
 
 fn incomplete() -> CodecError {
-    broken("not all are there".into())
+    broken("incomplete".into())
 }
 
 fn broken(problem: String) -> CodecError {
@@ -151,22 +149,22 @@ fn broken(problem: String) -> CodecError {
         FORMAT,
         "pixels",
         problem,
-        "the file is cut off or damaged: save it again",
+        "the file is truncated or damaged; save it again",
     )
 }
 
 fn channels(bytes: &[u8]) -> Result<Channels, CodecError> {
-    // The reader has assertions that a damaged file can fail. Nothing outlives the unwind but the error.
+    // A damaged file can fail the reader's assertions. Only the error survives the unwinding.
     catch_unwind(AssertUnwindSafe(|| read_channels(bytes)))
-        .unwrap_or_else(|_| Err(broken("the reader gave up".into())))
+        .unwrap_or_else(|_| Err(broken("the decoder failed".into())))
 }
 
 fn read_channels(bytes: &[u8]) -> Result<Channels, CodecError> {
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false)
-        .map_err(|error| CodecError::new(FORMAT, "header", error.to_string(), "give an OpenEXR file"))?;
+        .map_err(|error| CodecError::new(FORMAT, "header", error.to_string(), "pass an OpenEXR file"))?;
     for header in &meta.headers {
         let size = (header.layer_size.0 as u64, header.layer_size.1 as u64);
-        // Every sample becomes four bytes at most.
+        // A sample becomes at most four bytes.
         let channels = header.channels.list.len() as u64;
         limits::check(FORMAT, size, channels * 4, bytes.len())?;
     }
@@ -202,7 +200,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn one_channel_that_opencv_reads() {
+    fn writes_a_luminance_channel() {
         let file = encode(&Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap()).unwrap();
         assert_eq!(file[..4], [0x76, 0x2F, 0x31, 0x01]);
         let channels = channels(&file).unwrap();
@@ -212,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn colours() {
+    fn reads_colours() {
         let mut file = Cursor::new(Vec::new());
         let pixels = |position: Vec2<usize>| (position.0 as f32, 0.5f32, 2.0f32);
         let channels = ::exr::prelude::SpecificChannels::rgb(pixels);
@@ -228,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn depth_by_its_name_in_any_layer() {
+    fn finds_depth_by_name_in_any_layer() {
         for (names, expected) in [
             (["A", "Z"], 2.0),
             (["Depth", "mask"], 1.0),
@@ -250,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn three_channels_that_are_alike_are_one() {
+    fn reads_equal_channels_as_depth() {
         let mut file = Cursor::new(Vec::new());
         let pixels = |position: Vec2<usize>| {
             let z = 1.5 + position.0 as f32;
@@ -265,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn channels_that_say_nothing() {
+    fn rejects_unknown_channels() {
         let mut file = Cursor::new(Vec::new());
         let channels = ::exr::prelude::SpecificChannels::build()
             .with_channel("U")
@@ -287,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         assert!(
             encode(&Image::filled(0, 2, 0.0))
                 .unwrap_err()
@@ -296,12 +294,12 @@ mod tests {
         );
         let error = decode(b"not one").unwrap_err().to_string();
         assert!(error.starts_with("OpenEXR: header: "), "{error}");
-        assert!(error.ends_with("; give an OpenEXR file"), "{error}");
+        assert!(error.ends_with("; pass an OpenEXR file"), "{error}");
     }
 
     proptest! {
         #[test]
-        fn every_bit_comes_back(width in 1u32..40, height in 1u32..40, seed: u32) {
+        fn round_trip_is_lossless(width in 1u32..40, height in 1u32..40, seed: u32) {
             let bits: Vec<u32> = (0..width * height).map(|i| (i + 1).wrapping_mul(seed | 1)).collect();
             let image = Image::new(width, height, bits.iter().map(|&b| f32::from_bits(b)).collect()).unwrap();
             let back = decode(&encode(&image).unwrap()).unwrap();
@@ -310,7 +308,7 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_are_an_error_or_an_image(at: prop::sample::Index, value: u8, cut: prop::sample::Index) {
+        fn never_panics_on_damaged_files(at: prop::sample::Index, value: u8, cut: prop::sample::Index) {
             let mut file = encode(&Image::filled(20, 20, 1.0)).unwrap();
             let at = at.index(file.len());
             file[at] = value;

@@ -1,7 +1,6 @@
-//! Typed images: depth that says what it measures and what invalid means, the annotations of a ground-truth frame,
-//! and the files that hold them.
+//! Typed images: depth with its unit and invalid value, the annotations of a ground-truth frame, and file formats.
 //!
-//! Rows run from top to bottom, pixels from left to right. Codecs go from bytes to images and back; they open no files.
+//! Rows run from top to bottom, pixels from left to right. Codecs convert between bytes and images; they open no files.
 
 pub mod annotation;
 mod bytes;
@@ -11,7 +10,6 @@ mod depth;
 pub mod draw;
 mod error;
 pub mod exr;
-mod half;
 mod limits;
 pub mod millimetres;
 pub mod noise;

@@ -1,23 +1,23 @@
-//! How much memory an image file can ask for.
+//! Limits on the memory for decoding an image file.
 
 use crate::CodecError;
 
-/// Pixels of the largest image that is read.
-const MOST_PIXELS: u64 = 1 << 31;
+/// The maximum number of pixels, exclusive.
+const MAX_PIXELS: u64 = 1 << 31;
 
-/// Decoded bytes that any file may take: an 8-bit image of 4096 × 4096 pixels.
+/// The number of decoded bytes that is allowed for any file: an RGBA image of 4096 × 4096 pixels with 8 bits.
 const ALWAYS_ALLOWED: u64 = 1 << 26;
 
-/// Decoded bytes for each byte of a larger file. DEFLATE reaches 1032, and no other compression of images more but for
-/// pictures of one colour.
-const LARGEST_RATIO: u64 = 1100;
+/// The maximum ratio of decoded bytes to the bytes of a larger file. DEFLATE reaches 1032, other compressions of images more
+/// only for a constant colour.
+const MAX_RATIO: u64 = 1100;
 
-/// The decoded bytes that a file of `length` bytes may take.
+/// Returns the maximum number of decoded bytes of a file of `length` bytes.
 pub(crate) fn allowed_bytes(length: usize) -> u64 {
-    ALWAYS_ALLOWED.max((length as u64).saturating_mul(LARGEST_RATIO))
+    ALWAYS_ALLOWED.max((length as u64).saturating_mul(MAX_RATIO))
 }
 
-/// Refuses an image before memory is taken for it.
+/// Rejects images that are too large, before memory is allocated.
 pub(crate) fn check(
     format: &'static str,
     (width, height): (u64, u64),
@@ -25,23 +25,20 @@ pub(crate) fn check(
     length: usize,
 ) -> Result<(), CodecError> {
     let pixels = width.saturating_mul(height);
-    let refuse = |problem: String, remedy| Err(CodecError::new(format, "header", problem, remedy));
+    let reject = |problem: String, remedy| Err(CodecError::new(format, "header", problem, remedy));
     if pixels == 0 {
-        return refuse(
-            format!("{width} × {height} pixels"),
-            "give an image with pixels in it",
-        );
+        return reject(format!("{width} × {height} pixels"), "pass an image with pixels");
     }
-    if pixels >= MOST_PIXELS {
-        return refuse(
+    if pixels >= MAX_PIXELS {
+        return reject(
             format!("{width} × {height} pixels, 2^31 or more"),
-            "give a smaller image",
+            "use a smaller image",
         );
     }
     if pixels.saturating_mul(bytes_per_pixel) > allowed_bytes(length) {
-        return refuse(
+        return reject(
             format!("{width} × {height} pixels cannot be in {length} bytes"),
-            "the file is damaged: save it again",
+            "the file is damaged; save it again",
         );
     }
     Ok(())
@@ -52,13 +49,13 @@ mod tests {
     use super::check;
 
     #[test]
-    fn what_is_refused() {
+    fn rejects_empty_and_large_images() {
         let says = |size, length| check("X", size, 4, length).map_err(|error| error.to_string());
         assert_eq!(says((4096, 4096), 10), Ok(()));
         assert_eq!(says((16384, 16384), 1 << 20), Ok(()));
         assert_eq!(
             says((16384, 16384), 1000).unwrap_err(),
-            "X: header: 16384 × 16384 pixels cannot be in 1000 bytes; the file is damaged: save it again"
+            "X: header: 16384 × 16384 pixels cannot be in 1000 bytes; the file is damaged; save it again"
         );
         assert!(
             says((65536, 32768), usize::MAX)

@@ -1,32 +1,31 @@
-//! Depth in whole millimetres, the numbers of `DepthAI`'s depth frames and ROS's `16UC1` images.
+//! Depth in integer millimetres, as in `DepthAI`'s depth frames and ROS's `16UC1` images.
 
 use crate::Image;
 
-/// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds.
-const ONE_A_STEP: f32 = 8_388_608.0;
+/// 2²³. From here to 2²⁴, `float32` has exactly the integers, in its lowest bits, so that adding it rounds.
+const INTEGER_STEP: f32 = 8_388_608.0;
 
-/// Whole millimetres; 0 where there is no value.
+/// Converts metres to integer millimetres; 0 means no value.
 ///
-/// * `metres · 1000` in `float32`, rounded to the nearest, halves to even, as OpenCV's `convertTo` does for ROS.
-/// * 0 for infinity, NaN, and whatever is not positive: what `DepthAI` and ROS take for "nothing measured".
-/// * 0 beyond 65.535 m too. Saturating there, as plain conversions do, would put a wall 65.5 m away that nobody can
-///   tell from a measured one.
+/// * The value is `metres · 1000` in `float32`, rounded to nearest, ties to even, like OpenCV's `convertTo` for ROS.
+/// * Infinity, NaN and values that are not positive become 0, "no measurement" in `DepthAI` and ROS.
+/// * Values beyond 65.535 m become 0 too. Saturation would create a wall at 65.5 m that looks like a measurement.
 ///
-/// A depth under half a millimetre also becomes 0.
+/// A depth below half a millimetre also becomes 0.
 #[must_use]
 pub fn from_metres(metres: &Image<f32>) -> Image<u16> {
     metres.map(|&metres| {
         let millimetres = metres * 1000.0;
-        // False for a NaN. Without branches and casts from float, so that it is vectorised.
+        // False for NaN. There are no branches and no casts from float, so that the loop is vectorised.
         let fits = (millimetres > 0.0) & (millimetres < 65535.5);
         let kept = if fits { millimetres } else { 0.0 };
         #[expect(clippy::cast_possible_truncation, reason = "the number is in the low 16 bits")]
-        let whole = (kept + ONE_A_STEP).to_bits() as u16;
+        let whole = (kept + INTEGER_STEP).to_bits() as u16;
         whole
     })
 }
 
-/// Metres; 0 where there is no value.
+/// Converts millimetres to metres; 0 means no value.
 #[must_use]
 pub fn to_metres(millimetres: &Image<u16>) -> Image<f32> {
     millimetres.map(|&millimetres| f32::from(millimetres) / 1000.0)
@@ -38,7 +37,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn rounding_and_what_has_no_value() {
+    fn rounds_and_drops_invalid_values() {
         let cases = [
             (0.0, 0),
             (-1.0, 0),
@@ -63,7 +62,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_millimetre_comes_back(millimetres: u16) {
+        fn all_values_round_trip(millimetres: u16) {
             let image = Image::filled(1, 1, millimetres);
             prop_assert_eq!(from_metres(&to_metres(&image)), image);
         }

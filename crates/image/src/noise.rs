@@ -1,6 +1,6 @@
-//! White noise from an integer hash, the same on every computer.
+//! White noise from an integer hash, which is identical on all computers.
 
-/// A number from 0 to 1 that depends on a position and on which noise it is (`kind`) alone.
+/// Returns a number from 0 to 1 that depends only on a position and the noise's number (`kind`).
 #[must_use]
 pub fn white(x: i32, y: i32, kind: u32) -> f32 {
     let mut h = x

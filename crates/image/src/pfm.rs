@@ -1,6 +1,6 @@
 //! PFM: `float32` images of one channel, the format of Middlebury's and `SceneFlow`'s disparities.
 //!
-//! Rows run from the bottom to the top in the file. A negative scale says little endian; that is what is written.
+//! In the file, rows run from bottom to top. A negative scale means little endian, which is written.
 //! Source: Paul Debevec's description of the format.
 
 use crate::bytes::Scalar;
@@ -8,7 +8,7 @@ use crate::{CodecError, Image};
 
 const FORMAT: &str = "PFM";
 
-/// A file of an image, every bit kept.
+/// Encodes an image losslessly.
 #[must_use]
 pub fn encode(image: &Image<f32>) -> Vec<u8> {
     let mut out = format!("Pf\n{} {}\n-1.0\n", image.width(), image.height()).into_bytes();
@@ -19,17 +19,17 @@ pub fn encode(image: &Image<f32>) -> Vec<u8> {
     out
 }
 
-/// The image in a file, of either byte order; the scale's magnitude is not applied, as in every reader of disparities.
+/// Decodes an image of either byte order. The magnitude of the scale is ignored, as in all readers of disparities.
 ///
 /// # Errors
-/// Bytes that are no PFM of one channel, or are not exactly as long as its header says.
+/// Returns an error if the bytes are not a PFM of one channel, or their length differs from that in the header.
 pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
     let broken = |place: &'static str, problem: String| {
         CodecError::new(
             FORMAT,
             place,
             problem,
-            "the file is cut off or damaged: copy it again",
+            "the file is truncated or damaged; copy it again",
         )
     };
     let mut rest = bytes;
@@ -47,8 +47,8 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
             return Err(CodecError::new(
                 FORMAT,
                 "byte 0",
-                "no PFM begins here",
-                "give a .pfm file",
+                "not a PFM file",
+                "pass a .pfm file",
             ));
         }
     }
@@ -82,14 +82,14 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
         .flatten()
         .copied()
         .collect();
-    Image::new(width, height, pixels).ok_or_else(|| broken("pixels", "not all are there".into()))
+    Image::new(width, height, pixels).ok_or_else(|| broken("pixels", "incomplete".into()))
 }
 
-/// The next word of the header and the one white space after it.
+/// Reads the next word of the header and one white space after it.
 fn word<'a>(rest: &mut &'a [u8]) -> Option<&'a str> {
-    /// Longer than any number in a header.
-    const LONGEST: usize = 64;
-    let end = rest.iter().take(LONGEST).position(u8::is_ascii_whitespace)?;
+    /// More characters than any number in a header.
+    const MAX_LENGTH: usize = 64;
+    let end = rest.iter().take(MAX_LENGTH).position(u8::is_ascii_whitespace)?;
     let (word, after) = rest.split_at(end);
     *rest = &after[1..];
     std::str::from_utf8(word).ok()
@@ -101,7 +101,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn the_last_row_comes_first() {
+    fn writes_the_last_row_first() {
         let image = Image::new(1, 2, vec![1f32, 2.0]).unwrap();
         let file = encode(&image);
         assert_eq!(file, b"Pf\n1 2\n-1.0\n\x00\x00\x00\x40\x00\x00\x80\x3F");
@@ -111,9 +111,9 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         let says = |bytes: &[u8]| decode(bytes).unwrap_err().to_string();
-        assert_eq!(says(b"P5\n"), "PFM: byte 0: no PFM begins here; give a .pfm file");
+        assert_eq!(says(b"P5\n"), "PFM: byte 0: not a PFM file; pass a .pfm file");
         assert_eq!(
             says(b"PF\n"),
             "PFM: byte 0: an image of three channels; save one channel"
@@ -125,7 +125,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_bit_comes_back(width in 0u32..9, height in 0u32..9, seed: u32) {
+        fn round_trip_is_lossless(width in 0u32..9, height in 0u32..9, seed: u32) {
             let bits: Vec<u32> = (0..width * height).map(|i| (i + 1).wrapping_mul(seed | 1)).collect();
             let image = Image::new(width, height, bits.iter().map(|&b| f32::from_bits(b)).collect()).unwrap();
             let back = decode(&encode(&image)).unwrap();
@@ -134,7 +134,7 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_are_an_error_or_an_image(at in 0usize..28, value: u8, cut in 0usize..29) {
+        fn never_panics_on_damaged_files(at in 0usize..28, value: u8, cut in 0usize..29) {
             let mut file = encode(&Image::filled(2, 2, 1.0));
             let at = at % file.len();
             file[at] = value;

@@ -7,7 +7,7 @@ pub struct Image<T> {
 }
 
 impl<T> Image<T> {
-    /// Of its pixels, row by row; `None` where their number is not `width × height`.
+    /// Creates an image from its pixels, row by row, or returns `None` if their number is not `width × height`.
     #[must_use]
     pub fn new(width: u32, height: u32, pixels: Vec<T>) -> Option<Self> {
         (pixels.len() == width as usize * height as usize).then_some(Self {
@@ -17,7 +17,7 @@ impl<T> Image<T> {
         })
     }
 
-    /// One value everywhere.
+    /// Creates an image with the same value everywhere.
     #[must_use]
     pub fn filled(width: u32, height: u32, value: T) -> Self
     where
@@ -31,36 +31,36 @@ impl<T> Image<T> {
         }
     }
 
-    /// Columns, px.
+    /// Returns the number of columns.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Rows, px.
+    /// Returns the number of rows.
     #[must_use]
     pub fn height(&self) -> u32 {
         self.height
     }
 
-    /// All pixels, row by row.
+    /// Returns the pixels, row by row.
     #[must_use]
     pub fn pixels(&self) -> &[T] {
         &self.pixels
     }
 
-    /// All pixels, row by row.
+    /// Returns the pixels, row by row.
     pub fn pixels_mut(&mut self) -> &mut [T] {
         &mut self.pixels
     }
 
-    /// All pixels, row by row.
+    /// Returns the pixels, row by row.
     #[must_use]
     pub fn into_pixels(self) -> Vec<T> {
         self.pixels
     }
 
-    /// The pixel in column `x` of row `y`; `None` outside the image.
+    /// Returns the pixel in column `x` of row `y`, or `None` outside the image.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<&T> {
         if x >= self.width {
@@ -69,12 +69,12 @@ impl<T> Image<T> {
         self.pixels.get(y as usize * self.width as usize + x as usize)
     }
 
-    /// The rows, from the top. An image without columns has none.
+    /// Returns the rows from the top. An image without columns has none.
     pub fn rows(&self) -> std::slice::ChunksExact<'_, T> {
         self.pixels.chunks_exact((self.width as usize).max(1))
     }
 
-    /// The same places with other values.
+    /// Applies a function to each pixel.
     #[must_use]
     pub fn map<U>(&self, value: impl FnMut(&T) -> U) -> Image<U> {
         Image {

@@ -1,26 +1,26 @@
-//! PLY: clouds of points, binary and little endian.
+//! PLY: point clouds, binary and little endian.
 //!
-//! Source: Greg Turk's description of the format; the properties have the names that `Open3D` reads.
+//! Source: Greg Turk's description of the format; the names of properties are those that `Open3D` reads.
 
 use crate::{CodecError, Image};
 
 const FORMAT: &str = "PLY";
 
-/// A cloud to write. What is there is as long as `points`.
+/// A point cloud. Normals and colours are as long as `points`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cloud<'a> {
-    /// Properties `x`, `y`, `z`.
+    /// The properties `x`, `y`, `z`.
     pub points: &'a [[f32; 3]],
-    /// Properties `nx`, `ny`, `nz`.
+    /// The properties `nx`, `ny`, `nz`.
     pub normals: Option<&'a [[f32; 3]]>,
-    /// Properties `red`, `green`, `blue`; the fourth value is left out.
+    /// The properties `red`, `green`, `blue`; the fourth value is ignored.
     pub rgb: Option<&'a [[u8; 4]]>,
 }
 
-/// A file of a cloud.
+/// Encodes a point cloud.
 ///
 /// # Errors
-/// Not as many normals or colours as points.
+/// Returns an error if the number of normals or colours is not that of the points.
 pub fn encode(cloud: &Cloud<'_>) -> Result<Vec<u8>, CodecError> {
     let count = cloud.points.len();
     let counts = [
@@ -33,7 +33,7 @@ pub fn encode(cloud: &Cloud<'_>) -> Result<Vec<u8>, CodecError> {
                 FORMAT,
                 "vertex",
                 format!("{length} {name} for {count} points"),
-                "give one for each point",
+                "pass one for each point",
             ));
         }
     }
@@ -64,11 +64,11 @@ pub fn encode(cloud: &Cloud<'_>) -> Result<Vec<u8>, CodecError> {
     Ok(out)
 }
 
-/// A file of the points of an image that are some, the fourth number being above 0, each moved to other axes; with their
-/// colours, where there is an image of them of the same size.
+/// Encodes the valid points of an image, whose fourth number is above 0, converted to other axes, with the colours of an optional
+/// image of the same size.
 ///
 /// # Errors
-/// An image of colours that has another size.
+/// Returns an error if the image of colours has another size.
 pub fn encode_measured(
     positions: &Image<[f32; 4]>,
     colors: Option<&Image<[u8; 4]>>,
@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bytes_of_two_points() {
+    fn encodes_two_points() {
         let mut cloud = Cloud {
             points: &[[1.0, 2.0, -0.5], [0.0; 3]],
             normals: Some(&[[0.0, 0.0, 1.0]; 2]),
@@ -124,7 +124,7 @@ mod tests {
         cloud.normals = Some(&[]);
         assert_eq!(
             encode(&cloud).unwrap_err().to_string(),
-            "PLY: vertex: 0 normals for 2 points; give one for each point"
+            "PLY: vertex: 0 normals for 2 points; pass one for each point"
         );
     }
 }

@@ -1,7 +1,7 @@
-//! PNG: grey of 8 and 16 bits, RGB and RGBA of 8 bits, bit for bit there and back.
+//! PNG: grey of 8 and 16 bits, RGB and RGBA of 8 bits, lossless.
 //!
-//! Files are made to be written fast rather than small: twenty times faster than the usual compression, about twice as
-//! large.
+//! Encoding is optimized for speed rather than size: it is twenty times faster than with the default compression, and files are
+//! about twice as large.
 
 use ::png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Limits, Transformations};
 
@@ -10,10 +10,10 @@ use crate::{CodecError, Image};
 
 const FORMAT: &str = "PNG";
 
-/// Bytes that DEFLATE can make of one; a file that claims more is lying.
-const LARGEST_RATIO: usize = 1032;
+/// The maximum compression ratio of DEFLATE; a header that claims more is invalid.
+const MAX_RATIO: usize = 1032;
 
-/// A pixel that PNG knows.
+/// A pixel type that PNG supports.
 pub trait PngPixel: Copy + sealed::Pixel {}
 
 mod sealed {
@@ -23,7 +23,7 @@ mod sealed {
         const COLOR: ColorType;
         const DEPTH: BitDepth;
         const NAME: &'static str;
-        /// Appends samples as PNG has them, the most significant byte first.
+        /// Appends samples, most significant byte first.
         fn put(pixels: &[Self], out: &mut Vec<u8>);
         fn get(bytes: &[u8]) -> Vec<Self>;
     }
@@ -69,10 +69,10 @@ fn get_samples<const N: usize>(bytes: &[u8]) -> Vec<[u8; N]> {
     bytes.as_chunks().0.to_vec()
 }
 
-/// A file of an image.
+/// Encodes an image.
 ///
 /// # Errors
-/// An image without pixels, which PNG does not have, or one over 2³¹ − 1 pixels on a side.
+/// Returns an error if the image has no pixels or more than 2³¹ − 1 pixels on a side, which PNG does not support.
 pub fn encode<P: PngPixel>(image: &Image<P>) -> Result<Vec<u8>, CodecError> {
     let refused = |error: ::png::EncodingError| {
         CodecError::new(
@@ -96,21 +96,21 @@ pub fn encode<P: PngPixel>(image: &Image<P>) -> Result<Vec<u8>, CodecError> {
     Ok(out)
 }
 
-/// The image in a file that holds just such pixels.
+/// Decodes an image of exactly this pixel type.
 ///
 /// # Errors
-/// Bytes that are no PNG, or a PNG of other pixels.
+/// Returns an error if the bytes are not a PNG of this pixel type.
 pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
     let broken = |place: &'static str, problem: String| {
         CodecError::new(
             FORMAT,
             place,
             problem,
-            "the file is cut off or damaged: copy it again",
+            "the file is truncated or damaged; copy it again",
         )
     };
     let limits = Limits {
-        bytes: bytes.len().saturating_mul(LARGEST_RATIO),
+        bytes: bytes.len().saturating_mul(MAX_RATIO),
     };
     let mut decoder = Decoder::new_with_limits(std::io::Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::IDENTITY);
@@ -123,13 +123,13 @@ pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
         return Err(CodecError::new(
             FORMAT,
             "header",
-            format!("{color:?} of {} bits where {} is expected", depth as u8, P::NAME),
+            format!("{color:?} of {} bits, expected {}", depth as u8, P::NAME),
             "convert the image",
         ));
     }
     let size = reader
         .output_buffer_size()
-        .filter(|&size| size <= bytes.len().saturating_mul(LARGEST_RATIO))
+        .filter(|&size| size <= bytes.len().saturating_mul(MAX_RATIO))
         .ok_or_else(|| {
             broken(
                 "header",
@@ -140,7 +140,7 @@ pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
     reader
         .next_frame(&mut samples)
         .map_err(|error| broken("pixels", error.to_string()))?;
-    Image::new(width, height, P::get(&samples)).ok_or_else(|| broken("pixels", "not all are there".into()))
+    Image::new(width, height, P::get(&samples)).ok_or_else(|| broken("pixels", "incomplete".into()))
 }
 
 #[cfg(test)]
@@ -149,7 +149,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn signature_and_header() {
+    fn writes_signature_and_header() {
         let file = encode(&Image::new(2, 1, vec![0x1234u16, 7]).unwrap()).unwrap();
         assert_eq!(file[..8], *b"\x89PNG\r\n\x1a\n");
         // Width, height, 16 bits, grey, DEFLATE, filters, not interlaced.
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         let error = encode(&Image::<u8>::filled(0, 3, 0)).unwrap_err().to_string();
         assert!(error.starts_with("PNG: image: 0 × 3: "), "{error}");
         let grey = encode(&Image::filled(2, 2, 7u8)).unwrap();
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_header_that_promises_too_much_is_refused_before_memory_is_taken() {
+    fn rejects_huge_headers_before_allocating() {
         let mut file = encode(&Image::filled(2, 2, 7u8)).unwrap();
         file[16..24].copy_from_slice(&[0x7F, 0xFF, 0xFF, 0xFF, 0x7F, 0xFF, 0xFF, 0xFF]);
         // The header's checksum.
@@ -207,7 +207,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_bit_comes_back(
+        fn round_trip_is_lossless(
             width in 1u32..20, grey in prop::collection::vec(any::<u16>(), 0..400),
             rgb in prop::collection::vec(any::<[u8; 3]>(), 0..400),
             rgba in prop::collection::vec(any::<[u8; 4]>(), 0..400),
@@ -219,7 +219,7 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_are_an_error_or_an_image(at in 0usize..90, value: u8, cut in 0usize..200) {
+        fn never_panics_on_damaged_files(at in 0usize..90, value: u8, cut in 0usize..200) {
             let mut file = encode(&Image::new(4, 4, (0..16).collect::<Vec<u16>>()).unwrap()).unwrap();
             let at = at % file.len();
             file[at] = value;

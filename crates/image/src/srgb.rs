@@ -1,8 +1,8 @@
-//! sRGB's transfer function (IEC 61966-2-1), by tables.
+//! The transfer function of sRGB (IEC 61966-2-1) as tables.
 
 use std::sync::LazyLock;
 
-/// The linear value, 0 to 1, of an sRGB value of 0 to 1.
+/// Converts an sRGB value of 0 to 1 to a linear one.
 fn linear(srgb: f64) -> f64 {
     if srgb <= 0.040_45 {
         srgb / 12.92
@@ -17,20 +17,20 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     std::array::from_fn(of)
 });
 
-/// The linear values from which on each sRGB value but the first is the nearest.
+/// The smallest linear value that rounds to each sRGB value except the first.
 static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     #[expect(clippy::cast_possible_truncation, reason = "rounded to float32")]
     let of = |i: usize| linear((i as f64 + 0.5) / 255.0) as f32;
     std::array::from_fn(of)
 });
 
-/// The linear values, 0 to 1, of all sRGB values.
+/// Returns the linear values, 0 to 1, of all sRGB values.
 #[must_use]
 pub fn linear_from_srgb() -> &'static [f32; 256] {
     &LINEAR
 }
 
-/// The sRGB value that is nearest to a linear one; below 0 (and NaN) is 0, above 1 is 255.
+/// Returns the sRGB value nearest to a linear one. Values below 0 and NaN become 0, values above 1 become 255.
 #[must_use]
 pub fn srgb_from_linear(linear: f32) -> u8 {
     let below = STEPS.partition_point(|&step| step <= linear);
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn there_and_back() {
+    fn round_trip() {
         for (value, &linear) in (0u8..=255).zip(linear_from_srgb()) {
             assert_eq!(srgb_from_linear(linear), value);
         }
@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn out_of_range() {
+    fn clamps_out_of_range_values() {
         let values = [-1.0, f32::NAN, f32::NEG_INFINITY, 1.5, f32::INFINITY, 0.214];
         assert_eq!(values.map(srgb_from_linear), [0, 0, 0, 255, 255, 127]);
     }

@@ -1,4 +1,4 @@
-//! Pictures that others made, as textures: JPEG, PNG, BMP, TGA, WebP, Radiance HDR and `OpenEXR`.
+//! Textures in common formats: JPEG, PNG, BMP, TGA, WebP, Radiance HDR and `OpenEXR`.
 //!
 //! Embedded colour profiles and orientations are not applied, as in USD and glTF.
 
@@ -9,20 +9,20 @@ use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::{CodecError, Image, exr, limits};
 
-/// What an image says of its colours.
+/// A decoded image in its own colour space.
 enum Decoded {
-    /// sRGB and, where the file has it, coverage.
+    /// sRGB with alpha.
     Srgb(Image<[u8; 4]>),
-    /// Linear.
+    /// Linear colours.
     Linear(Image<[f32; 3]>),
 }
 
-/// A texture in sRGB with coverage (255 where the file has none). High dynamic range is cut at 1.
+/// Decodes a texture to sRGB with alpha (255 if the file has none). High dynamic range is clipped at 1.
 ///
-/// `extension` is the file's, without the dot; it decides only where the bytes do not say what they are (TGA).
+/// `extension` is that of the file, without the dot. It is used only if the bytes do not identify the format (TGA).
 ///
 /// # Errors
-/// Bytes that are no such picture, or one that is larger than its file can hold or has 2³¹ pixels or more.
+/// Returns an error if the format is not supported, the file is damaged, or the image has 2³¹ pixels or more.
 pub fn decode_srgb(bytes: &[u8], extension: Option<&str>) -> Result<Image<[u8; 4]>, CodecError> {
     Ok(match decode(bytes, extension)? {
         Decoded::Srgb(image) => image,
@@ -33,10 +33,10 @@ pub fn decode_srgb(bytes: &[u8], extension: Option<&str>) -> Result<Image<[u8; 4
     })
 }
 
-/// A texture in linear light, such as a dome's. Pictures of 8 bits are taken to be sRGB.
+/// Decodes a texture to linear colours, for example of a dome light. Images of 8 bits are assumed to be sRGB.
 ///
 /// # Errors
-/// As [`decode_srgb`].
+/// Returns the same errors as [`decode_srgb`].
 pub fn decode_linear(bytes: &[u8], extension: Option<&str>) -> Result<Image<[f32; 3]>, CodecError> {
     Ok(match decode(bytes, extension)? {
         Decoded::Srgb(image) => {
@@ -59,7 +59,7 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
             CodecError::new(
                 "image",
                 "byte 0",
-                "not a format that is read",
+                "unsupported format",
                 "convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR",
             )
         })?;
@@ -77,7 +77,7 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
             name,
             place,
             error.to_string(),
-            "the file is cut off or damaged: save it again",
+            "the file is truncated or damaged; save it again",
         )
     };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
@@ -94,7 +94,7 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
         bytes.len(),
     )?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| broken("pixels", &error))?;
-    let incomplete = || broken("pixels", &"not all are there");
+    let incomplete = || broken("pixels", &"incomplete");
     Ok(match image {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
             let pixels = image.into_rgb32f().into_raw().as_chunks().0.to_vec();
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn every_format_is_read() {
+    fn reads_all_formats() {
         for format in [
             ImageFormat::Png,
             ImageFormat::Bmp,
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn eight_bits_are_srgb() {
+    fn converts_8_bits_from_srgb() {
         let png = crate::png::encode(&Image::filled(1, 1, [255u8, 0, 188])).unwrap();
         let [r, g, b] = decode_linear(&png, None).unwrap().pixels()[0];
         assert_eq!((r, g), (1.0, 0.0));
@@ -163,11 +163,11 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         let says = |bytes: &[u8], extension| decode_srgb(bytes, extension).unwrap_err().to_string();
         assert_eq!(
             says(b"GIF89a", None),
-            "image: byte 0: not a format that is read; convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR"
+            "image: byte 0: unsupported format; convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR"
         );
         assert!(says(b"", Some("tga")).starts_with("TGA: header: "));
         assert!(says(&picture(ImageFormat::Jpeg)[..60], None).starts_with("JPEG: "));
@@ -183,7 +183,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn damaged_bytes_are_an_error_or_an_image(
+        fn never_panics_on_damaged_files(
             which in 0usize..6, at: prop::sample::Index, value: u8, cut: prop::sample::Index,
         ) {
             use ImageFormat::{Bmp, Hdr, Jpeg, Png, Tga, WebP};

@@ -1,6 +1,6 @@
 use crate::Image;
 
-/// An image of pixels `T` that somebody else holds, row by row from the top, without padding.
+/// A borrowed image of pixels `T`, row by row from the top, without padding.
 #[derive(Debug, PartialEq)]
 pub struct ImageView<'a, T> {
     width: u32,
@@ -8,7 +8,7 @@ pub struct ImageView<'a, T> {
     pixels: &'a [T],
 }
 
-// Not derived: a view of what cannot be copied is copied too.
+// Not derived, because views are copied even if their pixels cannot be.
 impl<T> Clone for ImageView<'_, T> {
     fn clone(&self) -> Self {
         *self
@@ -18,7 +18,7 @@ impl<T> Clone for ImageView<'_, T> {
 impl<T> Copy for ImageView<'_, T> {}
 
 impl<'a, T> ImageView<'a, T> {
-    /// Of its pixels, row by row; `None` where their number is not `width × height`.
+    /// Creates an image from its pixels, row by row, or returns `None` if their number is not `width × height`.
     #[must_use]
     pub fn new(width: u32, height: u32, pixels: &'a [T]) -> Option<Self> {
         (pixels.len() == width as usize * height as usize).then_some(Self {
@@ -28,25 +28,25 @@ impl<'a, T> ImageView<'a, T> {
         })
     }
 
-    /// Columns, px.
+    /// Returns the number of columns.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Rows, px.
+    /// Returns the number of rows.
     #[must_use]
     pub fn height(&self) -> u32 {
         self.height
     }
 
-    /// All pixels, row by row.
+    /// Returns the pixels, row by row.
     #[must_use]
     pub fn pixels(&self) -> &'a [T] {
         self.pixels
     }
 
-    /// The rows, from the top. An image without columns has none.
+    /// Returns the rows from the top. An image without columns has none.
     pub fn rows(&self) -> std::slice::ChunksExact<'a, T> {
         self.pixels.chunks_exact((self.width as usize).max(1))
     }

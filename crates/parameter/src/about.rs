@@ -72,6 +72,8 @@ impl Serialize for Source {
 pub struct About {
     /// The name: `DepthAI`'s or NVIDIA's where there is one.
     pub name: &'static str,
+    /// The path of the field in its struct.
+    pub field: &'static str,
     /// Another name that is accepted too; empty if there is none.
     pub alias: &'static str,
     /// The kind of values.
@@ -98,6 +100,7 @@ impl About {
     pub const fn new(name: &'static str) -> Self {
         Self {
             name,
+            field: "",
             alias: "",
             kind: Kind::Flag,
             unit: "",
@@ -174,11 +177,26 @@ impl About {
         Self { source, ..self }
     }
 
-    /// The same with the kind of values and the documentation.
+    /// The same with its field, the kind of values and the documentation.
     #[must_use]
-    pub const fn of(self, kind: Kind, doc: &'static str) -> Self {
+    pub const fn of(self, field: &'static str, kind: Kind, doc: &'static str) -> Self {
         let doc = doc.trim_ascii();
-        Self { kind, doc, ..self }
+        Self {
+            field,
+            kind,
+            doc,
+            ..self
+        }
+    }
+
+    /// The first sentence of the documentation, without its full stop.
+    #[must_use]
+    pub fn summary(&self) -> &'static str {
+        let end = [". ", ": ", "; "]
+            .iter()
+            .filter_map(|mark| self.doc.find(mark))
+            .min();
+        end.map_or(self.doc.trim_end_matches('.'), |end| &self.doc[..end])
     }
 
     /// Whether the parameter accepts this number.
@@ -209,7 +227,7 @@ impl About {
         Some(format!("{range} {}", self.unit).trim_end().to_owned())
     }
 
-    /// What a valid value is, for an error: `expected a number: 0 to 10 px`.
+    /// What a valid value is, for an error: `expected a number from 0 to 10 px`.
     #[must_use]
     pub fn expectation(&self) -> String {
         let what = match self.kind {
@@ -220,10 +238,15 @@ impl About {
             Kind::Number => "a number",
             Kind::Text(what) => what,
         };
-        match self.range_text() {
-            Some(range) => format!("expected {what}: {range}"),
-            None if self.unit.is_empty() => format!("expected {what}"),
-            None => format!("expected {what} in {}", self.unit),
-        }
+        let (min, max, unit) = (self.min, self.max, self.unit);
+        let expected = match (min, max) {
+            (f64::MIN, f64::MAX) if unit.is_empty() => format!("expected {what}"),
+            (f64::MIN, f64::MAX) => format!("expected {what} in {unit}"),
+            (f64::MIN_POSITIVE, f64::MAX) => format!("expected {what} above 0 {unit}"),
+            (_, f64::MAX) => format!("expected {what} of at least {min} {unit}"),
+            _ if self.step > 0.0 => format!("expected {}", self.range_text().unwrap_or_default()),
+            _ => format!("expected {what} from {min} to {max} {unit}"),
+        };
+        expected.trim_end().to_owned()
     }
 }

@@ -26,7 +26,7 @@
 /// noise.set("sigma", "0.5")?;
 /// assert_eq!(noise.sigma_px, 0.5);
 /// let error = noise.set("sigma", "11").unwrap_err();
-/// assert_eq!(error.to_string(), "sigma: 11 is out of range; expected a number: 0 to 10 px");
+/// assert_eq!(error.to_string(), "sigma: 11 is out of range; expected a number from 0 to 10 px");
 /// # Ok::<(), oaktwin_parameter::ParameterError>(())
 /// ```
 #[macro_export]
@@ -191,7 +191,8 @@ macro_rules! parameter_row {
     };
     (@of ($($path:ident).+) $ty:ty, $doc:expr, $View:ty, $name:literal, $($chain:tt)*) => {
         $crate::Row {
-            about: $crate::About::new($name) $($chain)*.of(<$View as $crate::View<$ty>>::KIND, $doc),
+            about: $crate::About::new($name) $($chain)*
+                .of(stringify!($($path).+), <$View as $crate::View<$ty>>::KIND, $doc),
             get: |p| <$View as $crate::View<$ty>>::get(&p.$($path).+),
             set: |p, text| <$View as $crate::View<$ty>>::set(&mut p.$($path).+, text),
             numbers: |p| <$View as $crate::View<$ty>>::numbers(&p.$($path).+),

@@ -10,6 +10,7 @@ mod choice;
 mod declare;
 mod error;
 mod group;
+pub mod nvidia;
 mod platform;
 mod table;
 mod value;

@@ -88,15 +88,15 @@ fn errors_name_the_parameter_and_what_it_expects() {
     let mut error = |name, value| e.set(name, value).unwrap_err().to_string();
     assert_eq!(
         error("length", "x"),
-        "length: invalid value 'x'; expected a number: 0.5 to 10 px"
+        "length: invalid value 'x'; expected a number from 0.5 to 10 px"
     );
     assert_eq!(
         error("length", "11"),
-        "length: 11 is out of range; expected a number: 0.5 to 10 px"
+        "length: 11 is out of range; expected a number from 0.5 to 10 px"
     );
     assert_eq!(
         error("Length", "NaN"),
-        "length: must not be NaN; expected a number: 0.5 to 10 px"
+        "length: must not be NaN; expected a number from 0.5 to 10 px"
     );
     assert_eq!(
         error("strict", "maybe"),
@@ -104,7 +104,7 @@ fn errors_name_the_parameter_and_what_it_expects() {
     );
     assert_eq!(
         error("limits.window", "4"),
-        "limits.window: invalid value '4'; expected a whole number: 1, 3, 5 or 7"
+        "limits.window: invalid value '4'; expected 1, 3, 5 or 7"
     );
     assert_eq!(
         error("high", "-1"),

@@ -1,6 +1,6 @@
 use numpy::{PyArray1, PyArray2};
 use oaktwin::camera::{
-    self, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
+    self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
 };
 use oaktwin::render::{Clip, PlacedCamera, check_size};
 use pyo3::prelude::*;
@@ -9,22 +9,22 @@ use crate::choice::choose;
 use crate::error::{error, wrong};
 use crate::pose::{matrix, numbers, one_pose, rows};
 
-/// A camera: intrinsics, lens, and its place on a device.
+/// A camera: intrinsics, lens, and its pose on a device.
 ///
-/// Its own frame is OpenCV's: x right, y down, z forward; metres. Pixel coordinates are OpenCV's: the centre of the first
+/// Its frame is OpenCV's: x right, y down, z forward; metres. Pixel coordinates are OpenCV's: the centre of the first
 /// pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
 ///
 /// size: (width, height) of the image, px.
 /// K: camera matrix (3, 3), px; or give hfov_deg.
-/// hfov_deg: horizontal field of view of an ideal centred camera, degrees above 0 and below 180.
+/// hfov_deg: horizontal field of view of an ideal centred camera, degrees between 0 and 180.
 /// distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
 ///     "fisheye"; none by default.
-/// lens: "pinhole", "opencv" or "fisheye"; by default "opencv" where there is distortion.
-/// body_from_camera: (4, 4), the camera's place on its device; by default the identity.
-/// near, far: what is nearer or farther, metres, is not rendered.
-/// name: what messages call it.
+/// lens: "pinhole", "opencv" or "fisheye"; by default "opencv" if distortion is given, otherwise "pinhole".
+/// body_from_camera: (4, 4), the camera's pose on its device; by default the identity.
+/// near, far: the clipping range, metres.
+/// name: the name in messages.
 ///
-/// Raises oaktwin.Error for an image without pixels, a K or field of view that is no camera's, too many coefficients.
+/// Raises oaktwin.Error for an image without pixels, an invalid K or field of view, and too many coefficients.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Clone, Debug)]
 pub(crate) struct Camera {
@@ -34,7 +34,7 @@ pub(crate) struct Camera {
     pub(crate) body_from_camera: RigidTransform,
 }
 
-/// What a camera is, for pickles: its name, size, K, lens and coefficients, clipping range, and place on its device.
+/// The state of a camera in pickles: name, size, K, lens and coefficients, clipping range, and pose on its device.
 type State = (
     String,
     (u32, u32),
@@ -45,7 +45,7 @@ type State = (
     [[f64; 4]; 4],
 );
 
-/// The camera of a pickle, to the last bit.
+/// Restores the camera of a pickle without loss.
 #[pyfunction]
 #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
 pub(crate) fn _camera(
@@ -59,18 +59,7 @@ pub(crate) fn _camera(
 ) -> PyResult<Camera> {
     let size = ImageSize::new(size.0, size.1);
     check_size(size).map_err(error)?;
-    let lens = match lens {
-        "pinhole" => LensModel::Pinhole,
-        "opencv" => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
-        "fisheye" => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
-        other => {
-            return Err(wrong(
-                "lens",
-                format_args!("there is no `{other}`"),
-                "pickle it again",
-            ));
-        }
-    };
+    let lens = self::lens(lens, &coefficients)?;
     Ok(Camera {
         name,
         camera: camera::Camera::new(Intrinsics::from_opencv_matrix(size, k), lens),
@@ -84,27 +73,23 @@ pub(crate) fn _camera(
 
 impl Camera {
     fn state(&self) -> PyResult<State> {
-        let coefficients = match &self.camera.lens {
-            LensModel::Pinhole => Vec::new(),
-            LensModel::OpenCvPinhole(lens) => lens.coefficients.to_vec(),
-            LensModel::OpenCvFisheye(lens) => lens.k.to_vec(),
-            LensModel::FTheta(_) => {
-                let remedy = "open the scene that has it where it is wanted";
-                return Err(wrong(&self.name, "an f-theta lens cannot be pickled", remedy));
-            }
-        };
+        let lens = &self.camera.lens;
+        if LensFamily::of(lens).is_none() {
+            let what = format!("its {} lens cannot be pickled", lens.names().option);
+            return Err(wrong(&self.name, what, "open its scene again instead"));
+        }
         Ok((
             self.name.clone(),
             self.size(),
             self.camera.intrinsics.opencv_matrix(),
             self.lens(),
-            coefficients,
+            lens.coefficients().to_vec(),
             self.clip(),
             self.body_from_camera.rows(),
         ))
     }
 
-    /// One that an asset would have.
+    /// Creates the camera of an asset.
     pub(crate) fn placed(name: &str, placed: &PlacedCamera) -> Self {
         Self {
             name: name.to_owned(),
@@ -114,7 +99,7 @@ impl Camera {
         }
     }
 
-    /// That of a stereo pair's depth.
+    /// Creates the camera of a stereo pair's depth images.
     pub(crate) fn rectified(camera: camera::Camera, body_from_camera: RigidTransform) -> Self {
         Self {
             name: "depth".to_owned(),
@@ -136,6 +121,15 @@ impl Camera {
     }
 }
 
+fn lens(name: &str, coefficients: &[f64]) -> PyResult<LensModel> {
+    let families: Vec<_> = LensFamily::ALL
+        .iter()
+        .map(|family| (family.name, family))
+        .collect();
+    let family = choose("lens", name, &families)?;
+    (family.from_coefficients)(coefficients).map_err(|found| error(format!("distortion: {found}")))
+}
+
 fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f64>) -> PyResult<Intrinsics> {
     match (k, hfov_deg) {
         (Some(k), None) => {
@@ -146,7 +140,7 @@ fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f6
                 return Err(wrong(
                     "K",
                     format_args!("has shape {shape:?}"),
-                    "give a 3x3 camera matrix",
+                    "pass a 3x3 camera matrix",
                 ));
             };
             let made = Intrinsics::from_opencv_matrix(size, [*a, *b, *c]);
@@ -161,8 +155,8 @@ fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f6
             } else {
                 Err(wrong(
                     "K",
-                    "is no camera matrix",
-                    "give [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], px",
+                    "is not a camera matrix",
+                    "pass [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], px",
                 ))
             }
         }
@@ -170,13 +164,13 @@ fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f6
             Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
         }
         (None, Some(hfov)) => {
-            let is = format!("{hfov} is no field of view");
-            Err(wrong("hfov_deg", is, "give degrees between 0 and 180"))
+            let is = format!("{hfov} is out of range");
+            Err(wrong("hfov_deg", is, "pass degrees between 0 and 180"))
         }
         _ => Err(wrong(
             "K, hfov_deg",
-            "one of both says what the camera sees",
-            "give one",
+            "exactly one is required",
+            "pass one of them",
         )),
     }
 }
@@ -187,7 +181,7 @@ impl Camera {
     #[pyo3(signature = (size, *, K = None, hfov_deg = None, distortion = None, lens = None, body_from_camera = None,
         near = 0.01, far = 1e7, name = "camera"))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
-    #[expect(non_snake_case, reason = "what the camera matrix is called")]
+    #[expect(non_snake_case, reason = "the usual name of the camera matrix")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn new(
         size: (u32, u32),
@@ -205,22 +199,14 @@ impl Camera {
         let intrinsics = intrinsics(size, K.as_ref(), hfov_deg)?;
         let default = if distortion.is_some() { "opencv" } else { "pinhole" };
         let coefficients = distortion.unwrap_or_default();
-        let names = [("pinhole", 0u8), ("opencv", 1), ("fisheye", 2)];
-        let lens = match choose("lens", lens.unwrap_or(default), &names)? {
-            0 if coefficients.is_empty() => LensModel::Pinhole,
-            0 => {
-                return Err(wrong(
-                    "distortion",
-                    "a pinhole has none",
-                    "leave it out, or the lens",
-                ));
-            }
-            1 => LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&coefficients).map_err(error)?),
-            _ => LensModel::OpenCvFisheye(OpenCvFisheye::from_slice(&coefficients).map_err(error)?),
-        };
+        let lens = self::lens(lens.unwrap_or(default), &coefficients)?;
         if !(near > 0.0 && far > near) {
-            let is = format!("{near} to {far} m is no range");
-            return Err(wrong("near, far", is, "give metres, near above 0 and below far"));
+            let is = format!("{near} to {far} m is not a valid range");
+            return Err(wrong(
+                "near, far",
+                is,
+                "pass metres, with near above 0 and below far",
+            ));
         }
         let body_from_camera = match &body_from_camera {
             Some(pose) => one_pose("body_from_camera", pose)?,
@@ -237,7 +223,7 @@ impl Camera {
         })
     }
 
-    /// What messages call it: the role on its device.
+    /// The name in messages: the role on its device.
     #[getter]
     fn name(&self) -> &str {
         &self.name
@@ -249,24 +235,19 @@ impl Camera {
         matrix(py, &self.camera.intrinsics.opencv_matrix())
     }
 
-    /// The lens model: "pinhole", "opencv" or "fisheye".
+    /// The lens model: "pinhole", "opencv" or "fisheye"; "f-theta" for cameras of scenes.
     #[getter]
     fn lens(&self) -> &'static str {
-        match self.camera.lens {
-            LensModel::Pinhole => "pinhole",
-            LensModel::OpenCvPinhole(_) => "opencv",
-            LensModel::OpenCvFisheye(_) => "fisheye",
-            LensModel::FTheta(_) => "f-theta",
-        }
+        self.camera.lens.names().option
     }
 
-    /// The lens's coefficients in OpenCV's order: (14,) of "opencv", (4,) of "fisheye", (0,) of "pinhole".
+    /// The lens coefficients in OpenCV's order: (14,) for "opencv", (4,) for "fisheye", (0,) for "pinhole".
     #[getter]
     fn distortion<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        match &self.camera.lens {
-            LensModel::OpenCvPinhole(lens) => PyArray1::from_slice(py, &lens.coefficients),
-            LensModel::OpenCvFisheye(lens) => PyArray1::from_slice(py, &lens.k),
-            LensModel::Pinhole | LensModel::FTheta(_) => PyArray1::from_slice(py, &[]),
+        let lens = &self.camera.lens;
+        match LensFamily::of(lens) {
+            Some(_) => PyArray1::from_slice(py, lens.coefficients()),
+            None => PyArray1::from_slice(py, &[]),
         }
     }
 
@@ -277,13 +258,13 @@ impl Camera {
         (size.width, size.height)
     }
 
-    /// Columns of the image, px.
+    /// The width of the image, px.
     #[getter]
     fn width(&self) -> u32 {
         self.size().0
     }
 
-    /// Rows of the image, px.
+    /// The height of the image, px.
     #[getter]
     fn height(&self) -> u32 {
         self.size().1
@@ -301,23 +282,23 @@ impl Camera {
         self.camera.intrinsics.vfov().to_degrees()
     }
 
-    /// What is rendered: (nearest, farthest), metres.
+    /// The clipping range (near, far), metres.
     #[getter]
     fn clip(&self) -> (f64, f64) {
         (self.clip.near_m, self.clip.far_m)
     }
 
-    /// (4, 4): from the camera's frame (x right, y down, z forward) to the device's body (x forward, y left, z up, its origin
+    /// (4, 4): the transform from the camera's frame (x right, y down, z forward) to the device's body (x forward, y left, z up, its origin
     /// midway between left and right), metres.
     #[getter]
     fn body_from_camera<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         rows(py, &self.body_from_camera)
     }
 
-    /// The same camera at another image size, as DepthAI computes it.
+    /// Returns the camera at another image size, as DepthAI computes it.
     ///
     /// width, height: px.
-    /// keep_aspect_ratio: scale to cover the size and cut off what is too much; else each axis by itself.
+    /// keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
     ///
     /// Raises oaktwin.Error for an image without pixels.
     #[pyo3(signature = (width, height, *, keep_aspect_ratio = true))]
@@ -327,16 +308,16 @@ impl Camera {
         self.with(self.camera.intrinsics.resized(size, keep_aspect_ratio))
     }
 
-    /// The camera of a part of the image: width x height pixels from (x, y) on, the upper left corner of the part.
+    /// Returns the camera of a part of the image: width x height pixels with the upper left corner (x, y).
     ///
-    /// Raises oaktwin.Error for an image without pixels, or a corner that is no place.
+    /// Raises oaktwin.Error for an image without pixels, or a corner that is not finite.
     #[pyo3(signature = (x, y, width, height))]
     fn cropped(&self, x: f64, y: f64, width: u32, height: u32) -> PyResult<Self> {
         if !(x.is_finite() && y.is_finite()) {
             return Err(wrong(
                 "x, y",
-                format_args!("({x}, {y}) is no place"),
-                "give pixels",
+                format_args!("({x}, {y}) is not finite"),
+                "pass pixels",
             ));
         }
         let corner = PixelPoint::<OpenCv>::new(x, y);

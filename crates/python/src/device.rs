@@ -27,11 +27,11 @@ use crate::settings::kind;
 
 const LENSES: [(&str, LensChoice); 2] = [("pinhole", LensChoice::Pinhole), ("fisheye", LensChoice::Fisheye)];
 
-/// The names of all models, as `Device` takes them.
+/// Returns the names of all models for `Device`.
 ///
-/// catalog: a folder of your own, as of `Device`.
+/// catalog: a folder with more models, see `Device`.
 ///
-/// Raises oaktwin.Error for a folder or a file in it that is no catalog's.
+/// Raises oaktwin.Error for an invalid folder or file.
 #[pyfunction]
 #[pyo3(signature = (*, catalog = None))]
 pub(crate) fn models(catalog: Option<PathBuf>) -> PyResult<Vec<String>> {
@@ -40,7 +40,7 @@ pub(crate) fn models(catalog: Option<PathBuf>) -> PyResult<Vec<String>> {
     Ok(devices.map(|device| device.name.clone()).collect())
 }
 
-/// The catalog that comes with the package, or with a folder of somebody's own.
+/// The built-in catalog, optionally with a user's folder.
 #[derive(Clone, Debug)]
 struct Models(Option<(PathBuf, Arc<Catalog>)>);
 
@@ -48,7 +48,7 @@ impl Models {
     fn open(folder: Option<PathBuf>) -> PyResult<Self> {
         let open = |folder: PathBuf| {
             let catalog = Catalog::with_dir(&folder).map_err(error)?;
-            // Where a pickle of the device finds it again.
+            // The absolute path, for pickles of the device.
             let folder = std::path::absolute(&folder).unwrap_or(folder);
             Ok::<_, PyErr>((folder, Arc::new(catalog)))
         };
@@ -71,16 +71,16 @@ impl Models {
     }
 }
 
-/// A digital twin of a Luxonis OAK: a model of the catalog, nominal, or one unit of it by its calibration.
+/// A digital twin of a Luxonis OAK: the nominal device of a model, or one unit by its calibration.
 ///
-/// model: the name; case, spaces, hyphens and underscores do not matter: "OAK4-D", "oak-d-pro-poe". See `models()`.
+/// model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
 /// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
-/// catalog: a folder of TOML files, your own devices and sensors beside those that are known. A pickle reads it again.
+/// catalog: a folder of TOML files with additional devices and sensors. Unpickling reads it again.
 ///
-/// Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, its origin midway
+/// Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, with the origin midway
 /// between the left and right optical centres. Metres.
 ///
-/// Raises oaktwin.Error for a name that is no model's, with the nearest ones, or a lens that the model has not.
+/// Raises oaktwin.Error for an unknown model, with the nearest names, or a lens that the model does not have.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Device {
@@ -98,7 +98,7 @@ struct Calibrated {
     force: bool,
 }
 
-/// The device of a pickle; a calibration's text travels in it.
+/// Restores the device of a pickle, which contains the text of the calibration.
 #[pyfunction]
 pub(crate) fn _device(
     model: &str,
@@ -139,7 +139,7 @@ impl Device {
         })
     }
 
-    /// The twin of the unit that a calibration is of.
+    /// Creates the twin of a calibrated unit.
     fn unit(
         models: Models,
         raw: Raw,
@@ -156,7 +156,7 @@ impl Device {
                 let product = &calibration.board.product_name;
                 models.get().device(product).map_err(|unknown| {
                     let place = format!("{}: productName", path.display());
-                    wrong(place, unknown, "say model=, which unit it is")
+                    wrong(place, unknown, "pass model=")
                 })?
             }
         };
@@ -169,7 +169,7 @@ impl Device {
         Self::new(twin, lens, models, Some(calibrated), findings)
     }
 
-    /// The camera of a role, prim or depth sensor.
+    /// Returns the camera of a role, prim or depth sensor.
     fn placed(&self, name: &str) -> PyResult<Camera> {
         let names = [name.to_owned()];
         let options = OakOptions {
@@ -180,7 +180,7 @@ impl Device {
         let (placed, _) = oak_cameras(&self.twin, &RigidTransform::IDENTITY, &options).map_err(error)?;
         let first = placed
             .first()
-            .ok_or_else(|| wrong(name, "is no camera", "see cameras"))?;
+            .ok_or_else(|| wrong(name, "unknown camera", "see cameras"))?;
         Ok(Camera::placed(name, first))
     }
 
@@ -226,16 +226,16 @@ impl Device {
         Self::new(twin, lens, models, None, Vec::new())
     }
 
-    /// The twin of the unit that a DepthAI calibration (JSON) is of.
+    /// Creates the twin of one unit from its DepthAI calibration (JSON).
     ///
     /// path: the file.
-    /// model: which model the unit is; by default the file's product name says it.
-    /// force: use the calibration in spite of errors found in it, which become findings.
-    /// lens: as of `Device`; a calibrated camera has its own lens whatever is asked.
-    /// catalog: as of `Device`.
+    /// model: the model of the unit; by default the product name in the file.
+    /// force: whether to ignore calibration errors, which become findings.
+    /// lens: see `Device`; a calibrated camera always has its own lens.
+    /// catalog: see `Device`.
     ///
-    /// What is odd in the file is in `findings`. Raises FileNotFoundError and other OSErrors for what cannot be read,
-    /// oaktwin.Error for what is no calibration or not one of this model.
+    /// Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
+    /// oaktwin.Error for an invalid calibration or one of another model.
     #[staticmethod]
     #[pyo3(signature = (path, model = None, *, force = false, lens = "pinhole", catalog = None))]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
@@ -261,7 +261,7 @@ impl Device {
         Ok((restore, state).into_pyobject(py)?.into_any())
     }
 
-    /// What people call the model.
+    /// The name of the model.
     #[getter]
     fn name(&self) -> &str {
         &self.twin.device.name
@@ -276,7 +276,7 @@ impl Device {
         }
     }
 
-    /// What is odd in the calibration.
+    /// The findings about the calibration.
     #[getter]
     fn findings(&self) -> Vec<Finding> {
         finding::list(&self.findings)
@@ -289,17 +289,17 @@ impl Device {
         roles.map(|role| Ok((role, self.placed(role)?))).collect()
     }
 
-    /// The camera that a depth sensor's images are of: the rectified pinhole at the place of the camera it stands for, with
-    /// the depth sensor's clipping range.
+    /// Returns the camera of a depth sensor's images: the rectified pinhole at the pose of its reference camera, with the depth
+    /// sensor's clipping range.
     ///
-    /// sensor: "stereo" or "tof"; by default time of flight where the device has it.
+    /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
     fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
         let sensor = sense::depth_sensor(&self.twin, kind(sensor)?).map_err(error)?;
         self.placed(&sensor.spec.prim)
     }
 
-    /// The parameters of the depth sensors by kind ("stereo", "tof"): the names are the catalog's, units in them.
+    /// The parameters of the depth sensors by kind ("stereo", "tof"), with the catalog's names, which include units.
     #[getter]
     fn depth_sensors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let sensors = PyDict::new(py);
@@ -327,17 +327,17 @@ impl Device {
 
     /// The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
     ///
-    /// intrinsics: of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
+    /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
     ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
     ///
-    /// Raises oaktwin.Error for a device without a pair, or whose cameras cannot be rectified.
+    /// Raises oaktwin.Error for a device without a stereo pair, or cameras that cannot be rectified.
     #[pyo3(signature = (*, intrinsics = "zero-disparity"))]
     fn rectification(&self, intrinsics: &str) -> PyResult<Rectification> {
         if [Role::Left, Role::Right]
             .iter()
             .any(|role| self.twin.camera(*role).is_none())
         {
-            return Err(wrong(self.name(), "it has no stereo pair", "use another model"));
+            return Err(wrong(self.name(), "has no stereo pair", "use another model"));
         }
         Rectification::of(self.placed("left")?, self.placed("right")?, intrinsics)
     }
@@ -345,18 +345,17 @@ impl Device {
     /// Writes the USD asset for Isaac Sim and Omniverse.
     ///
     /// path: the file: .usd or .usda for text, .usdz for a package.
-    /// isaac: the Isaac Sim that it is for, "5.1" or "6".
+    /// isaac: the version of Isaac Sim, "5.1" or "6".
     /// target: "isaac", or "ovrtx" (experimental).
-    /// aperture_offsets: how a calibrated principal point is written: "usd", "document" or "zero".
-    /// extended_disparity: the depth sensor's extended mode.
-    /// legacy_distortion: the old distortion attributes too.
-    /// rigid_body: with mass and collider.
-    /// body: with the visible body.
-    /// over: an asset of the model that is there: what is written is then a layer of overrides on it, which names it
-    ///     relative to its own folder.
+    /// aperture_offsets: the representation of a calibrated principal point: "usd", "document" or "zero".
+    /// extended_disparity: whether the depth sensor uses the extended mode.
+    /// legacy_distortion: whether to write the old distortion attributes too.
+    /// rigid_body: whether to add mass and a collider.
+    /// body: whether to add the visible body.
+    /// over: an existing asset of the model: the file is then a layer of overrides on it, which refers to it by a relative path.
     ///
-    /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model cannot have or another
-    /// extension, OSError for what cannot be written; no part of a file is left behind.
+    /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
+    /// extension, OSError for files that cannot be written; incomplete files are removed.
     #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "usd", extended_disparity = false,
         legacy_distortion = false, rigid_body = false, body = true, over = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
@@ -396,26 +395,26 @@ impl Device {
         finding::warn(py, &findings)
     }
 
-    /// ROS's camera_info YAML: a mapping from file names to texts, one a camera.
+    /// Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.
     ///
-    /// Warns with oaktwin.FindingWarning of what the format cannot say.
+    /// Warns with oaktwin.FindingWarning about information that the format cannot represent.
     fn to_ros<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::Ros)
     }
 
-    /// OpenCV's FileStorage YAML: a mapping from file names to texts, one a camera and "stereo.yml".
+    /// Returns OpenCV's FileStorage YAML: a mapping from file names to texts, one per camera and "stereo.yml".
     fn to_opencv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::OpenCv)
     }
 
-    /// Kalibr's camchain: a mapping from a file name to its text.
+    /// Returns Kalibr's camchain: a mapping from a file name to its text.
     ///
-    /// Warns with oaktwin.FindingWarning of what the format cannot say.
+    /// Warns with oaktwin.FindingWarning about information that the format cannot represent.
     fn to_kalibr<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::Kalibr)
     }
 
-    /// DepthAI's calibration JSON: a mapping from a file name to its text; of a nominal device that of the ideal unit.
+    /// Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit.
     fn to_depthai<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::DepthAi)
     }

@@ -6,7 +6,7 @@ use oaktwin::camera::ImageSize;
 use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
-use oaktwin::depth::stereo_matching::{NAMES, Pair};
+use oaktwin::depth::stereo_matching::{Pair, Parameters as Matching};
 use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::{Engine, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
@@ -339,7 +339,10 @@ impl StereoMatcher {
         let values = self.ask(py, |matcher| match matcher.sensor().engine() {
             Engine::StereoMatching(engine) => {
                 let value = |name| engine.parameters().get(name);
-                NAMES.iter().map(|name| Ok((*name, value(name)?))).collect()
+                Matching::names()
+                    .into_iter()
+                    .map(|name| Ok((name, value(name)?)))
+                    .collect()
             }
             _ => Ok(Vec::new()),
         });

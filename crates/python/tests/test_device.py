@@ -208,15 +208,15 @@ def test_cameras_of_ones_own():
     assert np.array_equal(oaktwin.Camera((4, 4), hfov_deg=9, body_from_camera=pose).body_from_camera, pose)
     bad = {
         "no pixel": dict(size=(0, 4), hfov_deg=3),
-        "no field of view": dict(size=(4, 4), hfov_deg=180),
-        "give one": dict(size=(4, 4)),
+        "is out of range": dict(size=(4, 4), hfov_deg=180),
+        "pass one of them": dict(size=(4, 4)),
         "3x3": dict(size=(4, 4), K=np.eye(4)),
-        "no camera matrix": dict(size=(4, 4), K=-np.eye(3)),
+        "not a camera matrix": dict(size=(4, 4), K=-np.eye(3)),
         "is not an array of numbers": dict(size=(4, 4), K="K"),
         "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
         "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),
-        "a pinhole has none": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
-        "no range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
+        "the model has at most 0": dict(size=(4, 4), hfov_deg=9, distortion=[0.1], lens="pinhole"),
+        "not a valid range": dict(size=(4, 4), hfov_deg=9, near=2, far=1),
         "there is no `wide`": dict(size=(4, 4), hfov_deg=9, lens="wide"),
     }
     for text, arguments in bad.items():

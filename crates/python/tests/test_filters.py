@@ -116,10 +116,10 @@ def test_bad_rooms(image):
 
 def test_bad_filters(image):
     for text, call in [
-        ("there is no filter \"medium\"; did you mean median?", lambda: oaktwin.Filter("medium")),
-        ("give 3, 5 or 7", lambda: oaktwin.filters.median(image, size=4)),
+        ("unknown filter 'medium'; did you mean 'median'?", lambda: oaktwin.Filter("medium")),
+        ("expected 3, 5 or 7", lambda: oaktwin.filters.median(image, size=4)),
         ("alpha: 2 is out of range", lambda: oaktwin.filters.spatial(image, alpha=2)),
-        ("give up to max", lambda: oaktwin.filters.threshold(image, min=9, max=3)),
+        ("9 is above max", lambda: oaktwin.filters.threshold(image, min=9, max=3)),
         ("has shape [60]", lambda: oaktwin.filters.median(image[0])),
         ("rgb: has shape", lambda: oaktwin.filters.brightness(image, np.zeros((3, 3, 3), np.uint8))),
     ]:

@@ -226,7 +226,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
         ({"engine": "steroe-noise"}, "engine: there is no `steroe-noise`; did you mean stereo-noise?"),
         ({"engine": "stereo-noise", "sensor": "tof"}, "has no such depth sensor; expected stereo"),
         ({"preset": "robotic"}, "did you mean ROBOTICS"),
-        ({"filters": ["medium"]}, "medium: there is no filter"),
+        ({"filters": ["medium"]}, "medium: unknown filter"),
         ({"parameters": {"windw": 7}}, "windw: stereo-noise has no such parameter; did you mean window"),
         ({"parameters": {"window": "wide"}}, "window"),
         ({"parameters": {"noiseSigma": 1}}, "it is a parameter of single-view"),

@@ -1,5 +1,5 @@
 use oaktwin_camera::math::DAffine3;
-use oaktwin_camera::{Camera, LensModel, RigidTransform};
+use oaktwin_camera::{Camera, RigidTransform};
 
 /// A camera with a pose: everything that determines the ray of a pixel.
 ///
@@ -26,7 +26,7 @@ impl View {
     /// Whether [`Clip`] is measured along the optical axis rather than along the ray.
     #[must_use]
     pub fn clips_along_axis(&self) -> bool {
-        matches!(self.camera.lens, LensModel::Pinhole | LensModel::OpenCvPinhole(_))
+        self.camera.lens.is_perspective()
     }
 }
 

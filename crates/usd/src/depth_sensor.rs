@@ -1,30 +1,31 @@
 //! The depth sensor of a stage: the authored attributes of NVIDIA's schemas on a render product or its camera.
 
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Table};
+
 use crate::asset::IsaacVersion;
 pub use crate::nvidia::OUTLIER_REMOVAL;
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::stage::{Attribute, Prim, RenderProduct, SceneCamera};
 
-/// The attributes of both schemas with their types in Isaac Sim 5.1; `outlierRemovalEnabled` is a `bool` in 6. The other
-/// `bool`s are switches. Source: Kit's schema; ovrtx documents the same fourteen.
-pub const ATTRIBUTES: [(&str, &str); 14] = [
-    ("baselineMM", "float"),
-    ("confidenceThreshold", "float"),
-    ("enabled", "bool"),
-    ("focalLengthPixel", "float"),
-    ("maxDisparityPixel", "float"),
-    ("maxDistance", "float"),
-    ("minDistance", "float"),
-    ("noiseDownscaleFactorPixel", "float"),
-    ("noiseMean", "float"),
-    ("noiseSigma", "float"),
-    (OUTLIER_REMOVAL, "int"),
-    ("rgbDepthOutputMode", "int"),
-    ("sensorSizePixel", "float"),
-    ("showDistance", "bool"),
-];
+/// The attributes of both schemas, sorted by name, with the types that Isaac Sim 5.1 gives them; `outlierRemovalEnabled` is a
+/// `bool` in 6. All other `bool`s are switches, the rest shapes what the sensor reports. Source: Kit's schema; ovrtx
+/// documents the same attributes.
+#[must_use]
+pub fn attribute_types() -> Vec<(&'static str, &'static str)> {
+    let type_of = |kind| match kind {
+        Kind::Flag => "bool",
+        Kind::Number => "float",
+        Kind::Integer | Kind::Choice(_) | Kind::Text(_) => "int",
+    };
+    let mut types: Vec<_> = Attributes::rows()
+        .map(|row| (row.about.name, type_of(row.about.kind)))
+        .collect();
+    types.sort_unstable();
+    types
+}
 
-/// The authored attributes of a depth sensor; unauthored ones have the schema's defaults.
+/// The attributes that a stage authors for a depth sensor; all others have the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthSensor {
     prim: Prim,

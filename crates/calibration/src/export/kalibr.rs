@@ -1,6 +1,6 @@
 use std::fmt::Write as _;
 
-use oaktwin_camera::{LensModel, OpenCv};
+use oaktwin_camera::{LensModel, OpenCv, OpenCvLens};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::{equidistant, error_px, radial_tangential};
@@ -8,8 +8,8 @@ use super::text::list;
 use super::{Export, camera_name};
 use crate::{Calibration, CalibrationError, CameraCalibration, Socket};
 
-/// `camchain.yaml`: left and right first, then the others by socket; metres. Kalibr has four coefficients a camera, so
-/// larger models are fitted, which is told with the error that is left.
+/// Creates `camchain.yaml`: left and right first, then the others by socket; metres. Kalibr has four coefficients per camera, so
+/// larger models are approximated, with a warning that states the residual error.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
     let mut text = String::new();
@@ -35,7 +35,7 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
                     "not-joined",
                     Level::Warning,
                     format!("{}.extrinsics", camera.place),
-                    format!("no extrinsics join {before} and {socket}: cam{i} gets no T_cn_cnm1, which Kalibr wants"),
+                    format!("no extrinsics connect {before} and {socket}; cam{i} has no T_cn_cnm1, which Kalibr requires"),
                     "calibrate the cameras together, or remove this one from the file",
                 )),
             }
@@ -69,14 +69,12 @@ fn distortion(
     camera: &CameraCalibration,
     findings: &mut Vec<Finding>,
 ) -> Result<(&'static str, [f64; 4]), CalibrationError> {
-    match camera.lens {
-        LensModel::OpenCvFisheye(lens) => return Ok(("equidistant", lens.k)),
-        LensModel::Pinhole => return Ok(("radtan", [0.0; 4])),
-        LensModel::OpenCvPinhole(lens) if lens.coefficients[4..].iter().all(|c| *c == 0.0) => {
-            let [k1, k2, p1, p2, ..] = lens.coefficients;
+    match camera.lens.as_opencv() {
+        Some(OpenCvLens::Fisheye(k)) => return Ok(("equidistant", k)),
+        Some(OpenCvLens::Pinhole([k1, k2, p1, p2, rest @ ..])) if rest == [0.0; 10] => {
             return Ok(("radtan", [k1, k2, p1, p2]));
         }
-        LensModel::OpenCvPinhole(_) | LensModel::FTheta(_) => {}
+        _ => {}
     }
     let optics = camera.camera();
     let place = format!("{}.distortionCoeff", camera.place);
@@ -103,7 +101,7 @@ fn distortion(
         return Err(CalibrationError::Unsuited {
             file: calibration.file_name.clone(),
             place,
-            what: "too few pixels see anything by the lens model for a simpler one to be fitted".to_owned(),
+            what: "too few pixels have a ray by the lens model to fit a simpler one".to_owned(),
             remedy: "calibrate again",
         });
     };
@@ -112,10 +110,10 @@ fn distortion(
         Level::Warning,
         place,
         format!(
-            "Kalibr has four coefficients; the {model} lens fitted in their place is {rms:.2} px off (root mean square), \
-             {worst:.2} px at worst"
+            "Kalibr has four coefficients; the fitted {model} model differs by {rms:.2} px (root mean square), at most \
+             {worst:.2} px"
         ),
-        "calibrate with Kalibr itself where that matters",
+        "calibrate with Kalibr itself if that matters",
     ));
     Ok((model, coefficients))
 }

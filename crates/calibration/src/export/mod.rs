@@ -1,7 +1,7 @@
 //! Calibrations in the formats of other tools.
 //!
-//! Every exporter returns whole files as text and what got lost on the way. A model of the catalog exports through the
-//! same path, by [`crate::nominal_calibration`].
+//! Each exporter returns complete files as text, and findings about information that the format cannot represent. Models of the
+//! catalog are exported through [`crate::nominal_calibration`].
 
 mod kalibr;
 mod opencv;
@@ -16,29 +16,29 @@ use crate::{Calibration, CalibrationError, Raw, Socket, StereoPair};
 /// A format to export to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// `camera_info` YAML, a file a camera.
+    /// `camera_info` YAML, one file per camera.
     Ros,
-    /// OpenCV `FileStorage` YAML: a file a camera, and `stereo.yml` in the names of OpenCV's stereo sample.
+    /// OpenCV's `FileStorage` YAML: one file per camera, and `stereo.yml` with the keys of OpenCV's stereo sample.
     OpenCv,
     /// Kalibr's `camchain.yaml`.
     Kalibr,
-    /// `DepthAI`'s JSON, as its own writer lays it out.
+    /// `DepthAI`'s JSON in the layout of its own writer.
     DepthAi,
 }
 
-/// Files to be written, and what a reader of them must know.
+/// Files and their findings.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Export {
-    /// Names (no folder) and texts.
+    /// The names (without a folder) and texts.
     pub files: Vec<(String, String)>,
-    /// What the format cannot say.
+    /// The information that the format cannot represent.
     pub findings: Vec<Finding>,
 }
 
 /// Exports a calibration. `raw` is the document that `calibration` was read from.
 ///
 /// # Errors
-/// A lens that the format cannot come near, or a stereo pair in one place.
+/// Returns an error if the format cannot approximate a lens, or the baseline is zero.
 pub fn export(raw: &Raw, calibration: &Calibration, format: Format) -> Result<Export, CalibrationError> {
     match format {
         Format::Ros => ros::export(calibration),
@@ -51,7 +51,7 @@ pub fn export(raw: &Raw, calibration: &Calibration, format: Format) -> Result<Ex
     }
 }
 
-/// What a camera is called in exports: `left`, `right`, `rgb` or `tof`, else its socket, `cam_d`.
+/// Returns the name of a camera in exports: `left`, `right`, `rgb` or `tof`, otherwise its socket, such as `cam_d`.
 #[must_use]
 pub fn camera_name(calibration: &Calibration, socket: Socket) -> String {
     let pair = calibration.stereo_pair();
@@ -68,7 +68,7 @@ pub fn camera_name(calibration: &Calibration, socket: Socket) -> String {
     }
 }
 
-/// The rectified pair, with a warning where its images differ in size.
+/// Returns the rectified pair. Different image sizes cause a warning.
 fn pair(
     calibration: &Calibration,
     findings: &mut Vec<Finding>,
@@ -82,7 +82,7 @@ fn pair(
                 Level::Warning,
                 format!("{}.width", right.place),
                 format!(
-                    "the pair was calibrated at {} and {}; its rectification is for {} images of both",
+                    "the cameras were calibrated at {} and {}; the rectification is for two {} images",
                     left.size(),
                     right.size(),
                     left.size()
@@ -95,7 +95,7 @@ fn pair(
             "no-pair",
             Level::Note,
             "cameraData",
-            "no two cameras make a joined stereo pair; no rectification is written",
+            "no connected stereo pair; the rectification is omitted",
             "",
         ));
     }

@@ -1,19 +1,19 @@
 use std::fmt::Write as _;
 
-use oaktwin_camera::LensModel;
 use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{LensModel, OpenCvLens};
 
 use super::text::{number, rows};
 use super::{Export, camera_name, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration, StereoPair};
 
-/// `FileStorage` files: one a camera in the names of OpenCV's `calibration` sample, and `stereo.yml` in those of its
+/// Creates `FileStorage` files: one per camera with the keys of OpenCV's `calibration` sample, and `stereo.yml` with those of its
 /// `stereo_calib` sample. All 14 coefficients; metres.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
     for camera in calibration.cameras.values() {
         let mut text = header();
-        let fisheye = matches!(camera.lens, LensModel::OpenCvFisheye(_));
+        let fisheye = matches!(camera.lens.as_opencv(), Some(OpenCvLens::Fisheye(_)));
         // Writing to a string cannot fail.
         _ = writeln!(text, "image_width: {}", camera.size().width);
         _ = writeln!(text, "image_height: {}", camera.size().height);
@@ -75,12 +75,11 @@ fn header() -> String {
 
 fn lens(text: &mut String, camera: &CameraCalibration, k: &str, d: &str) {
     matrix(text, k, 3, camera.intrinsics.opencv_matrix().as_flattened());
-    let coefficients = match camera.lens {
-        LensModel::OpenCvFisheye(lens) => lens.k.to_vec(),
-        LensModel::OpenCvPinhole(lens) => lens.coefficients.to_vec(),
-        LensModel::Pinhole | LensModel::FTheta(_) => vec![0.0; 5],
+    let coefficients = match camera.lens.as_opencv() {
+        Some(_) if camera.lens != LensModel::Pinhole => camera.lens.coefficients(),
+        _ => &[0.0; 5],
     };
-    matrix(text, d, 1, &coefficients);
+    matrix(text, d, 1, coefficients);
 }
 
 fn matrix(text: &mut String, name: &str, rows: usize, entries: &[f64]) {
@@ -93,7 +92,7 @@ fn matrix(text: &mut String, name: &str, rows: usize, entries: &[f64]) {
     );
 }
 
-/// The matrix of v ×.
+/// Returns the matrix of the cross product with v.
 fn cross(v: DVec3) -> DMat3 {
     DMat3::from_cols(
         DVec3::new(0.0, v.z, -v.y),

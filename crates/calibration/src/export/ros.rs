@@ -1,5 +1,5 @@
 use oaktwin_camera::math::DMat3;
-use oaktwin_camera::{Camera, LensModel, OpenCvPinhole};
+use oaktwin_camera::{Camera, LensModel, OpenCvLens, OpenCvPinhole};
 use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::error_px;
@@ -7,7 +7,7 @@ use super::text::{list, rows};
 use super::{Export, camera_name, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration};
 
-/// `camera_info` files as `camera_info_manager` reads them: K of the raw image, R and P of the rectified one, metres.
+/// Creates `camera_info` files for `camera_info_manager`: K of the raw image, R and P of the rectified image, metres.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
     let pair = pair(calibration, &mut export.findings)?;
@@ -45,12 +45,13 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
     Ok(export)
 }
 
-/// The distortion model's name and its coefficients.
+/// Returns the name of the distortion model and its coefficients.
 fn distortion(camera: &CameraCalibration, findings: &mut Vec<Finding>) -> (&'static str, Vec<f64>) {
-    let coefficients = match camera.lens {
-        LensModel::OpenCvFisheye(lens) => return ("equidistant", lens.k.to_vec()),
-        LensModel::OpenCvPinhole(lens) => lens.coefficients,
-        LensModel::Pinhole | LensModel::FTheta(_) => [0.0; 14],
+    let coefficients = match camera.lens.as_opencv() {
+        Some(OpenCvLens::Fisheye(k)) => return ("equidistant", k.to_vec()),
+        Some(OpenCvLens::Pinhole(coefficients)) => coefficients,
+        // No calibration has another lens.
+        None => [0.0; 14],
     };
     let (plumb_bob, rational, rest) = (&coefficients[..5], &coefficients[..8], &coefficients[8..]);
     if rest.iter().any(|c| *c != 0.0) {
@@ -73,8 +74,8 @@ fn dropped(camera: &Camera, place: &str, kept: [f64; 14]) -> Finding {
         Level::Warning,
         format!("{place}.distortionCoeff"),
         format!(
-            "ROS has the first eight coefficients only; without thin prism and tilt the worst pixel is {worst:.2} px off"
+            "ROS has the first eight coefficients only; ignoring thin prism and tilt causes an error of up to {worst:.2} px"
         ),
-        "undistort with the OpenCV export where that matters",
+        "undistort with the OpenCV export if that matters",
     )
 }

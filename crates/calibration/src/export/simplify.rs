@@ -1,13 +1,12 @@
-//! Lenses in the words of formats that have fewer.
+//! Approximations of lenses by simpler models.
 
 use oaktwin_camera::math::{DMat4, DVec2, DVec4};
 use oaktwin_camera::{Camera, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint};
 
-/// Samples along each side of the image.
+/// The number of samples along each side of the image.
 const GRID: u32 = 41;
 
-/// Points of the plane z = 1 that the whole image sees, each with the distorted point at which it sees them. Pixels that
-/// see nothing by the lens model are left out.
+/// Returns points of the plane z = 1 over the whole image, each with its distorted point. Pixels without a ray are skipped.
 fn samples(camera: &Camera) -> Vec<(DVec2, DVec2)> {
     let size = camera.intrinsics.size;
     let along =
@@ -23,7 +22,7 @@ fn samples(camera: &Camera) -> Vec<(DVec2, DVec2)> {
         .collect()
 }
 
-/// By how many pixels another lens sees the image's points elsewhere: (root mean square, largest).
+/// Returns the difference of another lens over the image, px: (root mean square, maximum).
 pub(super) fn error_px(camera: &Camera, lens: &LensModel) -> (f64, f64) {
     let focal = DVec2::new(camera.intrinsics.fx, camera.intrinsics.fy);
     let samples = samples(camera);
@@ -38,7 +37,7 @@ pub(super) fn error_px(camera: &Camera, lens: &LensModel) -> (f64, f64) {
     ((sum / n).sqrt(), worst)
 }
 
-/// The radial-tangential lens (k1, k2, p1, p2) that is nearest to a camera's over its image.
+/// Fits the radial-tangential model (k1, k2, p1, p2) to a camera's lens over its image.
 pub(super) fn radial_tangential(camera: &Camera) -> Option<OpenCvPinhole> {
     let basis = |p: DVec2| {
         let u = p.length_squared();
@@ -55,7 +54,7 @@ pub(super) fn radial_tangential(camera: &Camera) -> Option<OpenCvPinhole> {
     Some(OpenCvPinhole { coefficients })
 }
 
-/// The equidistant lens (k1 to k4) that is nearest to a camera's over its image.
+/// Fits the equidistant model (k1 to k4) to a camera's lens over its image.
 pub(super) fn equidistant(camera: &Camera) -> Option<OpenCvFisheye> {
     let direction_and_angle = |p: DVec2| (p.normalize_or_zero(), p.length().atan());
     let basis = |p: DVec2| {
@@ -71,8 +70,8 @@ pub(super) fn equidistant(camera: &Camera) -> Option<OpenCvFisheye> {
     })
 }
 
-/// The coefficients c that bring `ideal(p) + Σ c basis(p)` nearest to where the camera sees p. Both models are linear in
-/// them, so four normal equations do.
+/// Returns the coefficients c that minimize the distance of `ideal(p) + Σ c basis(p)` from the distorted p. Both models are
+/// linear in them, so that four normal equations suffice.
 fn least_squares(
     camera: &Camera,
     ideal: impl Fn(DVec2) -> DVec2,
@@ -108,7 +107,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_lens_of_the_family_is_found(k in prop::array::uniform4(-0.02..0.02f64)) {
+        fn recovers_lenses_of_the_family(k in prop::array::uniform4(-0.02..0.02f64)) {
             let mut coefficients = [0.0; 14];
             coefficients[..4].copy_from_slice(&k);
             let given = camera(LensModel::OpenCvPinhole(OpenCvPinhole { coefficients }));

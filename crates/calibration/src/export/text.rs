@@ -1,7 +1,7 @@
 use oaktwin_camera::math::DMat3;
 
-/// A number that YAML 1.1 and 1.2 and OpenCV read as one: with a point, and a sign in its exponent. The shortest digits
-/// that give the same `f64` back.
+/// Formats a number for YAML 1.1, YAML 1.2 and OpenCV: with a decimal point and a sign in the exponent, and as many digits as
+/// are needed to read back the same `f64`.
 pub(super) fn number(x: f64) -> String {
     let text = format!("{:?}", x + 0.0);
     let Some((mantissa, exponent)) = text.split_once('e') else {
@@ -18,7 +18,7 @@ pub(super) fn list(numbers: &[f64]) -> String {
     format!("[{}]", numbers.join(", "))
 }
 
-/// A matrix's entries row by row.
+/// Returns the entries of a matrix, row by row.
 pub(super) fn rows(m: DMat3) -> [f64; 9] {
     m.transpose().to_cols_array()
 }
@@ -28,7 +28,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_numbers_everywhere() {
+    fn formats_numbers_for_all_readers() {
         for (x, text) in [
             (0.0, "0.0"),
             (-0.0, "0.0"),

@@ -1,4 +1,4 @@
-//! The lossless layer: a DepthAI JSON with its keys, order, values and number text as they were.
+//! The lossless layer: a DepthAI JSON with its keys, their order, and numbers as text.
 
 mod parse;
 mod value;
@@ -9,20 +9,21 @@ pub use value::{Node, Position, Value};
 
 use crate::CalibrationError;
 
-/// A JSON document as it was written, and the name that messages call it by.
+/// A lossless JSON document and its file name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raw {
-    /// What messages call the file.
+    /// The file's name in messages.
     pub name: String,
     /// The document.
     pub root: Node,
 }
 
 impl Raw {
-    /// Parses the bytes of a JSON file. `name` is what messages call it.
+    /// Parses the bytes of a JSON file. `name` is its name in messages.
     ///
     /// # Errors
-    /// Not UTF-8, not JSON (with line and column), deeper than [`MAX_DEPTH`] or larger than [`MAX_BYTES`].
+    /// Returns an error with line and column if the file is not UTF-8, not JSON, nested deeper than [`MAX_DEPTH`] or larger than
+    /// [`MAX_BYTES`].
     pub fn parse(bytes: &[u8], name: &str) -> Result<Self, CalibrationError> {
         parse::document(bytes)
             .map(|root| Self {
@@ -38,8 +39,8 @@ impl Raw {
             })
     }
 
-    /// The document as `DepthAI` lays it out: four spaces a level, every element on its own line, a newline at the
-    /// end. Numbers and keys are what they were.
+    /// Formats the document like `DepthAI`: four spaces per level, each element on a line, and a newline at the end. Numbers and
+    /// keys do not change.
     #[must_use]
     pub fn to_text(&self) -> String {
         write::document(&self.root)
@@ -82,22 +83,22 @@ mod tests {
         }
 
         #[test]
-        fn any_bytes_parse_or_fail_politely(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        fn never_panics_on_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
             let _ = Raw::parse(&bytes, "x");
         }
 
         #[test]
-        fn json_like_bytes_parse_or_fail_politely(text in r#"[\[\]{}:,"0-9eE+.\-\\unatrlsf ]{0,60}"#) {
+        fn accepts_the_same_texts_as_serde_json(text in r#"[\[\]{}:,"0-9eE+.\-\\unatrlsf ]{0,60}"#) {
             let ours = Raw::parse(text.as_bytes(), "x").is_ok();
             let theirs = serde_json::from_str::<serde_json::Value>(&text);
-            // Numbers beyond f64 are text to us.
+            // Numbers out of the range of f64 are kept as text here.
             let too_large = theirs.as_ref().is_err_and(|e| e.to_string().contains("out of range"));
             prop_assert!(ours == theirs.is_ok() || too_large, "{text}");
         }
     }
 
     #[test]
-    fn number_text_stays() {
+    fn keeps_the_text_of_numbers() {
         let text = "{\n    \"a\": [\n        1.50,\n        -0.0,\n        1e999,\n        12345678901234567890\n    ],\n    \"b\": [],\n    \"c\": {}\n}\n";
         assert_eq!(Raw::parse(text.as_bytes(), "x").unwrap().to_text(), text);
     }

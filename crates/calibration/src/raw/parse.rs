@@ -1,12 +1,12 @@
 use super::{Node, Position, Value};
 
-/// The largest file that is read, bytes. A real calibration has about ten thousand.
+/// The maximum size of a file, bytes. A real calibration has about ten thousand.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// The deepest nesting that is read. A real calibration has six levels.
+/// The maximum nesting depth. A real calibration has six levels.
 pub const MAX_DEPTH: usize = 64;
 
-/// Why a text is not a document.
+/// A syntax error.
 #[derive(Debug)]
 pub(super) struct Problem {
     pub(super) at: Position,
@@ -16,7 +16,7 @@ pub(super) struct Problem {
 
 const EXPORT_AGAIN: &str = "export it again with DepthAI's eepromToJsonFile";
 
-/// Parses a whole text.
+/// Parses a document.
 pub(super) fn document(bytes: &[u8]) -> Result<Node, Problem> {
     let start = Position { line: 1, column: 1 };
     let problem = |at, what: String| Problem {
@@ -26,13 +26,13 @@ pub(super) fn document(bytes: &[u8]) -> Result<Node, Problem> {
     };
     if bytes.len() > MAX_BYTES {
         let what = format!(
-            "the file has {} bytes; more than {MAX_BYTES} cannot be a calibration",
+            "the file has {} bytes, more than the maximum of {MAX_BYTES}",
             bytes.len()
         );
         return Err(Problem {
             at: start,
             what,
-            remedy: "give the JSON file that DepthAI exported",
+            remedy: "pass the JSON file that DepthAI exported",
         });
     }
     let text = match std::str::from_utf8(bytes) {
@@ -50,7 +50,7 @@ pub(super) fn document(bytes: &[u8]) -> Result<Node, Problem> {
             return Err(Problem {
                 at,
                 what,
-                remedy: "save it as UTF-8, or give the JSON file that DepthAI exported",
+                remedy: "save it as UTF-8, or pass the JSON file that DepthAI exported",
             });
         }
     };
@@ -98,7 +98,7 @@ fn shown(c: char) -> String {
 struct Parser<'a> {
     text: &'a str,
     at: usize,
-    /// `position` is that of this offset: positions are asked for in order, so counting goes on from the last one.
+    /// The offset of `position`. Positions are computed in order, each from the previous one.
     counted_to: usize,
     position: Position,
 }
@@ -145,10 +145,10 @@ impl Parser<'_> {
         self.position
     }
 
-    fn wanted(&self, what: &str) -> String {
+    fn expected(&self, what: &str) -> String {
         match self.peek() {
-            Some(c) => format!("{} where {what} should be", shown(c)),
-            None => format!("the file ends where {what} should be"),
+            Some(c) => format!("found {} instead of {what}", shown(c)),
+            None => format!("the file ends instead of {what}"),
         }
     }
 
@@ -163,7 +163,7 @@ impl Parser<'_> {
             Some('"') => Value::String(self.string()?),
             Some('-' | '0'..='9') => self.number()?,
             Some(c) if c.is_ascii_alphabetic() => self.word()?,
-            _ => return Err(self.wanted("a value")),
+            _ => return Err(self.expected("a value")),
         };
         Ok(Node { value, at })
     }
@@ -176,7 +176,7 @@ impl Parser<'_> {
             "true" => Value::Bool(true),
             "false" => Value::Bool(false),
             "NaN" | "nan" | "Infinity" | "inf" => return Err(format!("{word} is not a number in JSON")),
-            _ => return Err(self.wanted("a value")),
+            _ => return Err(self.expected("a value")),
         };
         self.at += len;
         Ok(value)
@@ -189,17 +189,17 @@ impl Parser<'_> {
             return Err("-Infinity is not a number in JSON".to_owned());
         }
         if !self.eat('0') && self.skip_while(|b| b.is_ascii_digit()) == 0 {
-            return Err(self.wanted("a digit"));
+            return Err(self.expected("a digit"));
         }
         if self.eat('.') && self.skip_while(|b| b.is_ascii_digit()) == 0 {
-            return Err(self.wanted("a digit"));
+            return Err(self.expected("a digit"));
         }
         if self.eat('e') || self.eat('E') {
             if !self.eat('+') {
                 self.eat('-');
             }
             if self.skip_while(|b| b.is_ascii_digit()) == 0 {
-                return Err(self.wanted("a digit"));
+                return Err(self.expected("a digit"));
             }
         }
         Ok(Value::Number(
@@ -222,7 +222,7 @@ impl Parser<'_> {
                 return Ok(Value::Array(items));
             }
             if !self.eat(',') {
-                return Err(self.wanted("',' or ']'"));
+                return Err(self.expected("',' or ']'"));
             }
         }
     }
@@ -237,12 +237,12 @@ impl Parser<'_> {
         loop {
             self.skip_space();
             if self.peek() != Some('"') {
-                return Err(self.wanted("a key in quotes"));
+                return Err(self.expected("a key in quotes"));
             }
             let key = self.string()?;
             self.skip_space();
             if !self.eat(':') {
-                return Err(self.wanted("':'"));
+                return Err(self.expected("':'"));
             }
             self.skip_space();
             entries.push((key, self.node(depth + 1)?));
@@ -251,7 +251,7 @@ impl Parser<'_> {
                 return Ok(Value::Object(entries));
             }
             if !self.eat(',') {
-                return Err(self.wanted("',' or '}'"));
+                return Err(self.expected("',' or '}'"));
             }
         }
     }
@@ -267,7 +267,7 @@ impl Parser<'_> {
                 return Ok(value);
             }
             if !self.eat('\\') {
-                return Err(self.wanted("the end of a string"));
+                return Err(self.expected("the end of a string"));
             }
             value.push(self.escape()?);
         }
@@ -275,7 +275,7 @@ impl Parser<'_> {
 
     fn escape(&mut self) -> Parsed<char> {
         let Some(c) = self.peek() else {
-            return Err(self.wanted("an escape"));
+            return Err(self.expected("an escape"));
         };
         let plain = match c {
             '"' | '\\' | '/' => c,
@@ -288,7 +288,7 @@ impl Parser<'_> {
                 self.at += 1;
                 return self.unicode_escape();
             }
-            _ => return Err(self.wanted("an escape")),
+            _ => return Err(self.expected("an escape")),
         };
         self.at += 1;
         Ok(plain)
@@ -315,7 +315,7 @@ impl Parser<'_> {
             .rest()
             .get(..4)
             .filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))
-            .ok_or_else(|| self.wanted("four hexadecimal digits"))?;
+            .ok_or_else(|| self.expected("four hexadecimal digits"))?;
         let value = u32::from_str_radix(digits, 16).map_err(|e| e.to_string())?;
         self.at += 4;
         Ok(value)

@@ -1,11 +1,11 @@
 use std::fmt;
 
-/// A place in a text, counted from 1; columns count characters.
+/// A position in a text, from 1; columns count characters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Position {
-    /// Line.
+    /// The line.
     pub line: usize,
-    /// Column.
+    /// The column.
     pub column: usize,
 }
 
@@ -15,12 +15,12 @@ impl fmt::Display for Position {
     }
 }
 
-/// A JSON value and where it began; what a program made has position 0:0.
+/// A JSON value and its position. Values that were not parsed have position 0:0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
     /// The value.
     pub value: Value,
-    /// Where its first character was.
+    /// The position of the first character.
     pub at: Position,
 }
 
@@ -31,18 +31,18 @@ pub enum Value {
     Null,
     /// `true` or `false`.
     Bool(bool),
-    /// A number, as it was spelt.
+    /// The text of a number.
     Number(String),
-    /// A string, unescaped.
+    /// An unescaped string.
     String(String),
     /// An array.
     Array(Vec<Node>),
-    /// An object in its order; a repeated key is kept, and the last one counts.
+    /// The entries of an object in order. Repeated keys are kept; the last one is used.
     Object(Vec<(String, Node)>),
 }
 
 impl Node {
-    /// The value of a key: the last one's where it is repeated, as `DepthAI` reads it.
+    /// Returns the value of a key; the last one if it is repeated, as in `DepthAI`.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Self> {
         match &self.value {
@@ -51,7 +51,7 @@ impl Node {
         }
     }
 
-    /// Equal but for positions.
+    /// Whether two nodes are equal, ignoring positions.
     #[must_use]
     pub fn same_as(&self, other: &Self) -> bool {
         match (&self.value, &other.value) {
@@ -67,7 +67,7 @@ impl Node {
 }
 
 impl Value {
-    /// What it is, in words: `a string`.
+    /// Returns the type in words: `a string`.
     #[must_use]
     pub const fn kind(&self) -> &'static str {
         match self {
@@ -108,8 +108,8 @@ impl From<i64> for Node {
     }
 }
 
-/// The shortest text that reads back as the same number, with a point or an exponent. JSON has no text for NaN and
-/// infinity: they become `null`, as in `DepthAI`'s own files.
+/// Formats with as many digits as are needed to read back the same number, with a point or an exponent. JSON cannot represent
+/// NaN and infinity: they become `null`, as in `DepthAI`'s files.
 impl From<f64> for Node {
     fn from(value: f64) -> Self {
         if value.is_finite() {

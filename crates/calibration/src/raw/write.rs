@@ -2,7 +2,7 @@ use std::fmt::Write as _;
 
 use super::{Node, Value};
 
-/// Lays a document out as `eepromToJsonFile` does: `nlohmann::json` with `setw(4)`, then a newline.
+/// Formats a document like `eepromToJsonFile`: `nlohmann::json` with `setw(4)`, then a newline.
 pub(super) fn document(root: &Node) -> String {
     let mut text = String::new();
     node(&mut text, root, 0);

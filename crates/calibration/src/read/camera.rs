@@ -25,7 +25,7 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
     for item in reader.array(&list)? {
         let Some(pair) = reader.array(&item) else { continue };
         let [socket, info] = pair.as_slice() else {
-            let message = format!("line {} has no [socket, camera] pair", item.node.at.line);
+            let message = format!("line {} is not a [socket, camera] pair", item.node.at.line);
             reader.error("wrong-type", item.path, message, "export the calibration again");
             continue;
         };
@@ -38,8 +38,8 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
                 reader.warn(
                     "no-socket",
                     &item.path,
-                    "the camera has no socket; left out",
-                    "give it one",
+                    "the camera has no socket; skipped",
+                    "set one",
                 );
                 continue;
             }
@@ -52,12 +52,12 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
             continue;
         };
         if cameras.insert(socket, camera).is_some() {
-            let message = format!("{socket} is there twice");
+            let message = format!("{socket} is repeated");
             reader.error("repeated-socket", &item.path, message, "remove one of them");
         }
     }
     if cameras.is_empty() && reader.errors.is_empty() {
-        let message = "no camera is calibrated";
+        let message = "the list is empty";
         reader.error(
             "no-cameras",
             "cameraData",
@@ -69,7 +69,7 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
 }
 
 fn camera(reader: &mut Reader, socket: Socket, place: &str, info: &Field<'_>) -> Option<CameraCalibration> {
-    // The pair's second element is the camera; findings leave that [1] out.
+    // The camera is the pair's second element; findings omit that [1].
     let info = &Field {
         node: info.node,
         path: place.to_owned(),
@@ -91,7 +91,7 @@ fn camera(reader: &mut Reader, socket: Socket, place: &str, info: &Field<'_>) ->
         .and_then(|field| match reader.matrix(&field)? {
             Some(matrix) => Some(matrix),
             None => {
-                reader.error("no-intrinsics", field.path, "the camera has none", "calibrate it");
+                reader.error("no-intrinsics", field.path, "empty", "calibrate the camera");
                 None
             }
         });
@@ -207,7 +207,7 @@ fn lens(
                     "distortion-length",
                     place,
                     message,
-                    "the absent ones are taken to be 0",
+                    "missing ones are assumed to be 0",
                 );
             }
             if coefficients.iter().all(|c| *c == 0.0) {

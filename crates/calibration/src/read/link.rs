@@ -18,22 +18,23 @@ const EXTRINSICS_KEYS: [&str; 8] = [
 /// `LengthUnit::CENTIMETER`.
 const CENTIMETRES: i64 = 1;
 const M_PER_CM: f64 = 0.01;
-/// How far a rotation may be from orthonormal: exports round to 32 bits (1e-6), people to four digits.
-const ODD_ROTATION: f64 = 1e-4;
-const NO_ROTATION: f64 = 1e-2;
+/// The orthonormality error that causes a warning. Exports are rounded to 32 bits (1e-6), manual edits to four digits.
+const SUSPICIOUS_ROTATION: f64 = 1e-4;
+/// The orthonormality error that makes a rotation invalid.
+const INVALID_ROTATION: f64 = 1e-2;
 
-/// The extrinsics of a camera; none at a root.
+/// Reads the extrinsics of a camera; `None` at a root.
 pub(super) fn camera_link(reader: &mut Reader, field: &Field<'_>) -> Option<Link> {
     let read = link(reader, field)?;
     let Some(to) = read.to else {
         if read.translation_m != DVec3::ZERO {
-            let message = "leads to no camera, but has a translation; ignored, as DepthAI does";
+            let message = "has a translation but refers to no camera; ignored, as in DepthAI";
             reader.warn("root-translation", &field.path, message, "set toCameraSocket");
         }
         return None;
     };
     let Some(rotation) = read.rotation else {
-        let message = format!("there is none, but the extrinsics lead to {to}");
+        let message = format!("missing, but the extrinsics refer to {to}");
         let place = field.key_path("rotationMatrix");
         reader.error(
             "no-rotation",
@@ -46,7 +47,7 @@ pub(super) fn camera_link(reader: &mut Reader, field: &Field<'_>) -> Option<Link
     Some(read.into_link(&field.path, to, rotation))
 }
 
-/// The extrinsics of the IMU or the housing; none where the file does not place it.
+/// Reads the extrinsics of the IMU or the housing; `None` if they are empty.
 pub(super) fn placed(reader: &mut Reader, field: &Field<'_>) -> Option<Link> {
     let read = link(reader, field)?;
     match (read.to, read.rotation) {
@@ -95,8 +96,7 @@ fn link(reader: &mut Reader, field: &Field<'_>) -> Option<ReadLink> {
     if let Some(unit) = field.get("lengthUnit")
         && reader.integer(&unit, i32::MIN.into(), i32::MAX.into())? != CENTIMETRES
     {
-        let message =
-            "not centimetres (1); DepthAI takes the numbers for centimetres whatever it says, and so do we";
+        let message = "not centimetres (1); ignored, as in DepthAI: translations are read as centimetres";
         reader.warn(
             "length-unit",
             unit.path,
@@ -107,12 +107,12 @@ fn link(reader: &mut Reader, field: &Field<'_>) -> Option<ReadLink> {
     if let Some(device) = field.get("toDeviceId")
         && !reader.text(&device)?.is_empty()
     {
-        let message = "leads to another device; taken for this one's camera";
+        let message = "refers to another device; read as a camera of this device";
         reader.warn(
             "other-device",
             device.path,
             message,
-            "calibrate the device by itself",
+            "calibrate this device alone",
         );
     }
     Some(ReadLink {
@@ -130,7 +130,7 @@ fn link(reader: &mut Reader, field: &Field<'_>) -> Option<ReadLink> {
 pub(super) fn socket(reader: &mut Reader, field: &Field<'_>) -> Option<Option<Socket>> {
     let number = reader.integer(field, i32::MIN.into(), i32::MAX.into())?;
     if number == 255 {
-        let message = "255 is read as -1, none; DepthAI itself looks for a camera of that number";
+        let message = "255 is read as -1 (none); DepthAI itself reads it as a socket";
         reader.note("socket-255", &field.path, message);
     }
     match Socket::from_file(number) {
@@ -147,7 +147,7 @@ pub(super) fn socket(reader: &mut Reader, field: &Field<'_>) -> Option<Option<So
     }
 }
 
-/// `Some(None)` for `[]` and for zeros, which mean that there is none.
+/// Reads a rotation; `Some(None)` for `[]` and for zeros, which mean "none".
 #[expect(
     clippy::option_option,
     reason = "an unusable field, no rotation, and a rotation are three things"
@@ -162,16 +162,16 @@ pub(super) fn rotation(reader: &mut Reader, field: &Field<'_>) -> Option<Option<
     let rotation = from_rows(rows);
     let error = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
     if rotation.determinant() <= 0.0 {
-        let message = "mirrors (its determinant is not positive); that is no rotation";
+        let message = "is a reflection (its determinant is not positive), not a rotation";
         reader.error("not-a-rotation", &field.path, message, "calibrate again");
         return None;
     }
     let message = format!("is not orthonormal: the largest entry of |R'R - I| is {error:.2e}");
-    if error.is_nan() || error > NO_ROTATION {
+    if error.is_nan() || error > INVALID_ROTATION {
         reader.error("not-a-rotation", &field.path, message, "calibrate again");
         return None;
     }
-    if error > ODD_ROTATION {
+    if error > SUSPICIOUS_ROTATION {
         reader.warn(
             "odd-rotation",
             &field.path,

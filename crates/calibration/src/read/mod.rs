@@ -34,11 +34,11 @@ const TOP_KEYS: [&str; 21] = [
 ];
 
 impl Calibration {
-    /// Reads and checks a document. The findings are what is odd; among them a baseline that is far from the board's
-    /// design is an [error](oaktwin_diagnostic::Level::Error) that [`crate::force`] makes a warning.
+    /// Reads and checks a document. Among the findings, a baseline that differs much from the board's design is an
+    /// [error](oaktwin_diagnostic::Level::Error), which [`crate::force`] downgrades to a warning.
     ///
     /// # Errors
-    /// [`CalibrationError::Meaningless`] with everything that makes the file no calibration.
+    /// Returns [`CalibrationError::Invalid`] with all errors of the document.
     pub fn from_raw(raw: &Raw) -> Result<(Self, Vec<Finding>), CalibrationError> {
         let mut reader = Reader::default();
         let calibration = document(&mut reader, raw);
@@ -53,7 +53,7 @@ impl Calibration {
         }
         match calibration {
             Some(calibration) if reader.errors.is_empty() => Ok((calibration, reader.findings)),
-            _ => Err(CalibrationError::Meaningless {
+            _ => Err(CalibrationError::Invalid {
                 file: raw.name.clone(),
                 errors: reader.errors,
             }),
@@ -61,7 +61,7 @@ impl Calibration {
     }
 }
 
-/// `None` has an error in the reader, as has any value that could not be read.
+/// Returns `None` after recording an error in the reader.
 fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
     let root = Field::root(&raw.root);
     reader.object(&root, &TOP_KEYS)?;
@@ -93,14 +93,15 @@ fn version(reader: &mut Reader, root: &Field<'_>) -> Option<u32> {
         reader.warn(
             "no-version",
             "version",
-            "the key is missing; read as version 7, as DepthAI does",
+            "missing; assumed to be 7, as in DepthAI",
             "add it",
         );
         return Some(7);
     };
     let version = reader.integer(&field, 0, u32::MAX.into())?;
     if version < 4 {
-        let message = format!("version {version} has no camera parameters that DepthAI reads; 5 to 7 have");
+        let message =
+            format!("version {version} is not supported; DepthAI reads camera parameters of versions 5 to 7");
         reader.error(
             "old-version",
             "version",
@@ -110,12 +111,12 @@ fn version(reader: &mut Reader, root: &Field<'_>) -> Option<u32> {
         return None;
     }
     if version > 7 {
-        let message = format!("version {version} is newer than 7; read as 7");
+        let message = format!("version {version} is newer than 7; assumed to be 7");
         reader.warn(
             "new-version",
             "version",
             message,
-            "compare the result with DepthAI's",
+            "compare the result with that of DepthAI",
         );
     }
     u32::try_from(version).ok()
@@ -137,9 +138,9 @@ fn board(reader: &mut Reader, root: &Field<'_>) -> Board {
         device_name: text("deviceName"),
         ..Board::default()
     };
-    let mut number = |key, most| {
+    let mut number = |key, max| {
         root.get(key)
-            .and_then(|field| reader.integer(&field, 0, most))
+            .and_then(|field| reader.integer(&field, 0, max))
             .unwrap_or_default()
     };
     board.batch_time = number("batchTime", 1 << 52);
@@ -147,10 +148,10 @@ fn board(reader: &mut Reader, root: &Field<'_>) -> Board {
     board
 }
 
-/// What only version 5 has. `DepthAI` refuses such files, so whoever uses one should know.
+/// Warns about files with keys of version 5, which `DepthAI` rejects.
 fn old_names(reader: &mut Reader, root: &Field<'_>, version: u32) {
     let mut old: Vec<&str> = Vec::new();
-    let mut lacking: Vec<&str> = Vec::new();
+    let mut missing: Vec<&str> = Vec::new();
     let items = root
         .get("cameraData")
         .and_then(|f| reader.array(&f))
@@ -167,26 +168,26 @@ fn old_names(reader: &mut Reader, root: &Field<'_>, version: u32) {
                 .into_iter()
                 .filter(|key| extrinsics_has(key)),
         );
-        lacking.extend(["cameraType", "lensPosition"].into_iter().filter(|key| !has(key)));
+        missing.extend(["cameraType", "lensPosition"].into_iter().filter(|key| !has(key)));
     }
-    for keys in [&mut old, &mut lacking] {
+    for keys in [&mut old, &mut missing] {
         keys.sort_unstable();
         keys.dedup();
     }
-    if old.is_empty() && lacking.is_empty() {
+    if old.is_empty() && missing.is_empty() {
         return;
     }
     let mut message = format!("version {version}");
     if !old.is_empty() {
         message += &format!(" with the old keys {}", old.join(", "));
     }
-    if !lacking.is_empty() {
+    if !missing.is_empty() {
         message += &format!(
-            " without {} (read as 0: perspective, fixed focus)",
-            lacking.join(", ")
+            " without {} (assumed to be 0: perspective, fixed focus)",
+            missing.join(", ")
         );
     }
-    message += "; DepthAI itself refuses such a file";
+    message += "; DepthAI rejects such files";
     reader.warn(
         "old-names",
         "cameraData",

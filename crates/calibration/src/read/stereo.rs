@@ -33,7 +33,7 @@ pub(super) fn stereo(
         if let Some(socket) = socket
             && !cameras.contains_key(&socket)
         {
-            let message = format!("{socket} is not in cameraData; the rectification is left out");
+            let message = format!("{socket} is not in cameraData; the rectification is ignored");
             reader.warn("dangling-socket", place, message, "calibrate the stereo pair");
             return Some((None, rotation));
         }
@@ -45,7 +45,7 @@ pub(super) fn stereo(
     let (left, right) = (left?, right?);
     if left == right {
         let message = format!("left and right are both {left}");
-        reader.error("stereo-pair", &field.path, message, "name two cameras");
+        reader.error("stereo-pair", &field.path, message, "set two different sockets");
         return None;
     }
     Some(StereoRectification {

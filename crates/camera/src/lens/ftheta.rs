@@ -10,31 +10,31 @@ use crate::{ImageSize, Intrinsics, PixelPoint, Usd};
 /// polynomial of the distance from the optical centre in pixels of the nominal image,
 /// `θ = k0 + k1 r + k2 r² + k3 r³ + k4 r⁴`, in radians.
 ///
-/// # The convention taken
-/// The schema documents no formula. `NVIDIA`'s DRIVE interface (`dwFThetaCameraConfig`) knows such polynomials both from
-/// pixel to angle and from angle to pixel. The schema's own fallbacks decide: k1 = 0.00245 for a nominal image of
-/// 1936 × 1216 is a lens of 408 px/rad when it is rad/px, and no lens at all when it is px/rad. The optical centre is
-/// taken in the [`Usd`] pixel convention, the one of Isaac Sim's own renderer; the schema does not say.
+/// # Conventions
+/// The schema documents no formula. `NVIDIA`'s DRIVE interface (`dwFThetaCameraConfig`) has such polynomials both from pixel
+/// to angle and from angle to pixel. The schema's fallback values decide: k1 = 0.00245 for a nominal image of 1936 × 1216 is a
+/// lens of 408 px/rad if the unit is rad/px, and impossible if it is px/rad. The optical centre is assumed to be in the
+/// [`Usd`] pixel convention of Isaac Sim's renderer; the schema does not define it.
 ///
-/// # As a [`LensModel`](crate::LensModel)
-/// The distorted point is `k1 · offset from the optical centre`, so that the [`intrinsics`](Self::intrinsics) of the
-/// lens, `f = 1 / k1` about its optical centre, turn it into a pixel as with every other lens.
+/// # Distorted points
+/// The distorted point is `k1 · offset from the optical centre`, so that the lens's [`intrinsics`](Self::intrinsics),
+/// `f = 1 / k1` about its optical centre, convert it to a pixel as for every [`LensModel`](crate::LensModel).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FTheta {
-    k: [f64; 5],
-    /// The image that radii are measured in, `nominalWidth` × `nominalHeight`.
+    pub(super) k: [f64; 5],
+    /// `nominalWidth` × `nominalHeight`, the image in which radii are measured.
     pub nominal_size: ImageSize,
     /// `opticalCenter`, in pixels of the nominal image.
     pub optical_centre: PixelPoint<Usd>,
-    /// The whole field of view, rad; nothing is seen beyond half of it from the axis. (`maxFov` is in degrees.)
+    /// The full field of view, rad (`maxFov` is in degrees). Rays at more than half of it from the axis are not visible.
     pub max_fov: f64,
 }
 
 impl FTheta {
-    /// From k0 to k4 and the rest of the schema's attributes.
+    /// Creates a lens from k0 to k4 and the other attributes of the schema.
     ///
     /// # Errors
-    /// More than 5 coefficients, one that is not finite, or a k1 that is not positive.
+    /// Returns an error if there are more than 5 coefficients, one is not finite, or k1 is not positive.
     pub fn new(
         k: &[f64],
         nominal_size: ImageSize,
@@ -53,13 +53,13 @@ impl FTheta {
         })
     }
 
-    /// k0 to k4.
+    /// Returns k0 to k4.
     #[must_use]
     pub const fn coefficients(&self) -> [f64; 5] {
         self.k
     }
 
-    /// The intrinsics that belong to the lens in an image of `size`, which shows what the nominal image shows.
+    /// Returns the lens's intrinsics for an image of `size` with the same view as the nominal image.
     #[must_use]
     pub fn intrinsics(&self, size: ImageSize) -> Intrinsics {
         let sx = f64::from(size.width) / f64::from(self.nominal_size.width);
@@ -68,7 +68,7 @@ impl FTheta {
         Intrinsics::new(size, sx / self.k[1], sy / self.k[1], centre)
     }
 
-    /// The angle at a radius in pixels of the nominal image, and its derivative.
+    /// Returns the angle at a radius in pixels of the nominal image, and its derivative.
     #[must_use]
     pub fn angle_with_slope(&self, radius_px: f64) -> (f64, f64) {
         let ([k0, k1, k2, k3, k4], r) = (self.k, radius_px);
@@ -78,7 +78,7 @@ impl FTheta {
         )
     }
 
-    /// The radius in pixels of the nominal image at which an angle is seen, or `None` beyond the field of view or where
+    /// Returns the radius of an angle in pixels of the nominal image, or `None` if the angle is outside the field of view or
     /// the polynomial does not reach it.
     #[must_use]
     pub fn radius_px(&self, angle: f64) -> Option<f64> {
@@ -91,7 +91,7 @@ impl FTheta {
             |radius| self.is_monotone_at(radius),
             angle,
             start,
-            1e9, // px; no image is larger
+            1e9, // px, larger than any image
         )
     }
 
@@ -102,14 +102,14 @@ impl FTheta {
         positive_on(&[k1, 2.0 * k2, 3.0 * k3, 4.0 * k4], radius_px)
     }
 
-    /// The distorted point of a point in the camera's frame; `None` beyond the field of view.
+    /// Returns the distorted point of a point in the camera's frame, or `None` outside the field of view.
     #[must_use]
     pub fn project_ray(&self, point_in_camera: DVec3) -> Option<DVec2> {
         let (angle, across) = polar(point_in_camera)?;
         Some(across * (self.radius_px(angle)? * self.k[1]))
     }
 
-    /// The unit ray of a distorted point; `None` beyond the field of view or the fold.
+    /// Returns the unit ray of a distorted point, or `None` outside the field of view and beyond the fold.
     #[must_use]
     pub fn unproject(&self, distorted: DVec2) -> Option<DVec3> {
         let radius_px = distorted.length() / self.k[1];
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fallbacks_are_an_equidistant_lens() {
+    fn fallback_values_are_an_equidistant_lens() {
         let lens = lens(&[0.0, 0.00245]);
         let camera = Camera::from_ftheta(lens, lens.nominal_size);
         let angle = 80f64.to_radians();
@@ -146,7 +146,7 @@ mod tests {
         let at = |deg: f64| DVec3::new(deg.to_radians().sin(), 0.0, deg.to_radians().cos());
         assert!(camera.project(at(99.9)).is_some());
         assert!(camera.project(at(100.1)).is_none());
-        // In an image of half the size the same ray is seen at the same place.
+        // In an image of half the size, the same ray is at the same relative position.
         let half = Camera::from_ftheta(lens, ImageSize::new(968, 608));
         let p = half.project(at(40.0)).unwrap().to::<Usd>();
         let q = camera.project(at(40.0)).unwrap().to::<Usd>();
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn no_lens_and_no_inverse() {
+    fn rejects_invalid_coefficients_and_folds() {
         let of = |k: &[f64]| FTheta::new(k, ImageSize::new(10, 10), PixelPoint::new(5.0, 5.0), 1.0);
         assert_eq!(of(&[1.0]), Err(LensError::NoAngle { k1: 0.0 }));
         assert!(of(&[0.0, f64::NAN]).is_err());

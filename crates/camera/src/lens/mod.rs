@@ -1,23 +1,25 @@
-//! Lens models: how a lens bends the rays of an ideal pinhole.
+//! Lens models.
 
 mod ftheta;
 mod monotone;
+mod names;
 mod opencv_fisheye;
 mod opencv_pinhole;
 
 pub use ftheta::FTheta;
+pub use names::{LensFamily, LensNames};
 pub use opencv_fisheye::OpenCvFisheye;
 pub use opencv_pinhole::OpenCvPinhole;
 
 use glam::{DVec2, DVec3};
 
-/// How a lens bends the ideal pinhole's rays.
+/// A lens model: the relation between rays and distorted points.
 ///
-/// A *distorted* point is what [`Intrinsics`](crate::Intrinsics) turn into a pixel: `pixel = f · distorted + c`.
+/// [`Intrinsics`](crate::Intrinsics) convert a *distorted* point to a pixel: `pixel = f · distorted + c`.
 ///
-/// Every lens polynomial folds back somewhere: beyond that, several rays share a distorted point. A model is taken to
-/// hold from the axis up to the fold and no further; [`project_ray`](Self::project_ray) and
-/// [`unproject`](Self::unproject) answer `None` outside, never a ray that is not there.
+/// Every lens polynomial folds back at some radius, beyond which several rays share a distorted point. A model is valid
+/// from the axis up to the fold; outside, [`project_ray`](Self::project_ray) and [`unproject`](Self::unproject) return
+/// `None`.
 ///
 /// ```
 /// use oaktwin_camera::{LensModel, OpenCvPinhole, math::DVec2};
@@ -42,8 +44,8 @@ pub enum LensModel {
 }
 
 impl LensModel {
-    /// The distorted point of a point on the plane z = 1: the model's formula as it stands, beyond its fold too, as
-    /// OpenCV evaluates it. NaN where the f-theta model has no value.
+    /// Returns the distorted point of a point on the plane z = 1. Like OpenCV, this evaluates the model's formula beyond
+    /// its fold too. NaN where the f-theta model has no value.
     #[must_use]
     pub fn distort(&self, normalized: DVec2) -> DVec2 {
         match self {
@@ -54,8 +56,8 @@ impl LensModel {
         }
     }
 
-    /// The point on the plane z = 1 that lies behind a distorted one, or `None` where the model has no inverse or the
-    /// ray does not meet the plane.
+    /// Returns the point on the plane z = 1 of a distorted point, or `None` if the model has no inverse there or the ray
+    /// does not intersect the plane.
     #[must_use]
     pub fn undistort(&self, distorted: DVec2) -> Option<DVec2> {
         match self {
@@ -65,8 +67,8 @@ impl LensModel {
         }
     }
 
-    /// The distorted point of a point in the camera's frame, any distance away: `None` behind a pinhole, outside the
-    /// region where the model is one to one, and at the optical centre.
+    /// Returns the distorted point of a point in the camera's frame at any distance, or `None` behind a pinhole, where the
+    /// model is not injective, and at the optical centre.
     #[must_use]
     pub fn project_ray(&self, point_in_camera: DVec3) -> Option<DVec2> {
         match self {
@@ -80,7 +82,7 @@ impl LensModel {
         }
     }
 
-    /// The unit ray in the camera's frame that is seen at a distorted point, or `None` where the model has none.
+    /// Returns the unit ray in the camera's frame of a distorted point, or `None` where the model has none.
     #[must_use]
     pub fn unproject(&self, distorted: DVec2) -> Option<DVec3> {
         match self {
@@ -90,32 +92,83 @@ impl LensModel {
             Self::FTheta(lens) => lens.unproject(distorted),
         }
     }
+
+    /// Returns the model's coefficients in its own order.
+    #[must_use]
+    pub const fn coefficients(&self) -> &[f64] {
+        match self {
+            Self::Pinhole => &[],
+            Self::OpenCvPinhole(lens) => &lens.coefficients,
+            Self::OpenCvFisheye(lens) => &lens.k,
+            Self::FTheta(lens) => &lens.k,
+        }
+    }
+
+    /// Returns the names of the model.
+    #[must_use]
+    pub const fn names(&self) -> &'static LensNames {
+        match self {
+            Self::Pinhole => &LensNames::PINHOLE,
+            Self::OpenCvPinhole(_) => &LensNames::OPENCV_PINHOLE,
+            Self::OpenCvFisheye(_) => &LensNames::OPENCV_FISHEYE,
+            Self::FTheta(_) => &LensNames::F_THETA,
+        }
+    }
+
+    /// Whether the model maps the plane z = 1, so that it sees less than 180°.
+    #[must_use]
+    pub const fn is_perspective(&self) -> bool {
+        match self {
+            Self::Pinhole | Self::OpenCvPinhole(_) => true,
+            Self::OpenCvFisheye(_) | Self::FTheta(_) => false,
+        }
+    }
+
+    /// Returns the lens as one of OpenCV's two models, or `None` if OpenCV cannot represent it.
+    #[must_use]
+    pub const fn as_opencv(&self) -> Option<OpenCvLens> {
+        match self {
+            Self::Pinhole => Some(OpenCvLens::Pinhole([0.0; 14])),
+            Self::OpenCvPinhole(lens) => Some(OpenCvLens::Pinhole(lens.coefficients)),
+            Self::OpenCvFisheye(lens) => Some(OpenCvLens::Fisheye(lens.k)),
+            Self::FTheta(_) => None,
+        }
+    }
 }
 
-/// Coefficients that make no lens.
+/// The coefficients of OpenCV's two camera models, which calibration formats are limited to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OpenCvLens {
+    /// k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy.
+    Pinhole([f64; 14]),
+    /// k1 k2 k3 k4.
+    Fisheye([f64; 4]),
+}
+
+/// Invalid coefficients.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LensError {
-    /// A list longer than the model's.
-    #[error("{model}: {count} coefficients, the model has at most {most}; drop the surplus")]
+    /// More coefficients than the model has.
+    #[error("{model}: {count} coefficients, the model has at most {max}; drop the surplus")]
     TooMany {
         /// The model's name.
         model: &'static str,
-        /// How many were given.
+        /// The number of given coefficients.
         count: usize,
-        /// How many it takes.
-        most: usize,
+        /// The number of the model's coefficients.
+        max: usize,
     },
-    /// A NaN or an infinity.
+    /// A coefficient is NaN or infinite.
     #[error("{model}: coefficient {index} is {value}; give a finite number")]
     NotFinite {
         /// The model's name.
         model: &'static str,
-        /// Which one, from 0.
+        /// The index, from 0.
         index: usize,
-        /// What it is.
+        /// The value.
         value: f64,
     },
-    /// An f-theta lens whose angle does not grow at the optical centre.
+    /// The angle of an f-theta lens does not grow at the optical centre.
     #[error("f-theta: k1 is {k1} rad/px; the angle must grow with the radius, so k1 must be above 0")]
     NoAngle {
         /// The coefficient.
@@ -123,13 +176,13 @@ pub enum LensError {
     },
 }
 
-/// `given`, checked and padded with zeros.
+/// Checks coefficients and pads them with zeros.
 fn padded<const N: usize>(model: &'static str, given: &[f64]) -> Result<[f64; N], LensError> {
     if given.len() > N {
         return Err(LensError::TooMany {
             model,
             count: given.len(),
-            most: N,
+            max: N,
         });
     }
     if let Some((index, &value)) = given.iter().enumerate().find(|(_, value)| !value.is_finite()) {
@@ -149,7 +202,7 @@ fn unit_ray(normalized: DVec2) -> Option<DVec3> {
     normalized.extend(1.0).try_normalize()
 }
 
-/// The angle from the optical axis, 0 to π, and the unit direction across it (zero on the axis itself).
+/// Returns the angle from the optical axis, 0 to π, and the unit direction perpendicular to it (zero on the axis).
 fn polar(point: DVec3) -> Option<(f64, DVec2)> {
     let across = point.truncate();
     let distance = across.length();
@@ -157,7 +210,7 @@ fn polar(point: DVec3) -> Option<(f64, DVec2)> {
     (point.is_finite() && point != DVec3::ZERO).then(|| (angle, across.normalize_or_zero()))
 }
 
-/// The unit ray at `angle` from the axis towards `across`.
+/// Returns the unit ray at `angle` from the axis towards `across`.
 fn ray_at(angle: f64, across: DVec2) -> DVec3 {
     let (sin, cos) = angle.sin_cos();
     (across.normalize_or_zero() * sin).extend(cos)

@@ -1,9 +1,9 @@
-//! Where a polynomial is positive, and the inverse of a function that increases there.
+//! Positivity of polynomials, and the inverse of functions that increase on an interval.
 
 /// Whether `c[0] + c[1] u + c[2] u² + …` is positive on all of [0, end].
 ///
-/// By Bernstein coefficients, which enclose the polynomial, halving the interval while they do not decide. A double
-/// root, where no halving decides, counts as not positive.
+/// Bernstein coefficients enclose the polynomial; the interval is halved until they decide. At a double root they never do:
+/// it counts as not positive.
 pub(super) fn positive_on<const N: usize>(c: &[f64; N], end: f64) -> bool {
     let mut bernstein = *c;
     let (mut power, mut binomial) = (1.0, 1.0);
@@ -23,7 +23,7 @@ pub(super) fn positive_on<const N: usize>(c: &[f64; N], end: f64) -> bool {
 }
 
 fn positive<const N: usize>(mut bernstein: [f64; N], halvings: u32) -> bool {
-    // Written so that a NaN is not positive.
+    // In this form, NaN is not positive.
     if !(bernstein[0] > 0.0 && bernstein[N - 1] > 0.0) {
         return false;
     }
@@ -33,7 +33,7 @@ fn positive<const N: usize>(mut bernstein: [f64; N], halvings: u32) -> bool {
     if halvings == 0 {
         return false;
     }
-    // De Casteljau at the middle: the left half appears at the front, the right half stays.
+    // De Casteljau's algorithm at the middle: the left half is collected, the right half remains in place.
     let mut left = [0.0; N];
     for (pass, first) in left.iter_mut().enumerate() {
         *first = bernstein[0];
@@ -44,18 +44,18 @@ fn positive<const N: usize>(mut bernstein: [f64; N], halvings: u32) -> bool {
     positive(left, halvings - 1) && positive(bernstein, halvings - 1)
 }
 
-/// The x in [0, most] with f(x) = target, for an f that increases as long as `holds`: on [0, edge] for some edge.
-/// `f` answers its value and derivative. `None` where f does not reach the target.
+/// Returns the x in [0, max] with f(x) = target, or `None` if f does not reach the target. `f` returns its value and
+/// derivative, and increases as long as `holds` is true: on [0, edge] for some edge.
 pub(super) fn inverse(
     f: impl Fn(f64) -> (f64, f64),
     holds: impl Fn(f64) -> bool,
     target: f64,
     start: f64,
-    most: f64,
+    max: f64,
 ) -> Option<f64> {
-    let found = |x: f64| (0.0..=most).contains(&x) && agrees(f(x).0, target) && holds(x);
+    let found = |x: f64| (0.0..=max).contains(&x) && agrees(f(x).0, target) && holds(x);
 
-    let mut x = start.clamp(0.0, most);
+    let mut x = start.clamp(0.0, max);
     for _ in 0..20 {
         let (value, slope) = f(x);
         let step = (value - target) / slope;
@@ -68,11 +68,11 @@ pub(super) fn inverse(
         return Some(x);
     }
 
-    // Newton strayed: bracket the target from 0 upwards, no further than the edge, and bisect.
+    // Newton's method diverged: bracket the target from 0 up to the edge, and bisect.
     if !holds(0.0) || f(0.0).0 > target {
         return None;
     }
-    let (mut low, mut high) = (0.0, start.clamp(f64::MIN_POSITIVE, most));
+    let (mut low, mut high) = (0.0, start.clamp(f64::MIN_POSITIVE, max));
     loop {
         if !holds(high) {
             let (mut inside, mut outside) = (low, high);
@@ -88,11 +88,11 @@ pub(super) fn inverse(
         if f(high).0 >= target {
             break;
         }
-        if high >= most {
+        if high >= max {
             return None;
         }
         low = high;
-        high = (2.0 * high).min(most);
+        high = (2.0 * high).min(max);
     }
     while let Some(middle) = between(low, high) {
         *(if f(middle).0 < target { &mut low } else { &mut high }) = middle;
@@ -100,7 +100,7 @@ pub(super) fn inverse(
     [low, high].into_iter().find(|&x| found(x))
 }
 
-/// The same number, up to the rounding of a polynomial whose terms nearly cancel.
+/// Whether two values are equal up to the rounding error of a polynomial whose terms nearly cancel.
 pub(super) fn agrees(value: f64, target: f64) -> bool {
     (value - target).abs() <= 1e-12 * (1.0 + target.abs())
 }
@@ -116,12 +116,12 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn positive_until_the_first_root() {
+    fn is_positive_up_to_the_first_root() {
         // (u − 1)(u − 2) = 2 − 3u + u²
         assert!(positive_on(&[2.0, -3.0, 1.0], 0.999));
         assert!(!positive_on(&[2.0, -3.0, 1.0], 1.001));
         assert!(!positive_on(&[2.0, -3.0, 1.0], 3.0));
-        // (u − 1)² + 1e-6 never is 0, (u − 1)² once.
+        // (u − 1)² + 1e-6 has no root, (u − 1)² has one.
         assert!(positive_on(&[1.0 + 1e-6, -2.0, 1.0], 5.0));
         assert!(!positive_on(&[1.0, -2.0, 1.0], 5.0));
         assert!(!positive_on(&[1.0, f64::NAN, 1.0], 5.0));
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_stops_at_the_edge() {
+    fn has_no_inverse_beyond_the_edge() {
         // x − x³/3 increases up to 1, where it is 2/3.
         let f = |x: f64| (x - x.powi(3) / 3.0, 1.0 - x * x);
         let holds = |x: f64| positive_on(&[1.0, 0.0, -1.0], x);
@@ -146,11 +146,11 @@ mod tests {
         #[test]
         fn positive_agrees_with_sampling(c in prop::array::uniform4(-10.0..10.0f64), end in 0.01..3.0f64) {
             let c = [1.0, c[0], c[1], c[2], c[3]];
-            let least = (0..=2000)
+            let min = (0..=2000)
                 .map(|i| { let u = end * f64::from(i) / 2000.0; c.iter().rev().fold(0.0, |sum, k| sum * u + k) })
                 .fold(f64::INFINITY, f64::min);
-            prop_assume!(least.abs() > 1e-3);
-            prop_assert_eq!(positive_on(&c, end), least > 0.0);
+            prop_assume!(min.abs() > 1e-3);
+            prop_assert_eq!(positive_on(&c, end), min > 0.0);
         }
     }
 }

@@ -6,10 +6,10 @@ use super::monotone::{inverse, positive_on};
 use super::{LensError, padded, polar, ray_at};
 
 /// OpenCV's fisheye model: `θd = θ (1 + k1 θ² + k2 θ⁴ + k3 θ⁶ + k4 θ⁸)` for a ray at the angle θ from the optical
-/// axis; θd is the distorted radius. All 0 is the ideal equidistant lens.
+/// axis; θd is the distorted radius. With all coefficients 0, it is the ideal equidistant lens.
 ///
-/// It works on angles up to π, so a lens of more than 180° is seen whole where OpenCV's functions, which go through the
-/// plane z = 1, end at 90° from the axis.
+/// Angles up to π are supported, so that lenses of more than 180° are covered. OpenCV's functions, which use the plane z = 1,
+/// end at 90° from the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OpenCvFisheye {
     /// k1 to k4.
@@ -17,17 +17,17 @@ pub struct OpenCvFisheye {
 }
 
 impl OpenCvFisheye {
-    /// From up to 4 coefficients; absent ones are 0.
+    /// Creates a lens from up to 4 coefficients; missing ones are 0.
     ///
     /// # Errors
-    /// More than 4 coefficients, or one that is not finite.
+    /// Returns an error if there are more than 4 coefficients or one is not finite.
     pub fn from_slice(k: &[f64]) -> Result<Self, LensError> {
         Ok(Self {
             k: padded("OpenCV's fisheye distortion", k)?,
         })
     }
 
-    /// The distorted radius θd of an angle, and its derivative.
+    /// Returns the distorted radius θd of an angle, and its derivative.
     #[must_use]
     pub fn radius_with_slope(&self, angle: f64) -> (f64, f64) {
         let [k1, k2, k3, k4] = self.k;
@@ -38,7 +38,7 @@ impl OpenCvFisheye {
         )
     }
 
-    /// The angle of a distorted radius: `None` where the model does not reach it before it folds or before π.
+    /// Returns the angle of a distorted radius, or `None` if the model does not reach it before its fold or π.
     #[must_use]
     pub fn angle(&self, radius: f64) -> Option<f64> {
         inverse(
@@ -57,14 +57,14 @@ impl OpenCvFisheye {
         angle <= PI && positive_on(&[1.0, 3.0 * k1, 5.0 * k2, 7.0 * k3, 9.0 * k4], angle * angle)
     }
 
-    /// The distorted point of a point on the plane z = 1.
+    /// Returns the distorted point of a point on the plane z = 1.
     #[must_use]
     pub fn distort(&self, normalized: DVec2) -> DVec2 {
         let (radius, _) = self.radius_with_slope(normalized.length().atan());
         normalized.normalize_or_zero() * radius
     }
 
-    /// The distorted point of a point in the camera's frame; `None` beyond the fold and at the optical centre.
+    /// Returns the distorted point of a point in the camera's frame, or `None` beyond the fold and at the optical centre.
     #[must_use]
     pub fn project_ray(&self, point_in_camera: DVec3) -> Option<DVec2> {
         let (angle, across) = polar(point_in_camera)?;
@@ -72,7 +72,7 @@ impl OpenCvFisheye {
             .then(|| across * self.radius_with_slope(angle).0)
     }
 
-    /// The unit ray of a distorted point.
+    /// Returns the unit ray of a distorted point.
     #[must_use]
     pub fn unproject(&self, distorted: DVec2) -> Option<DVec3> {
         Some(ray_at(self.angle(distorted.length())?, distorted))
@@ -85,7 +85,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn an_equidistant_lens_sees_behind_itself() {
+    fn equidistant_lenses_see_backward() {
         let lens = OpenCvFisheye::default();
         let angle = 110f64.to_radians();
         let point = DVec3::new(0.0, angle.sin(), angle.cos());
@@ -98,13 +98,13 @@ mod tests {
     }
 
     #[test]
-    fn a_fold_has_no_inverse_beyond_it() {
-        // θ − 0.1 θ³ is greatest at θ² = 1/0.3.
+    fn has_no_inverse_beyond_the_fold() {
+        // The maximum of θ − 0.1 θ³ is at θ² = 1/0.3.
         let lens = OpenCvFisheye::from_slice(&[-0.1]).unwrap();
         let fold = (1.0f64 / 0.3).sqrt();
-        let (most, _) = lens.radius_with_slope(fold);
-        assert!(lens.angle(most - 1e-6).unwrap() < fold);
-        assert_eq!(lens.angle(most + 1e-6), None);
+        let (max, _) = lens.radius_with_slope(fold);
+        assert!(lens.angle(max - 1e-6).unwrap() < fold);
+        assert_eq!(lens.angle(max + 1e-6), None);
         assert_eq!(
             lens.project_ray(DVec3::new((fold + 1e-6).sin(), 0.0, (fold + 1e-6).cos())),
             None

@@ -18,28 +18,29 @@ use super::{LensError, padded};
 /// Factory calibrations of OAK cameras have k1, k2, k4 and k5 of up to a few hundred that nearly cancel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenCvPinhole {
-    /// In OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy. Absent ones are 0.
+    /// k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy, in OpenCV's order.
     pub coefficients: [f64; 14],
 }
 
 impl OpenCvPinhole {
-    /// From OpenCV's 4, 5, 8, 12 or 14 coefficients, or any number up to 14, as `DepthAI` has them; absent ones are 0.
+    /// Creates a lens from OpenCV's 4, 5, 8, 12 or 14 coefficients, or any number up to 14, as in `DepthAI`; missing ones are
+    /// 0.
     ///
     /// # Errors
-    /// More than 14 coefficients, or one that is not finite.
+    /// Returns an error if there are more than 14 coefficients or one is not finite.
     pub fn from_slice(coefficients: &[f64]) -> Result<Self, LensError> {
         Ok(Self {
             coefficients: padded("OpenCV's pinhole distortion", coefficients)?,
         })
     }
 
-    /// The distorted point of a point on the plane z = 1.
+    /// Returns the distorted point of a point on the plane z = 1.
     #[must_use]
     pub fn distort(&self, normalized: DVec2) -> DVec2 {
         self.distort_with_jacobian(normalized).0
     }
 
-    /// [`distort`](Self::distort) and its derivative, `[[∂x″/∂x, ∂x″/∂y], [∂y″/∂x, ∂y″/∂y]]`.
+    /// Returns the distorted point and its derivative, `[[∂x″/∂x, ∂x″/∂y], [∂y″/∂x, ∂y″/∂y]]`.
     #[must_use]
     pub fn distort_with_jacobian(&self, normalized: DVec2) -> (DVec2, DMat2) {
         let (flat, d_flat) = self.before_tilt(normalized);
@@ -55,8 +56,8 @@ impl OpenCvPinhole {
         (tilted, d_tilt * d_flat)
     }
 
-    /// The point on the plane z = 1 behind a distorted one: by Newton's method, to the rounding of the model itself
-    /// (its value is hit to 1e-12). `None` beyond the fold.
+    /// Returns the point on the plane z = 1 of a distorted point, or `None` beyond the fold. Newton's method converges to the
+    /// model's rounding error (the distorted point is reached within 1e-12).
     #[must_use]
     pub fn undistort(&self, distorted: DVec2) -> Option<DVec2> {
         let target = self.untilt(distorted)?;
@@ -65,7 +66,7 @@ impl OpenCvPinhole {
             agrees(value.x, target.x) && agrees(value.y, target.y) && self.is_monotone_at(at)
         };
 
-        // Newton from the point itself: three to six steps, where the lens is gentle.
+        // Newton's method from the distorted point takes three to six steps for moderate distortion.
         let mut at = target;
         for _ in 0..12 {
             let (value, slope) = self.before_tilt(at);
@@ -79,7 +80,7 @@ impl OpenCvPinhole {
             return Some(at);
         }
 
-        // It strayed over a fold, or there is no answer: from the centre, never leaving the region that holds.
+        // It crossed a fold, or there is no solution: retry from the centre without leaving the valid region.
         let mut at = DVec2::ZERO;
         let mut residual = target.length();
         for _ in 0..200 {
@@ -94,7 +95,7 @@ impl OpenCvPinhole {
                     break;
                 }
                 part *= 0.5;
-                // Also the way out for a NaN, which is never less.
+                // NaN, which is never smaller, ends here too.
                 if part < 1e-12 {
                     return found(at).then_some(at);
                 }
@@ -103,8 +104,8 @@ impl OpenCvPinhole {
         found(at).then_some(at)
     }
 
-    /// Whether the model is one to one from the axis out to this point of the plane z = 1: the radial term increases
-    /// all the way, and the whole map keeps its orientation here.
+    /// Whether the model is injective from the axis to this point of the plane z = 1: the radial term increases all the way,
+    /// and the map preserves the orientation at the point.
     #[must_use]
     pub fn is_monotone_at(&self, normalized: DVec2) -> bool {
         let [n, d] = self.rational();
@@ -124,7 +125,7 @@ impl OpenCvPinhole {
                 .is_none_or(|tilt| (tilt * self.before_tilt(normalized).0.extend(1.0)).z > 0.0)
     }
 
-    /// The same lens on a sensor that is not tilted: what remains for those who cannot say τx and τy.
+    /// Returns the lens without the sensor's tilt, for formats that have no τx and τy.
     #[must_use]
     pub fn without_tilt(&self) -> Self {
         let mut coefficients = self.coefficients;
@@ -132,7 +133,7 @@ impl OpenCvPinhole {
         Self { coefficients }
     }
 
-    /// Where a distorted point would lie on an untilted sensor. `None` on and beyond the tilted plane's horizon.
+    /// Returns the position of a distorted point on an untilted sensor, or `None` on and beyond the tilted plane's horizon.
     #[must_use]
     pub fn untilt(&self, distorted: DVec2) -> Option<DVec2> {
         let Some(tilt) = self.tilt() else {
@@ -143,13 +144,13 @@ impl OpenCvPinhole {
         (h.z > 0.0 && flat.is_finite()).then_some(flat)
     }
 
-    /// The homography of the tilted sensor, or `None` where there is no tilt.
+    /// Returns the homography of the tilted sensor, or `None` if there is no tilt.
     fn tilt(&self) -> Option<DMat3> {
         let [.., tau_x, tau_y] = self.coefficients;
         if tau_x == 0.0 && tau_y == 0.0 {
             return None;
         }
-        // OpenCV's angles turn the other way round than a right-handed rotation.
+        // OpenCV's angles are left-handed.
         let rotation = DMat3::from_rotation_y(-tau_y) * DMat3::from_rotation_x(-tau_x);
         let axis = rotation.row(2).z;
         let project = DMat3::from_cols_array_2d(&[
@@ -160,7 +161,7 @@ impl OpenCvPinhole {
         Some(project * rotation)
     }
 
-    /// Numerator and denominator of the radial factor, by rising power of r².
+    /// Returns the coefficients of the radial factor's numerator and denominator, in ascending powers of r².
     fn rational(&self) -> [[f64; 4]; 2] {
         let [k1, k2, _, _, k3, k4, k5, k6, ..] = self.coefficients;
         [[1.0, k1, k2, k3], [1.0, k4, k5, k6]]
@@ -177,7 +178,7 @@ impl OpenCvPinhole {
             )
         });
         let radial = n / d;
-        let d_radial = (dn - radial * dd) / d; // by u
+        let d_radial = (dn - radial * dd) / d; // with respect to u
         let (prism_x, prism_y) = (2.0 * (s1 + 2.0 * s2 * u), 2.0 * (s3 + 2.0 * s4 * u));
         let value = DVec2::new(
             x * radial + 2.0 * p1 * x * y + p2 * (u + 2.0 * x * x) + u * (s1 + s2 * u),
@@ -200,7 +201,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn lengths_up_to_fourteen() {
+    fn accepts_up_to_14_coefficients() {
         for length in 0..=14 {
             let lens = OpenCvPinhole::from_slice(&vec![0.25; length]).unwrap();
             assert_eq!(lens.coefficients.iter().filter(|&&k| k == 0.25).count(), length);
@@ -215,14 +216,14 @@ mod tests {
     }
 
     #[test]
-    fn a_fold_has_no_inverse_beyond_it() {
-        // x (1 − 0.3 x²) is greatest at x = 1.0541, where it is 0.7027.
+    fn has_no_inverse_beyond_the_fold() {
+        // The maximum of x (1 − 0.3 x²) is 0.7027 at x = 1.0541.
         let lens = OpenCvPinhole::from_slice(&[-0.3]).unwrap();
         let fold = (1.0f64 / 0.9).sqrt();
-        let most = lens.distort(DVec2::new(fold, 0.0)).x;
-        let near = lens.undistort(DVec2::new(most - 1e-6, 0.0)).unwrap();
+        let max = lens.distort(DVec2::new(fold, 0.0)).x;
+        let near = lens.undistort(DVec2::new(max - 1e-6, 0.0)).unwrap();
         assert!(near.x < fold && near.x > fold - 2e-3);
-        assert_eq!(lens.undistort(DVec2::new(most + 1e-6, 0.0)), None);
+        assert_eq!(lens.undistort(DVec2::new(max + 1e-6, 0.0)), None);
         assert_eq!(lens.undistort(DVec2::new(50.0, 0.0)), None);
         assert!(!lens.is_monotone_at(DVec2::new(fold + 1e-9, 0.0)));
         assert_eq!(lens.undistort(DVec2::NAN), None);
@@ -230,8 +231,8 @@ mod tests {
     }
 
     #[test]
-    fn newton_over_a_pole_is_caught() {
-        // The denominator is 0 at r² = 0.5; the strong pincushion puts a start at the distorted point beyond it.
+    fn undistorts_beyond_a_pole_of_newtons_method() {
+        // The denominator is 0 at r² = 0.5. Strong pincushion distortion moves the start, the distorted point, beyond it.
         let lens = OpenCvPinhole::from_slice(&[0.0, 0.0, 0.0, 0.0, 0.0, -2.0]).unwrap();
         let point = DVec2::new(0.6, 0.3);
         let distorted = lens.distort(point);
@@ -239,8 +240,8 @@ mod tests {
         assert!((lens.undistort(distorted).unwrap() - point).length() < 1e-12);
     }
 
-    /// Coefficients as a factory fit leaves them: the numerator is the denominator times a gentle radial term, so both
-    /// are large and nearly cancel.
+    /// Coefficients like those of factory calibrations: the numerator is the denominator times a small radial term, so that
+    /// both are large and nearly cancel.
     fn factory() -> impl Strategy<Value = OpenCvPinhole> {
         (
             -12.0..26.0f64,
@@ -251,7 +252,7 @@ mod tests {
             prop::array::uniform2(-0.03..0.03f64),
         )
             .prop_map(|(k4, shape, gentle, p, s, tau)| {
-                // Above k4²/4 the denominator has no root for positive r².
+                // If k5 is above k4²/4, the denominator has no root for positive r².
                 let k5 = if k4 < 0.0 {
                     k4 * k4 * (0.3 + shape)
                 } else {
@@ -291,7 +292,7 @@ mod tests {
         }
 
         #[test]
-        fn undistort_is_never_wrong(lens in factory(), x in -30.0..30.0f64, y in -30.0..30.0f64) {
+        fn undistort_returns_only_inverses(lens in factory(), x in -30.0..30.0f64, y in -30.0..30.0f64) {
             let distorted = DVec2::new(x, y);
             if let Some(point) = lens.undistort(distorted) {
                 prop_assert!((lens.distort(point) - distorted).length() < 1e-9 * (1.0 + distorted.length()));
@@ -311,7 +312,7 @@ mod tests {
         }
 
         #[test]
-        fn without_tilt_is_before_the_tilt(lens in factory(), x in -0.7..0.7f64, y in -0.5..0.5f64) {
+        fn untilt_inverts_the_tilt(lens in factory(), x in -0.7..0.7f64, y in -0.5..0.5f64) {
             let point = DVec2::new(x, y);
             let untilted = lens.untilt(lens.distort(point)).unwrap();
             prop_assert!((untilted - lens.without_tilt().distort(point)).length() < 1e-13);

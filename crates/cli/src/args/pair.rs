@@ -55,6 +55,6 @@ impl PairArgs {
 fn imager_help() -> String {
     format!(
         "Set a parameter of the image sensors by its name; repeatable: {}",
-        imager::NAMES.join(", ")
+        imager::Parameters::names().join(", ")
     )
 }

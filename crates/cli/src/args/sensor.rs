@@ -151,10 +151,10 @@ fn parameter_help() -> String {
     format!(
         "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
          {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias.\ntime-of-flight: {}",
-        single_view::Parameters::NAMES.join(", "),
-        single_view::Assumptions::NAMES.join(", "),
+        single_view::Parameters::names().join(", "),
+        single_view::Assumptions::names().join(", "),
         stereo_noise::Parameters::names().join(", "),
-        stereo_matching::NAMES.join(", "),
+        stereo_matching::Parameters::names().join(", "),
         time_of_flight::Parameters::names().join(", ")
     )
 }

@@ -12,7 +12,7 @@ use super::{OutputArgs, SettingsArgs, ThreadArgs, UnitArgs};
     next_line_help = true,
     mut_arg("parameters", |arg| arg.long_help(format!(
         "Set a parameter of the matcher by its name, DepthAI's where it has one; repeatable: {}",
-        stereo_matching::NAMES.join(", ")
+        stereo_matching::Parameters::names().join(", ")
     ))),
     mut_arg("annotators", |arg| arg.help(
         "Comma-separated outputs beside depth_sensor_distance: disparity (px), confidence (255 = highest), rectified (both \

@@ -12,7 +12,7 @@ use crate::args::DemoArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{destination, output};
 
-/// The model that the shipped calibration is of.
+/// The model of the example calibration.
 const UNIT_MODEL: &str = "oak_d_pro_poe";
 
 pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
@@ -32,29 +32,29 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     }
     let file = put(
         "example_calibration.json",
-        "the calibration of one unit (an example)",
+        "example calibration of one unit",
         calibration::EXAMPLE.as_bytes(),
     )?;
     let (twin, findings) = unit::open(&context.catalog, context.device(UNIT_MODEL)?, &file, false)?;
     let made = asset::asset(&twin, &options)?;
-    let what = format!("the twin of that {}", twin.device.name);
+    let what = format!("twin of that {}", twin.device.name);
     let path = put(&format!("{}_unit.usd", made.stem), &what, &made.bytes(format)?)?;
     let renderer = room::open(&args.output)?;
     let sheet = room::render(&renderer, &args.output, devices, &twins)?;
     put(
         "demo_room.png",
-        "a room as all five see it: colour, depth, and what their sensors make of it",
+        "a room seen by all models: colour, depth and simulated sensor depth",
         &sheet,
     )?;
     put(
         "demo_engines.png",
-        "the same through each engine: by day, at night with a projector's dots, by time of flight",
+        "the room through each engine: by day, at night with the dot projector, with time of flight",
         &engines::sheet(context, &renderer)?,
     )?;
     let room = args.output.join(room::FOLDER);
     let _ = writeln!(
         listing,
-        "  {:<44} that room, and each model's images of it",
+        "  {:<44} the room, and each model's images of it",
         room.display().to_string()
     );
     output::say_findings(&file, &findings);

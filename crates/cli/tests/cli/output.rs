@@ -1,4 +1,4 @@
-//! What is printed: whole outputs.
+//! Snapshots of complete outputs.
 
 use std::io::Read;
 use std::process::Stdio;
@@ -72,7 +72,7 @@ fn compare() {
 }
 
 #[test]
-fn json_is_json() {
+fn prints_valid_json() {
     let program = Program::new();
     for arguments in [
         &["models", "--json"][..],
@@ -113,7 +113,7 @@ fn completions_and_manual_pages() {
 }
 
 #[test]
-fn a_closed_pipe_is_no_error() {
+fn closed_pipe_is_not_an_error() {
     let program = Program::new();
     let mut child = program
         .command(&["compare"])

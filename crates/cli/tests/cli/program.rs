@@ -1,4 +1,4 @@
-//! Runs the program in a folder of its own.
+//! Runs the program in a temporary folder.
 
 use std::fs;
 use std::io::Read;
@@ -17,7 +17,7 @@ pub(crate) struct Program {
     folder: tempfile::TempDir,
 }
 
-/// How a run ended, with the folder's name taken out.
+/// The result of a run, with the folder's path removed.
 pub(crate) struct Ended {
     pub(crate) code: i32,
     pub(crate) stdout: String,
@@ -58,14 +58,15 @@ impl Program {
         self.ended(&self.command(arguments).output().unwrap())
     }
 
-    /// Runs what must end well; its standard output.
+    /// Runs a command that must succeed and returns its standard output.
     pub(crate) fn good(&self, arguments: &[&str]) -> String {
         let ended = self.run(arguments);
         assert_eq!(ended.code, 0, "{arguments:?}: {}{}", ended.stdout, ended.stderr);
         ended.stdout
     }
 
-    /// Runs what must be refused: one line on standard error, nothing on standard output, nothing new in the folder.
+    /// Runs a command that must be rejected: one line on standard error, no standard output and no new files. Returns
+    /// standard error.
     pub(crate) fn refused(&self, arguments: &[&str]) -> String {
         let before = self.names();
         let ended = self.run(arguments);
@@ -111,7 +112,7 @@ impl Program {
         })
     }
 
-    /// Every file and folder below the folder.
+    /// Returns the paths of all files and folders below the folder.
     pub(crate) fn names(&self) -> Vec<String> {
         fn walk(folder: &Path, root: &Path, names: &mut Vec<String>) {
             for entry in fs::read_dir(folder).unwrap() {

@@ -1,24 +1,24 @@
-//! The serialization of ROS 2 messages.
+//! Serialization of ROS 2 messages.
 
-/// Writes plain little-endian CDR in RTPS's encapsulation: a header of four bytes, then the fields, each aligned to its own size
-/// relative to the end of the header (OMG "DDS-XTypes" 7.4.1, "DDSI-RTPS" 10).
+/// Writes plain little-endian CDR with the header of RTPS: four bytes of identifier and options, then the fields, each aligned to
+/// its own size relative to the end of the header (OMG "DDS-XTypes" 7.4.1, "DDSI-RTPS" 10).
 #[derive(Debug, Default)]
 pub(super) struct Cdr {
     bytes: Vec<u8>,
 }
 
-/// The representation identifier of little-endian plain CDR, without options.
+/// The representation identifier of little-endian plain CDR, and no options.
 const LITTLE_ENDIAN: [u8; 4] = [0, 1, 0, 0];
 
 impl Cdr {
-    /// Begins the next message in the same memory.
+    /// Starts a new message in the memory of the last one.
     pub(super) fn begin(&mut self) -> &mut Self {
         self.bytes.clear();
         self.bytes.extend(LITTLE_ENDIAN);
         self
     }
 
-    /// The serialized message.
+    /// Returns the message.
     pub(super) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
@@ -50,7 +50,7 @@ impl Cdr {
         self
     }
 
-    /// Writes an array of fixed length, or a single number.
+    /// Writes an array of fixed length, or a number.
     pub(super) fn f64s(&mut self, values: &[f64]) -> &mut Self {
         for value in values {
             self.align(8);
@@ -68,7 +68,7 @@ impl Cdr {
 
     /// Writes the length of a sequence.
     pub(super) fn length(&mut self, length: usize) -> &mut Self {
-        // Images have at most 2^31 pixels, and longer messages are rejected earlier.
+        // Images have at most 2^31 pixels; messages that are too long are rejected earlier.
         self.u32(u32::try_from(length).unwrap_or(u32::MAX))
     }
 
@@ -78,7 +78,7 @@ impl Cdr {
         self.bytes.reserve(length);
         let start = self.bytes.len();
         fill(&mut self.bytes);
-        debug_assert_eq!(self.bytes.len() - start, length, "the announced length");
+        debug_assert_eq!(self.bytes.len() - start, length, "what was announced");
         self
     }
 }
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn aligns_relative_to_the_header() {
+    fn alignment_is_relative_to_the_header() {
         let mut cdr = Cdr::default();
         cdr.begin().u8(7).u32(0x0102_0304).bool(true).f64s(&[1.0]);
         let expected = [
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn prefixes_strings_and_sequences_with_their_length() {
+    fn strings_and_sequences_have_a_length() {
         let mut cdr = Cdr::default();
         cdr.begin()
             .string("ab")
@@ -120,11 +120,11 @@ mod tests {
     }
 
     #[test]
-    fn encodes_empty_sequences() {
+    fn empty_sequences_have_a_length() {
         let mut cdr = Cdr::default();
         cdr.begin().length(0).u8(5);
         assert_eq!(cdr.bytes(), [0, 1, 0, 0, 0, 0, 0, 0, 5]);
-        // The next message.
+        // The next message starts from scratch.
         assert_eq!(cdr.begin().u8(1).bytes(), [0, 1, 0, 0, 1]);
     }
 }

@@ -1,11 +1,11 @@
-//! Point clouds of depth images.
+//! Conversion of depth to points.
 
 use oaktwin_camera::{Camera, PixelPoint, Usd};
 use oaktwin_image::Image;
 
 use super::DepthView;
 
-/// The intersection of the ray of each pixel centre with the plane z = 1; NaN if there is none.
+/// Returns the intersection of the ray at each pixel centre with the plane z = 1; NaN if there is none.
 pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
     let size = camera.intrinsics.size;
     let mut rays = Image::filled(size.width, size.height, [f32::NAN; 2]);
@@ -23,7 +23,7 @@ pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
     rays
 }
 
-/// The point of each pixel in the camera's optical frame, metres; NaN for invalid depth.
+/// Returns the point of each pixel, metres in the camera's optical frame; NaN for invalid depth.
 pub(super) fn points<'a>(
     rays: &'a Image<[f32; 2]>,
     depth: DepthView<'a>,
@@ -48,7 +48,7 @@ mod tests {
     use oaktwin_image::ImageView;
 
     #[test]
-    fn points_project_onto_their_pixels() {
+    fn points_project_to_their_pixels() {
         let lens = LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&[-0.1, 0.02]).unwrap());
         let camera = Camera::new(Intrinsics::from_hfov(ImageSize::new(7, 5), 1.2), lens);
         let depth: Vec<f32> = (0u8..35).map(|at| f32::from(at) * 0.1).collect();

@@ -1,26 +1,24 @@
-//! Lens models of ROS.
+//! Distortion models of ROS.
 
-use oaktwin_camera::LensModel;
+use oaktwin_camera::{LensModel, OpenCvLens};
 
-/// A distortion model: name and coefficients.
+/// A distortion model's name and coefficients.
 pub(super) struct Distortion {
     pub(super) model: &'static str,
     pub(super) d: Vec<f64>,
 }
 
-/// The ROS model of a lens: `plumb_bob` (k1 k2 p1 p2 k3), `rational_polynomial` (and k4 k5 k6), `equidistant` (k1 k2 k3 k4).
-/// `None` for other lenses.
+/// ROS's models: `plumb_bob` (k1 k2 p1 p2 k3), `rational_polynomial` (and k4 k5 k6), `equidistant` (k1 k2 k3 k4); `None`
+/// for other lenses.
 pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
-    let coefficients = match lens {
-        LensModel::Pinhole => [0.0; 14],
-        LensModel::OpenCvPinhole(lens) => lens.coefficients,
-        LensModel::OpenCvFisheye(lens) => {
+    let coefficients = match lens.as_opencv()? {
+        OpenCvLens::Pinhole(coefficients) => coefficients,
+        OpenCvLens::Fisheye(k) => {
             return Some(Distortion {
                 model: "equidistant",
-                d: lens.k.to_vec(),
+                d: k.to_vec(),
             });
         }
-        LensModel::FTheta(_) => return None,
     };
     let (rational, [k4, k5, k6]) = (&coefficients[..8], [5, 6, 7].map(|at| coefficients[at]));
     Some(if [k4, k5, k6] == [0.0; 3] {
@@ -36,15 +34,15 @@ pub(super) fn distortion(lens: &LensModel) -> Option<Distortion> {
     })
 }
 
-/// Returns what ROS's camera information does not store of a lens; images and point clouds are correct nevertheless.
+/// Returns a description of what `camera_info` cannot represent of a lens. Images and point clouds are not affected.
 #[must_use]
 pub fn ros_lens_loss(lens: &LensModel) -> Option<&'static str> {
-    match lens {
-        LensModel::FTheta(_) => Some("ROS does not support f-theta lenses; camera_info is skipped"),
-        LensModel::OpenCvPinhole(lens) if lens.coefficients[8..].iter().any(|c| *c != 0.0) => Some(
-            "ROS does not support thin prism and tilt; camera_info has only the first eight coefficients",
-        ),
-        LensModel::Pinhole | LensModel::OpenCvPinhole(_) | LensModel::OpenCvFisheye(_) => None,
+    match lens.as_opencv() {
+        None => Some("ROS has no model of this lens: camera_info is omitted"),
+        Some(OpenCvLens::Pinhole(coefficients)) if coefficients[8..].iter().any(|c| *c != 0.0) => {
+            Some("ROS has no thin prism and no tilt: camera_info contains the first eight coefficients only")
+        }
+        Some(_) => None,
     }
 }
 
@@ -54,7 +52,7 @@ mod tests {
     use oaktwin_camera::{OpenCvFisheye, OpenCvPinhole};
 
     #[test]
-    fn maps_lenses_to_ros_models() {
+    fn chooses_the_smallest_model() {
         let opencv = |numbers: &[f64]| LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(numbers).unwrap());
         let of = |lens: &LensModel| distortion(lens).map(|found| (found.model, found.d));
         assert_eq!(of(&LensModel::Pinhole), Some(("plumb_bob", vec![0.0; 5])));

@@ -1,4 +1,4 @@
-//! Recordings as MCAP files with ROS 2 messages.
+//! Recordings as MCAP files of ROS 2 messages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -20,13 +20,13 @@ use super::{
     names,
 };
 
-/// The uncompressed size of a chunk, which limits the cost of seeking; a longer message is a chunk of its own.
+/// The size of a chunk of messages, which are compressed together, bytes. Longer messages are chunks of their own.
 const CHUNK: u64 = 4 << 20;
 
-/// The root frame.
+/// The root of all frames.
 const WORLD: &str = "world";
 
-/// Writes MCAP with the profile `ros2`. The same moments give the same bytes.
+/// Writes MCAP with the profile `ros2`. The same moments result in the same bytes.
 ///
 /// | topic | message |
 /// |---|---|
@@ -36,34 +36,34 @@ const WORLD: &str = "world";
 /// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
-/// The frames are `world` → the body → `NAME` → `NAME_optical_frame`, that of images and point clouds; for a camera without a body
-/// `world` → `NAME`. Chunks are compressed with zstd on one thread.
+/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A camera without a body
+/// has `world` → `NAME`. Chunks are compressed with zstd, on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
-    /// The buffer of messages.
+    /// The current message, whose memory is reused.
     cdr: Cdr,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
     bodies: Vec<Carrier>,
     channels: BTreeMap<String, Channel>,
-    /// Whether a camera was added after the static transforms were written.
+    /// Whether a camera was added since the static transforms were last written.
     statics_are_due: bool,
 }
 
-/// A camera with the data of its messages.
+/// A camera and the state of its messages.
 struct Station {
     camera: RecordedCamera,
     optical_frame: String,
-    /// The camera's frame, on a body or moving itself.
+    /// The name of the camera's frame.
     frame: String,
-    /// The index of the body; `None` if the camera moves itself.
+    /// The index of its body; `None` if it has none.
     carrier: Option<usize>,
-    /// Computed for the first point cloud.
+    /// The rays of the pixels, computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
     last: Option<(Time, RigidTransform)>,
 }
 
-/// A body of cameras.
+/// A body with cameras.
 struct Carrier {
     name: String,
     frame: String,
@@ -77,7 +77,7 @@ struct Channel {
 }
 
 impl<W: Write> Mcap<W> {
-    /// Begins a recording.
+    /// Starts a recording.
     ///
     /// # Errors
     /// Returns an error if the output cannot be written.
@@ -86,10 +86,10 @@ impl<W: Write> Mcap<W> {
             .profile("ros2")
             .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
             .chunk_size(Some(CHUNK))
-            // The fastest level, because noise does not compress.
+            // The fastest level, since noise does not compress at any level.
             .compression(Some(Compression::Zstd))
             .compression_level(1)
-            // With several threads the bytes depend on their number.
+            // With several threads, the bytes depend on their number.
             .compression_threads(0)
             .disable_seeking(true);
         Ok(Self {
@@ -132,7 +132,7 @@ impl<W: Write> Mcap<W> {
             .map_err(failed)
     }
 
-    /// Writes all static transforms in one message, because late subscribers receive only the last message.
+    /// Writes all static transforms in one message, since late subscribers receive only the last one.
     fn put_statics(&mut self, time: Time) -> Result<(), RecordingError> {
         let header = |frame| Header { time, frame };
         let mut all = Vec::new();
@@ -155,7 +155,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf_static", Schema::Tf, time)
     }
 
-    /// Writes the pose of the camera or its body, unless another camera already did.
+    /// Writes the pose of the camera or its body, unless another camera of the body has written it.
     fn put_pose(&mut self, at: usize, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let Some(station) = self.cameras.get_mut(at) else {
             return Err(RecordingError::NoCamera);
@@ -180,7 +180,7 @@ impl<W: Write> Mcap<W> {
         self.put("/tf", Schema::Tf, moment.time)
     }
 
-    /// Writes the images; `station` is temporarily taken from `self.cameras`.
+    /// Writes the images; `station` is borrowed from `self.cameras`.
     fn put_images(&mut self, station: &mut Station, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let time = moment.time;
         let head = Header {
@@ -257,7 +257,7 @@ impl<W: Write> Recorder for Mcap<W> {
             self.put_statics(moment.time)?;
         }
         self.put_pose(camera.0, moment)?;
-        // Taken from the list while its images are written.
+        // Taken out of the list while its images are written.
         let mut cameras = std::mem::take(&mut self.cameras);
         let written = match cameras.get_mut(camera.0) {
             Some(station) => self.put_images(station, moment),
@@ -282,13 +282,13 @@ impl<W: Write> fmt::Debug for Mcap<W> {
     }
 }
 
-/// The rotation from the camera's body axes to its optical frame.
+/// Returns the transform from a camera's frame, with the axes of a body, to its optical frame.
 fn optical_from_camera() -> RigidTransform {
     RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Ros), DVec3::ZERO)
 }
 
-/// The QoS profile of static transforms, which are kept for late subscribers (the values of `rmw`: keep last 1, reliable,
-/// transient local, automatic, no limits).
+/// Returns the quality-of-service profile of a topic for players, by which static transforms are kept for late subscribers (with the numbers of
+/// `rmw`: keep last one, reliable, transient local, automatic, no limits).
 fn metadata(topic: &str) -> BTreeMap<String, String> {
     let forever = "{sec: 9223372036, nsec: 854775807}";
     let qos = format!(

@@ -1,4 +1,4 @@
-//! ROS 2 messages, field by field.
+//! The fields of ROS 2 messages.
 
 use oaktwin_camera::{ImageSize, Intrinsics, RigidTransform};
 use oaktwin_image::{Image, ImageView};
@@ -17,11 +17,11 @@ pub(super) struct Header<'a> {
     pub(super) frame: &'a str,
 }
 
-/// The transform between two frames.
+/// A transform between frames.
 pub(super) struct Transform<'a> {
     pub(super) header: Header<'a>,
     pub(super) child: &'a str,
-    /// The transform `header.frame` from `child`.
+    /// The transform to `header.frame` from `child`.
     pub(super) parent_from_child: RigidTransform,
 }
 
@@ -30,7 +30,7 @@ fn header(cdr: &mut Cdr, header: Header<'_>) {
     cdr.i32(seconds).u32(nanoseconds).string(header.frame);
 }
 
-/// The fields before an image's bytes.
+/// Writes the fields before the bytes of an image.
 fn image_head(cdr: &mut Cdr, head: Header<'_>, size: ImageSize, encoding: &str, bytes_per_pixel: u32) {
     header(cdr.begin(), head);
     cdr.u32(size.height).u32(size.width).string(encoding);
@@ -38,7 +38,7 @@ fn image_head(cdr: &mut Cdr, head: Header<'_>, size: ImageSize, encoding: &str, 
     cdr.u8(0).u32(size.width * bytes_per_pixel);
 }
 
-/// `sensor_msgs/Image`, `rgb8`.
+/// Writes a `sensor_msgs/Image` with `rgb8`.
 pub(super) fn rgb(cdr: &mut Cdr, head: Header<'_>, image: ImageView<'_, [u8; 4]>) {
     let size = ImageSize::new(image.width(), image.height());
     image_head(cdr, head, size, "rgb8", 3);
@@ -48,7 +48,7 @@ pub(super) fn rgb(cdr: &mut Cdr, head: Header<'_>, image: ImageView<'_, [u8; 4]>
     });
 }
 
-/// `sensor_msgs/Image`, `32FC1` or `16UC1`, with invalid values as in REP-117 and REP-118.
+/// Writes a `sensor_msgs/Image` with `32FC1` or `16UC1` and the invalid values of REP-117 and REP-118.
 pub(super) fn depth(cdr: &mut Cdr, head: Header<'_>, depth: DepthView<'_>) {
     let size = depth.size();
     match depth {
@@ -70,7 +70,7 @@ pub(super) fn depth(cdr: &mut Cdr, head: Header<'_>, depth: DepthView<'_>) {
     }
 }
 
-/// `sensor_msgs/CameraInfo`: K and D of the image, and P of the image without distortion.
+/// Writes a `sensor_msgs/CameraInfo`: K and D of the raw image, P of the undistorted one.
 pub(super) fn camera_info(cdr: &mut Cdr, head: Header<'_>, intrinsics: &Intrinsics, distortion: &Distortion) {
     let k = intrinsics.opencv_matrix();
     header(cdr.begin(), head);
@@ -86,7 +86,8 @@ pub(super) fn camera_info(cdr: &mut Cdr, head: Header<'_>, intrinsics: &Intrinsi
     cdr.u32(0).u32(0).u32(0).u32(0).bool(false);
 }
 
-/// `sensor_msgs/PointCloud2`: one point per pixel, NaN if invalid; with a colour image also packed colours as in PCL.
+/// Writes a `sensor_msgs/PointCloud2`: one point per pixel, row by row, NaN if invalid, with colours packed into a number like
+/// PCL's if there is a colour image.
 pub(super) fn points(
     cdr: &mut Cdr,
     head: Header<'_>,
@@ -119,7 +120,7 @@ pub(super) fn points(
     cdr.bool(is_dense);
 }
 
-/// `tf2_msgs/TFMessage`.
+/// Writes a `tf2_msgs/TFMessage`.
 pub(super) fn transforms<'a>(cdr: &mut Cdr, transforms: impl ExactSizeIterator<Item = Transform<'a>>) {
     cdr.begin().length(transforms.len());
     for transform in transforms {
@@ -144,11 +145,11 @@ mod tests {
         }
     }
 
-    /// The time and the frame of [`head`]: 14 bytes.
+    /// The 14 bytes of the time and the frame of [`head`].
     const HEAD: &[u8] = &[0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, b'c', 0];
 
     #[test]
-    fn encodes_images() {
+    fn bytes_of_an_image() {
         let mut cdr = Cdr::default();
         let metres = [1.0f32, 0.0, f32::INFINITY];
         let view = ImageView::new(3, 1, &metres).unwrap();
@@ -178,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn encodes_camera_info() {
+    fn bytes_of_a_camera_info() {
         let intrinsics = Intrinsics::new(
             ImageSize::new(4, 2),
             1.0,
@@ -207,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn encodes_transforms() {
+    fn bytes_of_a_transform() {
         let mut cdr = Cdr::default();
         let turn = DMat3::from_cols(DVec3::NEG_X, DVec3::NEG_Y, DVec3::Z);
         let one = Transform {
@@ -231,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn encodes_point_clouds() {
+    fn bytes_of_a_point_cloud() {
         let rays = Image::new(2, 1, vec![[0.5, -0.5], [1.0, 1.0]]).unwrap();
         let (metres, picture) = ([2.0f32, 0.0], [[1u8, 2, 3, 255]; 2]);
         let view = DepthView::Metres(ImageView::new(2, 1, &metres).unwrap());

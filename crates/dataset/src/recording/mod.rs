@@ -1,22 +1,22 @@
-//! Recordings of moving cameras: images, depth, sensor outputs and poses.
+//! Recordings of moving cameras: their images, the output of their depth sensors, and their poses.
 //!
-//! A [`Recorder`] first receives its cameras, then one [`Moment`] after the other, which it writes at once. The contents do
-//! not depend on the format:
+//! A [`Recorder`] receives its cameras, then one [`Moment`] after the other, and writes each immediately. The content does not
+//! depend on the format:
 //!
-//! | channel of a camera | contents |
+//! | name | content for each camera |
 //! |---|---|
 //! | `rgb` | the colour image |
-//! | `depth` | ground-truth z-depth |
+//! | `depth` | exact depth along the optical axis |
 //! | `measured` | the depth sensor's output |
 //! | `depth_points`, `measured_points` | point clouds of both in the camera's optical frame, with colours |
 //!
-//! and the camera's intrinsics and lens, and the transforms world → body → camera → optical frame (ROS's REP-103 and
-//! REP-105): the axes of the world and the optical frame are the caller's, those of a camera are a body's (x forward, y left, z up).
+//! It also contains the intrinsics and the lens, and the transforms world → body → camera → optical frame (ROS's REP-103 and
+//! REP-105). The caller defines the axes of the world and the optical frame; a camera's frame is x forward, y left, z up.
 //!
-//! Invalid depth follows REP-117 and REP-118: NaN for no measurement (0 in a sensor's output), `+inf` for a miss, 0 in
+//! Invalid depth follows REP-117 and REP-118: NaN for no measurement (0 in a sensor's output), `+inf` for out of range, 0 in
 //! millimetres.
 //!
-//! [`Mcap`] writes ROS 2 messages, and with the feature `rerun`, `Rrd` writes Rerun's format.
+//! [`Mcap`] writes ROS 2 messages and, with the feature `rerun`, `Rrd` writes Rerun's format.
 //!
 //! ```
 //! use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
@@ -62,21 +62,21 @@ pub use mcap::Mcap;
 pub use rrd::Rrd;
 pub use time::Time;
 
-/// Writes a recording.
+/// A writer of recordings.
 pub trait Recorder {
-    /// The output.
+    /// The type of its output.
     type Output;
 
-    /// Adds a camera, before its first moment. Its name is converted to a valid, unique ROS name.
+    /// Adds a camera before its first moment. Its name is made valid for ROS, and unique.
     ///
     /// # Errors
     /// Returns an error if the output cannot be written or the camera's images are too large.
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError>;
 
-    /// Records a camera at a moment.
+    /// Records a moment of a camera.
     ///
     /// # Errors
-    /// Returns an error if the output cannot be written, an image does not have the camera's size, or the camera is not one of this
+    /// Returns an error if the output cannot be written, the size of an image is not the camera's, or the camera belongs to another
     /// recorder.
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError>;
 
@@ -91,23 +91,23 @@ pub trait Recorder {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CameraId(usize);
 
-/// A camera to be recorded.
+/// A camera to record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedCamera {
-    /// The name: the first part of the names of its topics and frames.
+    /// The name, which is the first part of the names of its topics and frames.
     pub name: String,
-    /// The intrinsics and lens.
+    /// The intrinsics and the lens.
     pub camera: Camera,
     /// The body that carries the camera, if any.
     pub body: Option<Body>,
 }
 
-/// A moving body with cameras.
+/// A moving body that carries cameras.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// The name. Bodies with the same name are the same body.
+    /// The name. Cameras whose bodies have the same name are on the same body.
     pub name: String,
-    /// The pose of the camera's optical frame in the body, metres.
+    /// The pose of the camera's optical frame on the body, metres.
     pub body_from_camera: RigidTransform,
 }
 
@@ -116,17 +116,17 @@ pub struct Body {
 pub struct Moment<'a> {
     /// The time.
     pub time: Time,
-    /// The pose of the camera's body, or of its optical frame without a body, metres.
+    /// The pose of the camera's body, or of its optical frame if it has no body, metres.
     pub world_from_mount: RigidTransform,
-    /// The colour image, sRGB; alpha is ignored.
+    /// The colour image, sRGB; the fourth channel is ignored.
     pub rgb: Option<ImageView<'a, [u8; 4]>>,
-    /// The ground-truth depth.
+    /// Exact depth.
     pub depth: Option<DepthView<'a>>,
     /// The depth sensor's output.
     pub measured: Option<DepthView<'a>>,
-    /// Whether the point cloud of the ground truth is recorded.
+    /// Whether to record the point cloud of the exact depth.
     pub depth_points: bool,
-    /// Whether the point cloud of the sensor's output is recorded.
+    /// Whether to record the point cloud of the sensor's output.
     pub measured_points: bool,
 }
 
@@ -146,12 +146,12 @@ impl Moment<'_> {
     }
 }
 
-/// Z-depth. Values that are not above 0 are invalid.
+/// A depth image along the optical axis; values that are not above 0 are invalid.
 #[derive(Clone, Copy, Debug)]
 pub enum DepthView<'a> {
-    /// `float32`: ROS's `32FC1`.
+    /// Metres in `float32`, ROS's `32FC1`.
     Metres(ImageView<'a, f32>),
-    /// `uint16`: ROS's `16UC1`.
+    /// Millimetres in `uint16`, ROS's `16UC1`.
     Millimetres(ImageView<'a, u16>),
 }
 
@@ -164,52 +164,52 @@ impl DepthView<'_> {
     }
 }
 
-/// An error while something is recorded.
+/// An error of a recording.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {
-    /// The time is out of range.
-    #[error("the time {seconds} s is out of range; give 0 to 2^31 seconds")]
+    /// A time is out of range.
+    #[error("time {seconds} s is out of range; use seconds from 0 to 2^31")]
     Time {
         /// The time, seconds.
         seconds: f64,
     },
-    /// An image does not have its camera's size.
+    /// The size of an image is not the camera's.
     #[error(
-        "{camera}: {image} is {found}, but the camera's images are {expected}; give images of the camera's size"
+        "{camera}: {image} is {found}, the camera's images are {expected}; give the camera of the images"
     )]
     Size {
         /// The camera.
         camera: String,
         /// The name of the image.
         image: &'static str,
-        /// Its size.
+        /// The size of the image.
         found: ImageSize,
         /// The camera's size.
         expected: ImageSize,
     },
-    /// A message would exceed the maximum size.
-    #[error("{camera}: images of {size} exceed the message size; record smaller images")]
+    /// The message of an image would be too long.
+    #[error("{camera}: images of {size} are too large for a message; record smaller ones")]
     TooLarge {
         /// The camera.
         camera: String,
-        /// Its images' size.
+        /// The size of its images.
         size: ImageSize,
     },
     /// The camera belongs to another recorder.
-    #[error("the camera is not one of this recording; add it first")]
+    #[error("the camera does not belong to this recording; add it first")]
     NoCamera,
     /// The output cannot be written.
     #[error("cannot be written ({0})")]
     Io(#[from] io::Error),
-    /// The library of the format failed.
+    /// The library of the format fails.
     #[error("{0}")]
     Format(String),
 }
 
-/// Rejects cameras with images that are too large for a message.
+/// Rejects cameras whose images are too large for a message.
 fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
     let size = camera.camera.intrinsics.size;
-    // At most 16 bytes per pixel, for points.
+    // A point has 16 bytes, the maximum per pixel.
     if u64::from(size.width) * u64::from(size.height) > u64::from(u32::MAX) / 16 {
         return Err(RecordingError::TooLarge {
             camera: camera.name.clone(),
@@ -219,7 +219,7 @@ fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
     Ok(())
 }
 
-/// Rejects images that do not have the camera's size.
+/// Rejects images of other sizes than the camera's.
 fn check_moment(camera: &RecordedCamera, moment: &Moment<'_>) -> Result<(), RecordingError> {
     let expected = camera.camera.intrinsics.size;
     let rgb = moment

@@ -1,13 +1,13 @@
-//! Valid ROS names.
+//! Valid names for ROS.
 
 use std::collections::BTreeSet;
 
-/// Converts a name to letters, digits and `_`, without a leading digit, and makes it unique (ROS 2's rules for a part of a
-/// topic name, also applied to frames here).
+/// Returns a unique name of letters, digits and `_` that does not start with a digit; other characters become `_` (ROS 2's rules
+/// for a part of a topic's name, also used for frames).
 pub(super) fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
     let allowed = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let mut clean: String = name.chars().map(allowed).collect();
-    // Two `_` in a row are not allowed.
+    // Repeated underscores are not allowed.
     while clean.contains("__") {
         clean = clean.replace("__", "_");
     }

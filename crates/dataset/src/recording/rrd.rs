@@ -1,4 +1,4 @@
-//! Recordings for Rerun's viewer.
+//! Recordings in Rerun's format.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,12 +16,12 @@ use super::{
     names,
 };
 
-/// The timeline.
+/// The name of the timeline.
 const TIMELINE: &str = "time";
 
 /// Writes Rerun's format.
 ///
-/// | entity | contents |
+/// | entity | content |
 /// |---|---|
 /// | `world` | `ViewCoordinates`: the up axis |
 /// | `world/BODY`, `world/BODY/NAME` | `Transform3D`; an entity's axes are the camera's optical frame |
@@ -30,30 +30,30 @@ const TIMELINE: &str = "time";
 /// | `world/BODY/NAME/image/depth`, `…/measured` | `DepthImage`, with its `meter` |
 /// | `world/BODY/NAME/depth_points`, `…/measured_points` | `Points3D` |
 ///
-/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is written unchanged: the viewer
-/// ignores 0 and infinity. The file contains ids and clock times of Rerun, so its bytes differ between runs.
+/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is not changed: the viewer
+/// ignores 0 and infinity. The file contains ids and clock times of Rerun, so that its bytes are not reproducible.
 pub struct Rrd<W: Write> {
     stream: RecordingStream,
-    /// The buffered stream.
+    /// The messages of the stream that are not written yet.
     said: MemorySinkStorage,
     encoder: Encoder<W>,
     names: BTreeSet<String>,
     cameras: Vec<Station>,
-    /// The entities by name.
+    /// The names of entities in use.
     bodies: Vec<(String, String)>,
 }
 
 struct Station {
     camera: RecordedCamera,
     entity: String,
-    /// The moving entity.
+    /// The entity that moves.
     mount: String,
-    /// Computed for the first point cloud.
+    /// The rays of the pixels, computed for the first point cloud.
     rays: Option<Image<[f32; 2]>>,
 }
 
 impl<W: Write> Rrd<W> {
-    /// Begins a recording in a world with z up, or else y.
+    /// Starts a recording in a world whose z axis is up, otherwise its y axis.
     ///
     /// # Errors
     /// Returns an error if the output cannot be written.
@@ -77,7 +77,7 @@ impl<W: Write> Rrd<W> {
         })
     }
 
-    /// Writes the buffered stream.
+    /// Writes the messages since the last call.
     fn write(&mut self) -> Result<(), RecordingError> {
         for message in self.said.take() {
             self.encoder.append(&message).map_err(not_written)?;
@@ -130,7 +130,7 @@ impl<W: Write> Recorder for Rrd<W> {
         let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
         check_moment(&station.camera, moment)?;
         let stream = &self.stream;
-        // The time is set per thread, and the calling thread may change.
+        // The time is that of the calling thread, which may differ between calls.
         stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
         stream
             .log(station.mount.as_str(), &transform(&moment.world_from_mount))
@@ -182,7 +182,10 @@ impl<W: Write> fmt::Debug for Rrd<W> {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "Rerun uses single precision")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "Rerun's numbers are in single precision"
+)]
 fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     let q = parent_from_child.quaternion();
     let rotation = rerun::Quaternion::from_xyzw([q.x, q.y, q.z, q.w].map(|part| part as f32));
@@ -190,8 +193,11 @@ fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     rerun::Transform3D::from_translation_rotation(translation, rotation)
 }
 
-/// The pinhole of Rerun, whose depth clouds have the centre of pixel (0, 0) at 0, like OpenCV.
-#[expect(clippy::cast_possible_truncation, reason = "Rerun uses single precision")]
+/// Rerun's depth clouds use OpenCV's pixel convention, with pixel (0, 0) at 0.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "Rerun's numbers are in single precision"
+)]
 fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
     let intrinsics = camera.camera.intrinsics;
     let centre = intrinsics.principal_point::<OpenCv>();
@@ -280,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_is_one() {
+    fn writes_a_recording() {
         let file = recorded(Vec::new()).unwrap();
         assert!(file.starts_with(b"RRF2"));
         let text = String::from_utf8_lossy(&file);
@@ -288,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_disk_is_an_error() {
+    fn reports_full_disks() {
         struct Full;
         impl Write for Full {
             fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {

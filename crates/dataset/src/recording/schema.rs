@@ -1,4 +1,4 @@
-//! The definitions of the recorded ROS 2 messages in the format "ros2msg": their fields, and those of nested types.
+//! The definitions of ROS 2 messages in a recording, in the format "ros2msg": fields, followed by those of nested types.
 
 /// A message type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,7 @@ impl Schema {
         }
     }
 
-    /// The message's own fields, and its nested types.
+    /// Returns the message's fields and its nested types.
     fn definition(self) -> (&'static [&'static str], &'static [Definition]) {
         match self {
             Self::Image => (
@@ -123,7 +123,7 @@ impl Schema {
         }
     }
 
-    /// The definition; nested types follow lines of 80 equals signs.
+    /// Returns the definition; nested types follow after lines of 80 equals signs.
     pub(super) fn text(self) -> String {
         let (fields, below) = self.definition();
         let mut text = fields.join("\n") + "\n";
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn defines_every_type() {
+    fn all_types_are_defined() {
         for schema in [Schema::Image, Schema::CameraInfo, Schema::PointCloud2, Schema::Tf] {
             let text = schema.text();
             for line in text.lines().filter(|line| !line.starts_with('=')) {

@@ -1,8 +1,8 @@
-//! Times of a recording.
+//! Times of recordings.
 
 use super::RecordingError;
 
-/// A time in nanoseconds since the start of the clock.
+/// A time in nanoseconds since the epoch of the clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Time {
     nanoseconds: u64,
@@ -10,16 +10,16 @@ pub struct Time {
 
 const SECOND: u64 = 1_000_000_000;
 
-/// ROS 2's stamps have 31 bits of seconds.
+/// The maximum seconds of ROS 2 stamps, which have 31 bits.
 const END_S: f64 = 2_147_483_648.0;
 
 impl Time {
-    /// Creates a time from seconds, rounded to the nearest nanosecond.
+    /// Converts seconds, rounded to the nearest nanosecond.
     ///
     /// # Errors
-    /// Returns an error for negative times and those from 2³¹ s, which ROS's stamps cannot represent.
+    /// Returns an error for negative times and from 2³¹ s, which are out of the range of ROS stamps.
     pub fn from_seconds(seconds: f64) -> Result<Self, RecordingError> {
-        // Also rejects NaN.
+        // False for NaN.
         let fits = (0.0..END_S).contains(&seconds);
         if !fits {
             return Err(RecordingError::Time { seconds });
@@ -29,7 +29,7 @@ impl Time {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "both are integers in range"
+            reason = "both are whole, and in their ranges"
         )]
         let nanoseconds = whole as u64 * SECOND + rest as u64;
         Ok(Self {
@@ -37,23 +37,23 @@ impl Time {
         })
     }
 
-    /// Returns the time of a frame, counted from 0, at `rate` frames per second.
+    /// Returns the time of a frame, from 0, at `rate` frames per second.
     ///
     /// # Errors
-    /// Returns the errors of [`from_seconds`](Self::from_seconds).
+    /// Returns the same errors as [`from_seconds`](Self::from_seconds).
     pub fn of_frame(frame: u64, rate: f64) -> Result<Self, RecordingError> {
         #[expect(clippy::cast_precision_loss, reason = "there are fewer than 2^53 frames")]
         let seconds = frame as f64 / rate;
         Self::from_seconds(seconds)
     }
 
-    /// A time in nanoseconds since the start of the clock.
+    /// Returns the nanoseconds since the epoch of the clock.
     #[must_use]
     pub fn nanoseconds(self) -> u64 {
         self.nanoseconds
     }
 
-    /// The seconds, and the remaining nanoseconds.
+    /// Returns the integer seconds and the remaining nanoseconds.
     pub(super) fn stamp(self) -> (i32, u32) {
         let (seconds, rest) = (self.nanoseconds / SECOND, self.nanoseconds % SECOND);
         (
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn seconds_are_rounded_to_nanoseconds() {
+    fn rounds_to_nanoseconds() {
         let stamp = |seconds| Time::from_seconds(seconds).map(Time::stamp).ok();
         assert_eq!(stamp(0.0), Some((0, 0)));
         assert_eq!(stamp(1.5), Some((1, 500_000_000)));

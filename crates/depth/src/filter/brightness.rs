@@ -1,29 +1,22 @@
-use super::Pixel;
 use oaktwin_image::{Image, ImageView};
+use oaktwin_parameter::parameters;
 
-/// `BrightnessFilter`: drops what is too dark or too bright in the picture that the camera took.
-///
-/// It needs that picture; without one it does nothing. The picture's luma (ITU-R BT.601) stands for what the monochrome
-/// imager sees.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Brightness {
-    /// `minBrightness`, −1 to 255: dropped up to this. `DepthAI`'s default of 0 drops what is black; −1 drops nothing.
-    pub min_brightness: i32,
-    /// `maxBrightness`, 0 to 256: dropped from this on. 256 drops nothing.
-    pub max_brightness: i32,
-}
+use super::Pixel;
 
-impl Default for Brightness {
-    fn default() -> Self {
-        Self {
-            min_brightness: 0,
-            max_brightness: 256,
-        }
+parameters! {
+    /// `BrightnessFilter`: drops pixels that are too dark or too bright in the colour image.
+    ///
+    /// Without a colour image it does nothing. The image's luma (ITU-R BT.601) replaces the monochrome camera's image.
+    pub struct Brightness("brightness filter", platform) {
+        /// The brightness up to which pixels are dropped. 0, `DepthAI`'s default, drops black pixels; −1 drops none.
+        min_brightness: i32 = 0 => ("min".alias("minBrightness").range(-1.0..=255.0)),
+        /// The brightness from which pixels are dropped; 256 drops none.
+        max_brightness: i32 = 256 => ("max".alias("maxBrightness").range(0.0..=256.0)),
     }
 }
 
 impl Brightness {
-    /// `rgb` may be larger than the image, where that has been decimated: the nearest pixel counts.
+    /// Runs the filter; `rgb` may be larger than a decimated image, of which the nearest pixel is used.
     pub(super) fn run<P: Pixel>(&self, image: &mut Image<P>, rgb: ImageView<'_, [u8; 4]>) {
         let (width, height) = (image.width() as usize, image.height() as usize);
         let (rgb_width, rgb_height) = (rgb.width() as usize, rgb.height() as usize);

@@ -1,58 +1,36 @@
 use oaktwin_image::Image;
+use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, saturating_trunc};
 use rayon::prelude::*;
 
 use super::{Pixel, simd};
 
-/// `DecimationFilter`: makes the image smaller by a whole number; the values stay as they are.
-///
-/// Columns and rows that fill no whole block are left out, but one pixel is always left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Decimation {
-    /// `decimationFactor`, 1 to 4: the side of a block, px.
-    pub factor: u32,
-    /// `decimationMode`
-    pub mode: DecimationMode,
-}
-
-impl Default for Decimation {
-    fn default() -> Self {
-        Self {
-            factor: 1,
-            mode: DecimationMode::default(),
-        }
+parameters! {
+    /// `DecimationFilter`: reduces the size of the image by a whole factor without changing the values.
+    ///
+    /// Columns and rows that do not fill a block are dropped, but at least one pixel remains.
+    pub struct Decimation("decimation filter", platform) {
+        /// The side of a block.
+        factor: u32 = 1 => ("factor".alias("decimationFactor").unit("px").range(1.0..=4.0).step(1.0)),
+        /// The value of a block.
+        mode: DecimationMode = DecimationMode::default() => ("mode" as Numbered.alias("decimationMode")),
     }
 }
 
-/// `DecimationMode`: what stands for a block.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DecimationMode {
-    /// `PIXEL_SKIPPING`: its first pixel.
-    #[default]
-    PixelSkipping,
-    /// `NON_ZERO_MEDIAN`: the median of its values; of an even number the lower one.
-    NonZeroMedian,
-    /// `NON_ZERO_MEAN`: the mean of its values, cut off.
-    NonZeroMean,
-}
-
-impl DecimationMode {
-    /// All, by their numbers.
-    pub const ALL: [Self; 3] = [Self::PixelSkipping, Self::NonZeroMedian, Self::NonZeroMean];
-
-    /// `DepthAI`'s name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::PixelSkipping => "PIXEL_SKIPPING",
-            Self::NonZeroMedian => "NON_ZERO_MEDIAN",
-            Self::NonZeroMean => "NON_ZERO_MEAN",
-        }
+choice! {
+    /// `DecimationMode`: the value of a block.
+    DecimationMode {
+        /// Its first pixel.
+        PixelSkipping = "PIXEL_SKIPPING",
+        /// The median of its valid pixels; of an even number the lower one.
+        NonZeroMedian = "NON_ZERO_MEDIAN",
+        /// The mean of its valid pixels, rounded down.
+        NonZeroMean = "NON_ZERO_MEAN",
     }
 }
 
 impl Decimation {
-    /// The size of what an image of this size becomes.
+    /// The size of the decimated image.
     #[must_use]
     pub fn size(&self, width: u32, height: u32) -> (u32, u32) {
         let shorter = |length: u32| (length / self.factor.max(1)).max(length.min(1));
@@ -72,7 +50,7 @@ impl Decimation {
     }
 }
 
-/// Pixels that are worked on together.
+/// The number of pixels in a vector.
 const LANES: usize = 64;
 
 /// One row of blocks.

@@ -1,45 +1,36 @@
 use oaktwin_image::Image;
+use oaktwin_parameter::parameters;
 use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
 use super::simd;
 
-/// `SpatialFilter`: smooths along rows and columns, both ways, and stops at edges.
-///
-/// As `DepthAI` does it: to the right a hole is 0, to the left 1 is a hole too; the last pixel of a row only begins the way
-/// back; downwards holes are no edges, so that they mix with what is nearer to 0 than `delta`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spatial {
-    /// `alpha`, 0 to 1: the weight of the pixel itself; 1 smooths nothing.
-    pub alpha: f32,
-    /// `delta`: along a row a larger step is an edge, along a column one that is not smaller. In pixel values; `DepthAI`
-    /// keeps 8 bits of it.
-    pub delta: u8,
-    /// `holeFillingRadius`: holes along a row are filled for one pixel less than this, each way.
-    pub hole_filling_radius: u8,
-    /// `numIterations`
-    pub num_iterations: u32,
-}
-
-impl Default for Spatial {
-    fn default() -> Self {
-        Self {
-            alpha: 0.5,
-            delta: 3,
-            hole_filling_radius: 2,
-            num_iterations: 1,
-        }
+parameters! {
+    /// `SpatialFilter`: smooths along rows and columns, in both directions, and stops at edges.
+    ///
+    /// As in `DepthAI`, a hole is 0 to the right and 0 or 1 to the left; the last pixel of a row only starts the way back;
+    /// downwards, holes are not edges, so that they mix with values below `delta`.
+    pub struct Spatial("spatial filter", platform) {
+        /// The weight of the pixel itself; 1 disables smoothing.
+        alpha: f32 = 0.5 => ("alpha".range(0.0..=1.0)),
+        /// The step that is an edge, in pixel values: along a row if it is larger, along a column also if it is equal.
+        /// `DepthAI` keeps 8 bits of it.
+        delta: u8 = 3 => ("delta".range(0.0..=255.0)),
+        /// The length to which holes along a row are filled is one pixel less, in each direction.
+        hole_filling_radius: u8 = 2 => ("radius".alias("holeFillingRadius").unit("px").range(0.0..=255.0)),
+        /// The number of iterations.
+        num_iterations: u32 = 1 => ("iterations".alias("numIterations").range(0.0..=100.0)),
     }
 }
 
-/// Rows that are filtered together: a way along a row is a chain of steps that wait for each other.
+/// The number of rows that are filtered together: along a row, each step waits for the previous one.
 const LANES: usize = 32;
 
-/// Columns that a thread takes at a time.
+/// The number of columns in a unit of work.
 const STRIP: usize = 256;
 
-/// What the loops need.
+/// The settings of the loops.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settings<P> {
     weight: Weight,
@@ -48,9 +39,6 @@ pub(super) struct Settings<P> {
 }
 
 impl Spatial {
-    /// More iterations are an error.
-    pub const MAX_ITERATIONS: u32 = 100;
-
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
         let settings = Settings {
             weight: Weight::new(self.alpha),

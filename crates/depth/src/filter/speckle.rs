@@ -1,26 +1,20 @@
 use oaktwin_image::Image;
+use oaktwin_parameter::parameters;
 use oaktwin_simd::Level;
 
 use super::{Pixel, simd};
 
-/// `SpeckleFilter`: drops small patches of pixels that are alike.
-///
-/// `DepthAI` hands 16-bit images to OpenCV as signed ones: 32 767 and 32 768 are far apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Speckle {
-    /// `speckleRange`: a patch of up to so many pixels is dropped.
-    pub speckle_range: u32,
-    /// `differenceThreshold`: the largest step between two neighbours of a patch, in pixel values; inside a stereo engine in
-    /// integer levels of disparity (the description of `DepthAI`'s `SpeckleFilter`), pixels, whatever the subpixel steps.
-    pub difference_threshold: u32,
-}
-
-impl Default for Speckle {
-    fn default() -> Self {
-        Self {
-            speckle_range: 50,
-            difference_threshold: 2,
-        }
+parameters! {
+    /// `SpeckleFilter`: drops small regions of similar pixels.
+    ///
+    /// `DepthAI` passes 16-bit images to OpenCV as signed ones: 32 767 and 32 768 are far apart.
+    pub struct Speckle("speckle filter", platform) {
+        /// The largest region that is dropped.
+        speckle_range: u32 = 50 => ("range".alias("speckleRange").unit("px")),
+        /// The largest step between two neighbours in a region, in pixel values; in a stereo engine in pixels of disparity,
+        /// whatever the subpixel step.
+        difference_threshold: u32 = 2
+            => ("difference".alias("differenceThreshold")),
     }
 }
 

@@ -1,87 +1,50 @@
 use oaktwin_image::Image;
+use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
 use super::simd;
 
-/// `TemporalFilter`: smooths a pixel over the frames, and keeps a value that is gone for a while.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Temporal {
-    /// `alpha`, 0 to 1: the weight of the newest frame; 1 smooths nothing.
-    pub alpha: f32,
-    /// `delta`: the step from which on a pixel begins anew. In pixel values; `DepthAI` keeps 8 bits of it.
-    pub delta: u8,
-    /// `persistencyMode`
-    pub persistency_mode: PersistencyMode,
-}
-
-impl Default for Temporal {
-    fn default() -> Self {
-        Self {
-            alpha: 0.4,
-            delta: 3,
-            persistency_mode: PersistencyMode::default(),
-        }
+parameters! {
+    /// `TemporalFilter`: smooths each pixel over the frames, and keeps a value that has disappeared for a while.
+    pub struct Temporal("temporal filter", platform) {
+        /// The weight of the newest frame; 1 disables smoothing.
+        alpha: f32 = 0.4 => ("alpha".range(0.0..=1.0)),
+        /// The step from which a pixel starts anew, in pixel values. `DepthAI` keeps 8 bits of it.
+        delta: u8 = 3 => ("delta".range(0.0..=255.0)),
+        /// The number of recent frames in which a pixel must have been valid for its last value to be kept.
+        persistency_mode: PersistencyMode = PersistencyMode::Valid2InLast4
+            => ("persistency" as Numbered.alias("persistencyMode")),
     }
 }
 
-/// `PersistencyMode`: how often a pixel must have had a value lately for its last one to be kept.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u8)]
-pub enum PersistencyMode {
-    /// `PERSISTENCY_OFF`: nothing is kept.
-    Off = 0,
-    /// `VALID_8_OUT_OF_8`
-    Valid8OutOf8 = 1,
-    /// `VALID_2_IN_LAST_3`
-    Valid2InLast3 = 2,
-    /// `VALID_2_IN_LAST_4`
-    #[default]
-    Valid2InLast4 = 3,
-    /// `VALID_2_OUT_OF_8`
-    Valid2OutOf8 = 4,
-    /// `VALID_1_IN_LAST_2`
-    Valid1InLast2 = 5,
-    /// `VALID_1_IN_LAST_5`
-    Valid1InLast5 = 6,
-    /// `VALID_1_IN_LAST_8`
-    Valid1InLast8 = 7,
-    /// `PERSISTENCY_INDEFINITELY`: it is kept until there is a new one.
-    Indefinitely = 8,
+choice! {
+    /// `PersistencyMode`: the number of recent frames in which a pixel must have been valid for its last value to be kept.
+    PersistencyMode {
+        /// No value is kept.
+        Off = "PERSISTENCY_OFF",
+        /// 8 of the last 8 frames.
+        Valid8OutOf8 = "VALID_8_OUT_OF_8",
+        /// 2 of the last 3 frames.
+        Valid2InLast3 = "VALID_2_IN_LAST_3",
+        /// 2 of the last 4 frames, `DepthAI`'s default.
+        Valid2InLast4 = "VALID_2_IN_LAST_4",
+        /// 2 of the last 8 frames.
+        Valid2OutOf8 = "VALID_2_OUT_OF_8",
+        /// 1 of the last 2 frames.
+        Valid1InLast2 = "VALID_1_IN_LAST_2",
+        /// 1 of the last 5 frames.
+        Valid1InLast5 = "VALID_1_IN_LAST_5",
+        /// 1 of the last 8 frames.
+        Valid1InLast8 = "VALID_1_IN_LAST_8",
+        /// A value is kept until there is a new one.
+        Indefinitely = "PERSISTENCY_INDEFINITELY",
+    }
 }
 
 impl PersistencyMode {
-    /// All, by their numbers.
-    pub const ALL: [Self; 9] = [
-        Self::Off,
-        Self::Valid8OutOf8,
-        Self::Valid2InLast3,
-        Self::Valid2InLast4,
-        Self::Valid2OutOf8,
-        Self::Valid1InLast2,
-        Self::Valid1InLast5,
-        Self::Valid1InLast8,
-        Self::Indefinitely,
-    ];
-
-    /// `DepthAI`'s name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Off => "PERSISTENCY_OFF",
-            Self::Valid8OutOf8 => "VALID_8_OUT_OF_8",
-            Self::Valid2InLast3 => "VALID_2_IN_LAST_3",
-            Self::Valid2InLast4 => "VALID_2_IN_LAST_4",
-            Self::Valid2OutOf8 => "VALID_2_OUT_OF_8",
-            Self::Valid1InLast2 => "VALID_1_IN_LAST_2",
-            Self::Valid1InLast5 => "VALID_1_IN_LAST_5",
-            Self::Valid1InLast8 => "VALID_1_IN_LAST_8",
-            Self::Indefinitely => "PERSISTENCY_INDEFINITELY",
-        }
-    }
-
-    /// Of how many last frames how many must have had a value.
+    /// The number of recent frames, and of those in which the pixel must have been valid.
     const fn rule(self) -> (u32, u32) {
         match self {
             Self::Off => (0, 1),

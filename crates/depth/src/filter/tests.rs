@@ -125,7 +125,7 @@ proptest! {
             let mut image = before.clone();
             Speckle::default().run(level, &mut image);
             out.push(image);
-            for (factor, mode) in (1..=4).zip(DecimationMode::ALL.into_iter().cycle()) {
+            for (factor, mode) in (1..=4).zip(DecimationMode::ALL.iter().copied().cycle()) {
                 out.push(Decimation { factor, mode }.run(level, &before));
             }
             out
@@ -242,7 +242,7 @@ fn no_pixels_stay_none() {
 }
 
 #[test]
-fn wrong_text_says_what_to_do() {
+fn rejects_invalid_text() {
     let errors = [
         "spacial",
         "kalman",
@@ -260,30 +260,33 @@ fn wrong_text_says_what_to_do() {
         "threshold:min=9,max=8",
         "brightness:max=300",
     ];
-    let said: Vec<String> = errors
+    let messages: Vec<String> = errors
         .iter()
         .map(|text| parse(text).unwrap_err().to_string())
         .collect();
     assert_eq!(
-        said,
+        messages,
         [
-            "spacial: there is no filter \"spacial\"; did you mean spatial or speckle?",
-            "kalman: there is no filter \"kalman\"; use one of median, spatial, temporal, speckle, decimation, \
+            "spacial: unknown filter 'spacial'; did you mean 'spatial' or 'speckle'?",
+            "kalman: unknown filter 'kalman'; expected one of median, spatial, temporal, speckle, decimation, \
              threshold, brightness",
-            "spatial:alpa=1: there is no setting \"alpa\"; did you mean alpha?",
-            "spatial:alpha: \"alpha\" has no value; write alpha=VALUE",
-            "spatial filter: alpha: NaN is out of range; give a number from 0 to 1",
-            "temporal filter: alpha: 1.5 is out of range; give a number from 0 to 1",
-            "spatial:delta=256: \"256\" cannot be its delta; give a whole number from 0 to 255: DepthAI keeps 8 bits of it",
-            "spatial:radius=-1: \"-1\" cannot be its radius; give a whole number from 0 to 255",
-            "spatial filter: iterations: 101 is out of range; give up to 100",
-            "temporal:persistency=9: \"9\" cannot be its persistency; give 0 to 8, or a name",
-            "temporal:persistency=VALID_2_IN_LAST_5: there is no persistency \"VALID_2_IN_LAST_5\"; did you mean \
-             VALID_1_IN_LAST_5 or VALID_2_IN_LAST_3 or VALID_2_IN_LAST_4?",
-            "decimation filter: factor: 0 is out of range; give 1, 2, 3 or 4",
-            "median:size=4: \"4\" cannot be its size; give 3, 5 or 7",
-            "threshold filter: min: 9 is out of range; give up to max, 8",
-            "brightness filter: max: 300 is out of range; give 0 to 256",
+            "spatial:alpa=1: alpa: unknown parameter of spatial filter; did you mean 'alpha'?",
+            "spatial:alpha: setting 'alpha' has no value; write alpha=VALUE",
+            "spatial:alpha=nan: alpha: must not be NaN; expected a number from 0 to 1",
+            "temporal:alpha=1.5: alpha: 1.5 is out of range; expected a number from 0 to 1",
+            "spatial:delta=256: delta: invalid value '256'; expected a whole number from 0 to 255",
+            "spatial:radius=-1: radius: invalid value '-1'; expected a whole number from 0 to 255 px",
+            "spatial:iterations=101: iterations: 101 is out of range; expected a whole number from 0 to 100",
+            "temporal:persistency=9: persistency: invalid value '9'; expected PERSISTENCY_OFF, VALID_8_OUT_OF_8, \
+             VALID_2_IN_LAST_3, VALID_2_IN_LAST_4, VALID_2_OUT_OF_8, VALID_1_IN_LAST_2, VALID_1_IN_LAST_5, \
+             VALID_1_IN_LAST_8 or PERSISTENCY_INDEFINITELY",
+            "temporal:persistency=VALID_2_IN_LAST_5: persistency: invalid value 'VALID_2_IN_LAST_5'; expected \
+             PERSISTENCY_OFF, VALID_8_OUT_OF_8, VALID_2_IN_LAST_3, VALID_2_IN_LAST_4, VALID_2_OUT_OF_8, \
+             VALID_1_IN_LAST_2, VALID_1_IN_LAST_5, VALID_1_IN_LAST_8 or PERSISTENCY_INDEFINITELY",
+            "decimation:factor=0: factor: 0 is out of range; expected 1, 2, 3 or 4 px",
+            "median:size=4: size: invalid value '4'; expected 3, 5 or 7",
+            "threshold filter: min: 9 is above max; expected up to 8",
+            "brightness:max=300: max: 300 is out of range; expected a whole number from 0 to 256",
         ]
     );
 }

@@ -3,7 +3,7 @@
 use oaktwin_image::ImageView;
 
 /// The widest: its standard deviation, px.
-pub(super) const MOST_SIGMA_PX: f64 = 8.0;
+pub(super) const MAX_SIGMA_PX: f64 = 8.0;
 
 /// A weight that is a smaller share of the middle's changes nothing.
 const LEAST: f64 = 1e-4;
@@ -125,7 +125,7 @@ mod tests {
     /// A point becomes a spot with all its light and the variance that is asked for, along both axes.
     #[test]
     fn a_point_becomes_a_spot() {
-        for sigma in [0.2, 0.6, 1.5, MOST_SIGMA_PX] {
+        for sigma in [0.2, 0.6, 1.5, MAX_SIGMA_PX] {
             let mut light = Image::filled(141, 133, 0.0);
             light.pixels_mut()[66 * 141 + 70] = 900.0;
             let spot = blurred(sigma, &light);

@@ -17,14 +17,12 @@
 
 mod blur;
 mod expose;
-mod names;
 mod parameters;
 mod recorded;
 mod rows;
 #[cfg(test)]
 mod tests;
 
-pub use names::NAMES;
 pub use parameters::{Bits, Parameters};
 pub use recorded::Recorded;
 
@@ -72,7 +70,7 @@ impl Imager {
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         let sigma = self.parameters.lens_blur_px * scale;
-        self.parameters.lens_blur_px = sigma.clamp(0.0, blur::MOST_SIGMA_PX);
+        self.parameters.lens_blur_px = sigma.clamp(0.0, blur::MAX_SIGMA_PX);
         self
     }
 

@@ -1,19 +1,17 @@
-use super::blur::MOST_SIGMA_PX;
-use crate::ParameterError;
-use oaktwin_parameter::choice;
+use oaktwin_parameter::{Platform, choice, parameters};
 
 choice! {
-    /// How many bits a recorded number has.
+    /// The number of bits of a recorded value.
     Bits {
-        /// 0 to 255, what an OAK's stereo takes.
+        /// 0 to 255, the input of an OAK's stereo.
         Eight = "8",
-        /// 0 to 1023, what an OV9282 has.
+        /// 0 to 1023, the range of an OV9282.
         Ten = "10",
     }
 }
 
 impl Bits {
-    /// How many.
+    /// The number of bits.
     #[must_use]
     pub const fn count(self) -> u32 {
         match self {
@@ -22,7 +20,7 @@ impl Bits {
         }
     }
 
-    /// The largest number.
+    /// The largest value.
     #[must_use]
     pub const fn max(self) -> u16 {
         match self {
@@ -32,102 +30,40 @@ impl Bits {
     }
 }
 
-/// An image sensor. The defaults are those of an OAK's mono camera, an OV9282.
-///
-/// [`Parameters::set`] and [`Parameters::get`] reach each by its name in [`NAMES`](super::NAMES).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
-    /// `autoExposure`: whether the images' mean decides.
-    pub auto_exposure: bool,
-    /// `exposureTarget`: the mean of the images that it aims at, as a share of the largest number. 0.35, an estimate.
-    pub exposure_target: f64,
-    /// `exposure`: time times gain where it does not decide; 1 makes white the largest number. 0.8.
-    pub exposure: f64,
-    /// `maxExposureTime`: the longest, in those in which white fills the numbers. 2, an estimate: 33 ms, `DepthAI`'s
-    /// longest at 30 images a second, in the light of an office.
-    pub max_exposure_time: f64,
-    /// `maxGain`: 16, `DepthAI`'s ISO 1600 over its ISO 100.
-    pub max_gain: f64,
-    /// `fullWell`: electrons that are the largest number at a gain of 1. 6300, an estimate: a best signal to noise ratio
-    /// of 38 dB, usual for pixels of 3 µm behind a global shutter.
-    pub full_well_e: f64,
-    /// `readNoise`: electrons. 2.5, an estimate: a dynamic range of 68 dB.
-    pub read_noise_e: f64,
-    /// `noise`: whether there is any.
-    pub noise: bool,
-    /// `lensBlur`: the standard deviation of what the lens makes of a point, px. 0.5, an estimate: the vendor's lens (2.35 mm,
-    /// f/2.0, sharp from 19.6 cm on, so sharpest at 39 cm) makes a disk of 2 px of a point at 2.5 m, whose standard deviation
-    /// is a quarter of that.
-    pub lens_blur_px: f64,
-    /// `vignetting`, 0 to 1: the share of cos⁴ falloff. 0, an estimate: what a device's lens and its correction leave is
-    /// not published.
-    pub vignetting: f64,
-    /// `bits`: 8 or 10.
-    pub bits: Bits,
+parameters! {
+    /// An image sensor. The defaults are those of an OAK's mono camera, an OV9282.
+    pub struct Parameters("imager", platform) {
+        /// Whether exposure follows the mean of the images.
+        auto_exposure: bool = true => ("autoExposure".own("a camera's default")),
+        /// The mean that automatic exposure aims at, as a share of the largest value.
+        exposure_target: f64 = 0.35 => ("exposureTarget".range(0.001..=0.95).estimate()),
+        /// Exposure time times gain without automatic exposure; at 1, white has the largest value.
+        exposure: f64 = 0.8 => ("exposure".range(1e-6..=1e6).estimate()),
+        /// The longest exposure time, as a multiple of the one at which white has the largest value. 2 stands for 33 ms,
+        /// `DepthAI`'s longest at 30 frames per second, in the light of an office.
+        max_exposure_time: f64 = 2.0 => ("maxExposureTime".range(1e-6..=1e6).estimate()),
+        /// The largest gain: `DepthAI`'s ISO 1600 over its ISO 100.
+        max_gain: f64 = 16.0 => ("maxGain".range(1.0..=1000.0)),
+        /// The electrons of the largest value at a gain of 1. The default gives a maximum signal-to-noise ratio of 38 dB,
+        /// usual for pixels of 3 µm with a global shutter.
+        full_well_e: f64 = 6300.0 => ("fullWell".unit("electrons").range(10.0..=1e7).estimate()),
+        /// The standard deviation of the read noise. The default gives a dynamic range of 68 dB.
+        read_noise_e: f64 = 2.5 => ("readNoise".unit("electrons").range(0.0..=1e4).estimate()),
+        /// Whether noise is added.
+        noise: bool = true => ("noise".own("a real sensor")),
+        /// The standard deviation of the lens's point spread function. The vendor's lens (2.35 mm, f/2.0, sharp from
+        /// 19.6 cm, so sharpest at 39 cm) makes a disk of 2 px of a point at 2.5 m, whose standard deviation is a quarter
+        /// of that.
+        lens_blur_px: f64 = 0.5 => ("lensBlur".unit("px").range(0.0..=8.0).estimate()),
+        /// The share of cos⁴ falloff. What remains after a device's correction is not published.
+        vignetting: f64 = 0.0 => ("vignetting".range(0.0..=1.0).estimate()),
+        /// The number of bits.
+        bits: Bits = Bits::default() => ("bits"),
+    }
 }
 
 impl Default for Parameters {
     fn default() -> Self {
-        Self {
-            auto_exposure: true,
-            exposure_target: 0.35,
-            exposure: 0.8,
-            max_exposure_time: 2.0,
-            max_gain: 16.0,
-            full_well_e: 6300.0,
-            read_noise_e: 2.5,
-            noise: true,
-            lens_blur_px: 0.5,
-            vignetting: 0.0,
-            bits: Bits::default(),
-        }
-    }
-}
-
-impl Parameters {
-    /// Whether these make a sensor.
-    ///
-    /// # Errors
-    /// One that is out of its range, or no number.
-    pub fn check(&self) -> Result<(), ParameterError> {
-        let ranges = [
-            (
-                "exposureTarget",
-                self.exposure_target,
-                0.001,
-                0.95,
-                "of the largest number",
-            ),
-            (
-                "exposure",
-                self.exposure,
-                1e-6,
-                1e6,
-                "(1 makes white the largest number)",
-            ),
-            (
-                "maxExposureTime",
-                self.max_exposure_time,
-                1e-6,
-                1e6,
-                "(2 is the default)",
-            ),
-            ("maxGain", self.max_gain, 1.0, 1000.0, "(16 is ISO 1600)"),
-            ("fullWell", self.full_well_e, 10.0, 1e7, "electrons"),
-            ("readNoise", self.read_noise_e, 0.0, 1e4, "electrons"),
-            ("lensBlur", self.lens_blur_px, 0.0, MOST_SIGMA_PX, "px"),
-            ("vignetting", self.vignetting, 0.0, 1.0, "(1 is all of cos⁴)"),
-        ];
-        for (name, value, low, high, unit) in ranges {
-            let remedy = || format!("give {low} to {high} {unit}");
-            if value.is_nan() {
-                return Err(ParameterError::new(name, "it is no number", remedy()));
-            }
-            if !(low..=high).contains(&value) {
-                let what = format!("{value} is out of range");
-                return Err(ParameterError::new(name, what, remedy()));
-            }
-        }
-        Ok(())
+        Self::defaults(Platform::default())
     }
 }

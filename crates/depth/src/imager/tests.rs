@@ -164,7 +164,7 @@ fn parameters_by_name() {
     let values = [
         "false", "0.2", "3", "4", "8", "9000", "3.5", "false", "1.5", "0.5", "10",
     ];
-    for (name, value) in NAMES.iter().zip(values) {
+    for (name, value) in Parameters::names().into_iter().zip(values) {
         let mut p = Parameters::default();
         assert_ne!(p.get(name).unwrap(), value, "{name}");
         p.set(name, value).unwrap();
@@ -183,7 +183,7 @@ fn parameters_by_name() {
     }
     assert_eq!(
         p.set("fulwell", "1").unwrap_err().to_string(),
-        "fulwell: no such parameter of an imager; did you mean fullWell?"
+        "fulwell: unknown parameter of imager; did you mean 'fullWell'?"
     );
     assert_eq!(p.full_well_e, 7000.0);
 }

@@ -1,4 +1,4 @@
-use oaktwin_camera::{Camera, LensModel};
+use oaktwin_camera::Camera;
 
 use crate::preset::Platform;
 use oaktwin_parameter::choice;
@@ -81,11 +81,10 @@ impl Method {
         let k = &camera.intrinsics;
         let half_width = f64::from(k.size.width) / 2.0;
         let hfov_deg = 2.0 * (half_width / k.fx).atan().to_degrees();
-        match camera.lens {
-            LensModel::Pinhole | LensModel::OpenCvPinhole(_) if hfov_deg <= WIDEST_HOMOGRAPHY_DEG => {
-                Self::Homography
-            }
-            _ => Self::Mesh,
+        if camera.lens.is_perspective() && hfov_deg <= WIDEST_HOMOGRAPHY_DEG {
+            Self::Homography
+        } else {
+            Self::Mesh
         }
     }
 }

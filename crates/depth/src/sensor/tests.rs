@@ -40,7 +40,7 @@ fn stereo(filters: &[&str]) -> Sensor {
 }
 
 fn single(filters: &[&str]) -> Sensor {
-    let single = SingleView::new(single_view::Parameters::ISAAC_5_1, Assumptions::default());
+    let single = SingleView::new(single_view::Parameters::isaac_5_1(), Assumptions::default());
     sensor(Engine::SingleView(single.unwrap()), filters)
 }
 

@@ -48,7 +48,6 @@
 mod assumptions;
 mod confidence;
 mod outliers;
-mod parameters;
 mod plan;
 mod sense;
 mod tile;
@@ -59,7 +58,7 @@ pub use assumptions::{
     Assumptions, Collision, ConfidenceAt, ConfidenceComparison, Depth, Direction, Invalid, Luma,
     MaxDisparity, MaxDisparityUnit, OutlierNeighbourhood, Quantizer, RangeCut, SigmaUnit, TargetRounding,
 };
-pub use parameters::{MAX_OUTLIER_RANGE_PX, OutputMode, Parameters};
+pub use oaktwin_parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
 pub use sense::{Output, Wanted};
 
 use crate::batch::Batch;

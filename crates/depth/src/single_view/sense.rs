@@ -1,8 +1,8 @@
 use oaktwin_image::{Image, ZDepth};
 use rayon::prelude::*;
 
+use super::OutputMode;
 use super::SingleView;
-use super::parameters::OutputMode;
 use super::plan::Plan;
 use super::tile::{self, Planes, Rows, Scratch};
 use crate::batch::{Batch, check_length};

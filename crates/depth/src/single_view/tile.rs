@@ -2,10 +2,10 @@
 
 use oaktwin_simd::{self as simd, Kernel};
 
+use super::OutputMode;
 use super::assumptions::{ConfidenceAt, Invalid};
 use super::confidence::{self, Texture};
 use super::outliers::{self, Validity};
-use super::parameters::OutputMode;
 use super::plan::Plan;
 use super::sense::Output;
 use super::view;

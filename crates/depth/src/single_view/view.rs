@@ -1,6 +1,6 @@
 //! Numbers become pixels of a picture.
 
-use super::parameters::OutputMode;
+use super::OutputMode;
 use super::plan::Plan;
 
 /// Where nothing was measured.

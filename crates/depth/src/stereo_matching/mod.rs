@@ -49,7 +49,6 @@ mod cost;
 mod extended;
 mod inspect;
 mod lanes;
-mod names;
 mod pair;
 mod parameters;
 mod pass;
@@ -61,10 +60,11 @@ mod scan;
 mod select;
 
 pub use inspect::inspect;
-pub use names::{NAMES, platform_of};
 pub use pair::{Luminance, Pair, PairError};
-pub use parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
-pub use rvc4::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
+pub use parameters::{
+    AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling,
+    Interpolation, Parameters, platform_of,
+};
 
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};

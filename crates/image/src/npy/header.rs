@@ -1,22 +1,22 @@
 use super::{FORMAT, MAGIC};
 use crate::CodecError;
 
-/// The digits that `numpy.save` leaves room for in the first axis.
+/// The number of digits that `numpy.save` reserves for the first axis.
 const GROWTH_DIGITS: usize = 21;
 
-/// No header of ours is longer than 300 bytes; `NumPy` itself refuses to parse more than 10 000.
-pub(super) const LONGEST_HEADER: usize = 10_000;
+/// The maximum length of a header, bytes, which is also that of `NumPy`.
+pub(super) const MAX_HEADER: usize = 10_000;
 
 const REMEDY: &str = "save it again with numpy.save";
 
-/// The number of elements of a shape; `None` where no memory could hold them.
+/// Returns the number of elements of a shape, or `None` on overflow.
 pub(super) fn elements(shape: &[usize]) -> Option<usize> {
     shape
         .iter()
         .try_fold(1usize, |product, &axis| product.checked_mul(axis))
 }
 
-/// Bytes of a type such as `<f4`.
+/// Returns the size of a type such as `<f4`, bytes.
 pub(super) fn item_size(descr: &str) -> Option<usize> {
     match descr.as_bytes() {
         [_, _, size @ b'1'..=b'8'] => Some(usize::from(size - b'0')),
@@ -24,7 +24,7 @@ pub(super) fn item_size(descr: &str) -> Option<usize> {
     }
 }
 
-/// All that comes before the data; its length is a multiple of 64.
+/// Encodes everything before the data; its length is a multiple of 64.
 pub(super) fn encode(descr: &str, shape: &[usize]) -> Vec<u8> {
     let axes: Vec<String> = shape.iter().map(usize::to_string).collect();
     let tuple = match axes.as_slice() {
@@ -43,19 +43,19 @@ pub(super) fn encode(descr: &str, shape: &[usize]) -> Vec<u8> {
     dict.push('\n');
     let mut out = MAGIC.to_vec();
     out.extend([1, 0]);
-    // The longest header of this crate's types and ranks is far below 64 KiB.
+    // Headers of this crate's types and ranks are far below 64 KiB.
     out.extend(u16::try_from(dict.len()).unwrap_or(u16::MAX).to_le_bytes());
     out.extend(dict.bytes());
     out
 }
 
-/// What a header says.
+/// A decoded header.
 #[derive(Debug, PartialEq)]
 pub(super) struct Header {
     pub descr: String,
     pub shape: Vec<usize>,
     pub is_fortran: bool,
-    /// Where the data begin.
+    /// The offset of the data, bytes.
     pub end: usize,
 }
 
@@ -64,20 +64,18 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Header, CodecError> {
     let broken = |problem: &str| CodecError::new(FORMAT, "header", problem, REMEDY);
     let rest = bytes
         .strip_prefix(MAGIC)
-        .ok_or_else(|| CodecError::new(FORMAT, "byte 0", "no NumPy array begins here", "give a .npy file"))?;
+        .ok_or_else(|| CodecError::new(FORMAT, "byte 0", "not a NumPy array", "pass a .npy file"))?;
     let (length, start) = match *rest {
         [1, _, a, b, ..] => (usize::from(u16::from_le_bytes([a, b])), 10),
         [2 | 3, _, a, b, c, d, ..] => (
             usize::try_from(u32::from_le_bytes([a, b, c, d])).unwrap_or(usize::MAX),
             12,
         ),
-        [version, _, ..] => return Err(broken(&format!("format version {version} is not known"))),
+        [version, _, ..] => return Err(broken(&format!("format version {version} is not supported"))),
         _ => return Err(broken("the file ends here")),
     };
-    if length > LONGEST_HEADER {
-        return Err(broken(&format!(
-            "{length} bytes long, more than {LONGEST_HEADER}"
-        )));
+    if length > MAX_HEADER {
+        return Err(broken(&format!("{length} bytes long, more than {MAX_HEADER}")));
     }
     let end = start + length;
     let text = bytes
@@ -94,7 +92,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Header, CodecError> {
             "descr" => descr = Some(parser.descr()?),
             "fortran_order" => fortran = Some(parser.boolean()?),
             "shape" => shape = Some(parser.tuple()?),
-            _ => return Err(broken(&format!("the key '{key}' is not known"))),
+            _ => return Err(broken(&format!("unknown key '{key}'"))),
         }
         if !parser.eat(",") {
             parser.expect("}")?;
@@ -102,7 +100,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Header, CodecError> {
         }
     }
     let (Some(descr), Some(fortran), Some(shape)) = (descr, fortran, shape) else {
-        return Err(broken("descr, fortran_order and shape are not all there"));
+        return Err(broken("descr, fortran_order or shape is missing"));
     };
     Ok(Header {
         descr,
@@ -112,18 +110,18 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Header, CodecError> {
     })
 }
 
-/// Just as much of Python's literals as headers have.
+/// A parser of the Python literals in headers.
 struct Parser<'a> {
     rest: &'a str,
 }
 
 impl<'a> Parser<'a> {
-    fn error(&self, wanted: &str) -> CodecError {
+    fn error(&self, expected: &str) -> CodecError {
         let found: String = self.rest.chars().take(12).collect();
         CodecError::new(
             FORMAT,
             "header",
-            format!("{wanted} is expected where '{}' stands", found.trim_end()),
+            format!("{expected} expected, found '{}'", found.trim_end()),
             REMEDY,
         )
     }
@@ -167,7 +165,7 @@ impl<'a> Parser<'a> {
                 FORMAT,
                 "descr",
                 "a structured type",
-                "save each field as an array of its own",
+                "save each field as a separate array",
             ));
         }
         self.string().map(str::to_owned)
@@ -217,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_in_any_order_and_quotes_of_any_kind() {
+    fn accepts_any_order_and_quotes() {
         let bytes = file("{\"shape\":(3,),'fortran_order':True , 'descr': '<f4'}\n");
         let header = decode(&bytes).unwrap();
         assert_eq!(
@@ -228,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn later_versions_have_longer_lengths() {
+    fn reads_later_versions() {
         let dict = "{'descr': '<f4', 'fortran_order': False, 'shape': (), }";
         let mut bytes = MAGIC.to_vec();
         bytes.extend([2, 0]);
@@ -238,12 +236,9 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         let says = |bytes: &[u8]| decode(bytes).unwrap_err().to_string();
-        assert_eq!(
-            says(b"PK"),
-            "NPY: byte 0: no NumPy array begins here; give a .npy file"
-        );
+        assert_eq!(says(b"PK"), "NPY: byte 0: not a NumPy array; pass a .npy file");
         assert_eq!(
             says(&file("{'descr': '<f4', 'fortran_order': no}")),
             "NPY: header: True or False is expected where 'no}' stands; save it again with numpy.save"

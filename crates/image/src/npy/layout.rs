@@ -1,10 +1,11 @@
+use half::f16;
+
 use super::read::Values;
 use super::{FORMAT, header};
 use crate::CodecError;
 use crate::bytes::Scalar;
-use crate::half::f32_from_half;
 
-/// How an array lies in its file, so that it can be read in parts.
+/// The layout of an array in its file, for reading it in parts.
 ///
 /// ```
 /// use oaktwin_image::npy::{self, Layout};
@@ -17,17 +18,17 @@ use crate::half::f32_from_half;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// The lengths of its axes.
+    /// The lengths of the axes.
     pub shape: Vec<usize>,
-    /// What it consists of.
+    /// The type of its numbers.
     pub number: Number,
-    /// Whether the first axis is the fastest, as Fortran and MATLAB have it, instead of the last.
+    /// Whether the first axis is contiguous, as in Fortran and MATLAB, instead of the last.
     pub is_fortran: bool,
-    /// Where its numbers begin, bytes.
+    /// The offset of its numbers, bytes.
     pub data_offset: usize,
 }
 
-/// A kind of number, and its byte order.
+/// A type of numbers and its byte order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Number {
     kind: Kind,
@@ -44,13 +45,13 @@ enum Kind {
 }
 
 impl Layout {
-    /// The most bytes that come before the numbers: so many of a file are enough for [`Layout::parse`].
-    pub const MOST_BYTES_BEFORE: usize = 12 + header::LONGEST_HEADER;
+    /// The maximum number of bytes before the data, which suffice for [`Layout::parse`].
+    pub const MAX_DATA_OFFSET: usize = 12 + header::MAX_HEADER;
 
-    /// Of the beginning of a file.
+    /// Parses the start of a file.
     ///
     /// # Errors
-    /// Bytes that are no array of `uint8`, `uint16`, `float16`, `float32` or `float64`.
+    /// Returns an error if it is not an array of `uint8`, `uint16`, `float16`, `float32` or `float64`.
     pub fn parse(beginning: &[u8]) -> Result<Self, CodecError> {
         let header = header::decode(beginning)?;
         let number = Number::parse(&header.descr).ok_or_else(|| {
@@ -58,14 +59,14 @@ impl Layout {
                 FORMAT,
                 "descr",
                 format!(
-                    "'{}' is none of uint8, uint16, float16, float32 and float64",
+                    "'{}' is not one of uint8, uint16, float16, float32 and float64",
                     header.descr
                 ),
                 "convert it with a.astype(numpy.float32)",
             )
         })?;
         Ok(Self {
-            // Of one axis, both orders are the same.
+            // With one axis, both orders are the same.
             is_fortran: header.is_fortran && header.shape.len() > 1,
             shape: header.shape,
             number,
@@ -73,7 +74,7 @@ impl Layout {
         })
     }
 
-    /// That a file's numbers are so many bytes instead.
+    /// Returns the error for data of another length, bytes.
     #[must_use]
     pub fn wrong_length(&self, bytes: u64) -> CodecError {
         let expected = self.data_bytes();
@@ -84,13 +85,13 @@ impl Layout {
                 "{bytes} bytes, {:?} of {} bytes each needs {}",
                 self.shape,
                 self.number.bytes(),
-                expected.map_or_else(|| "more than there is memory".into(), |n| n.to_string()),
+                expected.map_or_else(|| "more than fits in memory".into(), |n| n.to_string()),
             ),
-            "the file is cut off or damaged: copy it again",
+            "the file is truncated or damaged; copy it again",
         )
     }
 
-    /// The length of its numbers, bytes; `None` where no memory could hold them.
+    /// Returns the length of the data, bytes, or `None` on overflow.
     #[must_use]
     pub fn data_bytes(&self) -> Option<usize> {
         header::elements(&self.shape)?.checked_mul(self.number.bytes())
@@ -117,7 +118,7 @@ impl Number {
         Some(Self { kind, is_big_endian })
     }
 
-    /// Bytes of one.
+    /// Returns the size of a number, bytes.
     #[must_use]
     pub const fn bytes(self) -> usize {
         match self.kind {
@@ -128,7 +129,7 @@ impl Number {
         }
     }
 
-    /// As many as `bytes` hold whole. `float16` becomes `float32`, which holds all of its values.
+    /// Reads all complete numbers in `bytes`. `float16` becomes `float32`, which represents all of its values.
     #[must_use]
     pub fn values(self, bytes: &[u8]) -> Values {
         fn get<T: Scalar>(bytes: &[u8], is_big_endian: bool) -> Vec<T> {
@@ -143,7 +144,12 @@ impl Number {
             Kind::U16 => Values::U16(get(bytes, self.is_big_endian)),
             Kind::F16 => {
                 let halves: Vec<u16> = get(bytes, self.is_big_endian);
-                Values::F32(halves.into_iter().map(f32_from_half).collect())
+                Values::F32(
+                    halves
+                        .into_iter()
+                        .map(|bits| f16::from_bits(bits).to_f32())
+                        .collect(),
+                )
             }
             Kind::F32 => Values::F32(get(bytes, self.is_big_endian)),
             Kind::F64 => Values::F64(get(bytes, self.is_big_endian)),
@@ -151,7 +157,7 @@ impl Number {
     }
 }
 
-/// The values of a Fortran array in C order.
+/// Converts values in Fortran order to C order.
 pub(super) fn to_c_order<T: Copy>(shape: &[usize], values: &[T]) -> Vec<T> {
     let mut index = vec![0usize; shape.len()];
     let mut strides = Vec::with_capacity(shape.len());
@@ -164,7 +170,7 @@ pub(super) fn to_c_order<T: Copy>(shape: &[usize], values: &[T]) -> Vec<T> {
     let mut at = 0usize;
     for _ in 0..values.len() {
         out.push(values[at]);
-        // The next index in C order: the last axis is the fastest.
+        // Advance to the next index in C order, in which the last axis is contiguous.
         for axis in (0..shape.len()).rev() {
             index[axis] += 1;
             at += strides[axis];
@@ -185,7 +191,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn fortran_order_is_another_place_for_the_same_values(a in 1usize..5, b in 1usize..5, c in 1usize..5) {
+        fn converts_from_fortran_order(a in 1usize..5, b in 1usize..5, c in 1usize..5) {
             let mut fortran = vec![0; a * b * c];
             let mut expected = Vec::new();
             for i in 0..a {
@@ -201,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_numbers() {
+    fn parses_types() {
         for (descr, bytes) in [("|u1", 1), ("<u2", 2), (">f2", 2), ("<f4", 4), (">f8", 8)] {
             assert_eq!(Number::parse(descr).unwrap().bytes(), bytes);
         }

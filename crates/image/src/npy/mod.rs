@@ -1,7 +1,7 @@
 //! `NumPy` arrays in `.npy` files, format version 1.0.
 //!
-//! What is written equals `numpy.save`'s bytes (NumPy 1.23 and later, which leave room in the header for the first
-//! axis to grow): little endian, C order. Source: NumPy's documentation of `numpy.lib.format`.
+//! Written files equal those of `numpy.save` (NumPy 1.23 and later, which reserve space in the header for the first axis to
+//! grow): little endian, C order. Source: NumPy's documentation of `numpy.lib.format`.
 
 mod header;
 mod layout;

@@ -2,12 +2,12 @@ use super::FORMAT;
 use super::layout::{Layout, to_c_order};
 use crate::{CodecError, Image};
 
-/// An array as a file holds it.
+/// A decoded array.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Array {
-    /// The lengths of its axes: rows, columns, channels; before them, where there are many images, their number.
+    /// The lengths of the axes: optionally the number of images, then rows, columns and channels.
     pub shape: Vec<usize>,
-    /// Its values in C order.
+    /// The values in C order.
     pub values: Values,
 }
 
@@ -24,11 +24,11 @@ pub enum Values {
     F64(Vec<f64>),
 }
 
-/// Reads an array of two to four axes of `uint8`, `uint16`, `float16`, `float32` or `float64`, of either byte order and
-/// either order of axes.
+/// Decodes an array of `uint8`, `uint16`, `float16`, `float32` or `float64` with two to four axes, in any byte order and either
+/// order of axes.
 ///
 /// # Errors
-/// Bytes that are not such an array, or are not exactly as long as its shape says.
+/// Returns an error if the bytes are not such an array, or their length does not match its shape.
 pub fn decode(bytes: &[u8]) -> Result<Array, CodecError> {
     let layout = Layout::parse(bytes)?;
     let data = bytes.get(layout.data_offset..).unwrap_or_default();
@@ -36,10 +36,7 @@ pub fn decode(bytes: &[u8]) -> Result<Array, CodecError> {
         return Err(CodecError::new(
             FORMAT,
             "shape",
-            format!(
-                "{} axes, an image has 2 or 3, many have 4 at most",
-                layout.shape.len()
-            ),
+            format!("{} axes; images have 2 or 3, batches up to 4", layout.shape.len()),
             "save rows × columns, or rows × columns × channels",
         ));
     }
@@ -57,7 +54,7 @@ pub fn decode(bytes: &[u8]) -> Result<Array, CodecError> {
 }
 
 impl Values {
-    /// From Fortran's order of an array of this shape, which they fill.
+    /// Converts the values of an array in Fortran order to C order.
     pub(super) fn to_c_order(&self, shape: &[usize]) -> Self {
         match self {
             Self::U8(values) => Self::U8(to_c_order(shape, values)),
@@ -69,10 +66,10 @@ impl Values {
 }
 
 impl Array {
-    /// An image of one channel in `float32`, from `float32` or `float64` (rounded).
+    /// Converts `float32` or `float64` (rounded) to an image of one channel.
     ///
     /// # Errors
-    /// Whole numbers, whose unit the file does not say; several channels; an axis over 2³² − 1.
+    /// Returns an error for integers, whose unit is unknown, for several channels, and for an axis above 2³² − 1.
     pub fn into_f32_image(self) -> Result<Image<f32>, CodecError> {
         let wrong = |problem: String, remedy| CodecError::new(FORMAT, "shape", problem, remedy);
         let (height, width) = match self.shape.as_slice() {
@@ -92,7 +89,7 @@ impl Array {
                 return Err(CodecError::new(
                     FORMAT,
                     "descr",
-                    "whole numbers are not metres",
+                    "integers are not metres",
                     "convert to metres: a.astype(numpy.float32) * scale",
                 ));
             }
@@ -110,12 +107,12 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn errors_say_what_and_what_to_do() {
+    fn errors_state_a_remedy() {
         let mut file = encode(&[2, 2], &[1f32, 2.0, 3.0, 4.0]).unwrap();
         file.pop();
         assert_eq!(
             decode(&file).unwrap_err().to_string(),
-            "NPY: data: 15 bytes, [2, 2] of 4 bytes each needs 16; the file is cut off or damaged: copy it again"
+            "NPY: data: 15 bytes, [2, 2] of 4 bytes each needs 16; the file is truncated or damaged; copy it again"
         );
         let says = |bytes: Vec<u8>| decode(&bytes).unwrap_err().to_string();
         assert!(says(encode(&[2, 2], &[1i32, 2, 3, 4]).unwrap()).contains("'<i4' is none of"));
@@ -130,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn either_byte_order() {
+    fn reads_both_byte_orders() {
         let little = encode(&[1, 2], &[1.5f64, -2.0]).unwrap();
         let mut big = little.clone();
         let at = big.iter().position(|&b| b == b'<').unwrap();
@@ -145,7 +142,7 @@ mod tests {
 
     /// `numpy.save` of `asfortranarray([[1, 2, 3], [4, 5, 6]])` in `float16`.
     #[test]
-    fn halves_and_columns_first() {
+    fn reads_float16_and_fortran_order() {
         let mut file = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
         let dict = "{'descr': '<f2', 'fortran_order': True, 'shape': (2, 3), }";
         file.extend(format!("{dict:<117}\n").bytes());
@@ -159,7 +156,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_bit_comes_back(bits in prop::collection::vec(any::<u32>(), 0..60)) {
+        fn round_trip_is_lossless(bits in prop::collection::vec(any::<u32>(), 0..60)) {
             let values: Vec<f32> = bits.iter().map(|&bits| f32::from_bits(bits)).collect();
             let Array { shape, values } = decode(&encode(&[values.len(), 1], &values).unwrap()).unwrap();
             prop_assert_eq!(shape, [bits.len(), 1]);
@@ -168,7 +165,7 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_are_an_error_or_an_array(at in 0usize..152, value: u8, cut in 0usize..153) {
+        fn never_panics_on_damaged_files(at in 0usize..152, value: u8, cut in 0usize..153) {
             let mut file = encode(&[2, 3], &[0f32; 6]).unwrap();
             file[at] = value;
             file.truncate(cut);
@@ -178,7 +175,7 @@ mod tests {
         }
 
         #[test]
-        fn noise_is_no_array(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        fn rejects_random_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
             prop_assert!(decode(&bytes).is_err());
             let file = [super::super::MAGIC, &[1, 0, 100, 0], &bytes].concat();
             prop_assert!(decode(&file).is_err());

@@ -2,10 +2,13 @@ use super::{FORMAT, header};
 use crate::CodecError;
 use crate::bytes::Scalar;
 
-/// A number that an array can consist of.
-#[expect(private_bounds, reason = "how numbers become bytes is nobody's business")]
+/// An element type of arrays.
+#[expect(
+    private_bounds,
+    reason = "the conversion to bytes is an implementation detail"
+)]
 pub trait Element: Scalar {
-    /// `NumPy`'s name of the type, with its byte order.
+    /// The name of the type in `NumPy`, with the byte order.
     const DESCR: &'static str;
 }
 
@@ -19,7 +22,7 @@ macro_rules! elements {
 
 elements!(u8 => "|u1", u16 => "<u2", u32 => "<u4", i32 => "<i4", f32 => "<f4", f64 => "<f8");
 
-/// An array of `shape`, its values in C order (the last axis fastest).
+/// Encodes an array of `shape` from its values in C order (the last axis is contiguous).
 ///
 /// ```
 /// use oaktwin_image::npy;
@@ -30,14 +33,14 @@ elements!(u8 => "|u1", u16 => "<u2", u32 => "<u4", i32 => "<i4", f32 => "<f4", f
 /// ```
 ///
 /// # Errors
-/// Not as many values as `shape` says.
+/// Returns an error if the number of values does not match `shape`.
 pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, CodecError> {
     if header::elements(shape) != Some(values.len()) {
         return Err(CodecError::new(
             FORMAT,
             "shape",
             format!("{shape:?} does not hold {} values", values.len()),
-            "give the values' own shape",
+            "pass the shape of the values",
         ));
     }
     let mut out = begin::<T>(shape);
@@ -46,29 +49,28 @@ pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, Code
     Ok(out)
 }
 
-/// The beginning of a file of `shape`, for one that is written in parts: its numbers follow, in C order, as [`put`]
-/// appends them.
+/// Returns the start of a file of `shape` that is written in parts; [`put`] appends its numbers in C order.
 #[must_use]
 pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
     header::encode(&format!("'{}'", T::DESCR), shape)
 }
 
-/// Appends numbers as files hold them.
+/// Appends numbers in the byte order of files.
 pub fn put<T: Element>(values: &[T], out: &mut Vec<u8>) {
     T::put_le(values, out);
 }
 
-/// One field of a structured type.
+/// A field of a structured type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Field {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// `NumPy`'s name of its type: [`Element::DESCR`].
+    /// The name of the type in `NumPy`: [`Element::DESCR`].
     pub descr: &'static str,
 }
 
 impl Field {
-    /// A field of numbers `T`.
+    /// Creates a field of numbers `T`.
     #[must_use]
     pub const fn of<T: Element>(name: &'static str) -> Self {
         Self {
@@ -78,10 +80,10 @@ impl Field {
     }
 }
 
-/// A one-dimensional array of a structured type; `bytes` holds `count` packed records, little endian.
+/// Encodes a one-dimensional array of a structured type from `count` packed records, little endian.
 ///
 /// # Errors
-/// `bytes` are not `count` records of one length.
+/// Returns an error if `bytes` are not `count` records.
 pub fn encode_records(fields: &[Field], count: usize, bytes: &[u8]) -> Result<Vec<u8>, CodecError> {
     let size: usize = fields
         .iter()
@@ -109,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numpys_own_bytes() {
+    fn writes_the_bytes_of_numpy() {
         let file = encode(&[2, 3], &[0f32, 1.0, 2.0, 3.0, 4.0, f32::INFINITY]).unwrap();
         let dict = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }";
         assert_eq!(file[..10], *b"\x93NUMPY\x01\x00\x76\x00");
@@ -123,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn shapes_of_every_rank() {
+    fn writes_all_ranks() {
         let text = |file: Vec<u8>| String::from_utf8_lossy(&file[10..]).into_owned();
         assert!(
             text(encode(&[], &[7u8]).unwrap())
@@ -134,13 +136,13 @@ mod tests {
         let error = encode(&[2, 2], &[1u8, 2, 3]).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "NPY: shape: [2, 2] does not hold 3 values; give the values' own shape"
+            "NPY: shape: [2, 2] does not hold 3 values; pass the shape of the values"
         );
         assert!(encode::<u8>(&[usize::MAX, 2], &[]).is_err());
     }
 
     #[test]
-    fn records() {
+    fn writes_records() {
         let fields = [Field::of::<u32>("id"), Field::of::<f32>("ratio")];
         let file = encode_records(&fields, 1, &[1, 0, 0, 0, 0, 0, 0x80, 0x3F]).unwrap();
         let header = String::from_utf8_lossy(&file[10..]).into_owned();

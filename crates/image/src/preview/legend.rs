@@ -4,10 +4,10 @@ use crate::Image;
 use crate::colormap::turbo;
 use crate::text::{self, Style};
 
-/// The scale under a picture.
+/// The legend below an image.
 pub(super) struct Legend<'a> {
     picture: &'a mut Image<[u8; 3]>,
-    /// The first row.
+    /// The first row of the legend.
     top: u32,
     unit: u32,
 }
@@ -26,7 +26,7 @@ impl<'a> Legend<'a> {
         if marks.missing {
             let label = "no value";
             let (label_width, swatch) = (self.width(label), unit * 3 / 2);
-            // The bar keeps at least half of the picture.
+            // The bar keeps at least half of the width.
             if label_width < self.picture.width() / 4 {
                 let column = right.saturating_sub(label_width);
                 self.fill(
@@ -47,7 +47,7 @@ impl<'a> Legend<'a> {
         self.fill(left..right, bar_top..bar_bottom, |column| {
             turbo[step(((column - left) as f32 + 0.5) / length)]
         });
-        // Text is kept clear of text, the most telling first.
+        // Labels do not overlap; the most important are placed first.
         let mut taken: Vec<(u32, u32)> = Vec::new();
         let mut try_to_write = |legend: &mut Self, text: &str, column: u32| {
             let end = column + legend.width(text);
@@ -123,7 +123,7 @@ impl<'a> Legend<'a> {
     }
 }
 
-/// Metres with as many digits as tell neighbouring ticks apart.
+/// Formats metres with enough digits to distinguish neighbouring ticks.
 fn label(metres: f32) -> String {
     let digits = match metres {
         m if m >= 99.95 => 0,
@@ -135,7 +135,7 @@ fn label(metres: f32) -> String {
     format!("{metres:.digits$}")
 }
 
-/// A round number without its trailing zeros.
+/// Formats a round number without trailing zeros.
 fn round_label(metres: f32) -> String {
     let text = format!("{metres:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn as_many_digits_as_tell_apart() {
+    fn labels_have_enough_digits() {
         let labels = [0.001_2, 0.05, 0.7421, 3.0, 12.34, 250.4].map(label);
         assert_eq!(labels, ["0.0012", "0.050", "0.74", "3.00", "12.3", "250"]);
         assert_eq!([0.5, 20.0, 1.0].map(round_label), ["0.5", "20", "1"]);

@@ -1,4 +1,4 @@
-//! Depth as a picture for people: turbo colours, near in red, and a scale under it.
+//! Previews of depth images: turbo colours, red for near, with a legend below.
 
 mod legend;
 mod scale;
@@ -8,24 +8,24 @@ use crate::{Image, RangeDepth, ZDepth};
 use legend::Legend;
 use scale::{Scale, is_value, step};
 
-/// Where there is no value: a grey that turbo does not have.
+/// The colour of invalid pixels: a grey that turbo does not contain.
 pub const NONE: [u8; 3] = [96, 96, 96];
 
-/// Behind the scale.
+/// The background of the legend.
 const PAPER: [u8; 3] = [24, 24, 24];
 
 const INK: [u8; 3] = [235, 235, 235];
 
-/// What of a depth image is shown.
+/// The options of a preview.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
-    /// The nearest and the farthest depth that has a colour of its own, metres. Without it the image decides: half a
-    /// percent of its values may lie outside on either side.
+    /// The minimum and maximum of the colour map, metres. The default is the range of the image without half a percent of its
+    /// values at both ends.
     pub range: Option<(f32, f32)>,
 }
 
 impl ZDepth {
-    /// A picture of this depth, as [`depth`] draws it.
+    /// Draws a preview with [`depth`].
     #[must_use]
     pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
         depth(&self.0, options)
@@ -33,18 +33,18 @@ impl ZDepth {
 }
 
 impl RangeDepth {
-    /// A picture of this depth, as [`depth`] draws it.
+    /// Draws a preview with [`depth`].
     #[must_use]
     pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
         depth(&self.0, options)
     }
 }
 
-/// A picture of a depth image (metres; what is not positive and finite has no value) in its own size, and a scale in
-/// [`legend_height`] more rows under it.
+/// Draws a depth image (metres; values that are not positive and finite are invalid) at its own size, with a legend in
+/// [`legend_height`] additional rows below.
 ///
-/// The scale is linear, or logarithmic where the farthest is more than twelve times the nearest. `<` and `>` at its
-/// ends say that what lies beyond has the same colour.
+/// The scale is linear, or logarithmic if the maximum is more than twelve times the minimum. `<` and `>` at its ends mean that
+/// values beyond have the same colour.
 #[must_use]
 pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
     let scale = Scale::of(metres, options);
@@ -60,7 +60,7 @@ pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
     picture
 }
 
-/// As [`depth`] paints it, without the scale: for several pictures that share one, which [`legend`] draws.
+/// Colours a depth image like [`depth`], without a legend, for several images with a common [`legend`].
 #[must_use]
 pub fn colors(metres: &Image<f32>, range: (f32, f32)) -> (Image<[u8; 3]>, Marks) {
     let scale = Scale::of(metres, &Options { range: Some(range) });
@@ -69,7 +69,7 @@ pub fn colors(metres: &Image<f32>, range: (f32, f32)) -> (Image<[u8; 3]>, Marks)
     (picture.unwrap_or_else(|| Image::filled(0, 0, PAPER)), marks)
 }
 
-/// The scale of pictures that [`colors`] paints, [`legend_height`] rows.
+/// Draws the legend of images of [`colors`], [`legend_height`] rows.
 #[must_use]
 pub fn legend(width: u32, range: (f32, f32), marks: Marks) -> Image<[u8; 3]> {
     let mut picture = Image::filled(width, legend_height(width), PAPER);
@@ -79,21 +79,21 @@ pub fn legend(width: u32, range: (f32, f32), marks: Marks) -> Image<[u8; 3]> {
     picture
 }
 
-/// The nearest and the farthest depth of an image but for half a percent of its values on either side; `None` where it has
-/// none.
+/// Returns the minimum and maximum depth of an image without half a percent of its values at both ends, or `None` if it has no
+/// valid values.
 #[must_use]
 pub fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
     scale::range(metres)
 }
 
-/// What a scale has to explain.
+/// The marks that a legend explains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
-    /// Pixels without a value.
+    /// Whether there are invalid pixels.
     pub missing: bool,
-    /// Depths nearer than the scale.
+    /// Whether there are depths below the scale.
     pub nearer: bool,
-    /// Depths beyond it.
+    /// Whether there are depths above the scale.
     pub farther: bool,
 }
 
@@ -105,7 +105,7 @@ impl std::ops::BitOrAssign for Marks {
     }
 }
 
-/// The pixels, with room for as many as `capacity`.
+/// Returns the colours of the pixels in a vector with the given capacity.
 fn paint(metres: &Image<f32>, scale: Option<&Scale>, capacity: usize) -> (Vec<[u8; 3]>, Marks) {
     let mut pixels = Vec::with_capacity(capacity);
     let mut marks = Marks::default();
@@ -126,13 +126,13 @@ fn paint(metres: &Image<f32>, scale: Option<&Scale>, capacity: usize) -> (Vec<[u
     (pixels, marks)
 }
 
-/// Rows that [`depth`] adds to an image of so many columns.
+/// Returns the number of rows that [`depth`] adds to an image of this width.
 #[must_use]
 pub fn legend_height(width: u32) -> u32 {
     text_height(width) * 4
 }
 
-/// Height of the scale's capitals, px.
+/// Returns the height of the legend's capital letters, px.
 fn text_height(width: u32) -> u32 {
     (width / 80).max(10)
 }
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn near_is_red_far_is_blue_and_what_is_missing_is_grey() {
+    fn near_is_red_far_is_blue_and_invalid_is_grey() {
         let mut image = ramp(300, 1.0, 3.0);
         image.pixels_mut()[5] = f32::INFINITY;
         image.pixels_mut()[6] = 0.0;
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_that_share_a_scale() {
+    fn images_can_share_a_scale() {
         let mut image = ramp(300, 1.0, 3.0);
         image.pixels_mut()[5] = 0.0;
         let options = Options {
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_show() {
+    fn draws_invalid_images() {
         for image in [
             Image::filled(0, 0, 0.0),
             Image::filled(1, 1, f32::NAN),
@@ -207,7 +207,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_numbers_make_a_picture(
+        fn never_panics_on_any_numbers(
             values in prop::collection::vec(prop::num::f32::ANY, 60), near: f32, far: f32,
         ) {
             let image = Image::new(60, 1, values).unwrap();

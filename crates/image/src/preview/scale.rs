@@ -1,16 +1,16 @@
 use super::Options;
 use crate::Image;
 
-/// Farthest over nearest from which on the scale is logarithmic: near things would share a few colours else.
+/// The ratio of maximum and minimum above which the scale is logarithmic, so that near depths do not share a few colours.
 const LOGARITHMIC_FROM: f32 = 12.0;
 
-/// Values looked at to find the range of an image.
+/// The number of samples for finding the range of an image.
 const SAMPLES: usize = 1 << 18;
 
-/// What is used of turbo: its ends are nearly black, and nothing there would be told apart.
+/// The used steps of turbo, without its nearly black ends.
 const STEPS: std::ops::RangeInclusive<u8> = 12..=243;
 
-/// How a depth becomes a step of the colour map.
+/// The mapping of depths to steps of the colour map.
 pub(super) struct Scale {
     pub(super) near: f32,
     pub(super) far: f32,
@@ -20,13 +20,13 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// `None` where no depth has a value.
+    /// Creates a scale, or returns `None` if no depth is valid.
     pub(super) fn of(metres: &Image<f32>, options: &Options) -> Option<Self> {
         let (near, far) = match options.range {
             Some((near, far)) => (near.min(far), near.max(far)),
             None => range(metres)?,
         };
-        // A range of one value still has a colour and a scale.
+        // A constant depth still has a colour and a scale.
         let near = near.max(1e-6);
         let far = if far > near { far } else { near * 1.001 };
         let logarithmic = far / near > LOGARITHMIC_FROM;
@@ -40,13 +40,13 @@ impl Scale {
         })
     }
 
-    /// 0 at the near end, 1 at the far one.
+    /// Returns the position on the scale: 0 at the near end, 1 at the far end.
     pub(super) fn place(&self, metres: f32) -> f32 {
         let value = if self.logarithmic { log2(metres) } else { metres };
         (value - self.offset) * self.factor
     }
 
-    /// Round numbers to write at the scale, coarsest first.
+    /// Returns round numbers for labels, coarsest first.
     pub(super) fn ticks(&self) -> Vec<f32> {
         let mut ticks = Vec::new();
         // From 1 µm to 10 000 km.
@@ -71,7 +71,7 @@ impl Scale {
     }
 }
 
-/// The step of turbo for a place between the near end, 0, and the far one, 1.
+/// Returns the step of turbo for a position between the near end, 0, and the far end, 1.
 pub(super) fn step(place: f32) -> usize {
     let (far, near) = (f32::from(*STEPS.start()), f32::from(*STEPS.end()));
     let step = near - place.clamp(0.0, 1.0) * (near - far);
@@ -84,10 +84,10 @@ pub(super) fn step(place: f32) -> usize {
     usize::from(step)
 }
 
-/// The nearest and farthest depths but for half a percent on either side.
+/// Returns the minimum and maximum depth without half a percent at both ends.
 pub(super) fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
     let stride = (metres.pixels().len() / SAMPLES).max(1);
-    // Not a divisor of common widths, so that every column is looked at.
+    // Not a divisor of common widths, so that all columns are sampled.
     let stride = if stride > 1 { stride | 1 } else { 1 };
     let sample = |stride| -> Vec<f32> {
         let pixels = metres.pixels().iter().step_by(stride);
@@ -104,8 +104,8 @@ pub(super) fn range(metres: &Image<f32>) -> Option<(f32, f32)> {
     Some((near, far))
 }
 
-/// The logarithm to base 2 of a positive, finite number, within 3e-5: made of operations that every machine rounds
-/// alike, which a system's `log` is not.
+/// Returns the base-2 logarithm of a positive, finite number, within 3e-5. Unlike the system's `log`, its operations are rounded
+/// identically on all machines.
 fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
     let exponent = (bits >> 23) as f32 - 127.0;
@@ -117,7 +117,7 @@ fn log2(x: f32) -> f32 {
     exponent + atanh * (2.0 * std::f32::consts::LOG2_E)
 }
 
-/// Whether a depth says something.
+/// Whether a depth is valid.
 pub(super) fn is_value(metres: f32) -> bool {
     metres > 0.0 && metres < f32::INFINITY
 }
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn outliers_do_not_set_the_range() {
+    fn range_ignores_outliers() {
         let mut image = ramp(1000, 1.0, 2.0);
         image.pixels_mut()[3] = 1e9;
         let scale = Scale::of(&image, &Options::default()).unwrap();

@@ -136,7 +136,7 @@ impl Source {
         scale: f64,
     ) -> Result<Self, FileError> {
         let codec = |error: CodecError| FileError::codec(path, &error);
-        let header = header_bytes(&beginning).min(Layout::MOST_BYTES_BEFORE);
+        let header = header_bytes(&beginning).min(Layout::MAX_DATA_OFFSET);
         let missing = header.saturating_sub(beginning.len()) as u64;
         take(path, &mut reader, missing, &mut beginning)?;
         let layout = Layout::parse(&beginning).map_err(codec)?;
@@ -219,7 +219,7 @@ impl Source {
                 if bytes.len() != wanted {
                     let read = self.batch.unwrap_or(1) - *left;
                     let message = format!("NPY: data: ends in image {read}");
-                    let remedy = "the file is truncated; copy it again";
+                    let remedy = "the file is truncated or damaged; copy it again";
                     return Err(FileError::new(&self.path, message, remedy));
                 }
                 *left -= 1;

@@ -1,8 +1,6 @@
 use serde::Serialize;
 
-use oaktwin_camera::{
-    ApertureOffsets, ImageSize, LensModel, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics,
-};
+use oaktwin_camera::{ApertureOffsets, ImageSize, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics};
 use oaktwin_catalog::{LegacyDistortion, LensChoice, Origin, Role, Source, Sources, Twin, TwinCamera};
 
 /// One camera: intrinsics, their calculation, USD attributes and the check of the field of view.
@@ -143,12 +141,12 @@ impl CameraReport {
                 camera_projection_type: spec.projection_type.clone(),
                 max_fov_deg: spec.max_fov_deg,
             },
-            lens: optics.lens.name(),
+            lens: optics.lens.names().report,
             lens_intrinsics: {
                 let (k, c) = (optics.intrinsics, optics.intrinsics.principal_point::<OpenCv>());
                 [k.fx, k.fy, c.x, c.y]
             },
-            distortion: optics.lens.coefficients(),
+            distortion: optics.lens.coefficients().to_vec(),
             position_mm: (camera.body_from_camera.translation * 1e3).to_array(),
             yaw_pitch_deg: [
                 forward.y.atan2(forward.x),
@@ -208,32 +206,6 @@ impl From<UsdOptics> for OffsetsReport {
         Self {
             horizontal: optics.horizontal_aperture_offset_mm + 0.0,
             vertical: optics.vertical_aperture_offset_mm + 0.0,
-        }
-    }
-}
-
-/// The name and coefficients of a lens in reports.
-trait LensReport {
-    fn name(&self) -> &'static str;
-    fn coefficients(&self) -> Vec<f64>;
-}
-
-impl LensReport for LensModel {
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Pinhole => "pinhole",
-            Self::OpenCvPinhole(_) => "opencv-pinhole",
-            Self::OpenCvFisheye(_) => "opencv-fisheye",
-            Self::FTheta(_) => "f-theta",
-        }
-    }
-
-    fn coefficients(&self) -> Vec<f64> {
-        match self {
-            Self::Pinhole => Vec::new(),
-            Self::OpenCvPinhole(lens) => lens.coefficients.to_vec(),
-            Self::OpenCvFisheye(lens) => lens.k.to_vec(),
-            Self::FTheta(lens) => lens.coefficients().to_vec(),
         }
     }
 }

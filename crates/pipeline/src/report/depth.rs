@@ -2,6 +2,8 @@ use serde::Serialize;
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_catalog::{DepthKind, Role, Source, Sources, Twin, TwinDepthSensor};
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Table};
 
 /// One depth sensor: its attributes and derived ranges.
 #[derive(Clone, Debug, Serialize)]
@@ -38,8 +40,8 @@ pub struct AttributeReport {
     pub name: &'static str,
     /// The value.
     pub value: f64,
-    /// The meaning.
-    pub meaning: &'static str,
+    /// What it means, with its unit.
+    pub meaning: String,
 }
 
 /// Disparity and depth steps at one distance.
@@ -99,47 +101,20 @@ fn finite(value: f64) -> Option<f64> {
 }
 
 fn attributes(sensor: &TwinDepthSensor) -> Vec<AttributeReport> {
-    let spec = &sensor.spec;
-    let of = |name, value, meaning| AttributeReport { name, value, meaning };
-    vec![
-        of("baselineMM", spec.baseline_mm, "distance between the imagers, mm"),
-        of(
-            "focalLengthPixel",
-            sensor.focal_length_px,
-            "focal length, px of sensorSizePixel",
-        ),
-        of("sensorSizePixel", spec.sensor_size_px, "width of the sensor, px"),
-        of(
-            "maxDisparityPixel",
-            spec.max_disparity_px,
-            "largest disparity, px",
-        ),
-        of("minDistance", spec.min_distance_m, "nearest depth kept, m"),
-        of("maxDistance", spec.max_distance_m, "farthest depth kept, m"),
-        of(
-            "noiseMean",
-            spec.noise_mean_px,
-            "quantization step of disparity, px",
-        ),
-        of(
-            "noiseSigma",
-            spec.noise_sigma_px,
-            "standard deviation of disparity, px",
-        ),
-        of(
-            "noiseDownscaleFactorPixel",
-            spec.noise_downscale_factor_px,
-            "grain of the noise, px",
-        ),
-        of(
-            "confidenceThreshold",
-            spec.confidence_threshold,
-            "share of smooth surface kept, 0 to 1",
-        ),
-        of(
-            "outlierRemovalRange",
-            f64::from(spec.outlier_removal_range_px),
-            "outlier window, px (outlierRemovalEnabled)",
-        ),
-    ]
+    let values = sensor.attributes(false);
+    let rows = Attributes::rows().filter(|row| matches!(row.about.kind, Kind::Number | Kind::Integer));
+    rows.map(|row| {
+        let about = &row.about;
+        let in_unit = if about.unit.is_empty() { "" } else { ", " };
+        AttributeReport {
+            name: if about.alias.is_empty() {
+                about.name
+            } else {
+                about.alias
+            },
+            value: (row.numbers)(&values)[0],
+            meaning: format!("{}{in_unit}{}", about.summary(), about.unit),
+        }
+    })
+    .collect()
 }

@@ -123,7 +123,7 @@ pub(super) fn set_single_view(
 ) -> Result<(), ParameterError> {
     for (given, value) in &options.parameters {
         let name = resolve(given, EngineKind::SingleView)?;
-        if Assumptions::NAMES.contains(&name) {
+        if Assumptions::names().contains(&name) {
             assumptions.set(name, value)?;
         } else {
             parameters.set(name, value)?;
@@ -174,14 +174,16 @@ fn names(engine: EngineKind) -> Vec<&'static str> {
     match engine {
         EngineKind::SingleView => single_view_names(),
         EngineKind::StereoNoise => stereo_noise::Parameters::names(),
-        EngineKind::StereoMatching => [stereo_matching::NAMES.as_slice(), &[CALIBRATION_ERROR]].concat(),
+        EngineKind::StereoMatching => {
+            [stereo_matching::Parameters::names(), vec![CALIBRATION_ERROR]].concat()
+        }
         EngineKind::TimeOfFlight => time_of_flight::Parameters::names(),
     }
 }
 
 fn single_view_names() -> Vec<&'static str> {
-    let also = ["outlierRemovalRange"];
-    [single_view::Parameters::NAMES, &also, Assumptions::NAMES].concat()
+    let also = vec!["outlierRemovalRange"];
+    [single_view::Parameters::names(), also, Assumptions::names()].concat()
 }
 
 /// The engine's own name for what somebody wrote.

@@ -155,7 +155,7 @@ impl ParameterFile {
                 calibration_error_px(&options).map(|_| ())
             }
             EngineKind::SingleView => {
-                let mut parameters = single_view::Parameters::ISAAC_5_1;
+                let mut parameters = single_view::Parameters::isaac_5_1();
                 configure::set_single_view(&mut parameters, &mut Assumptions::default(), &options)
             }
             EngineKind::TimeOfFlight => {

@@ -11,33 +11,12 @@ pub fn single_view_parameters(
     extended_disparity: bool,
     isaac: IsaacVersion,
 ) -> single_view::Parameters {
-    let spec = &sensor.spec;
-    let extended = |standard: f64, extended: Option<f64>| match extended {
-        Some(extended) if extended_disparity => extended,
-        _ => standard,
-    };
-    let (defaults, outlier_removal_range_px) = match isaac {
-        IsaacVersion::V5_1 => (single_view::Parameters::ISAAC_5_1, spec.outlier_removal_range_px),
+    let mut parameters = sensor.attributes(extended_disparity);
+    if isaac == IsaacVersion::V6 {
         // A switch there.
-        IsaacVersion::V6 => (
-            single_view::Parameters::ISAAC_6,
-            spec.outlier_removal_range_px.min(1),
-        ),
-    };
-    single_view::Parameters {
-        baseline_mm: spec.baseline_mm,
-        confidence_threshold: spec.confidence_threshold,
-        focal_length_px: sensor.focal_length_px,
-        max_disparity_px: extended(spec.max_disparity_px, spec.extended_max_disparity_px),
-        min_distance_m: extended(spec.min_distance_m, spec.extended_min_distance_m),
-        max_distance_m: spec.max_distance_m,
-        noise_mean_px: spec.noise_mean_px,
-        noise_sigma_px: spec.noise_sigma_px,
-        noise_downscale_factor_px: spec.noise_downscale_factor_px,
-        outlier_removal_range_px,
-        sensor_size_px: spec.sensor_size_px,
-        ..defaults
+        parameters.outlier_removal_range_px = parameters.outlier_removal_range_px.min(1);
     }
+    parameters
 }
 
 /// The parameters of the stereo pair of a twin, in the mode of its cameras' used resolution; `None` where it has no

@@ -10,7 +10,7 @@ use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::sense_frame;
 use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
-use oaktwin::sensor::{Engine, EngineKind, single_view};
+use oaktwin::sensor::{Engine, EngineKind};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -332,8 +332,8 @@ impl DepthSensor {
             parameters.set_item(name, value)?;
         }
         if let Engine::SingleView(engine) = sensor.engine() {
-            for name in single_view::Assumptions::NAMES {
-                parameters.set_item(name, engine.assumptions().get(name))?;
+            for (name, value) in engine.assumptions().by_name() {
+                parameters.set_item(name, value)?;
             }
         }
         Ok(parameters)

@@ -1,11 +1,13 @@
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Row, Table};
 
 use super::camera::{CameraTraits, base};
 use super::{
     AssetError, AssetOptions, IsaacVersion, PRODUCTS, Target, describe, float, lens, render_product_name,
 };
-use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
+use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::text::{Attribute, Prim, Value};
 
 /// The scope of the render variables that products share.
@@ -112,37 +114,33 @@ pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     format!("{namespace}{name}")
 }
 
-/// Creates the attributes listed in the sheet's depth-sensor tables.
+/// The attributes that shape the output, sorted by name: those of the parameter sheet.
 fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
-    let spec = &sensor.spec;
-    let (max_disparity, min_distance) = if options.extended_disparity {
-        (
-            spec.extended_max_disparity_px.unwrap_or(spec.max_disparity_px),
-            spec.extended_min_distance_m.unwrap_or(spec.min_distance_m),
-        )
-    } else {
-        (spec.max_disparity_px, spec.min_distance_m)
-    };
-    let range = spec.outlier_removal_range_px;
-    // The attribute's type differs: an int range in pixels in 5.x, a bool in 6.x.
-    let outlier_removal = match (options.target, options.isaac) {
-        (Target::Isaac, IsaacVersion::V5_1) => Value::Int(i32::try_from(range).unwrap_or(i32::MAX)),
-        (Target::Isaac, IsaacVersion::V6) | (Target::Ovrtx, _) => Value::Bool(range > 0),
-    };
-    let attribute = |name: &str, value: Value| Attribute::new(attribute_name(options, name), value);
-    vec![
-        attribute("baselineMM", float(spec.baseline_mm)),
-        attribute("confidenceThreshold", float(spec.confidence_threshold)),
-        attribute("focalLengthPixel", float(sensor.focal_length_px)),
-        attribute("maxDisparityPixel", float(max_disparity)),
-        attribute("maxDistance", float(spec.max_distance_m)),
-        attribute("minDistance", float(min_distance)),
-        attribute("noiseDownscaleFactorPixel", float(spec.noise_downscale_factor_px)),
-        attribute("noiseMean", float(spec.noise_mean_px)).documented(describe::NOISE_MEAN),
-        attribute("noiseSigma", float(spec.noise_sigma_px)),
-        attribute("outlierRemovalEnabled", outlier_removal).documented(describe::OUTLIER_REMOVAL),
-        attribute("sensorSizePixel", float(spec.sensor_size_px)),
-    ]
+    let values = sensor.attributes(options.extended_disparity);
+    let shapes = |row: &&Row<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);
+    let mut attributes: Vec<Attribute> = Attributes::rows()
+        .filter(shapes)
+        .map(|row| {
+            let name = row.about.name;
+            let number = (row.numbers)(&values)[0];
+            let attribute = |value| Attribute::new(attribute_name(options, name), value);
+            let range = values.outlier_removal_range_px;
+            match (name, options.target, options.isaac) {
+                // One name, two types: a range in pixels in 5.x, a switch in 6.x.
+                (OUTLIER_REMOVAL, Target::Isaac, IsaacVersion::V5_1) => {
+                    let range = i32::try_from(range).unwrap_or(i32::MAX);
+                    attribute(Value::Int(range)).documented(describe::OUTLIER_REMOVAL)
+                }
+                (OUTLIER_REMOVAL, ..) => {
+                    attribute(Value::Bool(range > 0)).documented(describe::OUTLIER_REMOVAL)
+                }
+                ("noiseMean", ..) => attribute(float(number)).documented(describe::NOISE_MEAN),
+                _ => attribute(float(number)),
+            }
+        })
+        .collect();
+    attributes.sort_by(|a, b| a.name.cmp(&b.name));
+    attributes
 }
 
 /// Returns a note for each depth sensor whose schema is experimental.

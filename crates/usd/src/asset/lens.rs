@@ -1,4 +1,4 @@
-use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv};
+use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, OpenCvLens};
 use oaktwin_catalog::{LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level};
 
@@ -30,17 +30,18 @@ const FISHEYE_NAMES: [&str; 4] = ["k1", "k2", "k3", "k4"];
 /// takes the principal point from the schema only.
 pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Option<LensSchema> {
     let optics = twin.optics(camera, options.lens);
-    let kind = match (optics.lens, &twin.origin) {
-        (LensModel::OpenCvPinhole(lens), _) => {
+    if optics.lens == LensModel::Pinhole && matches!(twin.origin, Origin::Nominal) {
+        return None;
+    }
+    // All lenses of calibrations and the catalog are among OpenCV's.
+    let kind = match optics.lens.as_opencv()? {
+        OpenCvLens::Pinhole(all) => {
             let mut coefficients = [0.0; 12];
-            coefficients.copy_from_slice(&lens.coefficients[..12]);
+            coefficients.copy_from_slice(&all[..12]);
             Kind::Pinhole(coefficients)
         }
-        // All coefficients are written because the schema's fallback for k1 is not 0.
-        (LensModel::OpenCvFisheye(lens), _) => Kind::Fisheye(lens.k),
-        (LensModel::Pinhole, Origin::Calibration { .. }) => Kind::Pinhole([0.0; 12]),
-        // Neither calibrations nor the catalog have f-theta lenses.
-        (LensModel::Pinhole, Origin::Nominal) | (LensModel::FTheta(_), _) => return None,
+        // All coefficients are written, because the schema's fallback value of k1 is not 0.
+        OpenCvLens::Fisheye(k) => Kind::Fisheye(k),
     };
     Some(LensSchema {
         intrinsics: optics.intrinsics,

@@ -2,7 +2,7 @@ use oaktwin_diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
-use crate::depth_sensor::ATTRIBUTES;
+use crate::depth_sensor::attribute_types;
 use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
 use crate::stage::Value;
 
@@ -85,7 +85,7 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
             ));
             continue;
         }
-        let Some((_, expected)) = ATTRIBUTES.iter().find(|(known, _)| *known == name) else {
+        let Some((_, expected)) = attribute_types().into_iter().find(|(known, _)| *known == name) else {
             findings.push(unknown(sensor.generation, path, &full, name));
             continue;
         };
@@ -119,7 +119,7 @@ fn unknown(generation: Generation, path: &str, full: &str, name: &str) -> Findin
             ),
         );
     }
-    let near = nearest(name, ATTRIBUTES.iter().map(|(known, _)| *known));
+    let near = nearest(name, attribute_types().into_iter().map(|(known, _)| known));
     let remedy = match near.first() {
         Some(near) => format!("rename it to {PRODUCT_NAMESPACE}{near}, or remove it"),
         None => "remove it".to_owned(),

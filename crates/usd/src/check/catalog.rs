@@ -1,5 +1,7 @@
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Table};
 
 use super::depth::Parameters;
 use super::rule::Rule;
@@ -110,43 +112,15 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
     let Some(known) = sensor.known else { return };
     let spec = &known.spec;
     let parameters = Parameters::of(sensor);
-    let extended = |value: f64, standard: f64, extended: Option<f64>| {
-        if extended.is_some_and(|extended| same(value, extended)) {
-            value
-        } else {
-            standard
-        }
-    };
-    let expected = [
-        ("baselineMM", spec.baseline_mm),
-        ("sensorSizePixel", spec.sensor_size_px),
-        (
-            "maxDisparityPixel",
-            extended(
-                parameters.get("maxDisparityPixel"),
-                spec.max_disparity_px,
-                spec.extended_max_disparity_px,
-            ),
-        ),
-        (
-            "minDistance",
-            extended(
-                parameters.get("minDistance"),
-                spec.min_distance_m,
-                spec.extended_min_distance_m,
-            ),
-        ),
-        ("maxDistance", spec.max_distance_m),
-        ("noiseMean", spec.noise_mean_px),
-        ("noiseSigma", spec.noise_sigma_px),
-        ("noiseDownscaleFactorPixel", spec.noise_downscale_factor_px),
-        ("confidenceThreshold", spec.confidence_threshold),
-    ];
+    let [standard, extended] = [false, true].map(|is_extended| spec.attributes(is_extended));
     let path = &sensor.prim.path;
-    for (name, expected) in expected {
+    for row in Attributes::rows().filter(|row| row.about.kind == Kind::Number) {
+        let name = row.about.name;
         let value = parameters.get(name);
-        // A noiseMean of 0 is reported by a rule of its own.
-        if same(value, expected) || (name == "noiseMean" && value == 0.0) {
+        let [expected, extended] = [&standard, &extended].map(|attributes| (row.numbers)(attributes)[0]);
+        // The focal length and a noiseMean of 0, a deliberate choice, have their own rules.
+        let has_own_rule = name == "focalLengthPixel" || (name == "noiseMean" && value == 0.0);
+        if has_own_rule || same(value, expected) || same(value, extended) {
             continue;
         }
         let authored = if parameters.authored(name).is_some() {

@@ -1,5 +1,7 @@
 use oaktwin_catalog::{DepthKind, DepthSensor as Spec};
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_parameter::{Kind, Table};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Scene};
@@ -68,21 +70,7 @@ const SHORTEST_BASELINE_MM: f64 = 5.0;
 /// The tolerance for rounding to integer pixels, as in the sheet, and to `float`.
 const FOCAL_LENGTH_TOLERANCE_PX: f64 = 0.5 + 1e-3;
 
-/// The schema's defaults (Isaac Sim 5.1).
-const FALLBACKS: [(&str, f64); 10] = [
-    ("baselineMM", 55.0),
-    ("confidenceThreshold", 0.95),
-    ("focalLengthPixel", 897.0),
-    ("maxDisparityPixel", 110.0),
-    ("maxDistance", 10_000_000.0),
-    ("minDistance", 0.5),
-    ("noiseDownscaleFactorPixel", 1.0),
-    ("noiseMean", 0.25),
-    ("noiseSigma", 0.25),
-    ("sensorSizePixel", 1280.0),
-];
-
-/// The parameters of a depth sensor, authored or the schema's defaults.
+/// The numbers of a depth sensor, authored or the schema's defaults (Isaac Sim 5.1).
 #[derive(Clone, Copy)]
 pub(super) struct Parameters<'a> {
     sensor: &'a DepthSensor<'a>,
@@ -99,10 +87,11 @@ impl<'a> Parameters<'a> {
     }
 
     pub(super) fn get(&self, name: &str) -> f64 {
-        let fallback = || FALLBACKS.iter().find(|(known, _)| *known == name);
-        self.authored(name)
-            .or_else(|| fallback().map(|(_, value)| *value))
-            .unwrap_or(f64::NAN)
+        let default = || {
+            let row = Attributes::row(name).ok()?;
+            (row.numbers)(&Attributes::isaac_5_1()).first().copied()
+        };
+        self.authored(name).or_else(default).unwrap_or(f64::NAN)
     }
 
     /// Returns the distance at which disparity reaches its limit, in metres.
@@ -145,34 +134,19 @@ pub(super) fn rules(scene: &Scene<'_>, sensor: &DepthSensor<'_>, findings: &mut 
 /// Reports invalid values. Returns whether all are valid.
 fn values(path: &str, parameters: &Parameters<'_>, findings: &mut Vec<Finding>) -> bool {
     let before = findings.len();
-    let mut bad = |name: &str, remedy: &str| {
-        findings.push(DEPTH_VALUE.with_remedy(
-            path,
-            format!("{name} is {}", num(parameters.get(name))),
-            remedy,
-        ));
-    };
-    let positive = [
-        "focalLengthPixel",
-        "maxDisparityPixel",
-        "sensorSizePixel",
-        "noiseDownscaleFactorPixel",
-    ];
-    for name in positive {
-        if !(parameters.get(name).is_finite() && parameters.get(name) > 0.0) {
-            bad(name, "author a positive number of pixels");
+    for about in Attributes::rows().map(|row| row.about) {
+        let has_own_rule = matches!(about.name, "confidenceThreshold" | "minDistance" | "maxDistance");
+        if about.kind != Kind::Number || has_own_rule {
+            continue;
         }
-    }
-    let baseline = parameters.get("baselineMM");
-    if !(baseline.is_finite() && baseline != 0.0) {
-        bad(
-            "baselineMM",
-            "author the distance between the imagers in millimetres",
-        );
-    }
-    for name in ["noiseMean", "noiseSigma"] {
-        if !(parameters.get(name).is_finite() && parameters.get(name) >= 0.0) {
-            bad(name, "author 0 or a positive number of pixels");
+        let value = parameters.get(about.name);
+        if !about.accepts(value) || about.name == "baselineMM" && value == 0.0 {
+            let expected = about.expectation();
+            findings.push(DEPTH_VALUE.with_remedy(
+                path,
+                format!("{} is {}", about.name, num(value)),
+                format!("author {}", expected.trim_start_matches("expected ")),
+            ));
         }
     }
     let (nearest, farthest) = (parameters.get("minDistance"), parameters.get("maxDistance"));

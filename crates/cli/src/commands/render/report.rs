@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use oaktwin::camera::{LensModel, Usd};
+use oaktwin::camera::Usd;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files::WrittenFile;
 use oaktwin::image::annotation::Annotator;
@@ -151,7 +151,7 @@ impl<'a> CameraReport<'a> {
             fy: intrinsics.fy,
             cx: centre.x,
             cy: centre.y,
-            lens: lens_name(&camera.camera.lens),
+            lens: camera.camera.lens.names().schema,
             depth_sensor: sensor.map(SensorReport::new),
         }
     }
@@ -163,14 +163,5 @@ impl SensorReport {
             engine: EngineKind::of(sensor.engine()).as_str(),
             parameters: sensor.engine().parameters().into_iter().collect(),
         }
-    }
-}
-
-const fn lens_name(lens: &LensModel) -> &'static str {
-    match lens {
-        LensModel::Pinhole => "pinhole",
-        LensModel::OpenCvPinhole(_) => "opencvPinhole",
-        LensModel::OpenCvFisheye(_) => "opencvFisheye",
-        LensModel::FTheta(_) => "ftheta",
     }
 }

@@ -52,7 +52,7 @@ fn recording() -> Vec<u8> {
 }
 
 #[test]
-fn is_read_by_the_reference_library() {
+fn the_reference_library_reads_recordings() {
     let file = recording();
     let messages: Vec<_> = ::mcap::MessageStream::new(&file)
         .unwrap()
@@ -109,7 +109,7 @@ fn is_read_by_the_reference_library() {
 }
 
 #[test]
-fn the_same_moments_give_the_same_bytes() {
+fn recordings_are_reproducible() {
     assert_eq!(recording(), recording());
 }
 
@@ -137,7 +137,7 @@ fn unsupported_lenses_have_no_camera_info() {
 }
 
 #[test]
-fn rejects_invalid_input() {
+fn rejects_invalid_moments() {
     let mut recorder = Mcap::new(Vec::new()).unwrap();
     let id = recorder.add_camera(&camera("left", None)).unwrap();
     let other = Image::filled(3, 4, 1.5f32);
@@ -147,7 +147,7 @@ fn rejects_invalid_input() {
     };
     assert_eq!(
         recorder.record(id, &moment).unwrap_err().to_string(),
-        "left: depth is 3x4, but the camera's images are 4x3; give images of the camera's size"
+        "left: depth is 3x4, the camera's images are 4x3; give the camera of the images"
     );
     assert!(matches!(
         recorder.record(CameraId(1), &at(0.5)),
@@ -161,7 +161,7 @@ fn rejects_invalid_input() {
     ));
 }
 
-/// A disk with limited space.
+/// A disk with limited capacity.
 struct Disk(usize);
 
 impl Write for Disk {
@@ -179,7 +179,7 @@ impl Write for Disk {
 }
 
 #[test]
-fn reports_full_disks_at_any_size() {
+fn reports_full_disks_at_any_position() {
     let whole = recording().len();
     for room in [0, 5, 40, 3000, whole, 200_000] {
         let filled = || -> Result<(), RecordingError> {

@@ -1,6 +1,7 @@
 mod network;
 
 use oaktwin_image::Image;
+use oaktwin_parameter::{Kind, View, choice, parameters};
 use oaktwin_simd::Level;
 use rayon::prelude::*;
 
@@ -8,22 +9,47 @@ pub(crate) use network::{Network, Networks};
 
 use super::{Pixel, simd};
 
-/// `MedianFilter`: the median of a square around each pixel; outside the image its edge goes on. 0 counts as a value.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Median {
-    /// `KERNEL_3x3`
-    Kernel3x3,
-    /// `KERNEL_5x5`
-    #[default]
-    Kernel5x5,
-    /// `KERNEL_7x7`
-    Kernel7x7,
+choice! {
+    /// `MedianFilter`: the median of a square around each pixel. The image's border is repeated outside; 0 is a value.
+    Median {
+        /// 3 × 3 pixels.
+        Kernel3x3 = "KERNEL_3x3",
+        /// 5 × 5 pixels.
+        Kernel5x5 = "KERNEL_5x5",
+        /// 7 × 7 pixels.
+        Kernel7x7 = "KERNEL_7x7",
+    }
 }
 
-/// Rows that a thread takes at a time.
+parameters! {
+    /// The settings of the median filter.
+    pub struct MedianSettings("median filter", platform) {
+        /// The side of the square.
+        kernel: Median = Median::Kernel5x5 => ("size" as Side.alias("kernel")),
+    }
+}
+
+/// The side of a square, or `DepthAI`'s name.
+struct Side;
+
+impl View<Median> for Side {
+    const KIND: Kind = Kind::Text("3, 5 or 7");
+
+    fn set(field: &mut Median, text: &str) -> Option<()> {
+        let sized = |median: &&Median| median.size().to_string() == text || median.name()[7..] == *text;
+        *field = Median::from_name(text).or_else(|| Median::ALL.iter().find(sized).copied())?;
+        Some(())
+    }
+
+    fn get(field: &Median) -> String {
+        field.size().to_string()
+    }
+}
+
+/// The number of rows in a unit of work.
 const BAND: usize = 32;
 
-/// Pixels that are worked on together.
+/// The number of pixels in a vector.
 const LANES: usize = 32;
 
 impl Median {
@@ -37,7 +63,7 @@ impl Median {
         }
     }
 
-    /// Puts the medians in place of the pixels.
+    /// Replaces the pixels by their medians.
     pub(super) fn run<P: Pixel>(self, level: Level, image: &mut Image<P>) {
         match self {
             Self::Kernel3x3 => bands(image, |rows, sorted, out| {

@@ -8,6 +8,7 @@
 
 mod effects;
 mod outputs;
+mod parameters;
 mod same;
 
 use oaktwin_image::Image;
@@ -27,7 +28,7 @@ fn oak_d_pro() -> Parameters {
         noise_downscale_factor_px: 2.0,
         confidence_threshold: 0.8,
         outlier_removal_range_px: 3,
-        ..Parameters::ISAAC_5_1
+        ..Parameters::isaac_5_1()
     }
 }
 

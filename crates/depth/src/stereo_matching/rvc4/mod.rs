@@ -6,17 +6,14 @@
 mod adaptive_median;
 mod confidence;
 mod hole_filling;
-mod parameters;
 mod superpixels;
-
-pub use parameters::{AdaptiveMedian, ConfidenceMetrics, HoleFilling};
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
 use self::superpixels::Superpixels;
 use super::census::Census;
-use super::parameters::Parameters;
+use super::parameters::{ConfidenceMetrics, HoleFilling, Parameters};
 use crate::preset::Platform;
 
 /// A bit of a winner's disparity: it does not pass the left-right check, or is beyond an image.

@@ -1,10 +1,10 @@
 use super::parameters;
 use crate::preset::{Platform, StereoConfig};
-use crate::stereo_matching::{NAMES, Parameters, platform_of};
+use crate::stereo_matching::{Parameters, platform_of};
 
 #[test]
 fn each_name_changes_what_it_reads() {
-    for name in NAMES {
+    for name in Parameters::names() {
         let mut p = parameters();
         let now = p.get(name).unwrap();
         let other = match now.as_str() {
@@ -59,10 +59,11 @@ fn wrong_values_change_nothing() {
     assert_eq!(p, parameters());
     assert_eq!(
         p.set("path", "4").unwrap_err().to_string(),
-        "path: stereo-matching has no such parameter; did you mean paths, penaltyShift?"
+        "path: unknown parameter of stereo-matching; did you mean 'paths' or 'penaltyShift'?"
     );
     p.set("penaltyShift", "0").unwrap();
-    assert!(p.set("verticalPenaltyCostP2", "60000").is_err());
+    p.set("verticalPenaltyCostP2", "60000").unwrap();
+    assert_eq!(p.check().unwrap_err().name, "verticalPenaltyCostP2");
 }
 
 #[test]
@@ -130,7 +131,7 @@ fn what_counts_on_one_platform_is_known() {
     for platform in [Platform::Rvc2, Platform::Rvc4] {
         let own = Parameters::new(platform, super::STEREO, 1280);
         let plain = found(own);
-        for name in NAMES
+        for name in Parameters::names()
             .into_iter()
             .filter(|name| platform_of(name).is_some_and(|other| other != platform))
         {

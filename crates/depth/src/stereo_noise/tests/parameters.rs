@@ -84,23 +84,23 @@ fn rejects_parameters_out_of_range() {
     assert!(parameters().check().is_ok());
     assert_eq!(
         error(|p| p.stereo.focal_length_px = 0.0),
-        "focalLength: 0 is out of range; expected a number: 1 to 100000 px"
+        "focalLength: 0 is out of range; expected a number from 1 to 100000 px"
     );
     assert_eq!(
         error(|p| p.stereo.baseline_m = 75.0),
-        "baseline: 75 is out of range; expected a number: 0.0001 to 2 m"
+        "baseline: 75 is out of range; expected a number from 0.0001 to 2 m"
     );
     assert_eq!(
         error(|p| p.jitter_px = f64::NAN),
-        "jitter: must not be NaN; expected a number: 0 to 10 px"
+        "jitter: must not be NaN; expected a number from 0 to 10 px"
     );
     assert_eq!(
         error(|p| p.bias_px = f64::NEG_INFINITY),
-        "bias: -inf is out of range; expected a number: -10 to 10 px"
+        "bias: -inf is out of range; expected a number from -10 to 10 px"
     );
     assert_eq!(
         error(|p| p.window_px = 6),
-        "window: invalid value '6'; expected a whole number: 1, 3, … 63 px"
+        "window: invalid value '6'; expected 1, 3, … 63 px"
     );
     assert!(error(|p| p.stereo.baseline_m = -0.075).starts_with("baseline: -0.075 is out of range"));
     assert!(error(|p| p.dropout = 1.01).starts_with("dropout: 1.01 is out of range"));

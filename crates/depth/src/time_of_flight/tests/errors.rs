@@ -66,7 +66,7 @@ fn wrong_values_change_nothing() {
     p.contrast = f64::NAN;
     assert_eq!(
         TimeOfFlight::new(p).unwrap_err().to_string(),
-        "contrast: must not be NaN; expected a number: 0 to 1"
+        "contrast: must not be NaN; expected a number from 0 to 1"
     );
 }
 

@@ -5,12 +5,12 @@ use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
 use oaktwin_depth::single_view::Parameters;
 use oaktwin_diagnostic::{Finding, Level, nearest};
 use oaktwin_usd::asset::IsaacVersion;
-use oaktwin_usd::depth_sensor::{ATTRIBUTES, DepthSensor, OUTLIER_REMOVAL};
+use oaktwin_usd::depth_sensor::{DepthSensor, OUTLIER_REMOVAL, attribute_types};
 use oaktwin_usd::stage::{Attribute, Value};
 
 /// The schema's attributes that affect the sensor's output, all but its switches, with their types.
 fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let shapes = ATTRIBUTES
+    let shapes = attribute_types()
         .into_iter()
         .filter(|(_, type_name)| *type_name != "bool");
     shapes.map(|(name, type_name)| match name {
@@ -52,8 +52,8 @@ fn parameters(
 ) -> Result<(Parameters, Vec<Finding>), DepthSensorError> {
     let isaac = isaac.or_else(|| stage.isaac()).unwrap_or_default();
     let (defaults, isaac_name) = match isaac {
-        IsaacVersion::V5_1 => (Parameters::ISAAC_5_1, "5.1"),
-        IsaacVersion::V6 => (Parameters::ISAAC_6, "6"),
+        IsaacVersion::V5_1 => (Parameters::isaac_5_1(), "5.1"),
+        IsaacVersion::V6 => (Parameters::isaac_6(), "6"),
     };
     let mut parameters = defaults;
     let mut findings = Vec::new();
@@ -118,7 +118,7 @@ fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
 
 /// A finding about an unknown attribute. The schema's switches are ignored: requesting the output enables the sensor.
 fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
-    if Parameters::NAMES.contains(&name) {
+    if Parameters::names().contains(&name) {
         return None;
     }
     let remedy = match nearest(name, shaping_names()).first() {

@@ -53,7 +53,7 @@ fn sheet() -> Parameters {
         noise_sigma_px: 0.2,
         noise_downscale_factor_px: 2.0,
         confidence_threshold: 0.8,
-        ..Parameters::ISAAC_5_1
+        ..Parameters::isaac_5_1()
     }
 }
 

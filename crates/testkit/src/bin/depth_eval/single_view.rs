@@ -42,7 +42,7 @@ struct Out {
 
 impl Request {
     pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
-        let (mut parameters, mut assumptions) = (Parameters::ISAAC_5_1, Assumptions::default());
+        let (mut parameters, mut assumptions) = (Parameters::isaac_5_1(), Assumptions::default());
         for (name, value) in &self.parameters {
             parameters.set(name, value)?;
         }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::stereo_matching::{NAMES, Pair, Parameters, StereoMatching, inspect};
+use oaktwin_depth::stereo_matching::{Pair, Parameters, StereoMatching, inspect};
 use oaktwin_image::{Image, ImageView, npy};
 use serde_json::{Value, json};
 
@@ -67,7 +67,9 @@ impl ParametersRequest {
         let platforms = [Platform::Rvc2, Platform::Rvc4];
         let platform = platforms.into_iter().find(|known| known.name() == self.platform);
         let parameters = Parameters::new(platform.ok_or("unknown platform")?, STEREO, 1280);
-        let values = NAMES.into_iter().map(|name| Ok((name, parameters.get(name)?)));
+        let values = Parameters::names()
+            .into_iter()
+            .map(|name| Ok((name, parameters.get(name)?)));
         let values: BTreeMap<&str, String> = values.collect::<Result<_, Box<dyn Error>>>()?;
         Ok(json!({ "parameters": values }))
     }
