@@ -91,7 +91,7 @@ pub(crate) fn writable<'py, T: Element>(
         wrong(
             name,
             "is read-only, or used by another call",
-            "pass a separate writable array",
+            "pass a separate array to write to",
         )
     })?;
     if array.as_slice_mut().is_err() {

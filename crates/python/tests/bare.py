@@ -1,4 +1,4 @@
-"""The package in an environment of NumPy alone, the oldest that it takes. Run by `cargo xtask test`; needs no pytest."""
+"""Tests the package with only the oldest supported NumPy. Run by `cargo xtask test`; does not require pytest."""
 
 import subprocess
 import sys

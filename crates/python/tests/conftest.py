@@ -15,6 +15,8 @@ import oaktwin
 ROOT = Path(__file__).resolve().parents[3]
 # The NumPy models of the sensors.
 sys.path.append(str(ROOT / "tests/oracles"))
+# The focal length in px and the baseline in metres of `matcher`.
+FX, BASELINE = 300.0, 0.075
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -34,8 +36,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def run_and_interrupt(text):
     """Runs a script that prints "ready" and returns what it prints after being interrupted."""
-    # Processes started in the background of a script ignore SIGINT, and their children inherit that.
-    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n" + text
+    # Processes started in the background of a script ignore SIGINT, and their children inherit that. The alarm ends a script that
+    # outlives the tests.
+    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); signal.alarm(180)\n" + text
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
         try:
             assert process.stdout.readline() == "ready\n"
@@ -76,10 +79,31 @@ def program():
 
 @pytest.fixture(scope="session")
 def room():
-    """Depth of a wall with a pole before it and a hole, metres, 60 x 106; and a picture of it."""
+    """Depth of a wall with a pole in front of it and a hole, metres, 60 x 106; and its colour image."""
     random = np.random.default_rng(3)
     depth = np.full((60, 106), 3.0, np.float32) + np.linspace(0, 1, 106, dtype=np.float32)
     depth[10:50, 40:52] = 1.1
     depth[30:36, 80:90] = np.inf
     depth[0, :3] = [np.nan, 0, -1]
     return depth, random.integers(0, 256, (60, 106, 3)).astype(np.uint8)
+
+
+@pytest.fixture(scope="session")
+def textured():
+    """A slanted ground with a box in front of it, 120 x 320: left, right, disparity, and the mask without occlusions."""
+    from stereo_scenes import box, everywhere, pair
+
+    layers = [(everywhere, (9.3, 0.01, 0.02)), (box(140, 30, 220, 90), (31.7, 0.0, 0.0))]
+    return pair(np.random.default_rng(5), 120, 320, layers, sigma=1.0)
+
+
+@pytest.fixture(scope="module")
+def matcher():
+    return oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
+
+
+def same(a, b):
+    """Whether two results of a matcher are equal."""
+    assert a.keys() == b.keys()
+    assert [str(finding) for finding in a["findings"]] == [str(finding) for finding in b["findings"]]
+    return all(a[name].dtype == b[name].dtype and np.array_equal(a[name], b[name]) for name in a if name != "findings")

@@ -7,7 +7,7 @@ import pytest
 import oaktwin
 
 
-def test_it_is_the_programs(program, device):
+def test_matches_the_program(program, device):
     got = oaktwin.accuracy(device, distances="1:4:1", devices=7, captures=3)
     said = ["accuracy", "OAK4-D", "--distances", "1:4:1", "--devices", "7", "--captures", "3", "--json"]
     assert got.report == json.loads(program(*said))
@@ -35,7 +35,7 @@ def test_without_matplotlib(device, monkeypatch):
         got.plot()
 
 
-def test_a_measured_unit_is_the_programs(program, tmp_path, device):
+def test_a_measured_unit_matches_the_program(program, tmp_path, device):
     curve = tmp_path / "unit.csv"
     curve.write_text("distance_m,depth_error_percent\n1,0.2\n2,0.5\n3,0.9\n4,1.6\n")
     got = oaktwin.accuracy(device, distances=[1, 3], devices=3, captures=2, measured=curve, measured_from=1.5, focal_px=790.0,
@@ -63,15 +63,15 @@ def test_a_drawn_figure(device, tmp_path):
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["stereo-noise", "published"]
     axes.figure.savefig(tmp_path / "figure.png")
     picture = matplotlib.image.imread(tmp_path / "figure.png")
-    # Something is drawn within the axes, in the line's colour and the band's.
+    # The line and the band are drawn.
     assert len(np.unique(picture.reshape(-1, picture.shape[-1]), axis=0)) > 50
     own = matplotlib.pyplot.figure().subplots()
     assert got.plot(own) is own and own.get_lines()
     matplotlib.pyplot.close("all")
 
 
-def test_on_somebodys_axes(device):
-    """Any object with the methods of Matplotlib's axes will do."""
+def test_plots_on_given_axes(device):
+    """An object with the methods of Matplotlib's axes."""
 
     class Axes:
         def __init__(self):
@@ -100,6 +100,6 @@ def test_on_somebodys_axes(device):
         ({"parameters": {"windw": 3}}, "windw"),
     ],
 )
-def test_what_cannot_be_measured(device, options, text):
+def test_invalid_arguments(device, options, text):
     with pytest.raises(oaktwin.Error, match=text):
         oaktwin.accuracy(device, **options)

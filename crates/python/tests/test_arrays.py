@@ -1,4 +1,4 @@
-"""Arrays of every kind, in and out, without copies where that is documented."""
+"""Arrays of every kind as input and output, without copies where documented."""
 
 import array
 import ctypes
@@ -17,7 +17,7 @@ def sensor(device):
 
 
 class Interface:
-    """Has NumPy's array interface and nothing else."""
+    """An object with only NumPy's array interface."""
 
     def __init__(self, values):
         self.values = values
@@ -28,7 +28,7 @@ class Interface:
 
 
 class Capsule:
-    """Has DLPack and nothing else."""
+    """An object with only DLPack."""
 
     def __init__(self, values, device=(1, 0)):
         self.values, self.device = values, device
@@ -60,7 +60,7 @@ def test_nothing_is_copied(sensor, room):
     assert _read_from(shaped) == plain.buffer_info()[0]
 
 
-def test_what_lies_otherwise_is_copied(sensor, room):
+def test_non_contiguous_arrays_are_copied(sensor, room):
     depth, _ = room
     raw = np.zeros(depth.nbytes + 1, np.uint8)
     crooked = raw[1:].view(np.float32).reshape(depth.shape)
@@ -82,7 +82,7 @@ def test_results_are_written_in_place(sensor, room):
     view = memoryview(plain).cast("B").cast("f", depth.shape)
     assert sensor(depth, out=view) is view
     assert np.array_equal(np.frombuffer(plain, np.float32).reshape(depth.shape), expected)
-    # The rows of a larger array that follow each other.
+    # Consecutive rows of a larger array.
     whole = np.zeros((3, *depth.shape), np.float32)
     sensor(depth, out=whole[1])
     assert np.array_equal(whole[1], expected) and not whole[[0, 2]].any()
@@ -92,7 +92,7 @@ def test_results_are_written_in_place(sensor, room):
         sensor(depth, out=bytes(depth.nbytes))
 
 
-def test_the_same_memory_is_refused_by_every_way(sensor, room):
+def test_overlapping_output_is_rejected(sensor, room):
     both = np.zeros((3, *room[0].shape), np.float32)
     for depth, out in [(both[0], both[0]), (Capsule(both[0]), both[0]), (both[:2], both[1:]),
                        (Interface(both[0]), both[0]), (memoryview(both[0]), both[0])]:
@@ -100,7 +100,7 @@ def test_the_same_memory_is_refused_by_every_way(sensor, room):
             sensor(depth, out=out)
 
 
-def test_nothing_as_large_is_allocated(device):
+def test_allocates_no_temporary_image(device):
     sensor = oaktwin.DepthSensor(device)
     depth = np.full((64, 60, 106), 2.0, np.float32)
     out = np.empty_like(depth)
@@ -124,7 +124,7 @@ def test_jax(sensor, room):
     assert _read_from(depth) == own
     expected = sensor(room[0])
     assert np.array_equal(sensor(depth), expected)
-    # And back without a copy: DLPack of what was returned.
+    # The result can be read by DLPack without a copy.
     back = jax.dlpack.from_dlpack(expected, copy=None)
     assert np.array_equal(back, expected)
     with pytest.raises(oaktwin.Error, match="read-only"):

@@ -31,7 +31,7 @@ def test_cameras(device):
     assert np.allclose(left.K, [[fx, 0, 639.5], [0, fx, 399.5], [0, 0, 1]], atol=1e-9)
     assert left.K.dtype == np.float64
     assert left.hfov_deg == pytest.approx(77) and left.lens == "pinhole" and left.distortion.shape == (0,)
-    # x right is y left's opposite, y down z up's, z forward x.
+    # The camera's x axis is the body's −y, its y axis −z, its z axis x.
     expected = [[0, 0, 1, 0], [-1, 0, 0, 0.0375], [0, -1, 0, 0], [0, 0, 0, 1]]
     assert np.array_equal(left.body_from_camera, expected)
     assert repr(left) == "<oaktwin.Camera left: 1280x800, fx 804.59 px, 77.00° x 52.87°, pinhole>"
@@ -77,7 +77,7 @@ def test_a_calibrated_unit(program, calibration):
     shown = shown[0] if isinstance(shown, list) else shown
     assert unit.report() == shown
     assert [finding.code for finding in unit.findings] == [finding["code"] for finding in shown["findings"]]
-    # The inverse of its rectification is what the raw pair is.
+    # The inverse of the rectification gives the raw extrinsics.
     pair = unit.rectification()
     assert np.allclose(pair.R1 @ pair.R1.T, np.eye(3)) and pair.baseline == pytest.approx(0.075, abs=0.002)
     with pytest.raises(oaktwin.Error):
@@ -188,7 +188,7 @@ def test_a_catalog_of_ones_own(program, tmp_path):
 
 
 def test_findings_are_warnings(tmp_path):
-    # Of a tilted lens ROS has not all coefficients.
+    # ROS does not support all coefficients of a tilted lens.
     camera = json.loads(oaktwin.Device("OAK-D Pro PoE").to_depthai()["calibration.json"])
     for _, one in camera["cameraData"]:
         one["distortionCoeff"] = [0.01] * 5 + [0.0] * 7 + [0.02, 0.01]

@@ -1,4 +1,4 @@
-"""The example's rows, compared here once more: DepthAI's numbers against ours, on fixtures and on real exports."""
+"""Checks the example's rows with fixtures and real exports."""
 
 import json
 import os
@@ -15,7 +15,7 @@ dai = pytest.importorskip("depthai", reason="depthai is not installed")
 
 EXAMPLE = ROOT / "examples/python/depthai_calibration.py"
 FIXTURES = ROOT / "crates/calibration/fixtures"
-# DepthAI's single precision: of 4000 px, of metres, of 100 degrees, of 1.
+# Single precision of 4000 px, of metres, of 100 degrees, of 1.
 TOLERANCES = {"px": 2e-4, "m": 2e-8, "deg": 2e-5, "": 5e-7}
 FILES = {
     "example-oak-d-pro-poe.json": "OAK-D Pro PoE",
@@ -28,13 +28,13 @@ FILES = {
 
 def run(*arguments):
     command = [sys.executable, EXAMPLE, *map(str, arguments)]
-    # DepthAI reports on standard output that there is no USB.
+    # DepthAI reports a missing USB on standard output.
     environment = {**os.environ, "DEPTHAI_LEVEL": "error"}
     return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment)
 
 
 def compared(path, model, folder):
-    """The rows by name, each checked."""
+    """Checks all rows and returns them by name."""
     done = run(path, "--model", model, "-o", folder / "rows.json")
     assert done.returncode == 0, done.stderr
     rows = json.loads((folder / "rows.json").read_text())
@@ -65,8 +65,8 @@ def test_fixtures(name, tmp_path):
     assert f"largest difference, px: {worst:.1e}" in shown
 
 
-def test_conventions_are_told(tmp_path):
-    """Where DepthAI's defaults are the board's design, the numbers differ, and it says so. Without a file: the example's."""
+def test_conventions_are_marked(tmp_path):
+    """DepthAI's defaults from the board's design differ and are marked. The default file is the project's example."""
     done = run("-o", tmp_path / "rows.json")
     rows = {row["what"]: row for row in json.loads((tmp_path / "rows.json").read_text())}
     assert done.stdout.startswith("OAK-D Pro PoE, example-oak-d-pro-poe.json: DepthAI ")
@@ -74,11 +74,11 @@ def test_conventions_are_told(tmp_path):
     assert rows["baseline, by default"]["oaktwin"] == pytest.approx([0.0745845], abs=1e-7)
     assert rows["left field of view, by default"]["depthai"] == pytest.approx([71.86])
     assert "* getBaselineDistance() gives" in done.stdout and "* getFov() gives" in done.stdout
-    # This file places its inertial unit.
+    # This file has extrinsics of the IMU.
     assert rows["left_from_imu translation"]["depthai_unit"] == "cm"
 
 
-def test_what_cannot_be_compared(tmp_path):
+def test_invalid_files_are_rejected(tmp_path):
     (tmp_path / "bad.json").write_text("{}")
     for path, text in [(tmp_path / "bad.json", "bad.json"), (FIXTURES / "fisheye-two-roots.json", "model=")]:
         done = run(path)

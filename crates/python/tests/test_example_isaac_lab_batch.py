@@ -41,7 +41,7 @@ def ran(tmp_path_factory):
         return printed, dict(arrays)
 
 
-def test_what_is_measured_is_the_sensors(ran, device):
+def test_output_equals_the_sensors(ran, device):
     printed, arrays = ran
     exact, measured = arrays["exact"], arrays["measured"]
     assert exact.shape == measured.shape == (16, 60, 106) and arrays["frame"] == 2
@@ -76,8 +76,8 @@ def test_the_cameras_field_of_view(ran, device):
     assert np.degrees(2 * np.arctan(aperture / 2 / focal)) == pytest.approx(device.depth_camera().hfov_deg, abs=1e-3)
 
 
-def test_the_made_up_ground(example):
-    """Pixels of the ground lie 0.6 m below the camera, which looks 20 degrees down."""
+def test_the_synthetic_ground(example):
+    """Ground pixels are 0.6 m below the camera, which is tilted down by 20 degrees."""
     depth = example.made_up_depth(5, 60, 106, 77.0)
     focal = 53 / np.tan(np.radians(38.5))
     y = (np.arange(60) - 29.5) / focal
@@ -94,13 +94,13 @@ def test_torch(example, ran, tmp_path, device):
     assert "(48, 60, 106) of torch" in printed and "as a modifier: the same" in printed
     with np.load(tmp_path / "batch.npz") as arrays:
         assert np.array_equal(arrays["measured"], ran[1]["measured"])
-    # No copy: the sensor reads where the tensor is, and writes there.
+    # No copy: the sensor accesses the memory of the tensors.
     depth, out = torch.full((4, 60, 106), 2.0), torch.zeros(4, 60, 106)
     assert _oaktwin._read_from(depth) == depth.data_ptr()
     sensor = oaktwin.DepthSensor(device, hfov_deg=77.0, seed=1)
     at = out.data_ptr()
     assert sensor(depth, out=out) is out and out.data_ptr() == at and (out > 0).any()
-    # Its place in an observation term.
+    # As in an observation term.
     modifier = example.OakDepth(argparse.Namespace(params={"hfov_deg": 77.0, "seed": 1}), (4, 60, 106, 1), "cpu")
     observed = modifier(depth.unsqueeze(-1).clone())
     modifier.reset([0])

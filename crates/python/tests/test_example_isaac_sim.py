@@ -1,5 +1,5 @@
-"""examples/python/isaac_sim.py, as far as it can be checked without Isaac Sim: every name against where it is documented,
-its flow with doubles that take the documented arguments only, its USD half with usd-core where that is installed."""
+"""examples/python/isaac_sim.py, without Isaac Sim: every name is compared with the documentation,
+the flow is run with mock objects that accept only the documented arguments, and the USD part with usd-core if installed."""
 
 import ast
 import importlib.util
@@ -38,7 +38,7 @@ IMPORTS = {
     ("omni.timeline", None): EXAMPLE_6,
     ("omni.usd", None): EXAMPLE_6,
 }
-# Of each function, what is taken of Isaac Sim's objects.
+# The members of Isaac Sim's objects that each function uses.
 MEMBERS = {
     "isaac_5": {
         "get_context": SENSOR_5,
@@ -82,7 +82,7 @@ MEMBERS = {
     },
 }
 PYTHON = {"array", "items", "values", "get", "startswith"}
-# Every text in these functions.
+# All strings in these functions.
 TEXTS = {
     "isaac_5": {"DepthSensorDistance": SENSOR_5, "distance_to_image_plane": EXAMPLE_5, "rgb": CAMERA_5},
     "isaac_6": {
@@ -157,7 +157,7 @@ def test_help_needs_no_isaac_sim():
 
 @pytest.mark.parametrize("model", oaktwin.models())
 def test_the_assets_templates_by_our_own_check(model, tmp_path):
-    """The prims that the loaders look for, without OpenUSD's Python."""
+    """The prims that the loaders require, without OpenUSD's Python package."""
     device = oaktwin.Device(model)
     wanted = {sensor["prim"] for sensor in device.depth_sensors.values()}
     for isaac in ["5.1", "6"]:
@@ -195,7 +195,7 @@ def test_the_usd_half(example, model, tmp_path):
             assert camera.GetTypeName() == "Camera"
             width, height = template.GetAttribute("resolution").Get()
             cameras[camera.GetName()] = width, height
-            # It is at the OAK's position and faces the stage's x; z is up in its image.
+            # The camera is at the OAK's position and faces along the stage's x axis; z is up in its image.
             world_from_camera = UsdGeom.Xformable(camera).ComputeLocalToWorldTransform(0)
             assert np.allclose(world_from_camera.TransformDir((0, 0, -1)), [1, 0, 0], atol=1e-6)
             assert np.allclose(world_from_camera.TransformDir((0, 1, 0)), [0, 0, 1], atol=1e-6)
@@ -206,7 +206,7 @@ def test_the_usd_half(example, model, tmp_path):
         assert cameras.get("Camera_pseudo_depth_tof", (640, 480)) == (640, 480)
         box = UsdGeom.Imageable(stage.GetPrimAtPath("/World/red")).ComputeWorldBound(0, "default").ComputeAlignedRange()
         assert np.allclose(box.GetMin(), [-0.5, -0.75, 0]) and np.allclose(box.GetMax(), [0, -0.25, 0.8])
-        # What the OAK would see of it: the fronts of the boxes at 2, 2.5 and 3.5 m.
+        # The OAK measures the fronts of the boxes at 2, 2.5 and 3.5 m.
         stage.Flatten().Export(str(tmp_path / "scene.usda"))
         camera, world_from_body = device.depth_camera(), np.eye(4)
         world_from_body[:3, 3] = example.PLACE
@@ -216,7 +216,7 @@ def test_the_usd_half(example, model, tmp_path):
             assert np.mean(np.abs(exact - distance) < 1e-5) > 0.01
 
 
-# Doubles: no more than the documented arguments, and frames of a wall as our own model measures it.
+# Mock objects with only the documented arguments, and frames of a wall from oaktwin's model.
 
 
 class Wall:
@@ -430,7 +430,7 @@ def test_the_flow_of_6_with_doubles(example, monkeypatch, capsys, tmp_path, devi
 
 
 def test_our_model_beside_isaac_sims(example, device):
-    """Of the same model with noise of another seed: nearly all agrees."""
+    """The same model with another noise seed agrees almost everywhere."""
     wall = Wall(device)
     same = example.compare(device, "Camera_pseudo_depth", "5.1", wall.exact, wall.measured, None)
     share = float(same.split("of these ")[1].split(" %")[0])

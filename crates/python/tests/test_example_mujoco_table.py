@@ -36,7 +36,7 @@ def frames(request, rays, tmp_path_factory):
 
 
 def pixel_rays(frames):
-    """Of each pixel, 1 long along the axis: in the camera's frame and the world's."""
+    """The ray of each pixel, scaled to 1 along the axis, in the camera frame and the world."""
     k, pose = frames["K"], frames["world_from_camera"]
     height, width = frames["exact"].shape[1:]
     x, y = np.meshgrid(np.arange(width), np.arange(height))
@@ -47,7 +47,7 @@ def pixel_rays(frames):
 def test_the_camera_is_the_oaks(frames, device):
     own, k = device.depth_camera(), frames["K"]
     assert np.allclose(k[:2, :2], own.K[:2, :2] / 2, rtol=1e-12) and k[:2, 2].tolist() == [319.5, 199.5]
-    # Where the magenta ball is seen, and where it must be.
+    # The measured and the expected position of the magenta ball.
     point = np.linalg.inv(frames["world_from_camera"]) @ [0.4, 0.3, 0.02, 1]
     u, v, _ = k @ (point[:3] / point[2])
     r, g, b = np.moveaxis(frames["rgb"][0].astype(int), -1, 0)
@@ -63,11 +63,11 @@ def test_exact_depth_is_the_tables(frames):
     _, direction = pixel_rays(frames)
     depth = -eye[2] / direction[..., 2]
     at = eye + direction * depth[..., None]
-    # A part of the table with nothing on it.
+    # An empty part of the table.
     is_table = (at[..., 0] > 0.45) & (at[..., 0] < 0.59) & (np.abs(at[..., 1]) < 0.2)
     assert is_table.sum() > 3000
     assert np.abs(frames["exact"][0] - depth)[is_table].max() < 2e-6
-    # No surface is none, and not the far plane's distance.
+    # Misses are not at the far plane.
     assert np.isinf(frames["exact"]).any() and frames["exact"][np.isfinite(frames["exact"])].max() < 15
 
 
@@ -80,11 +80,11 @@ def test_measured_depth_is_the_sensors(frames, device):
     assert 0.5 < near < far < 8
     both = np.isfinite(frames["exact"]) & (frames["measured"] > 0)
     assert 0.6 < both.mean() < 0.8
-    # Pixels of disparity, as the sensor counts them.
+    # Disparity in matcher pixels.
     focal_baseline = float(own["focalLength"]) * float(own["baseline"])
     error = focal_baseline / frames["measured"][both].astype(float) - focal_baseline / frames["exact"][both]
     locking, jitter, step = float(own["pixelLocking"]), float(own["jitter"]), 2.0 ** -int(own["subpixelFractionalBits"])
-    # A sine, noise, and rounding to steps of disparity; then to millimetres, at the nearest.
+    # A sine, noise, and rounding to disparity steps, then to millimetres.
     millimetre = 0.0005 * focal_baseline / frames["measured"][both].min() ** 2
     assert np.abs(error).max() < locking + 5.5 * jitter + step / 2 + millimetre
     expected = np.sqrt(locking**2 / 2 + jitter**2 + step**2 / 12)
@@ -93,7 +93,7 @@ def test_measured_depth_is_the_sensors(frames, device):
 
 
 def test_renderers_agree(rays, frames):
-    """Where OpenGL is to be had; else this compares rays with rays."""
+    """Compares OpenGL, if available, with ray casting."""
     ray, other = rays[1]["exact"], frames["exact"]
     assert (np.isfinite(ray) != np.isfinite(other)).mean() < 1e-4
     both = np.isfinite(ray) & np.isfinite(other)

@@ -1,4 +1,4 @@
-"""The numbers of the Open3D example against the truth and against the theory."""
+"""Compares the numbers of the Open3D example with the ground truth and the theory."""
 
 import csv
 import os
@@ -15,7 +15,7 @@ FOLDER = ROOT / "examples/python"
 
 @pytest.fixture(scope="module")
 def run():
-    """Runs Python where Open3D can be imported: its library wants a libusb, which a package brings where the system has none."""
+    """Runs Python with the libusb that Open3D requires, from a Python package if the system has none."""
     environment = dict(os.environ)
     try:
         import libusb_package
@@ -46,31 +46,31 @@ def test_the_plane_and_the_scatter(run, tmp_path, tilt):
     assert [row["distance_m"] for row in rows] == [1, 2, 3, 4, 5, 6, 7, 8]
     assert (tmp_path / "plane.png").read_bytes().startswith(b"\x89PNG")
     for row in rows:
-        # Rays without a measurement (the left border, shadows) and the box are the rest.
+        # The rest are invalid pixels (the left border, occlusions) and the box.
         assert row["points"] > 0.9 * 640 * 400 and 0.8 < row["inliers"] / row["points"] < 0.95
         assert f"{row['rms_mm']:.1f} mm" in done.stdout
     if tilt:
         for row in rows:
-            # RANSAC's own choice differs from run to run, by less than this.
+            # RANSAC's variation between runs is smaller than this.
             assert row["angle_deg"] < (0.1 if row["distance_m"] <= 4 else 0.5)
             assert abs(row["offset_mm"]) < 3 * row["distance_m"]
-            # An oblique wall crosses many pixels of disparity, so pixel locking is as good as random.
+            # An oblique wall covers many pixels of disparity, so pixel locking acts as random noise.
             assert row["rms_mm"] == pytest.approx(row["theory_mm"], rel=0.05)
-        # The same by hand: a wall n . p = h through (0, 0, 4 m), its columns' z, 0.05 px and 0.13 px and 1/32 px.
+        # Computed independently: a wall n . p = h through (0, 0, 4 m), the z of its columns, 0.05 px, 0.13 px and 1/32 px.
         x = (np.arange(640) - 319.5) / (640 / np.tan(np.radians(77 / 2)) / 2)
         z = 4 * np.cos(np.radians(tilt)) / (np.cos(np.radians(tilt)) + x * np.sin(np.radians(tilt)))
         sigma = np.sqrt(0.05**2 + 0.13**2 / 2 + 1 / 32**2 / 12) / (640 / np.tan(np.radians(77 / 2)) * 0.075)
         assert rows[3]["theory_mm"] == pytest.approx(1000 * sigma * np.sqrt(np.mean(z**4)), rel=0.05)
         assert rows[7]["rms_mm"] / rows[3]["rms_mm"] == pytest.approx(4, rel=0.05)
     else:
-        # A wall parallel to the image has one disparity: locking moves it as a whole instead of scattering it.
+        # A wall parallel to the image has a constant disparity: pixel locking shifts it as a whole.
         for row in rows:
             assert row["rms_mm"] < 0.7 * row["theory_mm"]
         assert max(abs(row["offset_mm"]) for row in rows) > 20
 
 
 def test_open3d_counts_pixels_as_we_do(run):
-    """Points of exact depth lie on the wall; half a pixel off, they would not."""
+    """Points of ground-truth depth are on the wall; with a shift of half a pixel they are not."""
     code = """
 import numpy as np, oaktwin, open3d_plane as example
 camera = oaktwin.Device("OAK4-D").depth_camera().resized(320, 200)

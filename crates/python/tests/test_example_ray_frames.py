@@ -1,4 +1,4 @@
-"""Frames made by Ray's workers, one of them killed, against those of one process, byte for byte."""
+"""Compares the files of Ray's workers, one of which is killed, with those of a single process."""
 
 import hashlib
 import json
@@ -19,7 +19,7 @@ SIZE = (160, 100)
 
 def run(folder, *arguments):
     options = ["-o", folder, "--frames", FRAMES, "--size", *SIZE, *arguments]
-    # Ray keeps a token in the home folder.
+    # Ray stores a token in the home folder.
     environment = {**os.environ, "HOME": str(folder.parent)}
     command = [sys.executable, EXAMPLE, *map(str, options)]
     return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment, timeout=300)
@@ -62,15 +62,15 @@ def test_a_frame_is_a_function_of_its_number(local):
 @pytest.mark.parametrize(
     "arguments",
     [
-        # Two workers, one killed in the middle of a file of frame 2.
+        # Two workers, one killed while it writes a file of frame 2.
         ["--workers", 2, "--kill-at", 2],
-        # Another number of workers, other parts; and one worker that has to rise again.
+        # Another number of workers and blocks; and a single worker that is restarted.
         ["--workers", 1, "--blocks", 2, "--kill-at", FRAMES - 1],
     ],
 )
-def test_workers_and_deaths_change_nothing(local, tmp_path, arguments):
+def test_output_is_independent_of_workers(local, tmp_path, arguments):
     pytest.importorskip("ray.data", reason="ray[data] is not installed", exc_type=ImportError)
-    # What an earlier run that was broken off left.
+    # The remains of an interrupted run.
     folder = tmp_path / "frames"
     folder.mkdir()
     (folder / "rgb_0000.npy.1.part").write_bytes(b"part")
@@ -80,7 +80,7 @@ def test_workers_and_deaths_change_nothing(local, tmp_path, arguments):
     assert hashes(folder) == hashes(local)
 
 
-def test_frames_that_depend_on_others_are_refused(tmp_path):
+def test_temporal_filters_are_rejected(tmp_path):
     done = run(tmp_path / "frames", "--local", "--preset", "default")
     assert done.returncode == 1 and "temporal filter makes a frame depend" in done.stderr
     assert "Traceback" not in done.stderr and not any((tmp_path / "frames").iterdir())

@@ -37,7 +37,7 @@ def render(folder, *options):
 
 @pytest.fixture(scope="module")
 def frames(tmp_path_factory):
-    """Three frames of one camera, flat."""
+    """Three frames of one camera in a flat folder."""
     folder = tmp_path_factory.mktemp("rendered")
     poses = [body((3, -2 + 0.2 * step, 1.5), (0, 0, 0.5)) for step in range(3)]
     trajectory = folder / "poses.json"
@@ -48,8 +48,8 @@ def frames(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def several(tmp_path_factory):
-    """A folder for each of two depth sensors' cameras, below them one for each annotator. Smaller than their own size: the
-    principal points are not quite in the middle then."""
+    """Folders for the cameras of two depth sensors, each with a folder per annotator. The images are smaller than the cameras'
+    own, so that principal points are slightly off the centre."""
     return render(tmp_path_factory.mktemp("rendered") / "several", "--model", "OAK-D ToF", "--look-at", 3, -2, 1.5, 0, 0, 0.5,
                   "--resolution", "320x200", "--annotators", "distance_to_image_plane,rgb,camera_params")  # fmt: skip
 
@@ -69,7 +69,7 @@ def test_a_camera_is_sensed_as_the_program_does(frames, tmp_path, options):
     run("-m", "oaktwin", "sense", theirs, "--model", "OAK4-D", *options)
     got = results(ours)
     assert len(got) == 3 and got == results(theirs)
-    # Nothing else is there, and nothing else has changed.
+    # No other files are created or changed.
     before = {path.name: path.read_bytes() for path in frames.iterdir()}
     after = {path.name: path.read_bytes() for path in ours.iterdir()}
     assert after == {**before, **{path.name: content for path, content in got.items()}}
@@ -98,7 +98,7 @@ def test_several_cameras(several, tmp_path):
     run("-m", "oaktwin", "sense", theirs, "--model", "OAK-D ToF")
     got = results(ours)
     assert len(got) == 2 and got == results(theirs)
-    # Cameras that are none of the model's depth sensors, and one that is among others.
+    # Cameras that are not depth sensors of the model, and one that is, among others.
     for names in [{"Camera_pseudo_depth_stereo": "Front", "Camera_pseudo_depth_tof": "Back"},
                   {"Camera_pseudo_depth_stereo": "Front"}]:  # fmt: skip
         ours, theirs = (shutil.copytree(several, tmp_path / f"{name}{len(names)}") for name in ["ours", "theirs"])

@@ -60,7 +60,7 @@ def test_the_mcap(walked, truth):
         np.testing.assert_array_equal(np.reshape(topics["/oak/camera_info"][frame].k, (3, 3)), camera.K)
         world_from_optical = world_from("oak_optical_frame", topics, stamp)
         np.testing.assert_allclose(world_from_optical, pose, atol=1e-12)
-        # The floor, z = 0 in the world, is where its measured points are.
+        # Measured points of the floor are at z = 0 in the world.
         points, _ = cloud(topics["/oak/measured_points"][frame])
         rays = np.stack([*np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1])), np.ones(SIZE[::-1])], axis=2)
         z = np.where(np.isfinite(depth[frame]), depth[frame], 0)[..., None]

@@ -33,9 +33,9 @@ def test_holes_then_depth(tmp_path):
     assert (off["projector"], on["projector"]) == (0, 1)
     for row in (off, on):
         assert f"{row['density']:.1%}" in printed and f"{row['median_error_mm']:.1f} mm" in printed
-    # Most of the image is a wall of one grey.
+    # Most of the image is a uniform wall.
     assert off["density"] < 0.3 and off["outliers"] > 0.4
-    # The dots are on it and on all before it; the left border has no partner.
+    # The dots are on the wall and all objects; the left border is outside the right image.
     assert on["density"] > 0.65 and on["outliers"] < 0.1
     # A quarter of a pixel at 2.5 m.
     assert on["median_error_mm"] < 1000 * 0.25 * 2.5**2 / (400 * 0.075)

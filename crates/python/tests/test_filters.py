@@ -34,7 +34,7 @@ def test_each_filter(image):
 
 
 def test_a_median_is_numpys(image):
-    # Inside of what is valid everywhere; DepthAI's treats 0 of its own.
+    # Only where all pixels are valid, because DepthAI's filter treats 0 specially.
     image = np.where(image == 0, 1000, image).astype(np.uint16)
     windows = np.lib.stride_tricks.sliding_window_view(image, (3, 3)).reshape(38, 58, 9)
     expected = np.median(windows, axis=-1)
@@ -52,7 +52,7 @@ def test_bytes_and_pictures(image):
     assert np.array_equal(batch[1], got)
 
 
-def test_memory_of_frames(image):
+def test_temporal_state(image):
     temporal = oaktwin.filters.temporal(alpha=0.4, persistency=3)
     assert str(temporal).startswith("temporal:alpha=0.4,delta=") and repr(temporal).startswith("<oaktwin.Filter temporal")
     frames = [image, np.zeros_like(image), image + np.uint16(1)]
@@ -90,7 +90,7 @@ def test_results_are_written_in_place(image):
     assert oaktwin.filters.brightness(image, rgb, min=100, max=250, out=out) is out and np.array_equal(out, image)
 
 
-def test_bad_rooms(image):
+def test_invalid_outputs(image):
     median = oaktwin.Filter("median")
     frozen = np.zeros_like(image)
     frozen.flags.writeable = False

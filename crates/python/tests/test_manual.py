@@ -89,7 +89,7 @@ def public():
 def test_everything_is_documented(name, item):
     text = inspect.getdoc(item)
     if name.startswith("oaktwin.Finding."):
-        # Said at the class.
+        # Documented by the class.
         text = inspect.getdoc(oaktwin.Finding)
         assert f"{name.rpartition('.')[2]}: " in text
     assert text and len(text) > 15
@@ -101,14 +101,14 @@ def test_everything_is_documented(name, item):
     if name == "oaktwin.accuracy":
         # "All other arguments are those of `DepthSensor`."
         whole += inspect.getdoc(oaktwin.DepthSensor)
-    unsaid = [one for one in arguments if one not in ("self", "args", "kwargs") and one not in whole]
-    assert not unsaid, f"{name} does not say what {unsaid} is"
+    undocumented = [one for one in arguments if one not in ("self", "args", "kwargs") and one not in whole]
+    assert not undocumented, f"{name} does not document {undocumented}"
 
 
-# What gives or takes arrays says their shape, and what they hold where there is nothing.
+# Functions with arrays document their shapes and invalid values.
 @pytest.mark.parametrize("name", ["DepthSensor", "Filter", "align", "DepthSensor.align", "DepthSensor.annotate", "Scene.render",
                                   "Scene.render_pair", "StereoMatcher"])
-def test_shapes_and_invalid_values_are_said(name):
+def test_shapes_and_invalid_values_are_documented(name):
     item = oaktwin
     for part in name.split("."):
         item = getattr(item, part)
@@ -122,7 +122,7 @@ def test_shapes_and_invalid_values_are_said(name):
      "Device.write_usd", "DepthSensor", "DepthSensor.annotate", "Filter", "Rectification", "Scene.open", "Scene.from_triangles",
      "Scene.render", "Scene.render_pair", "StereoMatcher", "accuracy", "align", "look_at", "models", "DepthSensor.align", "filters"],
 )
-def test_errors_are_said(name):
+def test_errors_are_documented(name):
     item = oaktwin
     for part in name.split("."):
         item = getattr(item, part)

@@ -13,12 +13,12 @@ mcap_reader = pytest.importorskip("mcap.reader", reason="mcap is not installed")
 mcap_ros2 = pytest.importorskip("mcap_ros2.reader", reason="mcap-ros2-support is not installed")
 
 SIZE = (32, 20)
-# The camera's axes (x right, y down, z forward) in a body's (x forward, y left, z up), REP-103.
+# The rotation from camera axes (x right, y down, z forward) to body axes (x forward, y left, z up), REP-103.
 BODY_FROM_OPTICAL = np.array([[0, 0, 1, 0], [-1, 0, 0, 0], [0, -1, 0, 0], [0, 0, 0, 1.0]])
 
 
 def messages(path):
-    """By topic, in order."""
+    """The messages by topic, in order."""
     topics = {}
     for message in mcap_ros2.read_ros2_messages(path):
         topics.setdefault(message.channel.topic, []).append(message.ros_msg)
@@ -33,7 +33,7 @@ def array(message):
 
 
 def cloud(message):
-    """(H, W, 3) and the colours, (H, W, 3)."""
+    """The points, (H, W, 3), and their colours, (H, W, 3)."""
     names = [(field.name, field.offset, field.datatype, field.count) for field in message.fields]
     assert names[:3] == [("x", 0, 7, 1), ("y", 4, 7, 1), ("z", 8, 7, 1)]
     assert not message.is_bigendian and message.row_step == message.point_step * message.width
@@ -43,7 +43,7 @@ def cloud(message):
 
 
 def matrix(transform):
-    """(4, 4): parent from child."""
+    """The transform from child to parent, (4, 4)."""
     t, q = transform.transform.translation, transform.transform.rotation
     x, y, z, w = q.x, q.y, q.z, q.w
     result = np.eye(4)
@@ -57,7 +57,7 @@ def matrix(transform):
 
 
 def world_from(frame, topics, stamp):
-    """Follows the transforms from a frame up to the world, at a time."""
+    """The transform from a frame to the world at a time."""
     transforms = [t for m in topics["/tf_static"][-1:] for t in m.transforms]
     transforms += [
         t for m in topics["/tf"] for t in m.transforms if (t.header.stamp.sec, t.header.stamp.nanosec) == stamp
@@ -73,7 +73,7 @@ def world_from(frame, topics, stamp):
 
 @pytest.fixture(scope="module")
 def seen():
-    """A camera before a tilted wall, its poses, and what it sees: exact depth, measured depth, colour."""
+    """A camera in front of a tilted wall, its poses, and its ground-truth depth, measured depth and colour images."""
     device = oaktwin.Device("OAK4-D")
     camera = device.depth_camera().resized(*SIZE)
     sensor = oaktwin.DepthSensor(device, seed=3)
@@ -130,13 +130,13 @@ def test_everything_is_read_back(tmp_path, seen):
         np.testing.assert_array_equal(np.reshape(info.r, (3, 3)), np.eye(3))
         assert list(info.d) == [0] * 5
 
-        # Where the frames are: a body's axes, and the optical ones on it.
+        # The poses of the body frame and of the optical frame.
         np.testing.assert_allclose(world_from("oak_optical_frame", topics, stamp), pose, atol=1e-12)
         np.testing.assert_allclose(
             world_from("oak", topics, stamp), pose @ np.linalg.inv(BODY_FROM_OPTICAL), atol=1e-12
         )
 
-        # Points are where the measured depth puts them, in the picture and in the world.
+        # Points agree with the measured depth, in the image and in the world.
         points, colors = cloud(of["measured_points"])
         valid = measured[frame] > 0
         assert np.isnan(points[~valid]).all() and not of["measured_points"].is_dense
@@ -145,7 +145,7 @@ def test_everything_is_read_back(tmp_path, seen):
         projected = points[valid] @ camera.K.T
         np.testing.assert_allclose(projected[:, :2] / projected[:, 2:], np.stack([u, v], axis=1), atol=1e-4)
         np.testing.assert_array_equal(points[valid][:, 2], measured[frame][valid])
-        # The wall's plane in the world: what is exact lies on it.
+        # Ground-truth points are on the wall's plane in the world.
         exact = points[valid] * (depth[frame] / np.where(measured[frame] > 0, measured[frame], 1))[valid][:, None]
         exact = exact[np.isfinite(exact[:, 2])]
         in_world = exact @ pose[:3, :3].T + pose[:3, 3]
@@ -161,14 +161,14 @@ def test_rosbags_reads_the_same(tmp_path, seen):
     path = tmp_path / "a.mcap"
     record(path, seen, name="oak")
     expected = messages(path)
-    # The types of ROS itself, not those that the file brings along.
+    # ROS's own types, not those in the file.
     store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
     found = {}
     with rosbag2.Reader(path) as reader:
         assert reader.message_count == 19
         for connection, time, data in reader.messages():
             message = store.deserialize_cdr(data, connection.msgtype)
-            # What is written is what ROS would have written, to the byte.
+            # Serializing a message with ROS gives the same bytes.
             assert bytes(store.serialize_cdr(message, connection.msgtype)) == bytes(data)
             found.setdefault(connection.topic, []).append(message)
             if connection.topic == "/oak/rgb":
@@ -223,11 +223,11 @@ def test_options(tmp_path, seen):
     assert (info.distortion_model, list(info.d)) == ("equidistant", [0.1, 0.02, 0, 0])
     info = topics["/lens/camera_info"][0]
     assert (info.distortion_model, list(info.d)) == ("rational_polynomial", [0.1, 0.02, 0, 0, 0, 0, 0, 0.3])
-    # Late subscribers get the last message only: it has all frames.
+    # Late subscribers get only the last message, so it contains all frames.
     assert len(topics["/tf_static"][-1].transforms) == 3
 
 
-def test_what_is_refused(tmp_path, seen):
+def test_invalid_calls_are_rejected(tmp_path, seen):
     camera, poses, depth, _, rgb = seen
     with pytest.raises(oaktwin.Error, match="name a .mcap or an .rrd file"):
         oaktwin.Recording(tmp_path / "a.bag")
@@ -257,7 +257,7 @@ def test_what_is_refused(tmp_path, seen):
     assert "closed" in repr(recording)
     with pytest.raises(oaktwin.Error, match="is closed"):
         recording.log(camera, poses[0])
-    # Refused calls are no messages.
+    # Rejected calls write no messages.
     assert {topic: len(of) for topic, of in messages(tmp_path / "a.mcap").items()} == {
         f"/{camera.name}/depth": 1,
         f"/{camera.name}/depth_points": 1,
@@ -290,7 +290,7 @@ def test_a_full_disk_is_an_oserror(tmp_path, seen):
 
 
 def rerun(home, *arguments):
-    """Rerun's program, which is not to send statistics."""
+    """Rerun's program, with usage statistics disabled."""
     environment = {**os.environ, "HOME": str(home), "XDG_CONFIG_HOME": str(home / "config")}
     command = [sys.executable, "-m", "rerun_cli"]
     for words in [["analytics", "disable"], arguments]:
@@ -300,7 +300,7 @@ def rerun(home, *arguments):
 
 
 def columns(path):
-    """Of an .rrd: (entity, component) to times in nanoseconds, 0 for what has none, and values, in the order of time."""
+    """The contents of an .rrd: from (entity, component) to times in nanoseconds (0 if static) and values, in order of time."""
     chunk = pytest.importorskip("rerun.chunk", reason="rerun-sdk is not installed")
     rows = {}
     for found in chunk.RrdReader(path).stream():
@@ -319,7 +319,7 @@ PATH = "10.25 0 0 1 0 0 0 1\n10.5 0 0.5 1 0 0 0 1\n"
 
 
 def by_the_program(program, folder, file):
-    """Two frames of an OAK, as files and in a recording."""
+    """Two frames of an OAK, as files and as a recording."""
     (folder / "wall.obj").write_text(WALL)
     (folder / "path.txt").write_text(PATH)
     options = "--up z --model oak4-d --resolution 64x40 --annotators rgb,distance_to_image_plane,depth_sensor_distance"
@@ -346,7 +346,7 @@ def test_the_programs_mcap(tmp_path):
         expected = np.where(measured[frame] > 0, measured[frame], np.nan)
         np.testing.assert_array_equal(array(topics[f"/{name}/measured"][frame]), expected)
         np.testing.assert_array_equal(np.reshape(topics[f"/{name}/camera_info"][frame].k, (3, 3)), camera.K)
-        # The body moves, and carries the camera where the device has it.
+        # The body moves, and the camera with it.
         world_from_oak = world_from("oak", topics, (10, nanosec))
         np.testing.assert_allclose(world_from_oak[:3, 3], [0, y, 1], atol=1e-12)
         pose = world_from(f"{name}_optical_frame", topics, (10, nanosec))

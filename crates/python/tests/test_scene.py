@@ -60,7 +60,7 @@ def test_every_annotator(wall, device):
     assert nothing["rgb"].shape == (0, 66, 106, 4) and nothing["pointcloud"] == []
 
 
-def test_a_file_is_as_the_program_renders_it(program, tmp_path, device):
+def test_a_file_renders_like_the_program(program, tmp_path, device):
     stage = ROOT / "examples/depth_sensor/depth_sensor.usda"
     eye, target = (3, -2, 1.5), (0, 0, 0.5)
     program("render", stage, "--model", "OAK4-D", "--look-at", *eye, *target, "--resolution", "320x200",

@@ -17,19 +17,19 @@ def tof():
 
 @pytest.fixture(scope="module")
 def camera():
-    """Off its centre, with another focal length than the device's."""
+    """A camera with an off-centre principal point and another focal length than the device's."""
     return oaktwin.Camera(SIZE, K=K)
 
 
 def room(size=SIZE):
-    """A wall that comes nearer to the right."""
+    """A wall that approaches on the right."""
     width, height = size
     return np.tile(np.linspace(3.0, 0.8, width, dtype=np.float32), (height, 1))
 
 
 def test_the_principal_point_is_the_cameras(tof, camera):
     sensor = oaktwin.DepthSensor(tof, seed=3, camera=camera)
-    # The centre of the first pixel is at 0 in K, and at 0.5 where images have a border.
+    # The centre of the first pixel is 0 in K, and 0.5 in `principalPoint`.
     assert sensor.parameters["principalPoint"] == "61.75,71"
     assert float(sensor.parameters["focalLength"]) == 110
     measured = sensor(room())
@@ -38,7 +38,7 @@ def test_the_principal_point_is_the_cameras(tof, camera):
     centred = oaktwin.DepthSensor(tof, seed=3, fx=110)
     assert not np.array_equal(measured, centred(room()))
     assert centred.parameters["principalPoint"] == "80,60"
-    # Of a batch too.
+    # Also for a batch.
     assert np.array_equal(sensor(room()[None], frame=4)[0], sensor(room(), frame=4))
 
 
@@ -63,7 +63,7 @@ def test_points_are_where_the_camera_sees_them(camera):
     x, y, z, measured = np.moveaxis(said["depth_sensor_point_cloud_position"], 2, 0)
     seen = measured > 0
     assert seen.mean() > 0.3
-    # A sample may be moved by columns, never by rows: y up, z backward.
+    # A sample may be shifted by columns, never by rows: y up, z backward.
     rows = np.arange(SIZE[1])[:, None] * np.ones(SIZE[0])
     assert np.allclose(y[seen], ((70.5 - rows) / 110 * -z)[seen], atol=1e-5)
     columns = x[seen] / -z[seen] * 110 + 61.25
@@ -110,5 +110,5 @@ def test_pickles_have_the_camera(tof, camera):
     again = pickle.loads(pickle.dumps(sensor))
     measured = again(room())
     assert again.parameters == sensor.parameters and np.array_equal(measured, sensor(room()))
-    # What a decimating sensor reported is still of its camera.
+    # The output of a decimating sensor still belongs to its camera.
     assert np.array_equal(again.align(measured, "left"), sensor.align(measured, "left"))

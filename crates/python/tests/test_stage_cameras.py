@@ -1,4 +1,4 @@
-"""A stage's own cameras, and what its depth sensors report."""
+"""The cameras of a stage, and the outputs of its depth sensors."""
 
 import numpy as np
 import pytest
@@ -52,12 +52,12 @@ def test_places_are_metres_and_axes_opencvs(tmp_path):
     cameras = oaktwin.Scene.open(tmp_path / "a.usda").cameras
     assert list(cameras) == ["/Good", "/Other"]
     camera, pose = cameras["/Good"]
-    # Looks along -z, y up.
+    # Faces along -z, y up.
     assert np.allclose(pose, [[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])
     assert camera.clip == pytest.approx((0.01, 1e4))
 
 
-def test_what_cannot_be_rendered_is_left_out(tmp_path):
+def test_unsupported_cameras_are_skipped(tmp_path):
     (tmp_path / "a.usda").write_text(STAGE_OF.format(focal=0))
     scene = oaktwin.Scene.open(tmp_path / "a.usda")
     assert list(scene.cameras) == ["/Good"]
@@ -103,7 +103,7 @@ def test_sister_outputs_are_the_programs(program, tmp_path, device):
     assert np.corrcoef(luma.ravel(), got["depth_sensor_imager"].ravel())[0, 1] > 0.9
 
 
-def test_what_a_sensor_cannot_say(device, room):
+def test_invalid_annotators_of_a_sensor(device, room):
     depth, rgb = room
     sensor = oaktwin.DepthSensor(device)
     both = sensor.annotate(depth, rgb, annotators=["depth_sensor_distance", "depth_sensor_point_cloud_color"])

@@ -1,39 +1,16 @@
-"""Rendered and matched pairs, compared with the truth, OpenCV and the program, and bad input."""
+"""Rendered and matched pairs, compared with the ground truth, OpenCV and the program, and invalid input."""
 
 import copy
 import json
 import pickle
-import sys
-import threading
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 import oaktwin
-from conftest import run_and_interrupt
-from stereo_scenes import box, everywhere, pair
+from conftest import BASELINE, FX, same
 
-FX, BASELINE = 300.0, 0.075
 PRO = "OAK-D Pro PoE"
-
-
-@pytest.fixture(scope="module")
-def textured():
-    """A slanted ground with a box before it, 120 x 320: left, right, disparity, and where both see it."""
-    layers = [(everywhere, (9.3, 0.01, 0.02)), (box(140, 30, 220, 90), (31.7, 0.0, 0.0))]
-    return pair(np.random.default_rng(5), 120, 320, layers, sigma=1.0)
-
-
-@pytest.fixture(scope="module")
-def matcher():
-    return oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
-
-
-def same(a, b):
-    assert a.keys() == b.keys()
-    assert [str(finding) for finding in a["findings"]] == [str(finding) for finding in b["findings"]]
-    return all(a[name].dtype == b[name].dtype and np.array_equal(a[name], b[name]) for name in a if name != "findings")
 
 
 def test_known_disparity(matcher, textured):
@@ -49,7 +26,7 @@ def test_known_disparity(matcher, textured):
     assert np.array_equal(measured, depth > 0) and measured[both].mean() > 0.9
     error = np.abs(disparity - truth)[measured & both]
     assert np.median(error) < 0.2 and np.mean(error > 1) < 0.01
-    # Depth is that of the disparity, in whole millimetres.
+    # Depth follows from disparity, in integer millimetres.
     assert np.abs(depth - FX * BASELINE / np.where(measured, disparity, 1))[measured].max() < 5.1e-4
     assert np.array_equal(seen["rectified_left"], left) and np.array_equal(seen["rectified_right"], right)
     assert seen["confidence"][measured].min() > 0
@@ -101,7 +78,7 @@ def by_program(program, folder, left, right, *options, code=0):
         ),
     ],
 )
-def test_the_program_says_the_same(program, tmp_path, textured, kind, options, arguments):
+def test_results_match_the_program(program, tmp_path, textured, kind, options, arguments):
     left, right, _, _ = textured
     if kind == "ten bits":
         left, right = (image.astype(np.uint16) * 4 + 3 for image in (left, right))
@@ -115,7 +92,7 @@ def test_the_program_says_the_same(program, tmp_path, textured, kind, options, a
 
 @pytest.fixture(scope="module")
 def wall():
-    """A wall 2 m before the origin along x, and a smaller thing before it."""
+    """A wall at x = 2 m, and a smaller object in front of it."""
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     vertices = [[x, half * y, half * z] for x, half in [(2.0, 9), (1.2, 0.2)] for y, z in corners]
     return oaktwin.Scene.from_triangles(np.array(vertices), np.array([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]))
@@ -129,7 +106,7 @@ def unit(calibration):
 AHEAD = oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="body")
 
 
-def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration):
+def test_a_unit_matches_the_program(program, tmp_path, wall, unit, calibration):
     taken = wall.render_pair(unit, AHEAD, size=(320, 200), projector=1, seed=3)
     for arguments, options in [([], {}), (["--rectify", "full"], {"rectify": "full"}), (["--rectified"], {"raw": False})]:
         expected, _ = by_program(
@@ -141,7 +118,7 @@ def test_a_unit_as_the_program_has_it(program, tmp_path, wall, unit, calibration
 
 
 def test_rendered_matched_and_compared(wall, unit):
-    # Of the unit a homography leaves the lens's distortion, which the truth has not.
+    # For the unit, a homography does not remove the lens distortion, which the ground truth does not have.
     for device, most in [(oaktwin.Device(PRO), 0.02), (oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), 0.02), (unit, 0.05)]:
         taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0)
         assert all(taken[name].shape == (400, 640) for name in taken)
@@ -154,9 +131,9 @@ def test_rendered_matched_and_compared(wall, unit):
         depth, z = seen["depth"], taken["z"]
         assert z.dtype == np.float32 and depth.shape == z.shape
         measured = depth > 0
-        # What only one camera sees has no depth, nor have the border and what is between the dots.
+        # Occlusions, the border and gaps between the dots are invalid.
         assert measured.mean() > 0.5 and np.median(np.abs(depth / z - 1)[measured]) < most
-        # The truth is that of the matcher's own camera.
+        # The ground truth is in the frame of the matcher's camera.
         assert matcher.camera.size == (640, 400) and matcher.baseline == pytest.approx(0.075, rel=0.02)
         truth = wall.render(matcher.camera, AHEAD @ matcher.camera.body_from_camera)["distance_to_image_plane"]
         assert np.array_equal(truth, z)
@@ -174,7 +151,7 @@ def test_a_nominal_pair_is_rectified(wall):
     assert np.allclose(camera.body_from_camera, device.cameras["left"].body_from_camera)
 
 
-def test_how_a_pair_is_taken(wall):
+def test_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **options)
     plain = take(projector=1)
@@ -186,17 +163,17 @@ def test_how_a_pair_is_taken(wall):
     assert ten["left"].dtype == ten["rectified_right"].dtype == np.uint16 and 255 < ten["left"].max() < 1024
     still = [take(projector=1, frame=frame, imager={"noise": False})["left"] for frame in (0, 1)]
     assert np.array_equal(*still)
-    # A device that is wrong about itself measures something else.
+    # A calibration error changes the measured depth.
     off = take(projector=1, device_seed=5)
     matcher = oaktwin.StereoMatcher(device)
     assert np.array_equal(off["z"], plain["z"]) and not np.array_equal(off["right"], plain["right"])
     depths = [matcher(one["left"], one["right"])["depth"] for one in (plain, off)]
     assert abs(np.subtract(*[np.median(depth[depth > 0]) for depth in depths])) > 1e-3
-    # Without light nothing fits; a blank wall without dots neither.
+    # Neither darkness nor a blank wall without dots can be matched.
     assert plain["left"].std() > 5 > take()["left"][90:110, 10:60].std()
 
 
-def test_pairs_that_cannot_be_taken(wall):
+def test_invalid_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     for call, said in [
         (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: it has no dot projector"),
@@ -217,7 +194,7 @@ def test_pairs_that_cannot_be_taken(wall):
         wall.render_pair(None, AHEAD)
 
 
-def test_images_of_any_making(matcher, textured):
+def test_image_types(matcher, textured):
     left, right, _, _ = textured
     expected = matcher(left, right)
     wide = np.zeros((240, 640), np.uint8)
@@ -229,7 +206,7 @@ def test_images_of_any_making(matcher, textured):
         (np.repeat(left[..., None], 3, axis=2), np.repeat(left[..., None], 4, axis=2)),
     ]:
         assert same(matcher(one, right), expected) and same(matcher(two, right), expected)
-    # Luma as the program has it.
+    # The luma of the program.
     colours = np.random.default_rng(0).integers(0, 256, (120, 320, 3)).astype(np.uint8)
     grey = (colours.astype(int) @ [299, 587, 114] + 500) // 1000
     assert np.array_equal(matcher(colours, colours)["rectified_left"], grey)
@@ -296,14 +273,14 @@ def test_small_images(matcher):
         ({"device": PRO, "rectify": "ful"}, "rectify: there is no `ful`; did you mean full"),
     ],
 )
-def test_matchers_that_cannot_be(options, said):
+def test_invalid_options(options, said):
     device = options.get("device")
     options = {**options, "device": device and oaktwin.Device(device)}
     with pytest.raises(oaktwin.Error, match=said):
         oaktwin.StereoMatcher(**options)
 
 
-def test_depth_is_no_pair(device, room):
+def test_the_depth_sensor_rejects_stereo_matching(device, room):
     with pytest.raises(oaktwin.Error, match="engine: stereo-matching needs a pair of images.*use StereoMatcher"):
         oaktwin.DepthSensor(device, engine="stereo-matching")
 
@@ -327,14 +304,14 @@ def test_findings(matcher, textured, program, tmp_path):
     assert finding.message in text
 
 
-def test_temporal_filters_remember(textured):
+def test_temporal_filters_have_a_state(textured):
     left, right, _, _ = textured
     matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, filters=["temporal:alpha=0.3"])
     other = right + np.random.default_rng(0).integers(0, 9, right.shape).astype(np.uint8)
     first, second = matcher(left, right)["depth"], matcher(left, other)["depth"]
     fresh = copy.copy(matcher)(left, other)["depth"]
     assert not np.array_equal(second, fresh)
-    # What is wrong with images changes nothing that is remembered.
+    # Invalid images do not change the state.
     with pytest.raises(oaktwin.Error):
         matcher(left, right[:50])
     matcher.reset()
@@ -363,7 +340,7 @@ def test_pickles(textured, options):
         assert other.parameters == matcher.parameters and other.rectify == matcher.rectify
 
 
-def test_a_matcher_of_a_unit_travels(tmp_path, textured, calibration, unit):
+def test_pickling_includes_the_calibration(tmp_path, textured, calibration, unit):
     file = tmp_path / calibration.name
     file.write_bytes(calibration.read_bytes())
     matcher = oaktwin.StereoMatcher(oaktwin.Device.from_calibration(file))
@@ -385,7 +362,7 @@ def test_a_calibration_without_the_pair(tmp_path, calibration):
         oaktwin.StereoMatcher(device)
 
 
-def test_parameters_are_said():
+def test_parameters():
     matcher = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters={"paths": 3})
     assert matcher.parameters["paths"] == "3" and float(matcher.parameters["focalLength"]) == 400
     assert float(matcher.parameters["baseline"]) == matcher.baseline == 0.05 and matcher.findings == []
@@ -393,105 +370,3 @@ def test_parameters_are_said():
     again = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters=matcher.parameters)
     assert again.parameters == matcher.parameters
     assert oaktwin.StereoMatcher(fx=400, baseline=0.05, preset="default").filters != []
-
-
-def test_many_threads(matcher, textured):
-    left, right, _, _ = textured
-    pairs = [(left, right), (left[:60].copy(), right[:60].copy()), (right, right), (left[:, :200].copy(), right[:, :200].copy())]
-    expected = [matcher(*one) for one in pairs]
-    own = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
-
-    def work(number):
-        for i in range(2):
-            for one in [matcher, own]:
-                assert same(one(*pairs[(number + i) % 4]), expected[(number + i) % 4])
-
-    with ThreadPoolExecutor(8) as pool:
-        list(pool.map(work, range(8)))
-
-
-def test_the_interpreter_runs_meanwhile(textured):
-    left, right = (np.tile(image, (6, 4)) for image in textured[:2])
-    matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE)
-    ticks, done = [0], threading.Event()
-
-    def count():
-        while not done.is_set():
-            ticks[0] += 1
-
-    counter = threading.Thread(target=count)
-    counter.start()
-    before = ticks[0]
-    matcher(left, right)
-    during = ticks[0] - before
-    done.set()
-    counter.join()
-    assert during > 1000
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
-def test_ctrl_c():
-    text = """
-import numpy as np, oaktwin
-matcher = oaktwin.StereoMatcher(fx=400, baseline=0.075)
-image = np.random.default_rng(0).integers(0, 255, (200, 320)).astype(np.uint8)
-print("ready", flush=True)
-try:
-    list(map(matcher, [image] * 100000, [image] * 100000))
-    print("finished")
-except KeyboardInterrupt:
-    print("interrupted")
-"""
-    assert run_and_interrupt(text) == "interrupted\n"
-
-
-def test_accuracy_of_matching(program):
-    measured = oaktwin.accuracy(
-        oaktwin.Device("OAK4-D"), engine="stereo-matching", distances=[1.5], devices=1, captures=1
-    )
-    text = program(
-        "accuracy", "OAK4-D", "--engine", "stereo-matching", "--distances", 1.5, "--devices", 1, "--captures", 1, "--json"
-    )
-    assert measured.report["distances"] == json.loads(text)["distances"]
-    assert measured.rows[0]["error_percent"] < 2
-
-
-def test_a_batch_is_as_one_pair_at_a_time(textured):
-    left, right, _, _ = textured
-    lefts = np.stack([np.roll(left, 7 * k, axis=0) for k in range(5)])
-    rights = np.stack([np.roll(right, 7 * k, axis=0) for k in range(5)])
-    lefts[2] = rights[2] = 90
-    for options in [{}, {"platform": "rvc4"}, {"preset": "default"}, {"preset": "robotics", "platform": "rvc4"}]:
-        matcher = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)
-        seen = matcher(lefts, rights)
-        for k in range(5):
-            alone = oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)(lefts[k], rights[k])
-            for name in set(alone) - {"findings"}:
-                assert seen[name].dtype == alone[name].dtype
-                assert np.array_equal(seen[name][k], alone[name]), (options, k, name)
-        assert [(finding.code, finding.place[:7]) for finding in seen["findings"]] == [("no-texture", "pair 2:")]
-        # Nothing of it is remembered.
-        assert same(matcher(lefts[0], rights[0]), oaktwin.StereoMatcher(fx=FX, baseline=BASELINE, **options)(left, right))
-
-
-def test_kinds_of_batches(matcher, textured):
-    left, right, _, _ = textured
-    seen = matcher(left, right)
-    ten = matcher(left[None].astype(np.uint16) * 4, right[None].astype(np.uint16) * 4)
-    assert ten["rectified_left"].dtype == np.uint16 and ten["depth"].shape == (1, 120, 320)
-    colours = matcher(np.stack([left] * 3, -1)[None], np.stack([right] * 3, -1)[None])
-    assert np.array_equal(colours["depth"][0], seen["depth"])
-    none = matcher(np.zeros((0, 12, 20), np.uint8), np.zeros((0, 12, 20), np.uint8))
-    assert {name: array.shape for name, array in none.items() if name != "findings"} == dict.fromkeys(
-        ["depth", "disparity", "confidence", "rectified_left", "rectified_right"], (0, 12, 20)
-    )
-    wrong = [
-        ((left[None], right), "a batch of 1"),
-        ((left[None], np.stack([right, right])), "a batch of 2"),
-        ((left[None], right[None, :, :-1]), "same size"),
-        ((left[None], right[None].astype(np.uint16)), "same size and dtype"),
-        ((left[None, None], right[None, None]), "batch"),
-    ]
-    for images, message in wrong:
-        with pytest.raises(oaktwin.Error, match=message):
-            matcher(*images)

@@ -27,7 +27,7 @@ def test_many_threads_and_one_sensor(device):
             i = number % 8
             assert np.array_equal(sensor(images[i], frame=i), expected[i])
             assert np.array_equal(sensor(sizes[i % 4]), others[i % 4])
-            # No order is promised; that none gets in another's way is.
+            # The order is undefined, but calls do not interfere.
             assert filtered(images[i]).shape == (60, 106)
             assert np.array_equal(sensor(np.stack(images[:1] * 3), frame=0)[0], expected[0])
 
@@ -104,7 +104,7 @@ def resident():
         return next(int(line.split()[1]) for line in status if line.startswith("VmRSS:")) * 1024
 
 
-@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="nobody here says how much memory is used")
+@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="requires /proc/self/status")
 def test_memory_does_not_grow(device, room):
     depth, rgb = (np.ascontiguousarray(image[:20, :30]) for image in room)
     sensor = oaktwin.DepthSensor(device, filters=["temporal", "median"])

@@ -1,4 +1,4 @@
-"""PyTorch's tensors, in and out, in their own memory."""
+"""PyTorch tensors as input and output, without copies."""
 
 import numpy as np
 import pytest
@@ -49,7 +49,7 @@ def test_a_batch(sensor):
     assert not torch.equal(out[0], out[1])
 
 
-def test_what_lies_otherwise(sensor, room):
+def test_non_contiguous_tensors(sensor, room):
     depth = torch.from_numpy(room[0])
     turned = depth.T.contiguous().T
     assert _read_from(turned) != turned.data_ptr()
@@ -60,9 +60,9 @@ def test_what_lies_otherwise(sensor, room):
         sensor(depth.double())
 
 
-def test_what_wants_gradients(sensor, room):
+def test_tensors_with_gradients(sensor, room):
     depth = torch.from_numpy(room[0].copy()).requires_grad_()
-    # In its own words.
+    # PyTorch's own message.
     with pytest.raises(RuntimeError, match="detach"):
         sensor(depth)
     assert sensor(depth.detach()).shape == room[0].shape

@@ -427,7 +427,7 @@ fn what_is_missing_is_told_and_refused_when_strict() {
 #[test]
 fn ctrl_c_leaves_whole_files_only() {
     let program = program();
-    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(200_000));
+    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(20_000));
     let arguments = "render crate.obj --model oak4-d --trajectory long.txt -o out --resolution 64x40";
     let arguments: Vec<&str> = arguments.split(' ').collect();
     let ended = program.interrupted(&arguments, |program| {
@@ -437,7 +437,7 @@ fn ctrl_c_leaves_whole_files_only() {
     assert_eq!(ended.code, 130, "{message}");
     let frames: usize = message
         .strip_prefix("interrupted: ")
-        .and_then(|rest| rest.split_once(" of 200000 frames are complete in out"))
+        .and_then(|rest| rest.split_once(" of 20000 frames are complete in out"))
         .map(|(frames, _)| frames.parse().unwrap())
         .unwrap();
     assert!(frames >= 4, "{message}");

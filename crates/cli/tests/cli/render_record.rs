@@ -216,7 +216,7 @@ fn a_disk_that_fills_up_leaves_nothing() {
 #[test]
 fn ctrl_c_leaves_nothing() {
     let program = program();
-    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(200_000));
+    program.put("long.txt", "0 -2 0 0.5 0 0 0 1\n".repeat(20_000));
     let before = program.names();
     let begun = |program: &Program| {
         let is_begun = |name: &String| {
