@@ -70,7 +70,7 @@ impl Writer for BasicWriter {
         }
         let files = list(shot, &self.options).into_iter();
         let files = files.map(|file| (self.path(shot, file.folder, &file.name, file.extension), file));
-        write_all(files.collect(), output)
+        write_all(&files.collect::<Vec<_>>(), output)
     }
 }
 

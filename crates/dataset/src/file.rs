@@ -117,7 +117,7 @@ impl Content<'_> {
 
 /// Encodes files in parallel and writes them in order.
 pub(crate) fn write_all(
-    files: Vec<(PathBuf, DatasetFile<'_>)>,
+    files: &[(PathBuf, DatasetFile<'_>)],
     output: &mut OutputFiles,
 ) -> Result<(), WriteError> {
     let encoded: Vec<_> = files.par_iter().map(|(_, file)| file.content.bytes()).collect();

@@ -50,7 +50,7 @@ impl Writer for FlatWriter {
             let growing = self.arrays.entry(path).or_insert(growing);
             growing.append(&(array.data)())?;
         }
-        write_all(whole, output)
+        write_all(&whole, output)
     }
 
     fn finish(&mut self, output: &mut OutputFiles) -> Result<(), WriteError> {

@@ -34,7 +34,7 @@ pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>
                 colors,
                 axes,
             } => files.push(folder, name, "ply", move || {
-                let point = |point| axes.from_usd(point);
+                let point = |point| axes.convert_usd(point);
                 Ok(ply::encode_measured(positions, colors.as_ref(), point)?)
             }),
         }

@@ -134,7 +134,7 @@ pub enum CloudAxes {
 }
 
 impl CloudAxes {
-    pub(crate) fn from_usd(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+    pub(crate) fn convert_usd(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         match self {
             Self::Optical => [x, -y, -z],
             Self::Ros => [-z, -x, y],
