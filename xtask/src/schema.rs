@@ -1,23 +1,17 @@
-//! `cargo xtask schema`: regenerates the JSON schemas of the catalog.
+//! `cargo xtask schema`: regenerates the JSON schemas, and the manual page and the Python types of the parameters.
 
 use crate::workspace;
 
-/// Runs an example of the catalog, so that this program builds without the catalog.
+/// Runs an example of the catalog and one of the depth sensor, so that this program builds without these.
 pub(crate) fn run() -> Result<(), String> {
     let folder = workspace::root().join("crates/catalog/schema");
-    let mut command = workspace::cargo();
-    command
-        .args([
-            "run",
-            "--quiet",
-            "--package",
-            "oaktwin-catalog",
-            "--example",
-            "schema",
-            "--",
-        ])
-        .arg(&folder);
-    workspace::check(&mut command)?;
-    println!("wrote {}", folder.display());
+    let example = |package: &str, example: &str| {
+        let mut command = workspace::cargo();
+        command.args(["run", "--quiet", "--package", package, "--example", example, "--"]);
+        command
+    };
+    workspace::check(example("oaktwin-catalog", "schema").arg(&folder))?;
+    workspace::check(&mut example("oaktwin-depth", "reference"))?;
+    println!("wrote {} and the reference of the parameters", folder.display());
     Ok(())
 }

@@ -4,6 +4,7 @@ mod accuracy;
 mod annotators;
 mod asset;
 mod calibration;
+pub(crate) mod choice;
 mod fit;
 mod outputs;
 mod pair;
@@ -17,6 +18,7 @@ mod unit;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use oaktwin::depth::preset::Platform;
 use oaktwin::usd::asset::IsaacVersion;
 
 pub(crate) use accuracy::AccuracyArgs;
@@ -63,6 +65,8 @@ pub(crate) enum Command {
     Models(JsonArgs),
     /// Print all parameters of a model
     Show(ShowArgs),
+    /// List the parameters of an engine, the imager or the filters
+    Params(ParamsArgs),
     /// Print tables that compare models
     Compare(CompareArgs),
     /// Inspect a DepthAI calibration, or export it to other formats
@@ -114,6 +118,24 @@ pub(crate) struct ShowArgs {
     pub(crate) provenance: bool,
 
     /// Print JSON (always with provenance)
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ParamsArgs {
+    /// Engine, imager or filters [default: list them]
+    pub(crate) group: Option<String>,
+
+    /// Platform of the defaults [default: the model's, or rvc2]
+    #[arg(long, ignore_case = true, value_parser = choice::parser::<Platform>())]
+    pub(crate) platform: Option<Platform>,
+
+    /// Model of the defaults
+    #[arg(long)]
+    pub(crate) model: Option<String>,
+
+    /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

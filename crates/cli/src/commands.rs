@@ -10,6 +10,7 @@ pub(crate) mod export;
 pub(crate) mod fit;
 pub(crate) mod manual;
 pub(crate) mod models;
+pub(crate) mod params;
 pub(crate) mod render;
 pub(crate) mod sense;
 pub(crate) mod show;

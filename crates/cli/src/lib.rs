@@ -55,6 +55,7 @@ fn run(cli: &Cli) -> Result<Exit> {
     let context = Context::new(cli.catalog.as_deref())?;
     match &cli.command {
         Command::Demo(args) => commands::demo::run(&context, args),
+        Command::Params(args) => commands::params::run(&context, args),
         Command::Models(args) => commands::models::run(&context, args),
         Command::Show(args) => commands::show::run(&context, args),
         Command::Compare(args) => commands::compare::run(&context, args),

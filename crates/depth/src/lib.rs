@@ -17,6 +17,7 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
+pub mod parameters;
 pub mod preset;
 pub mod random;
 pub mod rectify;

@@ -163,7 +163,7 @@ mod tests {
         let grey = encode(&Image::filled(2, 2, 7u8)).unwrap();
         assert_eq!(
             decode::<u16>(&grey).unwrap_err().to_string(),
-            "PNG: header: Grayscale of 8 bits where grey of 16 bits is expected; convert the image"
+            "PNG: header: Grayscale of 8 bits, expected grey of 16 bits; convert the image"
         );
         assert!(
             decode::<u8>(b"JPEG")

@@ -227,6 +227,15 @@ impl About {
         Some(format!("{range} {}", self.unit).trim_end().to_owned())
     }
 
+    /// The valid values in words: `true or false`, `0 to 10 px`, `a number in mm`.
+    #[must_use]
+    pub fn values_text(&self) -> String {
+        match (self.kind, self.range_text()) {
+            (Kind::Integer | Kind::Number, Some(range)) => range,
+            _ => self.expectation().trim_start_matches("expected ").to_owned(),
+        }
+    }
+
     /// What a valid value is, for an error: `expected a number from 0 to 10 px`.
     #[must_use]
     pub fn expectation(&self) -> String {

@@ -1,14 +1,47 @@
 use std::fmt;
 
-use crate::{About, Platform, Table};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use crate::{About, Kind, Platform, Table};
 
 /// A parameter with its default on a platform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listing {
+    /// The table that the parameter belongs to, [`Table::GROUP`].
+    pub table: &'static str,
     /// The description.
     pub about: About,
     /// The default as text.
     pub default: String,
+}
+
+/// The parameter as JSON: what `oaktwin params --json` prints and Python returns.
+impl Serialize for Listing {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let about = &self.about;
+        let finite = |limit: f64| (limit.abs() < f64::MAX).then_some(limit);
+        let min = if about.min == f64::MIN_POSITIVE {
+            0.0
+        } else {
+            about.min
+        };
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("name", about.name)?;
+        map.serialize_entry("table", self.table)?;
+        map.serialize_entry("type", about.kind.name())?;
+        map.serialize_entry("default", &self.default)?;
+        map.serialize_entry("unit", &(!about.unit.is_empty()).then_some(about.unit))?;
+        map.serialize_entry("min", &finite(min))?;
+        map.serialize_entry("max", &finite(about.max))?;
+        if let Kind::Choice(names) = about.kind {
+            map.serialize_entry("values", names)?;
+        }
+        map.serialize_entry("platform", &about.platform.map(Platform::name))?;
+        map.serialize_entry("source", &about.source)?;
+        map.serialize_entry("description", about.doc)?;
+        map.end()
+    }
 }
 
 /// A group of parameters that can be listed without knowledge of their type.
@@ -43,6 +76,7 @@ impl Group {
     pub fn list_of<T: Table>(platform: Platform) -> Vec<Listing> {
         let defaults = T::defaults(platform);
         let listing = |row: &'static crate::Row<T>| Listing {
+            table: T::GROUP,
             about: row.about,
             default: (row.get)(&defaults),
         };

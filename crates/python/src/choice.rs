@@ -1,7 +1,8 @@
+use oaktwin::depth::parameters::Choice;
 use oaktwin::diagnostic::fold_name;
 use pyo3::PyResult;
 
-use crate::error::wrong;
+use crate::error::{error, wrong};
 
 /// The value that a name of an option stands for; case, hyphens and underscores do not matter.
 pub(crate) fn choose<T: Copy>(option: &str, name: &str, all: &[(&str, T)]) -> PyResult<T> {
@@ -14,4 +15,9 @@ pub(crate) fn choose<T: Copy>(option: &str, name: &str, all: &[(&str, T)]) -> Py
         };
         wrong(option, format_args!("there is no `{name}`"), remedy)
     })
+}
+
+/// The variant of this name of any enumeration; case, hyphens and underscores do not matter.
+pub(crate) fn named<C: Choice>(option: &str, name: &str) -> PyResult<C> {
+    oaktwin::depth::parameters::choose(option, name).map_err(error)
 }

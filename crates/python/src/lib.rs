@@ -24,6 +24,7 @@ mod grey;
 mod images;
 mod json;
 mod pair;
+mod parameters;
 mod pose;
 mod recording;
 mod rectification;
@@ -70,6 +71,8 @@ mod _oaktwin {
     use super::stereo::StereoMatcher;
     #[pymodule_export]
     use crate::accuracy::accuracy;
+    #[pymodule_export]
+    use crate::parameters::parameters;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

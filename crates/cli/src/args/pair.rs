@@ -16,8 +16,8 @@ pub(crate) struct PairArgs {
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     pub(crate) ambient: Option<f64>,
 
-    /// Set a parameter of the image sensors by its name; repeatable
-    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, long_help = imager_help())]
+    /// Set a parameter of the image sensors, listed by `oaktwin params imager`; repeatable
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) imager: Vec<(String, String)>,
 
     #[arg(
@@ -50,11 +50,4 @@ impl PairArgs {
         }
         Ok(parameters)
     }
-}
-
-fn imager_help() -> String {
-    format!(
-        "Set a parameter of the image sensors by its name; repeatable: {}",
-        imager::Parameters::names().join(", ")
-    )
 }

@@ -1,8 +1,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
+use oaktwin::depth::filter;
 use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::depth::{filter, single_view, stereo_matching, stereo_noise, time_of_flight};
 use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
@@ -48,8 +48,8 @@ pub(crate) struct SettingsArgs {
     #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
     pub(crate) filters: Vec<String>,
 
-    /// Set a parameter of the engine by its name; repeatable
-    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment, long_help = parameter_help())]
+    /// Set a parameter of the engine, listed by `oaktwin params ENGINE`; repeatable
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment)]
     pub(crate) parameters: Vec<(String, String)>,
 
     /// Find disparities up to 190 px instead of 95: nearer things, the same step
@@ -144,18 +144,6 @@ fn filter_help() -> String {
     format!(
         "A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's: {}",
         filter::NAMES.join(", ")
-    )
-}
-
-fn parameter_help() -> String {
-    format!(
-        "Set a parameter of the engine by its name; repeatable.\nsingle-view: {}; and what NVIDIA leaves open: \
-         {}.\nstereo-noise: {}.\nstereo-matching: {}; and bias.\ntime-of-flight: {}",
-        single_view::Parameters::names().join(", "),
-        single_view::Assumptions::names().join(", "),
-        stereo_noise::Parameters::names().join(", "),
-        stereo_matching::Parameters::names().join(", "),
-        time_of_flight::Parameters::names().join(", ")
     )
 }
 

@@ -3,17 +3,15 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
-use oaktwin::depth::stereo_matching;
 
 use super::{OutputArgs, SettingsArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("parameters", |arg| arg.long_help(format!(
-        "Set a parameter of the matcher by its name, DepthAI's where it has one; repeatable: {}",
-        stereo_matching::Parameters::names().join(", ")
-    ))),
+    mut_arg("parameters", |arg| arg.help(
+        "Set a parameter of the matcher, listed by `oaktwin params stereo-matching`; repeatable"
+    )),
     mut_arg("annotators", |arg| arg.help(
         "Comma-separated outputs beside depth_sensor_distance: disparity (px), confidence (255 = highest), rectified (both \
          images), depth_sensor_point_cloud_position, depth_sensor_point_cloud_color"

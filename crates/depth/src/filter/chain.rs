@@ -4,15 +4,15 @@ use oaktwin_simd::Level;
 use super::temporal::Memory;
 use super::{Filter, Pixel};
 
-/// Filters in their order, with what they remember of earlier frames: of one camera, for one kind of pixel.
+/// A sequence of filters with their memory of earlier frames, for one camera and one type of pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chain<P = u16> {
     filters: Vec<Filter>,
-    /// What each remembers; only temporal filters do.
+    /// The memory of each filter; only temporal filters use it.
     memories: Vec<Memory<P>>,
 }
 
-// Not derived: that would ask for a default of the pixels.
+// Not derived, which would require `P: Default`.
 impl<P: Pixel> Default for Chain<P> {
     fn default() -> Self {
         Self::new(Vec::new())
@@ -20,26 +20,26 @@ impl<P: Pixel> Default for Chain<P> {
 }
 
 impl<P: Pixel> Chain<P> {
-    /// Of filters, first to last; nothing is remembered yet. Settings are as [`Filter::check`] wants them.
+    /// Creates a chain from filters in their order, whose settings [`Filter::check`] accepts.
     #[must_use]
     pub fn new(filters: Vec<Filter>) -> Self {
         let memories = filters.iter().map(|_| Memory::default()).collect();
         Self { filters, memories }
     }
 
-    /// Its filters.
+    /// The filters.
     #[must_use]
     pub fn filters(&self) -> &[Filter] {
         &self.filters
     }
 
-    /// Whether it does nothing.
+    /// Whether there are no filters.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.filters.is_empty()
     }
 
-    /// The size of what an image of this size becomes: [decimation](super::Decimation) changes it.
+    /// The size of a filtered image, which [decimation](super::Decimation) changes.
     #[must_use]
     pub fn size(&self, width: u32, height: u32) -> (u32, u32) {
         self.filters
@@ -55,21 +55,20 @@ impl<P: Pixel> Chain<P> {
         self.memories.fill(Memory::default());
     }
 
-    /// Filters the next image of a sequence. A change of size makes it forget the earlier ones. What needs a picture does
-    /// nothing.
+    /// Filters the next image of a sequence. A change of size resets the memory. Filters that need a colour image do nothing.
     #[must_use]
     pub fn run(&mut self, image: Image<P>) -> Image<P> {
         self.run_seeing(image, None)
     }
 
-    /// Filters the next image of a sequence, of which there may be a picture.
+    /// Filters the next image of a sequence, with its colour image if there is one.
     #[must_use]
     pub fn run_seeing(&mut self, image: Image<P>, rgb: Option<ImageView<'_, [u8; 4]>>) -> Image<P> {
         self.run_some(image, rgb, 1.0, |_| true)
     }
 
-    /// As [`Chain::run_seeing`], of the filters only those that are wanted. An integer level of disparity is so many pixel
-    /// values: the unit of [`Speckle::difference_threshold`](super::Speckle).
+    /// Runs some of the filters, as [`Chain::run_seeing`]. `integer_level` is the pixel value of one pixel of disparity, the
+    /// unit of [`Speckle::difference_threshold`](super::Speckle).
     pub(crate) fn run_some(
         &mut self,
         mut image: Image<P>,

@@ -1,14 +1,15 @@
 use oaktwin_image::Image;
 use oaktwin_simd::{self as simd, Kernel, Level, saturating_trunc};
 
-/// `DepthAI`'s `ToFDepthConfidenceFilter`, bit for bit as on a host: what is too dark for its distance is lost.
+/// `DepthAI`'s `ToFDepthConfidenceFilter`, bit-identical to its host implementation: drops pixels that are too dark for their
+/// distance.
 ///
 /// The confidence is 100·a/√(d/2) of amplitude a and depth d in millimetres, in single precision; where either is 0 it
-/// is 6 553 500, so that what has no amplitude is kept. The image of confidences has its lowest 16 bits, and 65 535 where
-/// either is 0. A threshold of 0 switches it off: then that image is the amplitude's.
+/// is 6 553 500, so that pixels without amplitude are kept. The confidence image has its lowest 16 bits, and 65 535 where
+/// either is 0. A threshold of 0 disables the filter; the confidence image is then the amplitude image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthConfidence {
-    /// `confidenceThreshold`: what has less is lost. `DepthAI`'s default is 0.1.
+    /// The minimum confidence; `DepthAI`'s default is 0.1.
     pub threshold: f32,
 }
 
@@ -19,8 +20,8 @@ impl Default for DepthConfidence {
 }
 
 impl DepthConfidence {
-    /// Loses what is too dark in `depth` (millimetres), and returns the confidences. Images of different sizes are left
-    /// as they are, where they do not overlap.
+    /// Drops the pixels of `depth` (millimetres) that are too dark, and returns the confidence image. Where images of different
+    /// sizes do not overlap, nothing changes.
     #[must_use]
     pub fn run(&self, depth: &mut Image<u16>, amplitude: &Image<u16>) -> Image<u16> {
         let mut confidence = Image::filled(depth.width(), depth.height(), 0);
@@ -33,7 +34,7 @@ impl DepthConfidence {
         confidence
     }
 
-    /// The same of rows.
+    /// Runs the filter on rows.
     pub(crate) fn run_rows(
         &self,
         level: Level,
@@ -59,7 +60,7 @@ impl DepthConfidence {
     }
 }
 
-/// The confidence of what has no amplitude or depth.
+/// The confidence of a pixel without amplitude or depth.
 const WITHOUT: f32 = 6_553_500.0;
 
 struct Rows<'a> {
@@ -82,7 +83,7 @@ impl Kernel for Rows<'_> {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
-                reason = "the lowest bits, as there"
+                reason = "the lowest bits, as in DepthAI"
             )]
             let low = saturating_trunc(confidence) as u16;
             *out = if nothing { u16::MAX } else { low };

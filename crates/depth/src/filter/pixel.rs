@@ -1,6 +1,6 @@
 use std::fmt::Debug;
 
-/// A pixel of a disparity or depth image: `u8` without subpixels, `u16` else. 0 is no value.
+/// A pixel of a disparity or depth image: `u8` without subpixels, `u16` otherwise. 0 is invalid.
 pub trait Pixel: sealed::Pixel {}
 
 impl Pixel for u8 {}
@@ -13,18 +13,18 @@ pub(super) mod sealed {
     pub trait Pixel:
         Copy + Ord + Default + Debug + Send + Sync + From<u8> + Into<u16> + Into<i32> + Into<f32> + 'static
     {
-        /// The largest.
+        /// The largest value.
         const MAX: Self;
 
-        /// How far apart two are.
+        /// The absolute difference of two pixels.
         #[must_use]
         fn distance(self, other: Self) -> Self;
 
-        /// How far apart OpenCV's `filterSpeckles` takes two to be: 16-bit images are handed to it as signed ones.
+        /// The difference of two pixels in OpenCV's `filterSpeckles`, which receives 16-bit images as signed ones.
         #[must_use]
         fn speckle_distance(self, other: Self) -> Self;
 
-        /// The next, or the same where there is none.
+        /// The next value, or the same at the end of the range.
         #[must_use]
         fn next(self) -> Self;
 
@@ -55,7 +55,7 @@ pub(super) mod sealed {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "the lower bits are wanted"
+            reason = "only the lower bits are used"
         )]
         fn cut(value: i32) -> Self {
             value as Self
@@ -84,7 +84,7 @@ pub(super) mod sealed {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "the lower bits are wanted"
+            reason = "only the lower bits are used"
         )]
         fn cut(value: i32) -> Self {
             value as Self

@@ -2,22 +2,22 @@
 
 use oaktwin_image::ImageView;
 
-/// The widest: its standard deviation, px.
+/// The largest standard deviation, px.
 pub(super) const MAX_SIGMA_PX: f64 = 8.0;
 
-/// A weight that is a smaller share of the middle's changes nothing.
+/// The share of the central weight below which weights are dropped.
 const LEAST: f64 = 1e-4;
 
-/// A point spread function: what of a point's light falls on the pixels beside it, along a row and along a column alike.
+/// A separable point spread function, the same along rows and columns.
 #[derive(Clone, Debug)]
 pub(super) struct Blur {
-    /// From the middle outwards; with both sides they are 1.
+    /// The weights from the centre outwards; both sides together sum to 1.
     weights: Vec<f32>,
 }
 
 impl Blur {
-    /// The normal distribution of whole pixels, which has this standard deviation however small it is: weights are the
-    /// modified Bessel functions `I_n(σ²)` (Lindeberg, "Scale-space for discrete signals", 1990).
+    /// Returns the discrete normal distribution, which has exactly this standard deviation: its weights are the modified
+    /// Bessel functions `I_n(σ²)` (Lindeberg, "Scale-space for discrete signals", 1990).
     #[expect(clippy::cast_possible_truncation, reason = "single precision")]
     pub(super) fn new(sigma_px: f64) -> Self {
         let half = sigma_px * sigma_px / 2.0;
@@ -35,18 +35,18 @@ impl Blur {
         }
     }
 
-    /// Whether it changes anything.
+    /// Whether it changes the image.
     pub(super) fn is_on(&self) -> bool {
         self.weights.len() > 1
     }
 
-    /// How far it reaches, px.
+    /// The radius, px.
     pub(super) fn reach(&self) -> usize {
         self.weights.len() - 1
     }
 
-    /// One row of a blurred image. Beyond its borders the image goes on as at them. `padded` is a buffer of the row's length
-    /// and twice the reach.
+    /// Computes one row of a blurred image, whose border is repeated outside. `padded` is a buffer of the row's length plus
+    /// twice the radius.
     #[inline(always)]
     pub(super) fn row(&self, light: ImageView<'_, f32>, y: usize, padded: &mut [f32], out: &mut [f32]) {
         let (width, reach) = (out.len(), self.reach());
@@ -85,7 +85,7 @@ impl Blur {
     }
 }
 
-/// What no light can be is dark.
+/// Invalid light is dark.
 #[inline(always)]
 fn lit(light: f32) -> f32 {
     if light > 0.0 { light } else { 0.0 }
@@ -122,7 +122,7 @@ mod tests {
         out
     }
 
-    /// A point becomes a spot with all its light and the variance that is asked for, along both axes.
+    /// A point becomes a spot with all its light and the requested variance along both axes.
     #[test]
     fn a_point_becomes_a_spot() {
         for sigma in [0.2, 0.6, 1.5, MAX_SIGMA_PX] {
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_even_stays_so_up_to_the_borders() {
+    fn keeps_uniform_images_up_to_the_borders() {
         for (width, height) in [(1, 1), (3, 2), (40, 1)] {
             let even = blurred(1.2, &Image::filled(width, height, 0.25));
             assert!(even.pixels().iter().all(|v| (v - 0.25).abs() < 1e-6));

@@ -1,4 +1,4 @@
-//! What a camera's exposure control settles on.
+//! Automatic exposure.
 
 use oaktwin_camera::Intrinsics;
 use oaktwin_image::ImageView;
@@ -6,13 +6,12 @@ use oaktwin_image::ImageView;
 use super::rows::Falloff;
 use super::{Exposure, Imager};
 
-/// Samples of an image in a row and in a column.
+/// The number of samples of an image along a row and along a column.
 const GRID: u32 = 96;
 
 impl Imager {
-    /// The exposure of images that are exposed alike, of cameras of these intrinsics: the fixed one, or that with which
-    /// their numbers have the target as their mean, what exceeds the range counted as the largest. The longest there is
-    /// where it is too dark.
+    /// The common exposure of images from cameras with these intrinsics: the fixed one, or the one at which the mean of their
+    /// clamped values is the target. If the scene is too dark, it is the maximum exposure.
     #[must_use]
     pub fn expose(&self, images: &[(ImageView<'_, f32>, &Intrinsics)]) -> Exposure {
         let p = &self.parameters;
@@ -50,7 +49,7 @@ impl Imager {
     }
 }
 
-/// Evenly over `count` places.
+/// Returns evenly spaced positions.
 fn grid(count: u32) -> Vec<u32> {
     let samples = count.min(GRID);
     let place = |i: u32| u64::from(2 * i + 1) * u64::from(count) / u64::from(2 * samples);
@@ -59,7 +58,7 @@ fn grid(count: u32) -> Vec<u32> {
         .collect()
 }
 
-/// Where the mean of what is recorded is the target: by halving, as it grows with the exposure.
+/// Finds the exposure at which the mean of the recorded values is the target, by bisection.
 fn settle(samples: &[f64], target: f64, most: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
     let wanted = target * samples.len() as f64;

@@ -1,19 +1,19 @@
-//! What an image sensor records of the light that falls on it: images in, images out.
+//! An image sensor: light in, recorded images out.
 //!
-//! Light is linear and relative: 1 is what a white diffuse surface in the scene's typical light sends. At an exposure of 1
-//! that fills the range of the numbers.
+//! Light is linear and relative: 1 is the light of a white diffuse surface under the scene's typical illumination. At an
+//! exposure of 1 it has the largest value.
 //!
 //! # Steps
-//! 1. **Blur** of the lens: the light of a point falls on the pixels around it too, as a normal distribution. It is made of
-//!    the pixels' light, so it does not take away what a picture is aliased by.
-//! 2. **Exposure**: a time and a gain. A fixed one, or one that gives the images' mean a target, as a camera's own
-//!    control does ([`Imager::expose`]); beyond the longest time only the gain grows, and with it the noise.
+//! 1. **Blur** of the lens: a normal point spread function. It is applied to pixels, so it does not remove aliasing.
+//! 2. **Exposure**: a time and a gain, either fixed or such that the images' mean reaches a target, as in a camera's automatic
+//!    exposure ([`Imager::expose`]); above the maximum time only the gain increases, and with it the noise.
 //! 3. **Vignetting**, an option: light falls off by cos⁴ of the angle from the optical axis.
 //! 4. **Noise**: λ electrons become λ + √(λ + r²)·N with N standard normal: shot noise, whose variance is λ, and read
-//!    noise of r electrons. The normal distribution stands for Poisson's, whose mean and variance it has.
-//! 5. **Numbers**: the full well, divided by the gain, is the largest number; nearest, 8 or 10 bits, none below 0.
+//!    noise of r electrons. The normal distribution approximates the Poisson distribution with the same mean and variance.
+//! 5. **Quantization**: the full well, divided by the gain, is the largest value; values are rounded to 8 or 10 bits and
+//!    clamped at 0.
 //!
-//! The response is linear, without gamma and black level: a pair is matched by what a pixel's neighbours are like.
+//! The response is linear, without gamma and black level, which matching does not depend on.
 
 mod blur;
 mod expose;
@@ -33,40 +33,40 @@ use self::rows::{Number, Rows};
 use crate::ParameterError;
 use crate::random::Plane;
 
-/// How long and how strongly light is collected.
+/// An exposure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exposure {
-    /// The time, in those in which white fills the range of the numbers.
+    /// The exposure time, as a multiple of the one at which white has the largest value.
     pub time: f64,
-    /// The gain, 1 or more.
+    /// The gain, at least 1.
     pub gain: f64,
 }
 
 impl Exposure {
-    /// Both together: the share of the range that white fills.
+    /// Time times gain: the value of white as a share of the largest value.
     #[must_use]
     pub fn total(&self) -> f64 {
         self.time * self.gain
     }
 }
 
-/// An image sensor, ready to record.
+/// An image sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Imager {
     parameters: Parameters,
 }
 
 impl Imager {
-    /// Of its parameters.
+    /// Creates an image sensor from its parameters.
     ///
     /// # Errors
-    /// A parameter out of its range.
+    /// Returns an error if a parameter is out of range.
     pub fn new(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         Ok(Self { parameters })
     }
 
-    /// For images of which a pixel is `1 / scale` of those that the lens's blur counts in.
+    /// Returns the sensor for images with `scale` times as many pixels along an axis, in which the lens's blur is larger.
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         let sigma = self.parameters.lens_blur_px * scale;
@@ -74,7 +74,7 @@ impl Imager {
         self
     }
 
-    /// Its parameters.
+    /// The parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters

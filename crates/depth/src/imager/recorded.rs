@@ -3,7 +3,7 @@ use oaktwin_image::{CodecError, Image, png};
 use super::Bits;
 use crate::stereo_matching::Luminance;
 
-/// A grey image as a sensor recorded it: linear numbers.
+/// A recorded grey image with linear values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Recorded {
     /// 0 to 255.
@@ -13,7 +13,7 @@ pub enum Recorded {
 }
 
 impl Recorded {
-    /// How many bits its numbers have.
+    /// The number of bits.
     #[must_use]
     pub fn bits(&self) -> Bits {
         match self {
@@ -22,7 +22,7 @@ impl Recorded {
         }
     }
 
-    /// Columns, px.
+    /// The width, px.
     #[must_use]
     pub fn width(&self) -> u32 {
         match self {
@@ -31,7 +31,7 @@ impl Recorded {
         }
     }
 
-    /// Rows, px.
+    /// The height, px.
     #[must_use]
     pub fn height(&self) -> u32 {
         match self {
@@ -40,10 +40,10 @@ impl Recorded {
         }
     }
 
-    /// As PNG, grey of 8 bits, or of 16 with numbers up to 1023.
+    /// Encodes the image as PNG: grey with 8 bits, or with 16 bits and values up to 1023.
     ///
     /// # Errors
-    /// An image without pixels.
+    /// Returns an error if the image has no pixels.
     pub fn to_png(&self) -> Result<Vec<u8>, CodecError> {
         match self {
             Self::Eight(image) => png::encode(image),
@@ -51,7 +51,7 @@ impl Recorded {
         }
     }
 
-    /// To look at: the upper 8 bits.
+    /// The upper 8 bits, for display.
     #[must_use]
     pub fn to_eight(&self) -> Image<u8> {
         match self {

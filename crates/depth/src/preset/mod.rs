@@ -1,4 +1,4 @@
-//! `DepthAI`'s presets: what they configure, by their names.
+//! `DepthAI`'s presets by name.
 
 mod stereo;
 mod time_of_flight;
@@ -7,28 +7,23 @@ pub use oaktwin_parameter::Platform;
 pub use stereo::{FilterStage, Preset, StereoConfig};
 pub use time_of_flight::{TIME_OF_FLIGHT_PRESETS, TimeOfFlightConfig, time_of_flight_filters};
 
-use oaktwin_diagnostic::{fold_name, nearest};
+use oaktwin_diagnostic::{fold_name, suggest};
 
-/// A name that is no preset there: `preset: what is wrong; what to do`.
+/// An unknown preset: `preset: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("preset: {what}; {remedy}")]
 pub struct PresetError {
     /// What is wrong.
     pub what: String,
-    /// What to do.
+    /// How to fix it.
     pub remedy: String,
 }
 
 impl PresetError {
     fn unknown(name: &str, place: &str, names: &[&str]) -> Self {
-        let near = nearest(name, names.iter().copied());
         Self {
-            what: format!("{place} has no {name:?}"),
-            remedy: if near.is_empty() {
-                format!("use one of {}", names.join(", "))
-            } else {
-                format!("did you mean {}?", near.join(" or "))
-            },
+            what: format!("unknown preset '{name}' of {place}"),
+            remedy: suggest(name, names.iter().copied()),
         }
     }
 }

@@ -64,7 +64,7 @@ impl Preset {
         }
     }
 
-    /// Whether a platform has it: `DepthAI` 2 knows RVC2 only.
+    /// Whether a platform has the preset; `DepthAI` 2 supports RVC2 only.
     #[must_use]
     pub fn on(self, platform: Platform) -> bool {
         platform == Platform::Rvc2 || !matches!(self, Self::HighAccuracy | Self::HighDensity)
@@ -77,10 +77,10 @@ impl Preset {
         on_platform.map(|preset| preset.name()).collect()
     }
 
-    /// By its name; case, hyphens and underscores do not matter.
+    /// Finds a preset by name; case, hyphens and underscores do not matter.
     ///
     /// # Errors
-    /// A platform has no preset of this name.
+    /// Returns an error if the platform has no preset of this name.
     pub fn find(platform: Platform, name: &str) -> Result<Self, PresetError> {
         let place = platform.name();
         match Self::ALL.into_iter().find(|preset| is_named(name, preset.name())) {
@@ -98,7 +98,7 @@ impl Preset {
     }
 }
 
-/// The filters whose order can be chosen.
+/// The filters whose order is configurable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilterStage {
     /// `DECIMATION`
@@ -113,7 +113,7 @@ pub enum FilterStage {
     Temporal,
 }
 
-/// What of `DepthAI`'s `StereoDepthConfig` has an effect here.
+/// The part of `DepthAI`'s `StereoDepthConfig` that has an effect here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StereoConfig {
     /// `enableSubpixel` and `subpixelFractionalBits`
@@ -122,9 +122,9 @@ pub struct StereoConfig {
     pub extended_disparity: bool,
     /// `disparityShift`, px.
     pub disparity_shift_px: u32,
-    /// `leftRightCheckThreshold`; none where there is no such check.
+    /// `leftRightCheckThreshold`; `None` if the check is disabled.
     pub left_right_check_threshold: Option<u32>,
-    /// Whose penalties of paths count.
+    /// The platform whose penalties are used.
     pub platform: Platform,
     /// `noiseThresholdOffset` and `noiseThresholdScale` of RVC4's census transform.
     pub noise_threshold: [i32; 2],
@@ -136,7 +136,7 @@ pub struct StereoConfig {
     pub hole_filling: HoleFilling,
     /// `adaptiveMedianFilter` of RVC4
     pub adaptive_median: AdaptiveMedian,
-    /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: what is above it is kept. That of `DepthAI` 2 is 255 less this.
+    /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: higher confidences are kept. That of `DepthAI` 2 is 255 minus this.
     pub confidence_threshold: u8,
     /// `filteringOrder`
     pub filtering_order: [FilterStage; 5],
@@ -148,7 +148,7 @@ pub struct StereoConfig {
     pub temporal: Option<Temporal>,
     /// `speckleFilter`
     pub speckle: Option<Speckle>,
-    /// `decimationFilter`; a factor of 1 does nothing.
+    /// `decimationFilter`; a factor of 1 disables it.
     pub decimation: Decimation,
     /// `thresholdFilter`
     pub threshold: Threshold,
@@ -156,7 +156,7 @@ pub struct StereoConfig {
     pub brightness: Brightness,
 }
 
-/// Those of `DepthAI` 3.
+/// The defaults of `DepthAI` 3.
 impl Default for StereoConfig {
     fn default() -> Self {
         Self {
@@ -190,10 +190,10 @@ impl Default for StereoConfig {
 }
 
 impl StereoConfig {
-    /// What a preset configures.
+    /// Returns the configuration of a preset.
     ///
     /// # Errors
-    /// The platform has no preset of this name.
+    /// Returns an error if the platform has no preset of this name.
     pub fn preset(platform: Platform, name: &str) -> Result<Self, PresetError> {
         let preset = Preset::find(platform, name)?;
         Ok(match platform {
@@ -248,7 +248,7 @@ impl StereoConfig {
         }
     }
 
-    /// With the filters that RVC2's presets for a purpose share.
+    /// Returns it with the filters that RVC2's purpose-specific presets share.
     fn filtered(self) -> Self {
         Self {
             filtering_order: [
@@ -337,8 +337,7 @@ impl StereoConfig {
         }
     }
 
-    /// The filters that do something, in their order: brightness first, on what the matcher found, and threshold last,
-    /// on depth.
+    /// The enabled filters in their order: brightness first, on the matcher's output, and threshold last, on depth.
     #[must_use]
     pub fn filters(&self) -> Vec<Filter> {
         let brightness = (self.brightness.min_brightness >= 0 || self.brightness.max_brightness <= 255)
@@ -356,7 +355,7 @@ impl StereoConfig {
         brightness.into_iter().chain(ordered).chain(threshold).collect()
     }
 
-    /// Configures an engine: the step and range of its disparities, the left-right check, the confidence.
+    /// Configures the step and range of disparity, the left-right check and the confidence threshold.
     pub fn apply_to(&self, parameters: &mut stereo_noise::Parameters) {
         parameters.subpixel = self.subpixel;
         parameters.extended_disparity = self.extended_disparity;
@@ -368,8 +367,7 @@ impl StereoConfig {
         parameters.confidence_threshold = self.confidence_threshold;
     }
 
-    /// Configures the matcher: as [`StereoConfig::apply_to`], the census transform's noise, the penalties of paths and RVC4's
-    /// steps.
+    /// Configures the matcher: as [`StereoConfig::apply_to`], and the noise thresholds, the penalties and RVC4's steps.
     pub fn apply_to_matching(&self, parameters: &mut stereo_matching::Parameters) {
         parameters.subpixel = self.subpixel;
         parameters.extended_disparity = self.extended_disparity;

@@ -68,7 +68,7 @@ fn names_that_are_none_say_what_there_is() {
     );
     assert_eq!(
         error(Platform::Rvc2, "ROBOTIC"),
-        "preset: RVC2 has no \"ROBOTIC\"; did you mean ROBOTICS?"
+        "preset: unknown preset 'ROBOTIC' of RVC2; did you mean 'ROBOTICS'?"
     );
     assert!(error(Platform::Rvc2, "TOF_LOW_RANGE").contains("time-of-flight"));
     assert!(time_of_flight_filters("FACE").is_err());

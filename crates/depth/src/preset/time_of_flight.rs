@@ -5,7 +5,7 @@ use crate::time_of_flight::Parameters;
 /// The presets of time-of-flight sensors: for 0.2 to 2 m, 0.2 to 5 m, 1 to 6 m.
 pub const TIME_OF_FLIGHT_PRESETS: [&str; 3] = ["TOF_LOW_RANGE", "TOF_MID_RANGE", "TOF_HIGH_RANGE"];
 
-/// What a preset of time-of-flight sensors sets: `DepthAI`'s `ToFConfig`, `ToFDepthConfidenceFilterConfig` and
+/// The configuration of a time-of-flight preset: `DepthAI`'s `ToFConfig`, `ToFDepthConfidenceFilterConfig` and
 /// `ImageFiltersConfig`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeOfFlightConfig {
@@ -18,10 +18,10 @@ pub struct TimeOfFlightConfig {
 }
 
 impl TimeOfFlightConfig {
-    /// Of a preset's name, one of [`TIME_OF_FLIGHT_PRESETS`].
+    /// Returns the configuration of a preset, one of [`TIME_OF_FLIGHT_PRESETS`].
     ///
     /// # Errors
-    /// No preset of this name.
+    /// Returns an error if there is no preset of this name.
     pub fn preset(name: &str) -> Result<Self, PresetError> {
         let filters = time_of_flight_filters(name)?;
         let number = number(name).unwrap_or_default();
@@ -32,14 +32,14 @@ impl TimeOfFlightConfig {
         })
     }
 
-    /// Gives it to a sensor; the filters stay here.
+    /// Configures a sensor; the filters are separate.
     pub fn apply_to(&self, parameters: &mut Parameters) {
         parameters.phase_unwrap_error_threshold = self.phase_unwrap_error_threshold;
         parameters.confidence_threshold = self.confidence_threshold;
     }
 }
 
-/// Its place among [`TIME_OF_FLIGHT_PRESETS`].
+/// The index in [`TIME_OF_FLIGHT_PRESETS`].
 fn number(name: &str) -> Option<usize> {
     TIME_OF_FLIGHT_PRESETS
         .iter()
@@ -49,7 +49,7 @@ fn number(name: &str) -> Option<usize> {
 /// The filters of a preset, in their order, for depth in millimetres.
 ///
 /// # Errors
-/// No preset of this name.
+/// Returns an error if there is no preset of this name.
 pub fn time_of_flight_filters(name: &str) -> Result<Vec<Filter>, PresetError> {
     let number = number(name);
     let temporal = |alpha, delta, persistency_mode| {

@@ -4,21 +4,21 @@ use crate::preset::Platform;
 use oaktwin_parameter::choice;
 
 choice! {
-    /// How pixels of the rectified images find their place in the raw ones.
+    /// The method that maps rectified pixels to raw ones.
     Method {
-        /// As an RVC2 decides: a homography up to a horizontal field of view of 85°, a mesh above.
+        /// RVC2's choice: a homography up to a horizontal field of view of 85°, a mesh above.
         Auto = "auto",
-        /// A 3×3 matrix: rows meet as far as the lens has no distortion.
+        /// A 3×3 matrix: rows are aligned if the lens has no distortion.
         Homography = "homography",
-        /// A position every 16 pixels with the lens's first eight coefficients, and linearly between.
+        /// A node every 16 pixels with the lens's first eight coefficients, interpolated linearly.
         Mesh = "mesh",
-        /// A position for each pixel, with all of the lens.
+        /// A position for each pixel, with the complete lens model.
         Full = "full",
     }
 }
 
 choice! {
-    /// Whose intrinsics the rectified images get, both of them.
+    /// The camera whose intrinsics both rectified images get.
     Target {
         /// The right camera's: an RVC2.
         Right = "right",
@@ -27,7 +27,7 @@ choice! {
     }
 }
 
-/// What stands where a rectified image sees beyond the raw one: `rectifyEdgeFillColor`.
+/// The value of rectified pixels outside the raw image: `rectifyEdgeFillColor`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeFill {
     /// A grey value; 0 is the device's default.
@@ -42,19 +42,19 @@ impl Default for EdgeFill {
     }
 }
 
-/// How a pair is rectified. The default is an RVC2's way.
+/// The options of rectification. The defaults are those of RVC2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RectifyOptions {
-    /// How pixels find their place.
+    /// The method.
     pub method: Method,
-    /// Whose intrinsics the images get.
+    /// The camera whose intrinsics both images get.
     pub target: Target,
-    /// What stands beyond the border.
+    /// The value of pixels outside the raw image.
     pub edge_fill: EdgeFill,
 }
 
 impl RectifyOptions {
-    /// As a platform does it.
+    /// Returns the options of a platform.
     #[must_use]
     pub fn of(platform: Platform) -> Self {
         match platform {
@@ -68,11 +68,11 @@ impl RectifyOptions {
     }
 }
 
-/// The widest horizontal field of view of a homography, degrees (`DepthAI`, `useHomographyRectification`).
+/// The maximum horizontal field of view of a homography, degrees (`DepthAI`, `useHomographyRectification`).
 const WIDEST_HOMOGRAPHY_DEG: f64 = 85.0;
 
 impl Method {
-    /// Itself, or what `Auto` stands for.
+    /// The method for a camera, with `Auto` resolved.
     #[must_use]
     pub fn for_camera(self, camera: &Camera) -> Self {
         if self != Self::Auto {

@@ -6,7 +6,7 @@ use oaktwin_image::{Image, ImageView};
 use super::options::{Method, RectifyOptions, Target};
 use super::{Grey, Rectify};
 
-/// Raw pairs to rectified ones.
+/// Rectifies raw pairs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StereoRectify {
     left: Rectify,
@@ -16,12 +16,12 @@ pub struct StereoRectify {
 }
 
 impl StereoRectify {
-    /// Of two cameras, `right_from_left` in metres.
+    /// Creates the rectification of two cameras, with `right_from_left` in metres.
     ///
-    /// Both images are rectified by the method that suits the left camera.
+    /// The method is chosen for the left camera and used for both.
     ///
     /// # Errors
-    /// Cameras in one place, no rotation between them, or images of two sizes.
+    /// Returns an error if the cameras are at the same position, the rotation is invalid or the image sizes differ.
     pub fn new(
         left: &Camera,
         right: &Camera,
@@ -49,32 +49,32 @@ impl StereoRectify {
         })
     }
 
-    /// What the rectified cameras are: their intrinsics, rotations and baseline. After a homography they still have their
-    /// lenses, which are not in it.
+    /// The rectified cameras: intrinsics, rotations and baseline. After a homography the images still have the lens
+    /// distortion, which this does not contain.
     #[must_use]
     pub fn geometry(&self) -> &Rectification {
         &self.geometry
     }
 
-    /// How pixels find their place: never [`Method::Auto`].
+    /// The method, never [`Method::Auto`].
     #[must_use]
     pub fn method(&self) -> Method {
         self.method
     }
 
-    /// Of the left camera.
+    /// The rectification of the left camera.
     #[must_use]
     pub fn left(&self) -> &Rectify {
         &self.left
     }
 
-    /// Of the right camera.
+    /// The rectification of the right camera.
     #[must_use]
     pub fn right(&self) -> &Rectify {
         &self.right
     }
 
-    /// A rectified pair; `None` where an image is not of the size of its camera's.
+    /// Rectifies a pair; `None` if an image does not have the size of its camera.
     #[must_use]
     pub fn rectify<P: Grey>(&self, left: ImageView<'_, P>, right: ImageView<'_, P>) -> Option<[Image<P>; 2]> {
         Some([self.left.rectify(left)?, self.right.rectify(right)?])

@@ -1,4 +1,4 @@
-//! Where the pixels of a rectified image lie in the raw one.
+//! The positions of rectified pixels in the raw image.
 
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{
@@ -7,10 +7,10 @@ use oaktwin_camera::{
 
 use super::Method;
 
-/// Pixels between the nodes of a mesh (`StereoDepth`'s `meshStep`).
+/// The spacing of a mesh's nodes in pixels (`StereoDepth`'s `meshStep`).
 const STEP: u32 = 16;
 
-/// `[x, y]` in the OpenCV convention for each pixel, row by row; NaN where a ray looks back.
+/// `[x, y]` in the OpenCV convention for each pixel, row by row; NaN where a ray points backwards.
 pub(super) fn positions(
     camera: &Camera,
     rectified_from_camera: DMat3,
@@ -35,7 +35,7 @@ fn mesh(camera: &Camera, rectified_from_camera: DMat3, rectified: &Intrinsics) -
     let camera = Camera::new(camera.intrinsics, lens);
     let size = rectified.size;
     let nodes = ImageSize::new(size.width.div_ceil(STEP) + 1, size.height.div_ceil(STEP) + 1);
-    // A node is a pixel of an image that is so much smaller, with the first pixels' centres in one place.
+    // The nodes are the pixels of a smaller image whose first pixel centre coincides.
     let step = f64::from(STEP);
     let centre = rectified.principal_point::<OpenCv>();
     let coarse = Intrinsics::new(

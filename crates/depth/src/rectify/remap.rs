@@ -8,30 +8,30 @@ use super::options::{EdgeFill, Method};
 use super::positions::positions;
 use super::rows::{Grey, Remap};
 
-/// Fractional bits of a position.
+/// The fractional bits of a position.
 const BITS: u32 = 5;
 
-/// Rows that a thread takes at a time.
+/// The number of rows in a unit of work.
 const ROWS: usize = 16;
 
-/// Pixels around an image, so that the four that are mixed are always there: one before, two after.
+/// The border around an image, so that all four interpolated pixels exist: one pixel before, two after.
 const BEFORE: u32 = 1;
 const AFTER: u32 = 2;
 
-/// Raw images of one camera to rectified ones.
+/// Rectifies raw images of one camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rectify {
     raw: ImageSize,
     size: ImageSize,
     edge_fill: EdgeFill,
-    /// Into the raw image with its borders: the upper left one of four pixels.
+    /// The index of the upper left of four pixels in the raw image with its border.
     places: Vec<u32>,
-    /// 32nds of the way to the right one and to the lower one.
+    /// The fractions to the right and to the lower pixel, in 1/32.
     parts: Vec<[u8; 2]>,
 }
 
 impl Rectify {
-    /// Of a camera whose image is turned by a rotation and seen through other intrinsics, which say its size.
+    /// Creates the rectification of a camera from its rotation and the target intrinsics, which determine the size.
     #[must_use]
     pub fn new(
         camera: &Camera,
@@ -44,8 +44,8 @@ impl Rectify {
         Self::from_positions(camera.intrinsics.size, rectified.size, &positions, edge_fill)
     }
 
-    /// Of the position in the raw image, in the [`OpenCv`](oaktwin_camera::OpenCv) convention, of each pixel of an image
-    /// of `size`, row by row: a table of `cv2.initUndistortRectifyMap`. Where there is none, or no number, is outside.
+    /// Creates it from the position in the raw image, in the [`OpenCv`](oaktwin_camera::OpenCv) convention, of each pixel of an image
+    /// of `size`, row by row: a table of `cv2.initUndistortRectifyMap`. NaN is outside.
     #[must_use]
     pub fn from_positions(
         raw: ImageSize,
@@ -76,19 +76,19 @@ impl Rectify {
         }
     }
 
-    /// The size of the images it takes.
+    /// The size of raw images.
     #[must_use]
     pub fn raw_size(&self) -> ImageSize {
         self.raw
     }
 
-    /// The size of the images it makes.
+    /// The size of rectified images.
     #[must_use]
     pub fn size(&self) -> ImageSize {
         self.size
     }
 
-    /// A rectified image; `None` where the raw one is not of [`Rectify::raw_size`].
+    /// Rectifies an image; `None` if its size is not [`Rectify::raw_size`].
     #[must_use]
     pub fn rectify<P: Grey>(&self, raw: ImageView<'_, P>) -> Option<Image<P>> {
         if (raw.width(), raw.height()) != (self.raw.width, self.raw.height) {
@@ -129,22 +129,22 @@ impl Rectify {
     }
 }
 
-/// A place along an axis, in the image with its borders, and 32nds of the way to the next. Anything beyond the borders
-/// is in them.
+/// The index along an axis of the image with its border, and the fraction to the next pixel in 1/32. Positions beyond the
+/// border are clamped to it.
 fn around(at: f32, length: u32) -> [u32; 2] {
     let last = units(length);
     let at = if at.is_nan() { f32::NEG_INFINITY } else { at };
-    // The place −1 is the first.
+    // Position −1 is the first index.
     split((units_of(at) + units(1)).clamp(0, last + units(1)))
 }
 
-/// The same, but never between a pixel and a border.
+/// The same, but never between a pixel and the border.
 fn inside(at: f32, length: u32) -> [u32; 2] {
     let at = if at.is_nan() { 0.0 } else { at };
     split(units_of(at).clamp(0, units(length.saturating_sub(1))) + units(1))
 }
 
-/// 32nds, the nearest, halves to even.
+/// The nearest 1/32; halves to even.
 #[expect(clippy::cast_possible_truncation, reason = "saturates")]
 fn units_of(at: f32) -> i64 {
     (at * 32.0).round_ties_even().clamp(-1e9, 1e9) as i64

@@ -1,8 +1,8 @@
-//! Four pixels become one.
+//! Bilinear interpolation.
 
 /// A grey value: 8 or 16 bits.
 pub trait Grey: Copy + Default + Send + Sync + Sealed {
-    /// Of 8 bits.
+    /// Returns the value of 8 bits.
     fn from_u8(value: u8) -> Self;
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Remap<'a, P> {
     pub(super) out: &'a mut [P],
 }
 
-/// Pixels that are gathered before they are mixed.
+/// The number of pixels that are gathered before they are interpolated.
 const LANES: usize = 256;
 
 impl<P: Grey> Kernel for Remap<'_, P> {
@@ -66,7 +66,7 @@ impl<P: Grey> Kernel for Remap<'_, P> {
         for (out, (places, parts)) in chunks {
             for ((upper, lower), &place) in upper.iter_mut().zip(&mut lower).zip(places) {
                 let place = place as usize;
-                // Places are in the image by how they are made.
+                // Indices are valid by construction.
                 if let Some(rows) = self.raw.get(place..place + self.stride + 2) {
                     (*upper, *lower) = ([rows[0], rows[1]], [rows[self.stride], rows[self.stride + 1]]);
                 }

@@ -1,46 +1,46 @@
-//! What an OAK's stereo reports of a rectified pair: the device's pipeline.
+//! Stereo matching of a rectified pair, as in the device's pipeline.
 //!
-//! Disparities are those of the left image's pixels, in pixels of the pair: what is at x in the left image is at x − d
+//! Disparities are those of the left image's pixels, in pixels of the pair: the point at x in the left image is at x − d
 //! in the right one.
 //!
 //! # Steps
-//! 1. **Census transform** ([`Parameters::kernel_size`]): a bit for each pixel of a window, 1 where it is brighter than
-//!    the window's mean (whole grey levels, rounded down) or, without [mean mode](Parameters::mean_mode), than the middle,
-//!    by more than a threshold. Beyond the image, its border goes on. Of 10-bit images thresholds are four times as large.
+//! 1. **Census transform** ([`Parameters::kernel_size`]): one bit for each pixel of a window, 1 where it is brighter than
+//!    the window's mean (whole grey levels, rounded down) or, without [mean mode](Parameters::mean_mode), than its centre,
+//!    by more than a threshold. The image's border is repeated outside. For 10-bit images, thresholds are four times as large.
 //! 2. **Cost** of each candidate: α·AD + β·(CTC << 3), at most 32 times the threshold, averaged over a
-//!    [block](Parameters::block_size_px) of pixels and divided by 8, halves up; AD the difference of grey levels of 8 bits, CTC the
-//!    number of bits that differ. The published equation shifts right by 5: two bits more are kept, or there would be 5 costs
-//!    to tell. Beyond an image's border a block has what is at it. A candidate beyond the right image counts as one of which
-//!    three eighths of the bits differ: more than of a right match, less than of a wrong one.
+//!    [block](Parameters::block_size_px) of pixels and divided by 8, halves up. AD is the difference of 8-bit grey levels, CTC
+//!    the number of bits that differ. The published equation shifts right by 5; two more bits are kept here, as only 5
+//!    different costs would remain. Outside the image, a block repeats the border. A candidate outside the right image has the
+//!    cost of one of which three eighths of the bits differ: more than a correct match, less than a wrong one.
 //! 3. **Semi-global aggregation** along [`Parameters::paths`] paths with penalties P1 and P2, those of RVC2 shifted right
 //!    by [`Parameters::penalty_shift`]. The sum is divided by [`Parameters::division_factor`].
-//! 4. **Winner takes all**: the least sum, of equal ones the smaller disparity.
-//! 5. **Confidence**, 0 to 255, higher is surer: ⌊255 (s₂ − s₁) / s₂⌋ with s₁ the least sum and s₂ the least of those not
-//!    beside it; 0 where s₂ is 0. RVC4 makes its own of whether both directions agree, of how disparities vary around and
-//!    of this share: [`ConfidenceMetrics`].
+//! 4. **Winner takes all**: the smallest sum; of equal sums the smaller disparity.
+//! 5. **Confidence**, 0 to 255 (highest): ⌊255 (s₂ − s₁) / s₂⌋ with the smallest sum s₁ and the smallest sum s₂ that is not
+//!    its neighbour; 0 if s₂ is 0. RVC4 combines the agreement of both directions, the variance of disparity around the pixel
+//!    and this ratio: [`ConfidenceMetrics`].
 //! 6. **Subpixel** interpolation ([`Parameters::interpolation`]) to 1/8, 1/16 or 1/32 px, halves up; none at the first and
 //!    the last candidate.
-//! 7. **Left-right check**: the same sums, read along the pixels of the right image, give its disparities; a pixel whose
-//!    partner's differs by more than the threshold, or is not in the image, is lost.
-//! 8. On RVC4, before anything is lost: **holes** take the mean of their superpixel or are lost ([`HoleFilling`]), then what is
-//!    not sure takes the median of its neighbours ([`AdaptiveMedian`]).
-//! 9. **Losses**: what has less confidence than asked for, and columns at the left border.
-//! 10. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images halved; its disparities,
-//!     doubled, stand where they are beyond the range of the whole images, and where those have none.
+//! 7. **Left-right check**: the same sums, read along the pixels of the right image, give its disparities. A pixel is lost if
+//!    its counterpart's disparity differs by more than the threshold, or its counterpart is outside the image.
+//! 8. On RVC4, before pixels are lost: **holes** take the mean of their superpixel or are lost ([`HoleFilling`]), then pixels
+//!    of low confidence take the median of their neighbourhood ([`AdaptiveMedian`]).
+//! 9. **Losses**: pixels below the confidence threshold, and columns at the left border.
+//! 10. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images at half size; its disparities,
+//!     doubled, are used beyond the range of the full-size images, and where these have none.
 //!
-//! Filters belong between these and depth z = f·b/d, as in [`crate::stereo_noise`].
+//! Filters run between these steps and depth z = f·b/d, as in [`crate::stereo_noise`].
 //!
 //! # What is published, and what is not
-//! Published: the steps' order, census windows and masks, the linear equation and its defaults, P1 and P2, the range and
-//! its companding (in steps of 1, 2 and 4 px), that confidence is of a ratio of costs, that subpixel looks at two
-//! neighbours on each side, which thresholds and weights there are, and `DepthAI`'s defaults of all. Ours: the block, the number of
-//! paths, what unit RVC2's penalties are in, which penalties paths aslant have (the vertical ones), rounding, the formulas of 5 and 6,
-//! what is beyond the image, which of two passes counts, the scale of RVC4's noise thresholds, what RVC4's measures of confidence
-//! are, its superpixels and its median; and that it fills and filters first and loses then (Qualcomm's interface to the
-//! hardware fills and filters, and knows neither a threshold of confidence nor a left-right check).
+//! Published are the order of the steps, census windows and masks, the linear equation and its defaults, P1 and P2, the range
+//! and its companding (in steps of 1, 2 and 4 px), that confidence is a ratio of costs, that subpixel interpolation uses two
+//! neighbours on each side, the thresholds and weights, and `DepthAI`'s defaults. Choices of this project are the block, the
+//! number of paths, the unit of RVC2's penalties, the penalties of diagonal paths (the vertical ones), rounding, the formulas
+//! of steps 5 and 6, the values outside the image, the priority of the two passes, the scale of RVC4's noise thresholds,
+//! RVC4's measures of confidence, its superpixels and its median; and that it fills and filters before pixels are lost
+//! (Qualcomm's interface to the hardware fills and filters, and has neither a confidence threshold nor a left-right check).
 //!
 //! # Speed and memory
-//! Two threads share an image; more are of use where several images are matched at once. Memory is about a byte for each
+//! Two threads share an image; more are useful if several images are matched at once. Memory is about one byte for each
 //! pixel and candidate, two where sums need 16 bits; it is kept for the next image.
 
 mod block_sum;
@@ -79,22 +79,22 @@ use self::plan::Plan;
 use crate::ParameterError;
 use crate::disparity::{DepthTable, Fixed};
 
-/// The matcher, ready to look. Copies of it share the memory that they work in.
+/// A stereo matcher. Clones share their working memory.
 #[derive(Clone)]
 pub struct StereoMatching {
     parameters: Parameters,
     table: DepthTable,
-    /// What is not in use.
+    /// The unused workspaces.
     memory: Arc<Mutex<Vec<Workspace>>>,
 }
 
-/// What the matcher finds in a pair.
+/// The result of matching a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matched {
-    /// Of the left image: units of 2⁻ⁿ px with n bits of [`Parameters::subpixel`], without the
-    /// [shift](Parameters::disparity_shift_px); 0 where nothing was measured.
+    /// The disparity of the left image in units of 2⁻ⁿ px with n bits of [`Parameters::subpixel`], without the
+    /// [shift](Parameters::disparity_shift_px); 0 is invalid.
     pub disparity: Image<u16>,
-    /// 0 to 255, higher is surer; `DepthAI` 2 counts down from 255. It is there whether a disparity was kept or not.
+    /// The confidence from 0 to 255 (highest), also of invalid pixels; `DepthAI` 2 inverts it.
     pub confidence: Image<u8>,
 }
 
@@ -113,10 +113,10 @@ impl PartialEq for StereoMatching {
 }
 
 impl StereoMatching {
-    /// Of its parameters.
+    /// Creates a matcher from its parameters.
     ///
     /// # Errors
-    /// A parameter out of its range.
+    /// Returns an error if a parameter is out of range.
     pub fn new(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         Ok(Self {
@@ -126,32 +126,32 @@ impl StereoMatching {
         })
     }
 
-    /// Its parameters.
+    /// The parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// What it finds in a pair, as it hands it to the filters.
+    /// Returns the disparity and the confidence of a pair, before filters.
     #[must_use]
     pub fn disparity(&self, pair: &Pair<'_>) -> Matched {
         self.disparity_at(Level::detect(), pair)
     }
 
-    /// Depth of the left image: metres, whole millimetres up to 65 535, 0 where nothing was measured.
+    /// Returns the depth of the left image in metres, rounded to millimetres, up to 65.535 m; 0 is invalid.
     #[must_use]
     pub fn sense(&self, pair: &Pair<'_>) -> ZDepth {
         self.depth(&self.disparity(pair).disparity, 1.0, pair.width())
     }
 
-    /// Depth from a disparity image, in which a unit of [`Matched::disparity`] is `scale` units, of a pair `pair_width`
-    /// pixels wide: metres, whole millimetres up to 65 535, 0 where nothing was measured.
+    /// Returns the depth of a disparity image, in which a unit of [`Matched::disparity`] is `scale` units, of a pair
+    /// `pair_width` pixels wide, in metres, rounded to millimetres, up to 65.535 m; 0 is invalid.
     #[must_use]
     pub fn depth(&self, disparity: &Image<u16>, scale: f64, pair_width: u32) -> ZDepth {
         let p = &self.parameters;
         let last = disparity.pixels().iter().copied().max().unwrap_or(0);
         let other;
-        #[expect(clippy::float_cmp, reason = "the very number that callers write")]
+        #[expect(clippy::float_cmp, reason = "callers pass exactly 1")]
         let table = if scale == 1.0 && pair_width == p.width_px && u32::from(last) <= self.table.last() {
             &self.table
         } else {

@@ -1,11 +1,11 @@
 use oaktwin_image::{Image, ImageView};
 
-/// What a monochrome camera recorded.
+/// The image of a monochrome camera.
 #[derive(Clone, Copy, Debug)]
 pub enum Luminance<'a> {
     /// 0 to 255.
     Bits8(ImageView<'a, u8>),
-    /// 0 to 1023; what is above counts as that.
+    /// 0 to 1023; larger values are clamped.
     Bits10(ImageView<'a, u16>),
 }
 
@@ -22,7 +22,7 @@ impl<'a> From<ImageView<'a, u16>> for Luminance<'a> {
 }
 
 impl Luminance<'_> {
-    /// Columns, px.
+    /// The width, px.
     #[must_use]
     pub fn width(&self) -> u32 {
         match self {
@@ -31,7 +31,7 @@ impl Luminance<'_> {
         }
     }
 
-    /// Rows, px.
+    /// The height, px.
     #[must_use]
     pub fn height(&self) -> u32 {
         match self {
@@ -40,7 +40,7 @@ impl Luminance<'_> {
         }
     }
 
-    /// Bits of a pixel.
+    /// The number of bits of a pixel.
     #[must_use]
     pub const fn bits(&self) -> u32 {
         match self {
@@ -49,7 +49,7 @@ impl Luminance<'_> {
         }
     }
 
-    /// As grey sRGB of 8 bits.
+    /// Returns the image as 8-bit grey sRGB.
     pub(crate) fn picture(&self) -> Image<[u8; 4]> {
         let more = self.bits() - 8;
         let grey = self.levels().into_iter().map(|level| {
@@ -61,7 +61,7 @@ impl Luminance<'_> {
         Image::new(self.width(), self.height(), grey.collect()).unwrap_or_else(none)
     }
 
-    /// Its pixels, row by row.
+    /// The pixels, row by row.
     pub(super) fn levels(&self) -> Vec<i16> {
         match self {
             Self::Bits8(image) => image.pixels().iter().map(|&level| level.into()).collect(),
@@ -75,28 +75,28 @@ impl Luminance<'_> {
     }
 }
 
-/// A rectified pair: a point of the scene is on one row of both, in the right image farther left.
+/// A rectified pair: a point of the scene is on the same row of both images, in the right one farther left.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<'a> {
     left: Luminance<'a>,
     right: Luminance<'a>,
 }
 
-/// Images that make no pair.
+/// An invalid pair of images.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("stereo pair: {what}; {remedy}")]
 pub struct PairError {
     /// What is wrong.
     pub what: String,
-    /// What to do.
+    /// How to fix it.
     pub remedy: &'static str,
 }
 
 impl<'a> Pair<'a> {
-    /// Of the rectified left and right images.
+    /// Creates a pair from the rectified left and right images.
     ///
     /// # Errors
-    /// Two sizes, two numbers of bits, or no pixels.
+    /// Returns an error if their sizes or numbers of bits differ, or if they have no pixels.
     pub fn new(left: impl Into<Luminance<'a>>, right: impl Into<Luminance<'a>>) -> Result<Self, PairError> {
         let (left, right) = (left.into(), right.into());
         let error = |what, remedy| Err(PairError { what, remedy });
@@ -109,7 +109,7 @@ impl<'a> Pair<'a> {
                     right.width(),
                     right.height()
                 ),
-                "rectify both into one size",
+                "rectify both to one size",
             );
         }
         if left.bits() != right.bits() {
@@ -123,12 +123,12 @@ impl<'a> Pair<'a> {
             );
         }
         if left.width() == 0 || left.height() == 0 {
-            return error("its images have no pixels".to_owned(), "give images with pixels");
+            return error("the images have no pixels".to_owned(), "give images with pixels");
         }
         Ok(Self { left, right })
     }
 
-    /// The left image, in whose pixels disparities are.
+    /// The left image, for whose pixels disparities are computed.
     #[must_use]
     pub fn left(&self) -> Luminance<'a> {
         self.left
@@ -140,13 +140,13 @@ impl<'a> Pair<'a> {
         self.right
     }
 
-    /// Columns of each, px.
+    /// The width of each image, px.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.left.width()
     }
 
-    /// Rows of each, px.
+    /// The height of each image, px.
     #[must_use]
     pub fn height(&self) -> u32 {
         self.left.height()

@@ -73,7 +73,7 @@ parameters! {
         measurement_interval_s: f64 = 1.0 / 60.0 => ("measurementInterval".unit("s").range(0.0..=1.0)),
         /// The minimum amplitude; a pixel with less is lost. The default is twice the noise of darkness.
         min_amplitude_e: f64 = 5.0 => ("minAmplitude".unit("electrons").range(0.0..=65535.0).estimate()),
-        /// The minimum confidence of [`DepthConfidence`](crate::filter::DepthConfidence).
+        /// The minimum confidence of `DepthAI`'s depth confidence filter.
         confidence_threshold: f32 = 0.1 => ("confidenceThreshold".range(0.0..=1e7)),
     }
     check frequencies_in_order

@@ -241,10 +241,10 @@ mod tests {
         assert_eq!(says(b"PK"), "NPY: byte 0: not a NumPy array; pass a .npy file");
         assert_eq!(
             says(&file("{'descr': '<f4', 'fortran_order': no}")),
-            "NPY: header: True or False is expected where 'no}' stands; save it again with numpy.save"
+            "NPY: header: True or False expected, found 'no}'; save it again with numpy.save"
         );
         assert!(says(&file("{'descr': [('a', '<f4')]}")).contains("a structured type"));
-        assert!(says(&file("{'descr': '<f4', }")).contains("not all there"));
+        assert!(says(&file("{'descr': '<f4', }")).contains("is missing"));
         assert!(says(&file("{'shape': (99999999999999999999999,)}")).contains("a length"));
         assert!(says(&file("{'shape': (-1,)}")).contains("a length"));
         assert!(says(b"\x93NUMPY\x02\x00\xFF\xFF\xFF\xFF").contains("4294967295 bytes long"));

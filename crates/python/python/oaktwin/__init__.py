@@ -34,6 +34,7 @@ from ._oaktwin import (
     annotators,
     look_at,
     models,
+    parameters,
 )
 
 __all__ = [
@@ -56,4 +57,5 @@ __all__ = [
     "filters",
     "look_at",
     "models",
+    "parameters",
 ]
