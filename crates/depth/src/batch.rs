@@ -3,7 +3,7 @@ use rayon::prelude::*;
 
 use crate::{BatchError, Shot};
 
-/// Images of one frame, one after the other in one array, as the environments of a simulator make them.
+/// Images of one frame in one array, for instance of a simulator's environments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Batch<'a> {
     depth: &'a [f32],
@@ -13,7 +13,7 @@ pub(crate) struct Batch<'a> {
     first_item: u32,
 }
 
-/// Whether an array has as many numbers as its shape says.
+/// Checks that the length of an array matches its shape.
 pub(crate) fn check_length(what: &'static str, shape: [usize; 3], length: usize) -> Result<(), BatchError> {
     let [count, height, width] = shape;
     let pixels = height.checked_mul(width);
@@ -24,7 +24,7 @@ pub(crate) fn check_length(what: &'static str, shape: [usize; 3], length: usize)
 }
 
 impl<'a> Batch<'a> {
-    /// Of exact depth, `[count, height, width]`, items numbered from `first_item`.
+    /// Creates a batch of exact depth, `[count, height, width]`; items count from `first_item`.
     pub(crate) fn new(
         depth: &'a [f32],
         shape: [usize; 3],
@@ -41,7 +41,7 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// With their pictures, of the same shape.
+    /// Adds colour images of the same shape.
     pub(crate) fn with_rgb(self, rgb: Option<&'a [[u8; 4]]>) -> Result<Self, BatchError> {
         if let Some(rgb) = rgb {
             check_length("picture", self.shape, rgb.len())?;
@@ -49,25 +49,24 @@ impl<'a> Batch<'a> {
         Ok(Self { rgb, ..self })
     }
 
-    /// Images, rows, columns.
+    /// The number of images, rows and columns.
     pub(crate) fn shape(&self) -> [usize; 3] {
         self.shape
     }
 
-    /// Columns and rows of each; none where there are no pixels.
+    /// The columns and rows of each image; `None` without pixels.
     pub(crate) fn size(&self) -> Option<[u32; 2]> {
         let [_, height, width] = self.shape;
-        // An image with pixels is not longer than its array.
         let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
         size.filter(|_| !self.depth.is_empty()).map(Into::into)
     }
 
-    /// Pixels of each.
+    /// The pixels of each image.
     pub(crate) fn pixels(&self) -> usize {
         self.shape[1] * self.shape[2]
     }
 
-    /// One of them.
+    /// Returns one of the images.
     pub(crate) fn shot(&self, index: usize) -> Option<Shot<'a>> {
         let [columns, rows] = self.size()?;
         let place = index * self.pixels()..(index + 1) * self.pixels();
@@ -83,8 +82,8 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Makes of each image one as large: by `on_all_threads` one after the other where there are fewer images than
-    /// threads, else each by `on_one_thread` in the memory of its thread.
+    /// Processes each image into one of the same size: one after the other with `on_all_threads` if there are fewer images
+    /// than threads, else each with `on_one_thread` in the memory of its thread.
     pub(crate) fn sense<S: Default>(
         &self,
         out: &mut [f32],

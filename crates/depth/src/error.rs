@@ -1,31 +1,31 @@
 pub use oaktwin_parameter::ParameterError;
 
-/// Images that do not belong together.
+/// An image whose size differs from the depth image's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the {what} is {width}x{height}, the depth {depth_width}x{depth_height}; give both in one size")]
 pub struct ShotError {
-    /// Which image.
+    /// The image.
     pub what: &'static str,
-    /// Its columns.
+    /// Its width, px.
     pub width: u32,
-    /// Its rows.
+    /// Its height, px.
     pub height: u32,
-    /// Columns of the depth.
+    /// The width of the depth image, px.
     pub depth_width: u32,
-    /// Rows of the depth.
+    /// The height of the depth image, px.
     pub depth_height: u32,
 }
 
-/// A batch whose shape is not that of its numbers.
+/// An array whose length does not match the shape of its batch.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the {what} of a batch of shape {shape:?} has {length} numbers; give a C-contiguous array of that shape"
 )]
 pub struct BatchError {
-    /// Which array.
+    /// The array.
     pub what: &'static str,
     /// Images, rows, columns.
     pub shape: [usize; 3],
-    /// How many numbers there are.
+    /// The length of the array.
     pub length: usize,
 }

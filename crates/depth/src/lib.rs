@@ -1,17 +1,22 @@
-//! What a depth camera reports: images in, images out, never scenes.
+//! Depth sensors: images in, images out; this crate knows no scenes.
 //!
-//! Ground truth from any renderer is a valid input: [`Shot`]. An engine turns it into what the camera would have
-//! reported: [`single_view`] as Isaac Sim's `DepthSensorDistance` does, [`stereo_noise`] with the errors that an OAK's
-//! stereo makes, [`stereo_matching`] from the pair of images that its cameras took, as the device does; a [`Sensor`] is an engine with its filters, which may remember earlier frames.
+//! An [`Engine`] turns an [`Input`] into measured depth: ground truth from any renderer ([`Shot`]), or a rectified stereo
+//! pair. [`engines::ENGINES`] lists the engines: [`single_view`] is Isaac Sim's `DepthSensorDistance`, [`stereo_noise`] a
+//! parametric error model of an OAK's stereo, [`stereo_matching`] matches the images of the pair as the device does, and
+//! [`time_of_flight`] models a time-of-flight camera. A [`Sensor`] is an engine with its filters, which may remember
+//! earlier frames.
 //!
-//! Input is metres along the optical axis; what is not finite and above 0 is no surface. Output is metres, 0 where
-//! nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on the seed, the camera's
-//! name, the frame and the pixel, never on threads, tiles, batch order or call history.
+//! Input depth is in metres along the optical axis; values that are not finite and positive are no surface. Output depth
+//! is in metres, 0 where nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on
+//! the seed, the camera's name, the frame and the pixel, never on threads, tiles, batch order or call history.
 
 pub mod align;
 mod batch;
+mod capture;
 mod disparity;
 pub mod dots;
+mod engine;
+pub mod engines;
 mod error;
 pub mod filter;
 #[cfg(test)]
@@ -22,6 +27,7 @@ pub mod preset;
 pub mod random;
 pub mod rectify;
 mod sensor;
+mod setup;
 mod shot;
 pub mod single_view;
 pub mod stereo_matching;
@@ -29,6 +35,9 @@ pub mod stereo_noise;
 pub mod time_of_flight;
 mod turns;
 
+pub use capture::{Capture, FixedDisparity, Layer};
+pub use engine::{Comparable, Engine, EngineInput, EngineKind, Input, Technology};
 pub use error::{BatchError, ParameterError, ShotError};
-pub use sensor::{Capture, Engine, FixedDisparity, Sensor};
+pub use sensor::Sensor;
+pub use setup::{PresetConfig, Setup};
 pub use shot::Shot;

@@ -1,11 +1,11 @@
-//! Angles in turns: sine and arctangent by polynomials, of operations that round alike on every processor.
+//! Angles in turns: sine and arctangent as polynomials, from operations that every processor rounds alike.
 
-/// 1.5·2²³: the sum with a number smaller than 2²² is a whole number, the nearest, halves to even.
+/// 1.5·2²³: the sum with a number smaller than 2²² is rounded to the nearest integer, halves to even.
 const ROUNDER: f32 = 12_582_912.0;
 
-/// The sine of a full turn's fraction, sin(2π x), for |x| up to 2²¹: within 3e-7.
+/// Returns sin(2π x) for |x| up to 2²¹, with an error below 3e-7.
 ///
-/// Odd polynomial of a quarter turn, the least largest error (3.3e-9 in exact arithmetic) by Lawson's iteration.
+/// The odd polynomial of a quarter turn with the smallest maximum error (3.3e-9 in exact arithmetic), by Lawson's iteration.
 #[inline(always)]
 pub(crate) fn sin_of_turns(x: f32) -> f32 {
     let fraction = fraction(x);
@@ -16,21 +16,22 @@ pub(crate) fn sin_of_turns(x: f32) -> f32 {
     v * (series * w + std::f32::consts::TAU)
 }
 
-/// What a number differs from the nearest whole one, for |x| up to 2²¹.
+/// Returns the difference to the nearest integer, for |x| up to 2²¹.
 #[inline(always)]
 pub(crate) fn fraction(x: f32) -> f32 {
     x - ((x + ROUNDER) - ROUNDER)
 }
 
-/// The angle of a vector, in turns from 0 up to, not with, 1: within 1.3e-7; 0 of the vector 0.
+/// Returns the angle of a vector in turns in [0, 1), with an error below 1.3e-7; 0 for the zero vector.
 ///
-/// Odd polynomial of an eighth of a turn, the least largest error (3.9e-8 in exact arithmetic) by Lawson's iteration.
+/// The odd polynomial of an eighth of a turn with the smallest maximum error (3.9e-8 in exact arithmetic), by Lawson's
+/// iteration.
 #[inline(always)]
 pub(crate) fn angle_in_turns(x: f32, y: f32) -> f32 {
     let (along, across) = (x.abs(), y.abs());
     let steep = across > along;
     let (large, small) = if steep { (across, along) } else { (along, across) };
-    // No division by 0: the least normal number is of no account beside any other.
+    // Avoids a division by 0: the smallest normal number vanishes beside any other.
     let ratio = small / (large + f32::MIN_POSITIVE);
     let w = ratio * ratio;
     let series = ((((0.001_084_129_2 * w - 0.005_348_273_6) * w + 0.012_672_496) * w - 0.021_061_515) * w
@@ -41,7 +42,7 @@ pub(crate) fn angle_in_turns(x: f32, y: f32) -> f32 {
     let quarter = if steep { 0.25 - eighth } else { eighth };
     let half = if x < 0.0 { 0.5 - quarter } else { quarter };
     let turns = if y < 0.0 { 1.0 - half } else { half };
-    // A turn less than what single precision tells from it.
+    // Angles that round to a full turn become 0.
     if turns < 1.0 { turns } else { 0.0 }
 }
 
@@ -50,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_the_sine() {
+    fn sine_is_close_to_the_exact_value() {
         let mut largest = 0f64;
         for i in -400_000..=400_000 {
             let x = i as f32 / 4096.0;
@@ -64,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_the_angle() {
+    fn angle_is_close_to_the_exact_value() {
         let mut largest = 0f64;
         for i in 0..400_000u32 {
             let exact = (f64::from(i) + 0.5) / 400_000.0;

@@ -5,7 +5,7 @@
 //! * [`measure`] holds the statistics that both use, and [`figure`] draws their results.
 
 pub mod accuracy;
-mod csv;
 pub mod figure;
 pub mod fit;
 pub mod measure;
+mod table;

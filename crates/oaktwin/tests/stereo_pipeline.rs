@@ -14,7 +14,7 @@ use oaktwin::image::ZDepth;
 use oaktwin::pair::{Pair, PairCameras, PairOptions};
 use oaktwin::render::{Renderer, look_at};
 use oaktwin::scene::Scene;
-use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::sensor::{STEREO_MATCHING, SensorOptions};
 use oaktwin::stereo::{Matcher, PairOf};
 use oaktwin::usd::asset::LensChoice;
 
@@ -135,7 +135,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
     let disparities = [10.0, 10.25, 10.75, 11.0];
     let options = accuracy::Options {
         engine: SensorOptions {
-            engine: Some(EngineKind::StereoMatching),
+            engine: Some(&STEREO_MATCHING),
             parameters: vec![("bias".to_owned(), "0".to_owned())],
             ..SensorOptions::default()
         },

@@ -5,12 +5,13 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{self, Catalog, Origin, Role, Twin};
+use oaktwin::catalog::{self, Catalog, DepthKind, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, nearest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
+use oaktwin::sensor::depth_sensor;
+use oaktwin::unit;
 use oaktwin::usd::asset::LensChoice;
-use oaktwin::{sense, unit};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -295,7 +296,8 @@ impl Device {
     /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
     fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
-        let sensor = sense::depth_sensor(&self.twin, kind(sensor)?).map_err(error)?;
+        let sensor = kind(sensor)?.map(DepthKind::as_str);
+        let sensor = depth_sensor(&self.twin, sensor).map_err(error)?;
         self.placed(&sensor.spec.prim)
     }
 

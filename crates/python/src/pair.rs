@@ -5,7 +5,7 @@ use oaktwin::catalog::Role;
 use oaktwin::depth::imager;
 use oaktwin::pair::{Pair, PairOptions};
 use oaktwin::render::{available_bytes, check_size, gib};
-use oaktwin::sensor::{SensorOptions, calibration_error_px};
+use oaktwin::sensor::SensorOptions;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -54,7 +54,7 @@ impl PairSettings<'_, '_> {
             ambient: self.ambient,
             lens: device.lens,
             size,
-            bias_px: calibration_error_px(&of_device).map_err(error)?,
+            bias_px: of_device.calibration_error_px().map_err(error)?,
             seed: self.seed,
             ..PairOptions::default()
         })

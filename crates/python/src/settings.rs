@@ -1,7 +1,7 @@
 //! How a depth sensor is to be, from Python's options.
 
 use oaktwin::catalog::DepthKind;
-use oaktwin::sensor::{EngineKind, SensorOptions};
+use oaktwin::sensor::{ENGINES, SensorOptions};
 use oaktwin::usd::asset::IsaacVersion;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
@@ -16,13 +16,6 @@ pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
     let found = ISAAC.iter().find(|(_, version)| *version == isaac);
     found.map_or("5.1", |(name, _)| *name)
 }
-
-const ENGINES: [(&str, EngineKind); 4] = [
-    (EngineKind::StereoNoise.as_str(), EngineKind::StereoNoise),
-    (EngineKind::TimeOfFlight.as_str(), EngineKind::TimeOfFlight),
-    (EngineKind::SingleView.as_str(), EngineKind::SingleView),
-    (EngineKind::StereoMatching.as_str(), EngineKind::StereoMatching),
-];
 
 /// The options that sensors and their measurements share.
 pub(crate) struct Settings<'py> {
@@ -42,7 +35,7 @@ impl Settings<'_> {
         Ok(SensorOptions {
             engine: self
                 .engine
-                .map(|name| choose("engine", name, &ENGINES))
+                .map(|name| choose("engine", name, &ENGINES.map(|kind| (kind.name, kind))))
                 .transpose()?,
             preset: self.preset,
             filters: self.filters,

@@ -6,9 +6,11 @@ use oaktwin::camera::ImageSize;
 use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
-use oaktwin::depth::stereo_matching::{Pair, Parameters as Matching};
+use oaktwin::depth::stereo_matching::Pair;
+use oaktwin::image::Image;
+use oaktwin::image::annotation::Annotator;
 use oaktwin::sense::FieldOfView;
-use oaktwin::sensor::{Engine, SensorOptions};
+use oaktwin::sensor::{FixedDisparity, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -123,12 +125,12 @@ impl StereoMatcher {
                 break;
             }
             let seen: Vec<Seen> = self.with_matcher(py, size, |matcher| matcher.look_all(some, first))?;
-            for seen in seen {
+            for mut seen in seen {
                 depth.push(&seen.capture.distance.0);
-                if let Some(fixed) = seen.capture.disparity {
+                if let Some(fixed) = seen.capture.take::<FixedDisparity>(Annotator::Disparity) {
                     disparity.push(&fixed.to_px());
                 }
-                if let Some(sure) = seen.capture.confidence {
+                if let Some(sure) = seen.capture.take::<Image<u8>>(Annotator::Confidence) {
                     confidence.push(&sure);
                 }
                 for ((rectified, eight), ten) in seen.rectified.iter().zip(&mut eight).zip(&mut ten) {
@@ -291,14 +293,19 @@ impl StereoMatcher {
         // An invalid pair must not reset the matcher by its size.
         Pair::new(&left, &right).map_err(error)?;
         let size = ImageSize::new(left.width(), left.height());
-        let seen = self.with_matcher(py, size, |matcher| matcher.look(left, right))?;
+        let mut seen = self.with_matcher(py, size, |matcher| matcher.look(left, right))?;
         let [left, right] = seen.rectified;
         let all = PyDict::new(py);
+        let capture = &mut seen.capture;
+        let (disparity, confidence) = (
+            capture.take::<FixedDisparity>(Annotator::Disparity),
+            capture.take::<Image<u8>>(Annotator::Confidence),
+        );
         all.set_item("depth", array(py, seen.capture.distance.0)?)?;
-        if let Some(disparity) = seen.capture.disparity {
+        if let Some(disparity) = disparity {
             all.set_item("disparity", array(py, disparity.to_px())?)?;
         }
-        if let Some(confidence) = seen.capture.confidence {
+        if let Some(confidence) = confidence {
             all.set_item("confidence", array(py, confidence)?)?;
         }
         all.set_item("rectified_left", recorded(py, left)?)?;
@@ -336,18 +343,7 @@ impl StereoMatcher {
     /// The matcher's parameters by name, in the format of `parameters=`, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let values = self.ask(py, |matcher| match matcher.sensor().engine() {
-            Engine::StereoMatching(engine) => {
-                let value = |name| engine.parameters().get(name);
-                Matching::names()
-                    .into_iter()
-                    .map(|name| Ok((name, value(name)?)))
-                    .collect()
-            }
-            _ => Ok(Vec::new()),
-        });
-        values
-            .map_err(|failed: oaktwin::sensor::ParameterError| error(failed))?
+        self.ask(py, |matcher| matcher.sensor().engine().parameters())
             .into_py_dict(py)
     }
 

@@ -90,7 +90,7 @@ def test_plots_on_given_axes(device):
 @pytest.mark.parametrize(
     "options, text",
     [
-        ({"sensor": "tof"}, "there is no depth sensor"),
+        ({"sensor": "tof"}, "has no depth sensor"),
         ({"distances": "x"}, "distances"),
         ({"distances": [-1]}, "distances"),
         ({"devices": 0}, "devices"),

@@ -224,7 +224,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
     "options, text",
     [
         ({"engine": "steroe-noise"}, "engine: there is no `steroe-noise`; did you mean stereo-noise?"),
-        ({"engine": "stereo-noise", "sensor": "tof"}, "has no such depth sensor; expected stereo"),
+        ({"engine": "stereo-noise", "sensor": "tof"}, "has no depth sensor 'tof'; expected one of stereo"),
         ({"preset": "robotic"}, "did you mean ROBOTICS"),
         ({"filters": ["medium"]}, "medium: unknown filter"),
         ({"parameters": {"windw": 7}}, "windw: stereo-noise has no such parameter; did you mean window"),

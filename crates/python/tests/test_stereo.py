@@ -281,7 +281,7 @@ def test_invalid_options(options, said):
 
 
 def test_the_depth_sensor_rejects_stereo_matching(device, room):
-    with pytest.raises(oaktwin.Error, match="engine: stereo-matching needs a pair of images.*use StereoMatcher"):
+    with pytest.raises(oaktwin.Error, match="engine: stereo-matching requires a stereo pair.*use StereoMatcher"):
         oaktwin.DepthSensor(device, engine="stereo-matching")
 
 

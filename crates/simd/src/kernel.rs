@@ -44,15 +44,16 @@ impl Level {
 }
 
 /// Runs a kernel at the best level of this processor.
-#[inline]
 pub fn run<K: Kernel>(kernel: K) -> K::Output {
     run_at(Level::detect(), kernel)
 }
 
 /// Runs a kernel at a level.
-#[inline]
 pub fn run_at<K: Kernel>(level: Level, kernel: K) -> K::Output {
-    run_lanes_at(level, WithoutLanes(kernel))
+    match level.0 {
+        None => kernel.run(),
+        Some(extension) => extension.run(kernel),
+    }
 }
 
 /// Runs a kernel with the vector types of a level.
@@ -60,17 +61,6 @@ pub fn run_at<K: Kernel>(level: Level, kernel: K) -> K::Output {
 pub fn run_lanes_at<K: LaneKernel>(level: Level, kernel: K) -> K::Output {
     match level.0 {
         None => kernel.run::<F32>(),
-        Some(extension) => extension.run(kernel),
-    }
-}
-
-struct WithoutLanes<K>(K);
-
-impl<K: Kernel> LaneKernel for WithoutLanes<K> {
-    type Output = K::Output;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) -> K::Output {
-        self.0.run()
+        Some(extension) => extension.run_lanes(kernel),
     }
 }

@@ -1,6 +1,6 @@
 //! No extensions: only the baseline is available.
 
-use crate::LaneKernel;
+use crate::{Kernel, LaneKernel};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extension {}
@@ -15,7 +15,11 @@ impl Extension {
         Vec::new()
     }
 
-    pub(crate) fn run<K: LaneKernel>(self, _kernel: K) -> K::Output {
+    pub(crate) fn run<K: Kernel>(self, _kernel: K) -> K::Output {
+        match self {}
+    }
+
+    pub(crate) fn run_lanes<K: LaneKernel>(self, _kernel: K) -> K::Output {
         match self {}
     }
 }

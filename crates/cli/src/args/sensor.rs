@@ -1,9 +1,10 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueHint};
 use oaktwin::depth::filter;
 use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::sensor::{EngineKind, ParameterFile, SensorOptions};
+use oaktwin::sensor::{ENGINES, EngineKind, ParameterFile, SensorOptions};
 
 use super::Isaac;
 use crate::context::Result;
@@ -13,8 +14,8 @@ use crate::context::Result;
 #[command(next_help_heading = "The depth sensor")]
 pub(crate) struct SensorArgs {
     /// The model of the errors; by default stereo-noise, or time-of-flight
-    #[arg(long, value_enum)]
-    pub(crate) engine: Option<Engine>,
+    #[arg(long, value_parser = engine_parser())]
+    pub(crate) engine: Option<&'static EngineKind>,
 
     #[command(flatten)]
     pub(crate) settings: SettingsArgs,
@@ -57,18 +58,6 @@ pub(crate) struct SettingsArgs {
     pub(crate) extended_disparity: bool,
 }
 
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Engine {
-    /// As Isaac Sim has it
-    SingleView,
-    /// As an OAK's stereo errs
-    StereoNoise,
-    /// As an OAK matches the pair of its cameras
-    StereoMatching,
-    /// As a time-of-flight camera errs
-    TimeOfFlight,
-}
-
 impl SensorArgs {
     /// The first option that was given.
     pub(crate) fn given(&self) -> Option<&'static str> {
@@ -91,7 +80,7 @@ impl SensorArgs {
     /// As typed, and what the file of parameters says; the intrinsics of the images come later.
     pub(crate) fn options(&self) -> Result<SensorOptions> {
         let mut options = SensorOptions {
-            engine: self.engine.map(Into::into),
+            engine: self.engine,
             isaac: self.isaac.map(Into::into).unwrap_or_default(),
             seed: self.seed,
             device_seed: self.device_seed,
@@ -118,15 +107,10 @@ impl SettingsArgs {
     }
 }
 
-impl From<Engine> for EngineKind {
-    fn from(engine: Engine) -> Self {
-        match engine {
-            Engine::SingleView => Self::SingleView,
-            Engine::StereoNoise => Self::StereoNoise,
-            Engine::StereoMatching => Self::StereoMatching,
-            Engine::TimeOfFlight => Self::TimeOfFlight,
-        }
-    }
+/// The engines of the registry, with their help.
+fn engine_parser() -> impl TypedValueParser<Value = &'static EngineKind> {
+    let values = ENGINES.map(|kind| PossibleValue::new(kind.name).help(kind.help));
+    PossibleValuesParser::new(values).try_map(|name| EngineKind::parse(&name))
 }
 
 fn preset_help() -> String {

@@ -5,7 +5,7 @@ use std::fs;
 
 use oaktwin::catalog::Catalog;
 use oaktwin::image::{npy, png};
-use oaktwin::sensor::{self, EngineKind, SensorOptions, Shot, single_view::Wanted};
+use oaktwin::sensor::{self, SINGLE_VIEW, STEREO_NOISE, SensorOptions, Shot};
 use serde_json::Value;
 
 use crate::program::Program;
@@ -429,10 +429,7 @@ fn frames_differ_by_their_noise_alone() {
 #[test]
 fn the_files_hold_what_the_sensor_saw() {
     let program = program();
-    for (name, engine) in [
-        ("single-view", EngineKind::SingleView),
-        ("stereo-noise", EngineKind::StereoNoise),
-    ] {
+    for (name, engine) in [("single-view", &SINGLE_VIEW), ("stereo-noise", &STEREO_NOISE)] {
         let rendered = two_frames(&program, &["--engine", name, "--seed", "9"]);
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
@@ -450,7 +447,7 @@ fn the_files_hold_what_the_sensor_saw() {
             let rgb = png::decode::<[u8; 4]>(&rgb).unwrap();
             let mut shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
             shot.frame = frame as u64;
-            let sensed = sensor.capture(&shot, Wanted::default()).distance.0;
+            let sensed = sensor.capture(shot, &[]).unwrap().distance.0;
             assert!(sensed.pixels() == rendered, "{name}, frame {frame}");
         }
     }

@@ -1,18 +1,18 @@
-//! Depth of one camera as another sees it: each sample becomes a point, the point a pixel of the other image, and the
-//! nearest in each pixel stays.
+//! Alignment of depth to another camera: each sample is projected into the other image, and the nearest sample in each
+//! pixel wins.
 //!
-//! # What lands where
+//! # Splatting
 //! A pixel (x, y) is the ray through (x + 0.5, y + 0.5). Its point goes into the target pixel that contains its
 //! projection; the depth there is along the target's axis. With [`Fill::Footprint`], the default, it also goes into the
-//! other pixels whose centre lies in its *footprint*: what the source pixel covers in the target, a rectangle around the
-//! projection as large as the projections of half a pixel to the right and below make it, and an eighth more on each
-//! side, since neighbours on a slanted surface stand a little apart. So depth of 800 rows in a picture of 2160 is dense
-//! without being blended: every value is a measured one. `DepthAI`'s `ImageAlign` aligns at the depth's own size and
+//! other pixels whose centres lie in its *footprint*: the area that the source pixel covers in the target, a rectangle
+//! around the projection whose size follows from the projections of half a pixel to the right and below, and an eighth more
+//! on each side, since neighbours on a slanted surface are a little apart. Depth of 800 rows is therefore dense in an image
+//! of 2160 rows without being blended: every value was measured. `DepthAI`'s `ImageAlign` aligns at the depth's own size and
 //! resizes the result, with an interpolation that is an option there; at depth edges resizing mixes near and far unless
 //! it takes the nearest, and no value is mixed here.
 //!
-//! What only the target sees stays 0, and so does what the source did not measure. A footprint is at most
-//! [`MOST_PIXELS_A_SIDE`] pixels wide and high: a sample just before the target's lens would cover the image.
+//! Pixels that only the target sees, or that the source did not measure, are 0. A footprint is at most
+//! [`MOST_PIXELS_A_SIDE`] pixels wide and high: a sample close to the target's lens would cover the image.
 
 mod project;
 #[cfg(test)]
@@ -28,35 +28,36 @@ use rayon::prelude::*;
 use crate::ShotError;
 use project::Projection;
 
-/// The largest footprint, px.
+/// The maximum side of a footprint, px.
 pub const MOST_PIXELS_A_SIDE: u32 = 64;
 
-/// How much wider a footprint is than the pixel that it comes from, on both sides together.
+/// The width of a footprint relative to its source pixel.
 const FOOTPRINT: f64 = 1.25;
 
-/// Which target pixels a sample goes into.
+/// The splatting mode.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fill {
-    /// The one that it falls into: a target of more pixels is a grid of holes.
+    /// The pixel that contains the projection: a target with more pixels than the source has holes.
     Nearest,
-    /// All that it covers.
+    /// All pixels that the sample covers.
     #[default]
     Footprint,
 }
 
-/// From one camera's depth to another's.
+/// The alignment of one camera's depth to another camera.
 #[derive(Clone, Debug)]
 pub struct Align {
     source: Camera,
     target: Camera,
     target_from_source: RigidTransform,
     fill: Fill,
-    /// Of a lens that bends rays: where each pixel's ray meets z = 1, row by row; NaN where it has none.
+    /// For lenses with distortion, the intersection of each pixel's ray with z = 1, row by row; NaN without a ray.
     rays: Option<Vec<[f64; 2]>>,
 }
 
 impl Align {
-    /// Of the camera that measured, the camera that is to see, and where both stand (OpenCV's axes, metres).
+    /// Creates the alignment from the camera that measured, the target camera, and their relative pose (OpenCV's axes,
+    /// metres).
     #[must_use]
     pub fn new(source: Camera, target: Camera, target_from_source: RigidTransform, fill: Fill) -> Self {
         let rays = (source.lens != LensModel::Pinhole).then(|| rays(&source));
@@ -69,17 +70,17 @@ impl Align {
         }
     }
 
-    /// The camera that is to see.
+    /// The target camera.
     #[must_use]
     pub fn target(&self) -> &Camera {
         &self.target
     }
 
-    /// The depth that the target sees: metres along its axis, 0 where nothing was measured. What is not finite and above
-    /// 0 in `depth` is no sample.
+    /// Returns the depth in the target camera: metres along its axis, 0 where nothing was measured. Values in `depth` that
+    /// are not finite and positive are ignored.
     ///
     /// # Errors
-    /// The depth has not the source's size.
+    /// Returns an error if the size of the depth differs from the source camera's.
     pub fn align(&self, depth: ImageView<'_, f32>) -> Result<ZDepth, ShotError> {
         let (size, out) = (self.source.intrinsics.size, self.target.intrinsics.size);
         if (depth.width(), depth.height()) != (size.width, size.height) {
@@ -91,7 +92,7 @@ impl Align {
                 depth_height: depth.height(),
             });
         }
-        // Positive floats are ordered as their bits, and the smallest of many does not depend on their order.
+        // Positive floats have the order of their bits, and a minimum does not depend on the order of its arguments.
         let nearest: Vec<AtomicU32> = (0..out.width as usize * out.height as usize)
             .map(|_| AtomicU32::new(f32::INFINITY.to_bits()))
             .collect();
@@ -108,7 +109,6 @@ impl Align {
                 if z < f32::INFINITY { z } else { 0.0 }
             })
             .collect();
-        // As many as were made.
         let image = Image::new(out.width, out.height, pixels);
         Ok(ZDepth(
             image.unwrap_or_else(|| Image::filled(out.width, out.height, 0.0)),
@@ -146,7 +146,7 @@ impl Align {
                     let right = projection.pixel(at(a + 0.5 * step_x, b));
                     let below = projection.pixel(at(a, b + 0.5 * step_y));
                     match (right, below) {
-                        // The box around a cell that the lens or a roll of the camera may have turned.
+                        // The bounding box of the cell, which the lens or a roll of the camera may have rotated.
                         (Some(right), Some(below)) => [0, 1].map(|axis| {
                             let centre = [u, v][axis];
                             FOOTPRINT * ((right[axis] - centre).abs() + (below[axis] - centre).abs())
@@ -162,7 +162,7 @@ impl Align {
     }
 }
 
-/// Where each pixel's ray meets the plane z = 1.
+/// Returns the intersection of each pixel's ray with the plane z = 1.
 fn rays(camera: &Camera) -> Vec<[f64; 2]> {
     let size = camera.intrinsics.size;
     (0..size.height)

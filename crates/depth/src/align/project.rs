@@ -3,10 +3,10 @@ use oaktwin_camera::{Camera, ImageSize, LensModel, Usd};
 
 use super::MOST_PIXELS_A_SIDE;
 
-/// Points to pixels of one camera.
+/// Projects points into one camera.
 pub(super) struct Projection {
     camera: Camera,
-    /// fx, fy and the principal point in the convention whose first pixel begins at 0, px.
+    /// fx, fy and the principal point (USD's convention), px.
     f: [f64; 2],
     c: [f64; 2],
     size: ImageSize,
@@ -23,8 +23,8 @@ impl Projection {
         }
     }
 
-    /// Where a point is seen: the first pixel is 0 to 1. `None` behind the camera and where its lens sees nothing; it
-    /// may lie outside the image.
+    /// Returns the projection of a point, which may lie outside the image; the first pixel covers 0 to 1. Returns `None`
+    /// behind the camera and outside the lens's range.
     #[inline]
     pub(super) fn pixel(&self, point_in_target: DVec3) -> Option<[f64; 2]> {
         if point_in_target.z <= 0.0 || point_in_target.z.is_nan() {
@@ -41,7 +41,7 @@ impl Projection {
         Some([pixel.x, pixel.y])
     }
 
-    /// Visits the pixel that contains `[u, v]`, and those whose centres are within `half` of it.
+    /// Visits the pixel that contains `[u, v]` and those whose centres are within `half` of it.
     #[inline]
     pub(super) fn cover(&self, [u, v]: [f64; 2], half: [f64; 2], mut visit: impl FnMut(usize)) {
         let columns = span(u, half[0], self.size.width);
@@ -55,7 +55,7 @@ impl Projection {
     }
 }
 
-/// The pixels of an axis of `length` that a sample at `at` covers.
+/// Returns the pixels of an axis of `length` that a sample at `at` covers.
 #[inline]
 #[expect(
     clippy::cast_possible_truncation,
@@ -65,11 +65,11 @@ impl Projection {
 fn span(at: f64, half: f64, length: u32) -> std::ops::Range<u32> {
     let own = at.floor();
     let half = half.min(f64::from(MOST_PIXELS_A_SIDE / 2));
-    // Centres at half pixels: from the first that is not left of the span to the last that is in it.
+    // Pixel centres are at half pixels: from the first that is not left of the span to the last inside it.
     let first = (at - half - 0.5).ceil().min(own);
     let end = ((at + half - 0.5).floor() + 1.0).max(own + 1.0);
     let length = f64::from(length);
-    // False for what is no number; outside the image there is nothing.
+    // False for NaN; outside the image there are no pixels.
     if !(first < length && end > 0.0) {
         return 0..0;
     }

@@ -12,7 +12,7 @@ pub(crate) use normal::box_muller;
 pub use normal::standard_normal;
 pub use philox::philox4x32_10;
 
-/// What a number is for: no two uses share one.
+/// The use of a random number; no two uses share numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Stage {
@@ -20,17 +20,17 @@ pub enum Stage {
     DeviceBias = 0,
     /// The jitter of disparity.
     Jitter = 1,
-    /// Pixels that are dropped.
+    /// Dropped pixels.
     Dropout = 2,
     /// Errors of an image sensor.
     Exposure = 3,
-    /// The grain of a rendered picture.
+    /// The grain of a rendered image.
     Grain = 4,
     /// The samples of a time-of-flight sensor.
     Correlation = 5,
     /// The constant errors of a time-of-flight sensor's pixels.
     FixedPattern = 6,
-    /// Where a projector's dots lie.
+    /// The positions of a projector's dots.
     Dots = 16,
 }
 
@@ -41,7 +41,7 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// Of a seed and the camera's name.
+    /// Creates the random numbers of a camera from a seed and its name.
     #[must_use]
     pub fn new(seed: u64, camera: &str) -> Self {
         // FNV-1a of the name's bytes, then SplitMix64's finalizer over both.
@@ -53,7 +53,7 @@ impl Stream {
         }
     }
 
-    /// Those of one stage of one image. Frame numbers are taken modulo 2³².
+    /// Returns the random numbers of one stage of one image. Frame numbers are taken modulo 2³².
     #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
@@ -69,7 +69,7 @@ impl Stream {
     }
 }
 
-/// The random numbers of one stage of one image: four words for each block of a row.
+/// The random numbers of one stage of one image: four words per block of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plane {
     key: [u32; 2],
@@ -78,7 +78,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Four independent words.
+    /// Returns four independent words.
     #[must_use]
     pub fn words(&self, block: u32, row: u32) -> [u32; 4] {
         philox4x32_10([block, row, self.frame, self.item], self.key)

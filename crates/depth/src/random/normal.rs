@@ -1,15 +1,15 @@
 use std::f32::consts::{FRAC_PI_2, LN_2};
 
-/// Two independent standard normal numbers of two random words, those of [`Plane::normals`](super::Plane::normals).
+/// Returns two independent standard normal numbers for two random words, as [`Plane::normals`](super::Plane::normals) does.
 #[must_use]
 pub fn standard_normal(a: u32, b: u32) -> [f64; 2] {
     box_muller(a, b).map(f64::from)
 }
 
-/// Two independent standard normal numbers of two random words (Box and Muller 1958): radius and angle.
+/// Returns two independent standard normal numbers for two random words (Box and Muller 1958).
 ///
-/// Within 1e-6 of the exact transform (3e-4 in the innermost 0.1 sigma), up to 6.66 sigma away; the same bits on every
-/// machine, as every step is an operation that IEEE 754 rounds exactly.
+/// The error is below 1e-6 (3e-4 within 0.1 sigma), and the range 6.66 sigma. The bits are the same on every machine, since
+/// IEEE 754 rounds every step exactly.
 #[inline(always)]
 pub(crate) fn box_muller(a: u32, b: u32) -> [f32; 2] {
     let radius = (-2.0 * ln(uniform(a))).sqrt();
@@ -17,13 +17,13 @@ pub(crate) fn box_muller(a: u32, b: u32) -> [f32; 2] {
     [radius * cosine, radius * sine]
 }
 
-/// (⌊a/2⌋ + ½)·2⁻³¹: above 0 and up to 1.
+/// Returns (⌊a/2⌋ + ½)·2⁻³¹: above 0 and up to 1.
 #[inline(always)]
 fn uniform(a: u32) -> f32 {
     ((a >> 1).cast_signed() as f32 + 0.5) * (1.0 / 2_147_483_648.0)
 }
 
-/// The natural logarithm of a normal number above 0: within 3e-8 + 1.5e-7 of its value.
+/// Returns the natural logarithm of a normal number above 0, with an error below 3e-8 plus 1.5e-7 of its value.
 #[inline(always)]
 fn ln(x: f32) -> f32 {
     const SQRT_HALF: u32 = 0x3F35_04F3;
@@ -38,10 +38,10 @@ fn ln(x: f32) -> f32 {
     exponent * LN_2 + 2.0 * t * series
 }
 
-/// Cosine and sine of b·2⁻³² turns, within 2e-7.
+/// Returns cosine and sine of b·2⁻³² turns, with an error below 2e-7.
 #[inline(always)]
 fn cosine_sine(b: u32) -> [f32; 2] {
-    // The nearest quarter turn, and what is left: −½ to ½ quarter turns.
+    // The nearest quarter turn, and the remainder: −½ to ½ quarter turns.
     let quarter = b.wrapping_add(1 << 29) >> 30;
     let rest = b.wrapping_sub(quarter << 30).cast_signed() as f32 * (1.0 / 1_073_741_824.0);
     let t = rest * FRAC_PI_2;

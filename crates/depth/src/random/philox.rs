@@ -2,7 +2,7 @@ const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
 const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 const ROUNDS: usize = 10;
 
-/// Philox4x32-10: four independent words of a counter and a key.
+/// Philox4x32-10: returns four independent words for a counter and a key.
 #[must_use]
 #[inline]
 pub fn philox4x32_10(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
@@ -24,13 +24,13 @@ fn wide_product(a: u32, b: u32) -> (u32, u32) {
     (product as u32, (product >> 32) as u32)
 }
 
-/// Blocks that are computed side by side.
+/// The number of blocks computed in parallel.
 pub(super) const LANES: usize = 16;
 
-/// The words of [`LANES`] blocks from `first` on: word `k` of block `first + j` at `[k][j]`.
+/// Returns the words of [`LANES`] blocks from `first`: word `k` of block `first + j` is at `[k][j]`.
 ///
-/// The counters and words stand in the lower halves of 64-bit lanes, whose upper halves are of no account, so that a
-/// product needs no shuffling.
+/// The counters and words are in the lower halves of 64-bit lanes, whose upper halves are ignored, so that products need no
+/// shuffling.
 #[inline(always)]
 pub(super) fn philox_lanes(first: u32, [row, frame, item]: [u32; 3], key: [u32; 2]) -> [[u32; LANES]; 4] {
     const LOW: u64 = 0xFFFF_FFFF;

@@ -6,15 +6,15 @@ use super::Plane;
 use super::normal::box_muller;
 use super::philox::{LANES, philox_lanes};
 
-/// Words of [`LANES`] blocks.
+/// The words of [`LANES`] blocks.
 const GROUP: usize = 4 * LANES;
 
-/// [`LANES`], as blocks are counted.
+/// [`LANES`] in the type of block numbers.
 const BLOCKS: u32 = 16;
 
-/// Words of a row become numbers `T`, in groups of [`GROUP`] words.
+/// Converts the words of a row to numbers `T`, in groups of [`GROUP`] words.
 trait Groups<T> {
-    /// The numbers of a group, which are `SIZE`.
+    /// Converts a group to `SIZE` numbers.
     const SIZE: usize;
     fn of(words: &[[u32; LANES]; 4], out: &mut [T]);
 }
@@ -47,7 +47,7 @@ impl<T: Copy + Default, G: Groups<T>> Kernel for Row<'_, T, G> {
         }
         let rest = whole.into_remainder();
         if !rest.is_empty() {
-            // The longest group is one of bytes.
+            // Groups of bytes are the longest.
             let mut last = [T::default(); 4 * GROUP];
             G::of(&next(), &mut last[..G::SIZE]);
             rest.copy_from_slice(&last[..rest.len()]);
@@ -110,31 +110,31 @@ impl Groups<f32> for Normals {
     }
 }
 
-/// The numbers of a row. Word `i` of a row is word `i / 16 % 4` of block `16 · (i / 64) + i % 16`: sixteen blocks side
-/// by side. What a column gets does not depend on how many columns are asked for.
+/// The numbers of a row. Word `i` of a row is word `i / 16 % 4` of block `16 · (i / 64) + i % 16`: sixteen blocks in
+/// parallel. The number of a column does not depend on the number of columns.
 impl Plane {
-    /// The words of a row.
+    /// Fills `out` with the words of a row.
     pub fn row_words(&self, row: u32, out: &mut [u32]) {
         self.fill::<_, Words>(row, out);
     }
 
-    /// Random bytes: those of the row's words, lowest first.
+    /// Fills `out` with random bytes: those of the row's words, lowest first.
     pub fn bytes(&self, row: u32, out: &mut [u8]) {
         self.fill::<_, Bytes>(row, out);
     }
 
-    /// Numbers from 0 up to, not with, 1, multiples of 2⁻²⁴: the upper 24 bits of the row's words.
+    /// Fills `out` with uniform numbers in [0, 1), multiples of 2⁻²⁴: the upper 24 bits of the row's words.
     pub fn uniforms(&self, row: u32, out: &mut [f32]) {
         self.fill::<_, Uniforms>(row, out);
     }
 
-    /// Standard normal numbers: of 32 words of the row, words `i` and `16 + i` give numbers `i` and `16 + i` by
+    /// Fills `out` with standard normal numbers: of 32 words of the row, words `i` and `16 + i` give numbers `i` and `16 + i` by
     /// [`standard_normal`](super::standard_normal).
     pub fn normals(&self, row: u32, out: &mut [f32]) {
         self.fill::<_, Normals>(row, out);
     }
 
-    /// [`Plane::normals`] with the instructions of the function that calls it.
+    /// [`Plane::normals`] inlined, with the instruction set of its caller.
     #[inline(always)]
     pub(crate) fn normals_here(&self, row: u32, out: &mut [f32]) {
         self.kernel::<_, Normals>(row, out).run();

@@ -1,19 +1,18 @@
 use rayon::prelude::*;
 
-use super::{Engine, Sensor};
-use crate::BatchError;
+use super::Sensor;
 use crate::batch::{Batch, check_length};
-use crate::single_view::Wanted;
+use crate::{BatchError, EngineInput};
 
 impl Sensor {
-    /// What it reports of a batch of images of one frame, as the environments of a simulator make them: `[count, height,
-    /// width]` as `depth` and the pictures are, items numbered from `first_item`. Metres in and out, one image after the
-    /// other; `out` has [`Chain::size`](crate::filter::Chain::size) rows and columns an image. Images have no past:
-    /// filters that remember begin anew in each.
+    /// Measures a batch `[count, height, width]` of depth images of one frame, for instance a simulator's environments,
+    /// with or without their colour images; items count from `first_item`. Metres in and out, one image after the other;
+    /// each image in `out` has the rows and columns of [`Chain::size`](crate::filter::Chain::size). Images of a batch
+    /// have no past: filters that remember are reset before each.
     ///
     /// # Errors
-    /// `depth`, the pictures or `out` have another length than the shape says, or the engine matches pairs, which are not
-    /// here; nothing is written then.
+    /// Returns an error, and writes nothing, if the length of `depth`, `rgb` or `out` does not match the shape, or if the
+    /// engine requires stereo pairs.
     pub fn sense_batch(
         &self,
         depth: &[f32],
@@ -23,22 +22,20 @@ impl Sensor {
         first_item: u32,
         out: &mut [f32],
     ) -> Result<(), BatchError> {
-        if rgb.is_none() && self.filters.is_empty() {
-            return match &self.engine {
-                Engine::SingleView(engine) => {
-                    engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
-                }
-                Engine::StereoNoise(engine) => {
-                    engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
-                }
-                Engine::TimeOfFlight(engine) => {
-                    engine.sense_batch(depth, shape, frame, first_item, &self.random, out)
-                }
-                Engine::StereoMatching(_) => Err(no_pairs(shape)),
-            };
+        if self.engine.kind().input == EngineInput::Pair {
+            return Err(BatchError {
+                what: "stereo pairs",
+                shape,
+                length: 0,
+            });
         }
-        if matches!(self.engine, Engine::StereoMatching(_)) {
-            return Err(no_pairs(shape));
+        if rgb.is_none() && self.filters.is_empty() {
+            let fast = self
+                .engine
+                .sense_batch(depth, shape, frame, first_item, &self.random, out);
+            if let Some(result) = fast {
+                return result;
+            }
         }
         let batch = Batch::new(depth, shape, frame, first_item)?.with_rgb(rgb)?;
         let Some([columns, rows]) = batch.size() else {
@@ -58,21 +55,15 @@ impl Sensor {
             |sensor, (index, out)| {
                 sensor.reset();
                 let Some(shot) = batch.shot(index) else { return };
-                let distance = sensor.capture(&shot, Wanted::default()).distance;
+                let Ok(capture) = sensor.capture(shot, &[]) else {
+                    return;
+                };
+                let distance = capture.distance;
                 if distance.0.pixels().len() == out.len() {
                     out.copy_from_slice(distance.0.pixels());
                 }
             },
         );
         Ok(())
-    }
-}
-
-/// A batch has no pairs to match.
-fn no_pairs(shape: [usize; 3]) -> BatchError {
-    BatchError {
-        what: "stereo pairs",
-        shape,
-        length: 0,
     }
 }

@@ -1,11 +1,15 @@
 use oaktwin_camera::StereoGeometry;
 
+use oaktwin_image::{Image, ImageView, ZDepth};
+
 use super::*;
+use crate::engines::spread;
 use crate::filter::parse;
 use crate::preset::Platform;
-use crate::single_view::{Assumptions, Wanted};
-use crate::stereo_matching::{self, Pair};
-use crate::stereo_noise;
+use crate::single_view::{Assumptions, SingleView};
+use crate::stereo_matching::{Pair, StereoMatching};
+use crate::stereo_noise::StereoNoise;
+use crate::{Shot, single_view, stereo_matching, stereo_noise};
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 20;
@@ -27,28 +31,25 @@ fn parameters() -> stereo_noise::Parameters {
     stereo_noise::Parameters::new(stereo, 1280)
 }
 
-fn sensor(engine: Engine, filters: &[&str]) -> Sensor {
+fn sensor(engine: impl Engine, filters: &[&str]) -> Sensor {
     let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
-    Sensor::new(engine, Chain::new(filters), Stream::new(1, "camera"))
+    Sensor::new(Arc::new(engine), Chain::new(filters), Stream::new(1, "camera"))
 }
 
 fn stereo(filters: &[&str]) -> Sensor {
-    sensor(
-        Engine::StereoNoise(StereoNoise::new(parameters()).unwrap()),
-        filters,
-    )
+    sensor(StereoNoise::new(parameters()).unwrap(), filters)
 }
 
 fn single(filters: &[&str]) -> Sensor {
     let single = SingleView::new(single_view::Parameters::isaac_5_1(), Assumptions::default());
-    sensor(Engine::SingleView(single.unwrap()), filters)
+    sensor(single.unwrap(), filters)
 }
 
 fn frame(sensor: &mut Sensor, number: u64) -> ZDepth {
     let depth = scene();
     let mut shot = Shot::new((&depth).into());
     shot.frame = number;
-    sensor.capture(&shot, Wanted::default()).distance
+    sensor.capture(shot, &[]).unwrap().distance
 }
 
 #[test]
@@ -58,7 +59,7 @@ fn disparities_are_spread_for_all_but_a_median_at_the_end() {
         let mut disparity = Image::filled(3, 1, 0u16);
         disparity.pixels_mut().copy_from_slice(&[0, 1, 3040]);
         let p = parameters();
-        let scale = rescale(&filters, p.max_disparity_px(), p.subpixel, &mut disparity);
+        let scale = spread(&filters, p.max_disparity_px(), p.subpixel, &mut disparity);
         (scale, disparity.into_pixels())
     };
     let (as_it_was, spread) = ((1.0, vec![0, 1, 3040]), (8192.0 / 3040.0, vec![0, 3, 8192]));
@@ -154,7 +155,7 @@ fn speckles_are_told_apart_in_pixels_of_disparity() {
     let depth = Image::new(WIDTH, HEIGHT, pixels).unwrap();
     let seen = |filters: &[&str]| {
         let shot = Shot::new((&depth).into());
-        let distance = stereo(filters).capture(&shot, Wanted::default()).distance;
+        let distance = stereo(filters).capture(shot, &[]).unwrap().distance;
         distance.0.pixels().iter().filter(|&&z| z > 0.0).count()
     };
     assert_eq!(seen(&["speckle:range=50,difference=2"]), seen(&[]));
@@ -176,8 +177,8 @@ fn brightness_looks_at_the_picture() {
     ] {
         let mut p = parameters();
         p.confidence_threshold = 0;
-        let mut sensor = sensor(Engine::StereoNoise(StereoNoise::new(p).unwrap()), filters);
-        let distance = sensor.capture(&shot, Wanted::default()).distance.0;
+        let mut sensor = sensor(StereoNoise::new(p).unwrap(), filters);
+        let distance = sensor.capture(shot, &[]).unwrap().distance.0;
         let mut rows = distance.rows();
         assert!(rows.next().unwrap().iter().all(|&z| z == 0.0));
         assert!(rows.next().unwrap().iter().any(|&z| z > 0.0));
@@ -215,7 +216,7 @@ fn a_batch_is_its_images_one_by_one() {
                     if pictures.is_some() {
                         shot = shot.with_rgb((&rgb).into()).unwrap();
                     }
-                    let alone = sensor.clone().capture(&shot, Wanted::default()).distance;
+                    let alone = sensor.clone().capture(shot, &[]).unwrap().distance;
                     assert_eq!(out, alone.0.pixels(), "{filters:?} {i}");
                 }
             }
@@ -263,34 +264,33 @@ fn matcher() -> StereoMatching {
 
 #[test]
 fn a_pair_is_matched_and_filtered() {
-    let (depth, images) = (scene(), wall());
+    let images = wall();
     let [left, right] = images.each_ref().map(ImageView::from);
     let pair = Pair::new(left, right).unwrap();
-    let shot = Shot::new((&depth).into()).with_pair(pair);
+    let shot = pair;
     let sensor = |filters: &[&str]| {
         let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
-        Sensor::new(
-            Engine::StereoMatching(matcher()),
-            Chain::new(filters),
-            Stream::new(7, "camera"),
-        )
+        Sensor::new(Arc::new(matcher()), Chain::new(filters), Stream::new(7, "camera"))
     };
-    let capture = sensor(&[]).capture(&shot, Wanted::default());
+    let capture = sensor(&[]).capture(shot, &[Annotator::Confidence]).unwrap();
     assert_eq!(capture.distance, matcher().sense(&pair));
-    assert_eq!(capture.confidence, Some(matcher().disparity(&pair).confidence));
+    let confidence = capture.extra::<Image<u8>>(Annotator::Confidence);
+    assert_eq!(confidence, Some(&matcher().disparity(&pair).confidence));
+    assert_eq!(capture.extras.len(), 1);
     let at = 15 * 200 + 100;
     assert!((capture.distance.0.pixels()[at] - 3.0).abs() < 0.01);
     // Spread over 13 bits and back: the same depth within a step.
     let own = capture.distance.0.pixels()[at];
-    let filtered = sensor(&["speckle"]).capture(&shot, Wanted::default()).distance;
+    let filtered = sensor(&["speckle"]).capture(shot, &[]).unwrap().distance;
     assert!((filtered.0.pixels()[at] - own).abs() < 0.003);
-    let near = sensor(&["threshold:min=0,max=2900"]).capture(&shot, Wanted::default());
+    let near = sensor(&["threshold:min=0,max=2900"]).capture(shot, &[]).unwrap();
     assert!(near.distance.0.pixels().iter().all(|&z| z < 2.9));
-    let halved = sensor(&["decimation:factor=2"]).capture(&shot, Wanted::default());
+    let halved = sensor(&["decimation:factor=2"]).capture(shot, &[]).unwrap();
     assert_eq!((halved.distance.0.width(), halved.distance.0.height()), (100, 15));
     // The left image is the picture.
     let bright = sensor(&["brightness:min=128,max=256"])
-        .capture(&shot, Wanted::default())
+        .capture(shot, &[])
+        .unwrap()
         .distance;
     for ((z, all), &level) in bright
         .0
@@ -304,20 +304,24 @@ fn a_pair_is_matched_and_filtered() {
 }
 
 #[test]
-fn without_a_pair_nothing_is_matched() {
+fn rejects_the_wrong_kind_of_input() {
     let depth = scene();
-    let mut sensor = Sensor::new(
-        Engine::StereoMatching(matcher()),
-        Chain::default(),
-        Stream::new(7, "camera"),
+    let shot = Shot::new((&depth).into());
+    let mut matching = sensor(matcher(), &[]);
+    assert_eq!(
+        matching.capture(shot, &[]).unwrap_err().to_string(),
+        "engine: stereo-matching requires a stereo pair; pass a rectified pair, or choose another engine"
     );
-    let capture = sensor.capture(&Shot::new((&depth).into()), Wanted::default());
-    assert_eq!((capture.distance.0.width(), capture.confidence), (WIDTH, None));
-    assert!(capture.distance.0.pixels().iter().all(|&z| z == 0.0));
     let shape = [1, HEIGHT as usize, WIDTH as usize];
     let mut out = vec![0.0; depth.pixels().len()];
-    let error = sensor
+    let error = matching
         .sense_batch(depth.pixels(), None, shape, 0, 0, &mut out)
         .unwrap_err();
     assert_eq!(error.what, "stereo pairs");
+    let images = wall();
+    let [left, right] = images.each_ref().map(ImageView::from);
+    let pair = Pair::new(left, right).unwrap();
+    for mut depth_only in [stereo(&[]), single(&[])] {
+        assert!(depth_only.capture(pair, &[]).is_err());
+    }
 }

@@ -1,10 +1,10 @@
-//! Texture of the picture: saturated Sobel magnitude of luma.
+//! Texture of the colour image: the saturated Sobel magnitude of its luma.
 
 use super::assumptions::ConfidenceComparison;
 use super::plan::Plan;
 use crate::random::Plane;
 
-/// Luma of a row of the picture, 0 to 1.
+/// Computes the luma of a row of the colour image, 0 to 1.
 #[inline(always)]
 pub(super) fn luma(plan: &Plan, rgb: &[[u8; 4]], out: &mut [f32]) {
     let [red, green, blue] = plan.luma;
@@ -15,22 +15,21 @@ pub(super) fn luma(plan: &Plan, rgb: &[[u8; 4]], out: &mut [f32]) {
     }
 }
 
-/// Luma of three rows around the one that is asked for. Beyond the picture's border its border goes on.
+/// The luma of three rows around the current one. Beyond the image, its border is repeated.
 #[derive(Debug, Default)]
 pub(super) struct Texture {
-    /// Row y at place y % 3, one more column on either side.
+    /// Row y is at index y % 3, with one more column on either side.
     rows: [Vec<f32>; 3],
-    /// The rows that are there.
+    /// The numbers of the rows in `luma`.
     held: Option<(usize, usize)>,
     grain: Vec<f32>,
-    /// Saturated magnitude in the row of the last [`Texture::look`].
+    /// The saturated magnitude of the row of the last [`Texture::look`].
     pub(super) confidence: Vec<f32>,
-    /// Whether it is too little, 1 or 0.
+    /// 1 where the magnitude is below the threshold, else 0.
     pub(super) lacking: Vec<u32>,
 }
 
 impl Texture {
-    /// Forgets the picture.
     pub(super) fn reset(&mut self, width: usize) {
         for row in &mut self.rows {
             row.resize(width + 2, 0.0);
@@ -41,7 +40,7 @@ impl Texture {
         self.lacking.resize(width, 0);
     }
 
-    /// Looks at row `y` of the picture: fills `confidence` and `lacking`.
+    /// Fills `confidence` and `lacking` for row `y` of the colour image.
     #[inline(always)]
     pub(super) fn look(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
         let (first, last) = (y.saturating_sub(1), (y + 1).min(plan.height - 1));
@@ -85,7 +84,7 @@ impl Texture {
     }
 }
 
-/// min(1, gain · √(gx² + gy²)) with kernels (1 2 1) and (−1 0 1), of rows with one more column on either side.
+/// Computes min(1, gain · √(gx² + gy²)) with the kernels (1 2 1) and (−1 0 1); rows have one more column on either side.
 #[inline(always)]
 fn sobel(gain: f32, [above, here, below]: [&[f32]; 3], out: &mut [f32]) {
     let columns = above.windows(3).zip(here.windows(3)).zip(below.windows(3));

@@ -1,49 +1,50 @@
-//! Isaac Sim's `DepthSensorDistance`: a depth image seen once becomes what a stereo pair would have measured.
+//! Isaac Sim's `DepthSensorDistance`: it derives the measurement of a stereo pair from a single depth image.
 //!
-//! Depth becomes disparity, disparity is quantized and jittered, each sample moves along its row by its disparity, and
-//! what lands nowhere, is too near, too far or without texture is no measurement. The depth that a sample carries is the
-//! rendered one: only its place is wrong.
+//! Depth is converted to disparity, disparity is quantized and jittered, and each sample moves along its row by its
+//! disparity. Pixels without a sample, too near, too far or without texture are not measured. A sample carries the rendered
+//! depth: only its position is wrong.
 //!
 //! # Steps
 //! With z the depth, W the image's width, b `baselineMM`/1000, f `focalLengthPixel`, S `sensorSizePixel`, in single
 //! precision:
-//! 1. Depth that is not finite, not above 0, or outside `minDistance` to `maxDistance` is no sample.
+//! 1. A depth that is not finite, not above 0, or outside `minDistance` to `maxDistance` gives no sample.
 //! 2. d = (b·f·W/S)/z, in pixels of the image.
-//! 3. d above `maxDisparityPixel` is no sample.
-//! 4. With a `noiseMean` q above 0, d' = q·round(d/q) + `noiseSigma`·N. N is standard normal, one for each square of
-//!    `noiseDownscaleFactorPixel` k pixels, that of row ⌊y/k⌋ and column ⌊x/k⌋ of
+//! 3. A disparity above `maxDisparityPixel` gives no sample.
+//! 4. With a `noiseMean` q above 0, d' = q·round(d/q) + `noiseSigma`·N. N is standard normal, one per square of
+//!    `noiseDownscaleFactorPixel` k pixels, at row ⌊y/k⌋ and column ⌊x/k⌋ of
 //!    [`Plane::normals`](crate::random::Plane::normals), new in every frame. With 0, d' = d.
-//! 5. A sample moves to x + round(d'), with a negative baseline to x − d'. Where several land the nearest stays; where
-//!    none does is a hole: left of near things (right with a negative baseline), and at that border of the image.
-//! 6. Confidence, where there is a picture: s = min(1, g·|∇(Y + n)|) of its luma Y by Sobel's kernels, the picture's
-//!    border going on beyond it; n is [grain](Assumptions::grain_levels), new in every frame. Kept is s ≥ 1 − `confidenceThreshold`. What lacks confidence still hides what is behind it.
-//! 7. Outliers: with a range r above 0 a pixel that is measured while no other up to r columns and rows away is, is
-//!    removed; one that is not while all others are takes the measurement on its left, in the first column that on its
-//!    right (in an image of one column it stays). Pixels outside the image are not looked at. All pixels are judged by
-//!    the image before the step. Isaac Sim 5.x has r = 3; the switch of 6.x is r = 1.
+//! 5. A sample moves to x + round(d'), with a negative baseline to x − d'. Of several samples in a pixel the nearest wins;
+//!    a pixel without a sample is a hole: left of near objects (right with a negative baseline), and at that image border.
+//! 6. Confidence, if there is a colour image: s = min(1, g·|∇(Y + n)|) of its luma Y with Sobel's kernels and a repeated
+//!    border; n is [grain](Assumptions::grain_levels), new in every frame. Samples with s ≥ 1 − `confidenceThreshold` are
+//!    kept. Samples with less confidence still occlude those behind them.
+//! 7. Outliers, with a range r above 0: a measured pixel is removed if no other within r columns and rows is measured; a
+//!    pixel that is not measured while all others are takes the measurement on its left, in the first column that on its
+//!    right (in an image of one column it does not change). Pixels outside the image do not count. All pixels are judged by
+//!    the image before this step. Isaac Sim 5.x has r = 3; the switch of 6.x is r = 1.
 //! 8. The outputs: [`Output`].
 //!
 //! # Assumptions
-//! NVIDIA's documentation says what these steps do, not all of how. What it leaves open is an option of [`Assumptions`]:
-//! * where reported depth comes from: carried along, or recomputed from d' ([`Depth`])
-//! * the pixels that `maxDisparityPixel` counts ([`MaxDisparityUnit`]), and drop or clamp ([`MaxDisparity`])
+//! NVIDIA's documentation describes these steps, but not every detail. The open details are options in [`Assumptions`]:
+//! * the source of reported depth: carried along, or recomputed from d' ([`Depth`])
+//! * the unit of `maxDisparityPixel` ([`MaxDisparityUnit`]), and whether it drops or clamps ([`MaxDisparity`])
 //! * the range cut before or after samples move ([`RangeCut`])
 //! * the side that samples move to ([`Direction`]), and rounding to pixels ([`TargetRounding`])
-//! * which of several samples stays ([`Collision`])
-//! * confidence where a sample comes from or lands ([`ConfidenceAt`]), its comparison ([`ConfidenceComparison`]), the
-//!   gain g of Sobel's magnitude ([`Assumptions::sobel_gain`]), the [grain](Assumptions::grain_levels) of the picture
+//! * the winner of several samples ([`Collision`])
+//! * confidence at the source or the target of a sample ([`ConfidenceAt`]), its comparison ([`ConfidenceComparison`]), the
+//!   gain g of Sobel's magnitude ([`Assumptions::sobel_gain`]), the [grain](Assumptions::grain_levels) of the image
 //!   and the weights of luma ([`Luma`])
 //! * the rounding to steps ([`Quantizer`]) and the unit of `noiseSigma` ([`SigmaUnit`])
 //! * colour and position where nothing was measured ([`Invalid`])
 //! * the neighbours of outlier removal ([`OutlierNeighbourhood`])
 //!
-//! and, without an option: the noise is white; a hole that is filled takes the value beside it; `DepthSensorImager` is
-//! luma of 0 to 1, as confidence is computed from; the pictures of [`OutputMode`] follow their titles.
+//! Without an option: the noise is white; a filled hole takes the value beside it; `DepthSensorImager` is the luma of 0 to
+//! 1 from which confidence is computed; the visualizations of [`OutputMode`] follow their titles.
 //!
 //! # Speed
-//! Rows are sensed one after another in buffers that stay in the processor's caches: an image is read once, each output
-//! written once. Tiles of rows run in parallel; the rows around a tile are computed again. The result has the same bytes
-//! on any number of threads and with any instruction set.
+//! Rows are processed one after another in buffers that fit the processor's caches: the image is read once, and each output
+//! is written once. Tiles of rows run in parallel; the rows around a tile are computed again. The result has the same bytes
+//! for any number of threads and any instruction set.
 
 mod assumptions;
 mod confidence;
@@ -65,7 +66,7 @@ use crate::batch::Batch;
 use crate::random::Stream;
 use crate::{BatchError, ParameterError, Shot};
 
-/// The sensor, ready to look.
+/// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SingleView {
     parameters: Parameters,
@@ -73,10 +74,10 @@ pub struct SingleView {
 }
 
 impl SingleView {
-    /// Of its parameters, and of what NVIDIA's documentation leaves open.
+    /// Creates the engine from its parameters and assumptions.
     ///
     /// # Errors
-    /// A parameter or an assumption out of its range.
+    /// Returns an error if a parameter or an assumption is out of range.
     pub fn new(parameters: Parameters, assumptions: Assumptions) -> Result<Self, ParameterError> {
         parameters.check()?;
         assumptions.check()?;
@@ -86,29 +87,29 @@ impl SingleView {
         })
     }
 
-    /// Its parameters.
+    /// The parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// What it takes for granted.
+    /// The choices that NVIDIA's documentation leaves open.
     #[must_use]
     pub fn assumptions(&self) -> &Assumptions {
         &self.assumptions
     }
 
-    /// What it reports of a shot: the outputs that are wanted.
+    /// Measures a shot and makes the requested outputs.
     #[must_use]
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
         sense::sense(self, shot, random, wanted)
     }
 
-    /// The distances that it reports of a batch of images of one frame, `[count, height, width]` as `depth` and `out`
-    /// are: those of [`SingleView::sense`] of shots without pictures, items numbered from `first_item`.
+    /// Measures a batch `[count, height, width]` of depth images of one frame as [`SingleView::sense`] does without colour
+    /// images; items count from `first_item`.
     ///
     /// # Errors
-    /// `depth` or `out` has another length than the shape says.
+    /// Returns an error if the length of `depth` or `out` does not match the shape.
     pub fn sense_batch(
         &self,
         depth: &[f32],

@@ -1,31 +1,31 @@
-//! Lone pixels become what all their neighbours are.
+//! Outlier removal: a lone pixel takes the state of its neighbours.
 
 use std::ops::Range;
 
 use super::plan::Plan;
 
-/// Columns of a word of bits.
+/// The columns in a word of bits.
 const BITS: usize = 64;
 
-/// Which pixels of some rows were measured: one bit each, rows in words of their own with one of zeros behind each, so
-/// that all rows are looked at in one go.
+/// The measured pixels of some rows, one bit each. Each row has its own words and a word of zeros behind them, so that all
+/// rows are processed in one loop.
 #[derive(Debug, Default)]
 pub(super) struct Validity {
-    /// Words of a row.
+    /// The words in a row.
     stride: usize,
     /// The first row.
     first: usize,
-    /// From one word of zeros and as many rows of zeros as the range reaches on, with such rows behind.
+    /// The rows, with a word of zeros before them and as many rows of zeros before and behind them as the range is large.
     measured: Vec<u64>,
     missing: Vec<u64>,
-    /// The lone ones of rows from `lone_first` on.
+    /// The lone pixels of the rows from `lone_first`.
     lone_first: usize,
     lone_measured: Vec<u64>,
     lone_missing: Vec<u64>,
     sum: Vec<u64>,
 }
 
-/// The lone pixels of a row, one bit each.
+/// The lone pixels of a row, one bit per pixel.
 #[derive(Debug)]
 pub(super) struct Lone<'a> {
     pub(super) measured: &'a [u64],
@@ -33,7 +33,7 @@ pub(super) struct Lone<'a> {
 }
 
 impl Validity {
-    /// Forgets the image, and makes place for some rows.
+    /// Clears the buffers and sizes them for some rows.
     pub(super) fn reset(&mut self, plan: &Plan, rows: Range<usize>) {
         self.stride = plan.width.div_ceil(BITS) + 1;
         self.first = rows.start;
@@ -44,7 +44,7 @@ impl Validity {
         }
     }
 
-    /// Takes depths of row `y`: word `word` of its columns, of which so many are in the image.
+    /// Sets a word of row `y` from its depths; the first `columns` of them are inside the image.
     #[inline(always)]
     pub(super) fn set(&mut self, plan: &Plan, y: usize, word: usize, depths: &[f32; BITS], columns: usize) {
         let place = self.place(plan, y) + word;
@@ -67,7 +67,7 @@ impl Validity {
         }
     }
 
-    /// The lone pixels of row `y`, one of those that were asked for: words of 64 columns.
+    /// Returns the lone pixels of row `y`, one of the rows of the last [`Measured::find`], in words of 64 columns.
     #[inline(always)]
     pub(super) fn lone(&self, y: usize) -> Lone<'_> {
         let start = (y - self.lone_first) * self.stride;
@@ -85,7 +85,7 @@ impl Validity {
     }
 }
 
-/// Those bits of some words of `all` that have no other one up to the range away.
+/// Finds the bits of some words of `all` without another one within the range.
 #[inline(always)]
 fn find(
     plan: &Plan,
@@ -96,7 +96,7 @@ fn find(
     lone: &mut Vec<u64>,
 ) {
     let (range, count) = (plan.outlier_range, words.len());
-    // First the others: those of the same row, then those of the rows above and below.
+    // First the other bits of the same row, then those of the rows above and below.
     lone.clear();
     lone.resize(count, 0);
     spread(&all[words.start - 1..][..count + 2], range, lone);
@@ -122,8 +122,8 @@ fn find(
         .for_each(|(lone, bits)| *lone = bits & !*lone);
 }
 
-/// Adds the bits of some words to what is 1 to `half` columns to the left and right of them; `row` has one word more on
-/// either side.
+/// Adds the bits of a row to the columns at a distance of 1 to `half` on both sides; `row` has one more word on either
+/// side.
 #[inline(always)]
 fn spread(row: &[u64], half: usize, out: &mut [u64]) {
     for by in 1..=half {
@@ -135,7 +135,7 @@ fn spread(row: &[u64], half: usize, out: &mut [u64]) {
     }
 }
 
-/// Which depths are measured.
+/// Returns a bit for each measured depth.
 #[inline(always)]
 fn bits(depths: &[f32; BITS]) -> u64 {
     let mut bits = 0;
@@ -145,7 +145,7 @@ fn bits(depths: &[f32; BITS]) -> u64 {
     bits
 }
 
-/// The columns of set bits, from the left.
+/// Returns the columns of set bits, from the left.
 pub(super) fn columns(words: &[u64]) -> impl Iterator<Item = usize> {
     words.iter().enumerate().flat_map(|(i, &word)| {
         let mut rest = word;

@@ -4,7 +4,7 @@ use super::assumptions::{
 };
 use super::{Assumptions, Parameters};
 
-/// Parameters and assumptions for images of one width, in the single precision that pixels are computed in.
+/// The parameters and assumptions for images of one size, in the single precision of the pixel loops.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub(super) assumptions: Assumptions,
@@ -12,21 +12,21 @@ pub(super) struct Plan {
     pub(super) height: usize,
     /// Disparity times depth, px·m, above 0.
     pub(super) disparity_times_depth: f32,
-    /// 1 where samples move to the right, −1 to the left.
+    /// 1 if samples move to the right, −1 if to the left.
     pub(super) side: f32,
-    /// Depths that are looked at, m: above 0, and finite.
+    /// The range of depths that become samples, m: above 0, and finite.
     pub(super) looked_at: [f32; 2],
-    /// Depths that are reported, m.
+    /// The range of depths that are reported, m.
     pub(super) reported: [f32; 2],
     /// `minDistance` and `maxDistance`, m.
     pub(super) range: [f32; 2],
     pub(super) max_disparity_px: f32,
     pub(super) clamps: bool,
-    /// 0 for neither step nor jitter.
+    /// The disparity step; 0 disables steps and jitter.
     pub(super) step_px: f32,
     pub(super) floors: bool,
     pub(super) sigma_px: f32,
-    /// The side of a patch that shares its jitter.
+    /// The side of a patch of pixels with the same jitter.
     pub(super) patch_px: f64,
     /// The patch of each column.
     pub(super) patch_of: Vec<u32>,
@@ -34,13 +34,13 @@ pub(super) struct Plan {
     pub(super) last_wins: bool,
     pub(super) outlier_range: usize,
     pub(super) outlier_diamond: bool,
-    /// Of red, green and blue of 0 to 255.
+    /// The weights of red, green and blue for values of 0 to 255.
     pub(super) luma: [f32; 3],
     pub(super) sobel_gain: f32,
-    /// The standard deviation of luma's grain, of 0 to 1.
+    /// The standard deviation of the grain, for luma of 0 to 1.
     pub(super) grain: f32,
     pub(super) threshold: f32,
-    /// Whether a sample can lack confidence.
+    /// Whether a sample can have too little confidence.
     pub(super) can_lack: bool,
     pub(super) comparison: ConfidenceComparison,
     pub(super) confidence_at: ConfidenceAt,
@@ -70,7 +70,6 @@ impl Plan {
             Luma::Mean => [1.0 / 3.0; 3],
         };
         let threshold = p.confidence_threshold as f32;
-        // Confidence is 0 to 1.
         let can_lack = match a.confidence_comparison {
             ConfidenceComparison::Complement => threshold < 1.0,
             ConfidenceComparison::Strict => true,
@@ -116,13 +115,13 @@ impl Plan {
         }
     }
 
-    /// The patch of jitter that a row belongs to.
+    /// Returns the jitter patch of a row.
     pub(super) fn patch(&self, y: usize) -> u32 {
         patch(y, self.patch_px)
     }
 }
 
-/// The patch that a column or row belongs to, of patches of so many.
+/// Returns the patch of a column or row.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -9,38 +9,38 @@ use crate::batch::{Batch, check_length};
 use crate::random::Stream;
 use crate::{BatchError, Shot};
 
-/// Which outputs to make beside the distance.
+/// The requested outputs besides the distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// `DepthSensorPointCloudPosition`, where the shot has positions.
+    /// `DepthSensorPointCloudPosition`; requires positions.
     pub positions: bool,
-    /// `DepthSensorPointCloudColor`, where the shot has a picture.
+    /// `DepthSensorPointCloudColor`; requires a colour image.
     pub colors: bool,
-    /// `DepthSensorImager`, where the shot has a picture.
+    /// `DepthSensorImager`; requires a colour image.
     pub imager: bool,
-    /// The picture of the parameters' [`OutputMode`](super::OutputMode); that of mode 0 where the shot has a picture.
+    /// The visualization of the parameters' [`OutputMode`](super::OutputMode); mode 0 requires a colour image.
     pub view: bool,
 }
 
-/// What the sensor reports. All images have the shot's size.
+/// The outputs of the sensor; all images have the shot's size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     /// `DepthSensorDistance`: metres, 0 where nothing was measured.
     pub distance: ZDepth,
-    /// `DepthSensorPointCloudPosition`: the point that was moved there; where nothing was measured what
-    /// [`Invalid`](super::Invalid) says, by default 0.
+    /// `DepthSensorPointCloudPosition`: the point of the sample that moved to the pixel; [`Invalid`](super::Invalid)
+    /// determines its value where nothing was measured, by default 0.
     pub positions: Option<Image<[f32; 4]>>,
-    /// `DepthSensorPointCloudColor`: the colour that was moved there; where nothing was measured as in `positions`.
+    /// `DepthSensorPointCloudColor`: the colour of the sample that moved to the pixel; invalid as in `positions`.
     pub colors: Option<Image<[u8; 4]>>,
-    /// `DepthSensorImager`: luma of the picture, which nothing moved, 0 to 1.
+    /// `DepthSensorImager`: the luma of the colour image, 0 to 1; its pixels do not move.
     pub imager: Option<Image<f32>>,
-    /// The picture of the parameters' [`OutputMode`](super::OutputMode), sRGB.
+    /// The visualization of the parameters' [`OutputMode`](super::OutputMode), sRGB.
     pub view: Option<Image<[u8; 4]>>,
 }
 
 impl Output {
-    /// What `showDistance` shows: the distance at the middle pixel, m, 0 where nothing was measured; `None` of an image
-    /// without pixels.
+    /// Returns the distance that `showDistance` shows: that of the middle pixel in metres, 0 if nothing was measured;
+    /// `None` for an image without pixels.
     #[must_use]
     pub fn center_m(&self) -> Option<f32> {
         let image = &self.distance.0;
@@ -48,9 +48,9 @@ impl Output {
     }
 }
 
-/// Rows of a tile: enough that the rows around it, which are computed again, are few.
+/// The rows of a tile: many, since the rows around it are computed again.
 const TILE_ROWS: std::ops::RangeInclusive<usize> = 32..=128;
-/// A thread takes so many images of a batch at once; where there are fewer, the threads share each.
+/// The images of a batch that a thread takes at once; if there are fewer, the threads share each image.
 const IMAGES_A_THREAD: usize = 8;
 
 pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
@@ -138,7 +138,7 @@ pub(super) fn batch(
     Ok(())
 }
 
-/// Rows of a tile: some tiles for each thread.
+/// Returns the rows of a tile: some tiles per thread.
 fn tile_rows(height: usize) -> usize {
     let rows = height.div_ceil(4 * rayon::current_num_threads());
     rows.clamp(*TILE_ROWS.start(), *TILE_ROWS.end())

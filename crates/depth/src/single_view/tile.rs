@@ -1,4 +1,4 @@
-//! All steps over some rows of an image.
+//! All steps for some rows of an image.
 
 use oaktwin_simd::{self as simd, Kernel};
 
@@ -13,7 +13,7 @@ use super::warp::{self, Key, LANES, Row};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
 
-/// Some rows of the outputs.
+/// Rows of the outputs.
 #[derive(Debug)]
 pub(super) struct Rows<'a> {
     pub(super) first: usize,
@@ -25,7 +25,7 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// An image in parts of `rows` rows.
+    /// Splits an image into parts of `rows` rows.
     pub(super) fn of(output: &'a mut Output, plan: &Plan, rows: usize) -> Vec<Self> {
         let length = rows * plan.width;
         let mut positions = output
@@ -85,11 +85,11 @@ pub(super) struct Scratch {
     ranks: Vec<u32>,
     keys: Vec<u64>,
     halo: Vec<f32>,
-    /// Where the samples of the tile come from.
+    /// The source columns of the samples in the tile.
     sources: Vec<u32>,
 }
 
-/// Senses some rows of an image that has pixels.
+/// Senses rows of an image that is not empty.
 pub(super) fn sense(
     plan: &Plan,
     shot: &Shot<'_>,
@@ -118,15 +118,15 @@ struct Tile<'a, 'b, K> {
     plan: &'a Plan,
     shot: &'a Shot<'a>,
     random: &'a Planes,
-    /// The picture that is wanted, if any.
+    /// The requested visualization.
     mode: Option<OutputMode>,
     rows: &'a mut Rows<'b>,
     scratch: &'a mut Scratch,
     landed: &'a mut [K],
     picture: Option<&'a [[u8; 4]]>,
-    /// The picture, where its confidence decides or is shown.
+    /// The colour image, if confidence is used or shown.
     textured: Option<&'a [[u8; 4]]>,
-    /// Whether something needs the columns that samples come from.
+    /// Whether an output needs the source columns of samples.
     needs_sources: bool,
 }
 
@@ -190,7 +190,7 @@ impl<K: Key> Kernel for Tile<'_, '_, K> {
 }
 
 impl<K: Key> Tile<'_, '_, K> {
-    /// Moves row `y`; it is in this place of the tile, or near it.
+    /// Moves the samples of row `y`, which has this index in the tile or, for `None`, is next to the tile.
     #[inline(always)]
     fn row(&mut self, y: usize, place: Option<usize>) {
         let (plan, scratch) = (self.plan, &mut *self.scratch);
@@ -280,7 +280,7 @@ impl<K: Key> Tile<'_, '_, K> {
         }
     }
 
-    /// The picture of what landed in column `x` of the row that was moved last.
+    /// Returns the visualization of the sample in column `x` of the row that was moved last.
     fn landed(
         plan: &Plan,
         scratch: &Scratch,
@@ -301,7 +301,7 @@ impl<K: Key> Tile<'_, '_, K> {
             ConfidenceAt::Source => source,
             ConfidenceAt::Target => x,
         };
-        // Without a picture everything is certain.
+        // Without a colour image, confidence is 1.
         let confidence = if is_textured {
             scratch.texture.confidence[at]
         } else {
@@ -310,7 +310,7 @@ impl<K: Key> Tile<'_, '_, K> {
         view::confidence(plan, confidence, d)
     }
 
-    /// Removes the outliers of row `y`, and makes the outputs that need the result.
+    /// Removes the outliers of row `y` and makes the outputs that depend on the result.
     #[inline(always)]
     fn finish(&mut self, y: usize, place: usize) {
         let (plan, scratch) = (self.plan, &mut *self.scratch);
@@ -321,7 +321,7 @@ impl<K: Key> Tile<'_, '_, K> {
         if plan.outlier_range > 0 {
             let lone = scratch.validity.lone(y);
             for x in outliers::columns(lone.missing) {
-                // An image of one column has nothing on either side.
+                // An image of one column has no pixels on either side.
                 let near = if x > 0 { x - 1 } else { (x + 1).min(width - 1) };
                 distance[x] = distance[near];
                 if let Some(sources) = &mut sources {
@@ -374,7 +374,7 @@ impl<K: Key> Tile<'_, '_, K> {
     }
 }
 
-/// What was moved to each pixel, and what stands where nothing was measured.
+/// Gathers the values of the samples that moved to each pixel, and the invalid value elsewhere.
 fn gather<T: Copy>(
     out: &mut [T],
     input: &[T],

@@ -1,15 +1,15 @@
-//! Numbers become pixels of a picture.
+//! Visualizations of depth, disparity and confidence.
 
 use super::OutputMode;
 use super::plan::Plan;
 
-/// Where nothing was measured.
+/// The colour of pixels without measurement.
 pub(super) const BLACK: [u8; 4] = [0, 0, 0, 255];
 
-/// 0 to 1, and what lies outside at the nearer end, as a byte.
+/// Converts a value of 0 to 1 to a byte; values outside are clamped.
 #[inline(always)]
 fn byte(value: f32) -> u8 {
-    // Not a number is 0.
+    // NaN becomes 0.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
     let byte = (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
     byte
@@ -20,13 +20,13 @@ fn grey(value: f32) -> [u8; 4] {
     [byte, byte, byte, 255]
 }
 
-/// From red at 0 over yellow, green and cyan to blue at 1.
+/// Returns a colour from red at 0 through yellow, green and cyan to blue at 1.
 fn rainbow(place: f32) -> [u8; 4] {
     let hue = 4.0 * place.clamp(0.0, 1.0);
     [byte(2.0 - hue), byte(hue.min(4.0 - hue)), byte(hue - 2.0), 255]
 }
 
-/// 0 at `minDistance`, 1 at `maxDistance`; 0 where these are one.
+/// Maps `minDistance` to 0 and `maxDistance` to 1; returns 0 if they are equal.
 fn place(plan: &Plan, z: f32) -> f32 {
     let [near, far] = plan.range;
     if far > near {
@@ -36,7 +36,7 @@ fn place(plan: &Plan, z: f32) -> f32 {
     }
 }
 
-/// The picture of a depth in a mode that shows depths.
+/// Returns the colour of a depth in a mode that shows depth.
 pub(super) fn depth(plan: &Plan, mode: OutputMode, z: f32) -> [u8; 4] {
     if !(z > 0.0 && z < f32::INFINITY) {
         return BLACK;
@@ -48,12 +48,12 @@ pub(super) fn depth(plan: &Plan, mode: OutputMode, z: f32) -> [u8; 4] {
     }
 }
 
-/// The picture of a disparity.
+/// Returns the colour of a disparity.
 pub(super) fn disparity(plan: &Plan, d: f32) -> [u8; 4] {
     grey(d / plan.max_disparity_px)
 }
 
-/// The picture of a confidence, 0 to 1, and a disparity.
+/// Returns the colour of a confidence of 0 to 1 and a disparity.
 pub(super) fn confidence(plan: &Plan, confidence: f32, d: f32) -> [u8; 4] {
     [byte(confidence), byte(d / plan.max_disparity_px), 0, 255]
 }

@@ -1,4 +1,4 @@
-//! Samples of a row get their disparity and move by it.
+//! Computes the disparities of the samples of a row and moves the samples by them.
 
 use oaktwin_simd as simd;
 
@@ -6,18 +6,18 @@ use super::assumptions::TargetRounding;
 use super::plan::Plan;
 use crate::random::Plane;
 
-/// What lands on a pixel: what is less wins.
+/// A sample that moved to a pixel; of several, the smallest wins.
 pub(super) trait Key: Copy + Ord {
-    /// Nothing landed.
+    /// No sample.
     const NONE: Self;
     fn new(rank: u32, column: u32) -> Self;
-    /// Twice the bits of the depth that is reported, and 1 more where confidence is lacking: nearer is less.
+    /// Twice the bits of the reported depth, plus 1 if confidence is too low: nearer samples are smaller.
     fn rank(self) -> u32;
-    /// Where the sample comes from, where the key says so.
+    /// The source column of the sample, if the key contains it.
     fn column(self) -> u32;
 }
 
-/// Only the depth.
+/// A key of the depth alone.
 impl Key for u32 {
     const NONE: Self = u32::MAX;
     #[inline(always)]
@@ -34,7 +34,7 @@ impl Key for u32 {
     }
 }
 
-/// The depth and the column it comes from.
+/// A key of the depth and the source column.
 impl Key for u64 {
     const NONE: Self = u64::MAX;
     #[inline(always)]
@@ -52,7 +52,7 @@ impl Key for u64 {
     }
 }
 
-/// The depth of a rank: 0 where nothing landed or confidence is lacking.
+/// Returns the depth of a rank: 0 without a sample, or if confidence is too low.
 #[inline(always)]
 pub(super) fn depth(rank: u32) -> f32 {
     if rank & 1 == 0 {
@@ -62,27 +62,26 @@ pub(super) fn depth(rank: u32) -> f32 {
     }
 }
 
-/// Columns that are worked on together: so many that a loop over them has no rest, as many as a word has bits.
+/// The columns that are processed together: as many as a word has bits, so that loops have no remainder.
 pub(super) const LANES: usize = 64;
 
 pub(super) type Lanes<T> = [T; LANES];
 
-/// Buffers of one row. Those of columns are a whole number of [`LANES`] long.
+/// The buffers of one row; their lengths are multiples of [`LANES`].
 #[derive(Debug, Default)]
 pub(super) struct Row {
-    /// Disparity, px; infinite for no sample.
+    /// The disparity in px; infinite without a sample.
     pub(super) disparity: Vec<f32>,
     ranks: Vec<u32>,
     targets: Vec<u32>,
-    /// Normal numbers of the row's patches, then of its columns.
+    /// Normal numbers: of the row's patches, then of its columns.
     patches: Vec<f32>,
     jitter: Vec<f32>,
-    /// The row of patches that `jitter` holds.
+    /// The row of patches in `jitter`.
     held: Option<u32>,
 }
 
 impl Row {
-    /// Forgets the image.
     pub(super) fn reset(&mut self, plan: &Plan) {
         let padded = plan.width.next_multiple_of(LANES);
         self.disparity.resize(padded, 0.0);
@@ -94,8 +93,8 @@ impl Row {
         self.held = None;
     }
 
-    /// Moves a row of depths: what lands on each pixel. `lacking` is 1 where a sample has no confidence, and empty
-    /// where nobody asks.
+    /// Moves a row of depths and fills `landed`. `lacking` is 1 where confidence is too low, and empty if confidence is not
+    /// used.
     #[inline(always)]
     pub(super) fn warp<K: Key>(
         &mut self,
@@ -144,7 +143,7 @@ impl Row {
         scatter(plan.last_wins, &self.ranks, &self.targets, landed);
     }
 
-    /// Normal numbers for row `y`, new where it begins a row of patches.
+    /// Fills the normal numbers for row `y`; they change at each row of patches.
     #[inline(always)]
     fn draw(&mut self, plan: &Plan, random: &Plane, y: usize) {
         let patch = plan.patch(y);
@@ -169,7 +168,7 @@ fn disparities(plan: &Plan, depth: &Lanes<f32>, out: &mut Lanes<f32>) {
     let dropped_from = if plan.clamps { f32::INFINITY } else { max };
     for (out, &z) in out.iter_mut().zip(depth) {
         let d = plan.disparity_times_depth / z;
-        // Not a number is neither.
+        // NaN is neither.
         let is_seen = (z > 0.0) & (z >= near) & (z <= far) & (d <= dropped_from);
         let d = if d < max { d } else { max };
         *out = if is_seen { d } else { f32::INFINITY };
@@ -187,7 +186,7 @@ fn quantize(plan: &Plan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
     }
 }
 
-/// Depth from disparity; what has none is no sample.
+/// Computes depth from disparity; without a disparity there is no sample.
 #[inline(always)]
 fn recompute(plan: &Plan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
     for (d, out) in disparity.iter_mut().zip(out) {
@@ -200,7 +199,7 @@ fn recompute(plan: &Plan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
     }
 }
 
-/// Disparities and reported depths of columns from `x` on.
+/// The disparities and reported depths of the columns from `x`.
 struct Samples<'a> {
     x: usize,
     disparity: &'a Lanes<f32>,
@@ -208,8 +207,7 @@ struct Samples<'a> {
 }
 
 impl Samples<'_> {
-    /// Ranks and targets of samples that shift by so many columns; a sample that leaves the image has no rank, and its
-    /// own column for a target.
+    /// Computes the ranks and targets of samples; a sample that leaves the image has no rank, and its own column as target.
     #[inline(always)]
     #[expect(
         clippy::cast_possible_truncation,
@@ -220,7 +218,7 @@ impl Samples<'_> {
         let limit = width as f32;
         for lane in 0..LANES {
             let shift = round(plan.side * self.disparity[lane]);
-            // Not so where there is no sample.
+            // False without a sample.
             let is_near = shift.abs() <= limit;
             let column = (self.x + lane) as u32;
             let shift = simd::saturating_trunc(if is_near { shift } else { 0.0 });
@@ -236,7 +234,7 @@ impl Samples<'_> {
     }
 }
 
-/// Puts samples at their targets.
+/// Writes samples to their targets.
 #[inline(always)]
 fn scatter<K: Key>(last_wins: bool, ranks: &[u32], targets: &[u32], landed: &mut [K]) {
     landed.fill(K::NONE);

@@ -48,8 +48,8 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         findings.push(warn(
             "range-beyond-image",
             "disparity range",
-            format!("the search goes to {last} px, the images are {width} px wide"),
-            "give larger images, or a smaller disparityShift",
+            format!("disparities up to {last} px exceed the image width of {width} px"),
+            "use larger images, or a smaller disparityShift",
         ));
     }
     let more = pair.left().bits() - 8;
@@ -67,8 +67,8 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             findings.push(warn(
                 "saturated",
                 name,
-                format!("{:.0} % of its pixels are as bright as can be", share * 100.0),
-                "expose it shorter",
+                format!("{:.0} % of the pixels are saturated", share * 100.0),
+                "reduce the exposure",
             ));
         }
     }
@@ -88,8 +88,8 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             findings.push(warn(
                 "no-texture",
                 name,
-                format!("only {count} places in it have a texture that can be matched"),
-                "light it, switch the dot projector on, or look at something with a texture",
+                format!("too little texture: {count} matchable points"),
+                "add light, enable the dot projector, or use a textured scene",
             ));
             return findings;
         }
@@ -98,7 +98,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         findings.push(warn(
             "same-image",
             "stereo pair",
-            "the left and the right image are the same".to_owned(),
+            "the left and the right image are identical".to_owned(),
             "give the images of both cameras",
         ));
         return findings;
@@ -117,7 +117,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         findings.push(warn(
             "pair-swapped",
             "stereo pair",
-            "what is in the left image is farther right in the right one".to_owned(),
+            "points of the left image are farther right in the right image".to_owned(),
             "swap the left and the right image",
         ));
     }
@@ -126,7 +126,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         findings.push(warn(
             "unrelated",
             "stereo pair",
-            "what is in the left image is not in the right one, or nearer than is searched".to_owned(),
+            "the images do not match, or all surfaces are nearer than the search range".to_owned(),
             "give both images of the same moment; for near objects enable the extended disparity",
         ));
     } else if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
@@ -135,10 +135,10 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             "vertical-offset",
             "stereo pair",
             format!(
-                "the right image has things about {} px {to} than the left",
+                "the right image is about {} px {to} than the left one",
                 rows.abs()
             ),
-            "rectify both with the calibration of this device",
+            "rectify both with this unit's calibration",
         ));
     }
     findings

@@ -1,11 +1,11 @@
-//! Edge fattening: a matching window that reaches over an edge reports the near side.
+//! Edge fattening: a matching window across an edge reports the near side.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-/// What reaches over an edge is this much nearer, px: less is the slope of a surface.
+/// The minimum disparity difference at an edge, px; smaller differences are slopes of surfaces.
 const JUMP_PX: f32 = 1.0;
 
-/// The last rows of an image of disparities, each the largest within reach along the row.
+/// The last rows of a disparity image, each with the maximum within reach along the row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dilation {
     reach: usize,
@@ -21,7 +21,7 @@ impl Dilation {
         self.rows.resize(width * (2 * reach + 1), 0.0);
     }
 
-    /// The next row enters; none beyond the border.
+    /// Adds the next row; `None` beyond the border.
     pub(super) fn push(&mut self, level: Level, disparities: Option<&[f32]>) {
         let count = 2 * self.reach + 1;
         let width = self.rows.len() / count;
@@ -43,7 +43,7 @@ impl Dilation {
         }
     }
 
-    /// The row in the middle with its edges widened.
+    /// Writes the middle row with widened edges.
     pub(super) fn widen(&self, level: Level, disparities: &[f32], out: &mut [f32]) {
         simd::run_at(
             level,

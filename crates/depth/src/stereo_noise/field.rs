@@ -1,4 +1,4 @@
-//! The field of independent random numbers that the windows of the jitter add up.
+//! The field of independent random numbers whose window sums are the jitter.
 
 use std::ops::Range;
 
@@ -6,32 +6,32 @@ use oaktwin_simd::{self as simd, Kernel, Level};
 
 use crate::random::{Plane, box_muller};
 
-/// What a pixel of the field holds: small whole numbers, so that sums are exact.
+/// The numbers of the field: small integers, so that sums are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Numbers {
-    /// Random bytes: many make a normal sum.
+    /// Random bytes; the sum of many is normal.
     Bytes,
-    /// Normal numbers in steps of 1/1024, and [`OFFSET`].
+    /// Normal numbers in steps of 1/1024, plus [`OFFSET`].
     Normals,
 }
 
-/// Bytes from which on their sum is taken for normal: its excess kurtosis is −1.2 / 16.
+/// The number of bytes from which their sum counts as normal: its excess kurtosis is −1.2 / 16.
 const NORMAL_BYTES: usize = 16;
 
-/// Steps a standard deviation.
+/// Steps per standard deviation.
 const STEPS: f32 = 1024.0;
 
-/// Normal numbers lie within 4.9 standard deviations: nothing is below 0, four of a column fit 16 bits.
+/// Normal numbers lie within 4.9 standard deviations: none is below 0, and the sum of four fits 16 bits.
 const OFFSET: f32 = 8192.0;
 
-/// 2²³: adding it rounds to a whole number, in the lowest bits.
+/// 2²³: adding it rounds to an integer, in the lowest bits.
 const ONE_A_STEP: f32 = 8_388_608.0;
 
-/// Normal numbers are made in groups of as many words and twice as many pixels.
+/// The words in a group of normal numbers, which covers twice as many pixels.
 const GROUP: usize = 32;
 
 impl Numbers {
-    /// Those for a window so wide.
+    /// Returns the numbers for a window of this side.
     pub(super) fn under(side: usize) -> Self {
         if side * side < NORMAL_BYTES {
             Self::Normals
@@ -55,7 +55,7 @@ impl Numbers {
     }
 }
 
-/// Memory for the rows of a strip.
+/// The memory for the rows of a strip.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Field {
     width: usize,
@@ -65,16 +65,16 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// Ready for rows at least `width` columns wide: how wide they are.
+    /// Prepares for rows of at least `width` columns and returns their width.
     pub(super) fn reset(&mut self, width: usize) -> usize {
         self.width = width.next_multiple_of(2 * GROUP);
         self.width
     }
 
-    /// Rows of the field.
+    /// Returns rows of the field.
     ///
-    /// Of normal numbers each word of the row makes two: of 32 words, word i makes pixels i and 32 + i of 64. The upper
-    /// 16 bits are the radius, the lower the angle.
+    /// Each word of a row makes two normal numbers: of 32 words, word i makes pixels i and 32 + i of 64. The upper 16 bits
+    /// are the radius, the lower the angle.
     pub(super) fn rows(&mut self, level: Level, plane: &Plane, rows: Range<u32>, numbers: Numbers) -> &[u16] {
         let pixels = rows.len() * self.width;
         self.numbers.resize(pixels, 0);
@@ -139,7 +139,7 @@ impl Kernel for Normals<'_> {
         for (group, words) in groups {
             let (cosines, sines) = group.split_at_mut(GROUP);
             for ((cosine, sine), &word) in cosines.iter_mut().zip(sines).zip(words) {
-                // The middle of what the 16 bits stand for.
+                // The centre of the interval of the 16 bits.
                 let numbers = box_muller(word & 0xFFFF_0000 | 0x8000, word << 16);
                 [*cosine, *sine] = numbers.map(fixed);
             }
@@ -147,7 +147,7 @@ impl Kernel for Normals<'_> {
     }
 }
 
-/// In steps, halves to even.
+/// Rounds to steps, halves to even.
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the number is in the low 16 bits")]
 fn fixed(normal: f32) -> u16 {

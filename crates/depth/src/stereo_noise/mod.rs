@@ -1,47 +1,47 @@
-//! What an OAK's stereo reports, from depth alone, for whoever has a depth image and nothing else.
+//! A parametric model of the depth error of an OAK stereo pair, from a depth image alone.
 //!
 //! The image is the rectified left one. Disparities are in matcher pixels, those of the mode's full width S
-//! ([`Parameters::width_px`]): d = f·b/z. What is measured in pixels of the image (shadows, borders, windows) is
-//! converted by W/S, so that an image of any width W of the same field of view has the same depth error. Images are
-//! taken as they are: there is no lens here, and no filter.
+//! ([`Parameters::width_px`]): d = f·b/z. Quantities in pixels of the image (shadows, borders, windows) are
+//! converted by W/S, so that images of any width W with the same field of view have the same depth error. There is no lens
+//! and no filter here.
 //!
 //! # Steps
-//! 1. **Geometry.** Depth becomes disparity; what is not finite and above 0 is no surface. Optionally the matching
-//!    window makes near things wider ([`Parameters::edge_dilation_px`]): a pixel with something more than 1 px nearer
-//!    within reach, rows and columns, takes the nearest such disparity. What the second imager does not see is lost
-//!    ([`Parameters::occlusion`]): pixels whose place in the right image is covered by something at least one pixel of
-//!    the image nearer, on the left of near things, and those that fall left of it, x < d·W/S. Where near things are
-//!    widened, the left-right check also loses what the widened things cover in the right image, a band as wide on the
-//!    far side of the shadow, if they are nearer by more than its threshold; without it, or with a widening of 0 (the
-//!    default), it has no effect.
+//! 1. **Geometry.** Depth is converted to disparity; values that are not finite and positive are no surface. Optionally the
+//!    matching window widens near objects ([`Parameters::edge_dilation_px`]): a pixel with something more than 1 px nearer
+//!    within reach, in rows and columns, takes the nearest such disparity. Pixels that the second imager does not see are
+//!    invalid ([`Parameters::occlusion`]): those whose position in the right image is covered by something at least one
+//!    image pixel nearer, on the left of near objects, and those left of the right image, x < d·W/S. Where near objects
+//!    are widened, the left-right check also invalidates what they cover in the right image, a band of the same width on the
+//!    far side of the shadow, if they are nearer by more than its threshold; without the check, or with a widening of 0
+//!    (the default), this has no effect.
 //! 2. **Systematic error.** d₁ = d + β − a·sin(2π(d + β)): the device's calibration bias, and pixel locking.
 //! 3. **Random error.** d₂ = d₁ + σ·N: N has mean 0 and variance 1, is new in every frame, and is the sum over the
-//!    matching window of independent numbers, so that neighbours share it. The numbers are random bytes; under windows
-//!    smaller than 4×4 pixels of the image, normal numbers in steps of σ/1024: whole numbers, so that sums are exact and
-//!    the same on every machine. N is normal but for its tails: none beyond 4.8 σ of a window of one pixel, 6.9 σ of
+//!    matching window of independent numbers, so that it is correlated between neighbours. The numbers are random bytes; under windows
+//!    smaller than 4×4 pixels of the image, normal numbers in steps of σ/1024: integers, so that sums are exact and
+//!    the same on every machine. N is normal except for its tails: none beyond 4.8 σ of a window of one pixel, 6.9 σ of
 //!    4×4, more of others; of a sum of bytes the excess kurtosis is −0.075 or less away from 0.
-//! 4. **Quantization** to 1, 1/8, 1/16 or 1/32 px, halves to even; what is not within the range of 95 px (190
-//!    extended) above the shift is lost. A disparity that rounds to the shift is 0, and 0 is no measurement.
-//! 5. **Losses**: too little texture, where the shot has a picture ([`Parameters::confidence_threshold`]; the measure is
-//!    ours, see below); dropout; columns at the left border ([`Parameters::invalid_edge_px`]).
-//! 6. **Depth** z = f·b/d in whole millimetres; beyond 65.535 m there is none.
+//! 4. **Quantization** to 1, 1/8, 1/16 or 1/32 px, halves to even; disparities outside the range of 95 px (190
+//!    extended) above the shift are invalid. A disparity that rounds to the shift is 0, and 0 is invalid.
+//! 5. **Invalidation**: too little texture, if the shot has a colour image ([`Parameters::confidence_threshold`]; the measure
+//!    is this project's, see below); dropout; columns at the left border ([`Parameters::invalid_edge_px`]).
+//! 6. **Depth** z = f·b/d in whole millimetres; beyond 65.535 m depth is invalid.
 //!
-//! Between 5 and 6 belong the filters of [`crate::filter`]: [`StereoNoise::disparity`] and [`StereoNoise::depth`] are
+//! The filters of [`crate::filter`] run between 5 and 6: [`StereoNoise::disparity`] and [`StereoNoise::depth`] are
 //! the two halves of [`StereoNoise::sense`].
 //!
-//! # What is measured, and what is an estimate
+//! # Measurements and estimates
 //! * The form of the systematic error, and β ≈ −0.22 px, a ≈ 0.13 px at 800P (f 794 px), β ≈ 0, a ≈ 0.2 px at 480P
-//!   (f 454 px), are fits to error curves that the vendor has published for one device each. Measured as the vendor does,
-//!   this model has R² 0.966 of the error in % at 800P beyond 2.5 m, 0.88 at 480P. What another device has is an
-//!   estimate.
-//! * Estimates: the spread of β over devices ([`DEVICE_BIAS_SIGMA_PX`]), with which the median of many devices stays
-//!   inside the accuracy that the vendor publishes; σ = 0.05 px over 7×7; no widening, no dropout; which side of 1 px
-//!   is an edge; rounding to the nearest millimetre.
-//! * Confidence, 0 to 255 (higher is surer, as in `DepthAI` 3; older versions count down from 255): the mean absolute
+//!   (f 454 px), are fits to error curves that the vendor has published for one unit each. Measured by the vendor's
+//!   method, this model has R² 0.966 of the error in % at 800P beyond 2.5 m, 0.88 at 480P. The values of other models are
+//!   estimates.
+//! * Estimates: the spread of β over units ([`DEVICE_BIAS_SIGMA_PX`]), with which the median of many units stays within
+//!   the accuracy that the vendor publishes; σ = 0.05 px over 7×7; no widening, no dropout; the threshold of 1 px at
+//!   edges; rounding to the nearest millimetre.
+//! * Confidence, 0 to 255 (255 = highest, as in `DepthAI` 3; older versions count down from 255): the mean absolute
 //!   difference of a pixel's luma and the next one's on its right, over the matching window, times 128. An estimate: the
-//!   device's own is not published. The default threshold of 55 asks for 0.43 grey levels. A picture does not show what
-//!   a dot projector adds: give none for a device that has its projector on, or a threshold of 0.
-//! * In extended mode the near half, which the device matches in images of half the size, is as fine here as the rest.
+//!   device's own is not published. The default threshold of 55 requires 0.43 grey levels. A colour image does not
+//!   show a dot projector's pattern: omit it for a device with its projector on, or set a threshold of 0.
+//! * In extended mode the device matches near objects in images of half the size; here they have the same resolution.
 
 mod batch;
 mod dilation;
@@ -68,7 +68,7 @@ use crate::disparity::DepthTable;
 use crate::random::Stream;
 use crate::{ParameterError, Shot};
 
-/// The sensor, ready to look.
+/// The engine, with checked parameters.
 #[derive(Clone, PartialEq)]
 pub struct StereoNoise {
     parameters: Parameters,
@@ -84,36 +84,36 @@ impl fmt::Debug for StereoNoise {
 }
 
 impl StereoNoise {
-    /// Of its parameters.
+    /// Creates the engine from its parameters.
     ///
     /// # Errors
-    /// A parameter out of its range.
+    /// Returns an error if a parameter is out of range.
     pub fn new(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         let table = DepthTable::new(&parameters.fixed(), 1.0, parameters.max_fixed_disparity());
         Ok(Self { parameters, table })
     }
 
-    /// Its parameters.
+    /// The parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// The disparity image that the matcher hands to the filters: units of 2⁻ⁿ matcher pixels with n bits of
+    /// Measures a shot as the disparity image before filters: units of 2⁻ⁿ matcher pixels with n bits of
     /// [`Subpixel`], without the [shift](Parameters::disparity_shift_px); 0 where nothing was measured.
     #[must_use]
     pub fn disparity(&self, shot: &Shot<'_>, random: &Stream) -> Image<u16> {
         self.image(shot, random, |fixed, out| out.copy_from_slice(fixed))
     }
 
-    /// What it reports of a shot without filters: metres, whole millimetres, 0 where nothing was measured.
+    /// Measures a shot without filters: metres, whole millimetres, 0 where nothing was measured.
     #[must_use]
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
         ZDepth(self.image(shot, random, |fixed, out| self.table.look_up(fixed, out)))
     }
 
-    /// Depth from a disparity image, in which a unit of [`StereoNoise::disparity`] is `scale` units: metres, whole
+    /// Converts a disparity image to depth, where a unit of [`StereoNoise::disparity`] is `scale` units: metres, whole
     /// millimetres up to 65 535, 0 where nothing was measured.
     #[must_use]
     pub fn depth(&self, disparity: &Image<u16>, scale: f64) -> ZDepth {

@@ -1,18 +1,17 @@
-//! The steps of one row: loops that are compiled for each instruction set.
+//! The steps for one row, as loops that are compiled for each instruction set.
 
 use oaktwin_simd::Kernel;
 
 use super::scale::Scale;
 use crate::turns::sin_of_turns;
 
-/// Nearer than any range reaches: what is farther left is out of every image, and it stays finite.
+/// A disparity beyond every range: it is finite, and farther left than every image.
 const LARGEST_PX: f32 = 8192.0;
 
-/// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds,
-/// halves to even.
+/// 2²³: from here to 2²⁴, `float32` represents exactly the integers, in its lowest bits. Adding it rounds, halves to even.
 const ONE_A_STEP: f32 = 8_388_608.0;
 
-/// Depth becomes disparity, in its place; 0 where there is no surface.
+/// Converts depth to disparity in place; 0 where there is no surface.
 pub(super) struct Disparities<'a> {
     pub(super) px_m: f32,
     pub(super) depth: &'a mut [f32],
@@ -27,17 +26,17 @@ impl Kernel for Disparities<'_> {
             let z = *place;
             let d = self.px_m / z;
             let finite = if d < LARGEST_PX { d } else { LARGEST_PX };
-            // False for a NaN.
+            // False for NaN.
             let surface = (z > 0.0) & (z < f32::INFINITY);
             *place = if surface { finite } else { 0.0 };
         }
     }
 }
 
-/// Pixels that are lost at random.
+/// Drops pixels at random.
 pub(super) struct Dropout<'a> {
     pub(super) limit: u32,
-    /// Low and high ones.
+    /// The low and high bytes.
     pub(super) bytes: (&'a [u8], &'a [u8]),
     pub(super) disparities: &'a mut [f32],
 }
@@ -55,9 +54,9 @@ impl Kernel for Dropout<'_> {
     }
 }
 
-/// Pixels whose window has too little texture are lost.
+/// Drops pixels whose window has too little texture.
 pub(super) struct Textured<'a> {
-    /// What a window's sum must reach.
+    /// The minimum sum of a window.
     pub(super) least: u32,
     pub(super) gain: u32,
     pub(super) sums: &'a [u32],
@@ -79,15 +78,15 @@ impl Kernel for Textured<'_> {
     }
 }
 
-/// Disparities become measured ones: the systematic error, the jitter, steps, the range. Disparity 0 is no surface.
+/// Turns disparities into measured ones: systematic error, jitter, quantization and range. Disparity 0 is no surface.
 pub(super) struct Measure<'a> {
     pub(super) scale: &'a Scale,
-    /// Image px a matcher pixel where the left band is lost, else 0.
+    /// Image pixels per matcher pixel if the left band is invalid, else 0.
     pub(super) band_px: f32,
-    /// Of each pixel.
+    /// The column of each pixel.
     pub(super) columns: &'a [f32],
     pub(super) disparities: &'a [f32],
-    /// Of random numbers under the window.
+    /// The sums of random numbers in the window.
     pub(super) sums: &'a [u32],
     pub(super) out: &'a mut [u16],
 }

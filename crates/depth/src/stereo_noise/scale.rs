@@ -1,35 +1,35 @@
-//! What the rows need, in single precision and the pixels of one image.
+//! The parameters in single precision and the pixels of one image.
 
 use super::field::Numbers;
 use super::parameters::Parameters;
 use super::window::MAX_SIDE;
 
-/// The parameters, ready for images of one width. "Image px" are the image's own, all else is matcher pixels.
+/// The parameters for images of one width, in image pixels where noted, else in matcher pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     /// Disparity times depth, px·m.
     pub(super) px_m: f32,
-    /// Image px a matcher pixel.
+    /// Image pixels per matcher pixel.
     pub(super) image_px: f32,
     pub(super) bias: f32,
     pub(super) locking: f32,
-    /// Jitter of a window's sum: its sum, less [`jitter_mean`](Self::jitter_mean), times this.
+    /// The factor from a window's sum, less [`jitter_mean`](Self::jitter_mean), to its jitter.
     pub(super) jitter: f32,
     pub(super) jitter_mean: f32,
-    /// What the window adds up.
+    /// The numbers in the window.
     pub(super) numbers: Numbers,
     pub(super) shift: f32,
-    /// Steps a pixel.
+    /// Steps per pixel.
     pub(super) steps: f32,
-    /// The largest value that is found.
+    /// The maximum value in steps.
     pub(super) max_fixed: u32,
     /// The side of the matching window, image px.
     pub(super) window: usize,
-    /// By how much near things grow on every side, image px.
+    /// The widening of near objects on every side, image px.
     pub(super) dilation: usize,
-    /// Lost columns on the left, image px.
+    /// The invalid columns on the left, image px.
     pub(super) invalid_edge: usize,
-    /// A pixel whose 16 random bits are less is lost.
+    /// Pixels whose 16 random bits are below this are dropped.
     pub(super) dropout: u32,
 }
 

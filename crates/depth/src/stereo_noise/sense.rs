@@ -1,4 +1,4 @@
-//! All steps of an image, a strip of a few rows after the other, in memory that stays near the processor.
+//! All steps for an image, in strips of a few rows and in memory that fits the processor's caches.
 
 use oaktwin_image::ImageView;
 use oaktwin_simd::{self as simd, Level};
@@ -15,19 +15,19 @@ use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
 
-/// Rows that one thread works on. The first has to sum up the windows of the rows before.
+/// The rows that one thread processes. The first one also sums the windows of the rows before it.
 const BAND: usize = 64;
 
-/// Rows are padded to multiples of this, so that loops have no ends. The padding has no surface.
+/// Rows are padded to multiples of this, so that loops have no remainder. The padding has no surface.
 const PADDING: usize = 16;
 
-/// A row's low bytes for dropout are filled up to multiples of this, before its high ones.
+/// A row's low dropout bytes are padded to multiples of this before its high ones.
 const DROPOUT: usize = 64;
 
-/// Rows are taken together up to so many pixels: loops of a few pixels are slow.
+/// The pixels of a strip: loops over few pixels are slow.
 const STRIP: usize = 1280;
 
-/// One image to be sensed.
+/// The measurement of one image.
 pub(super) struct Job<'a> {
     sensor: &'a StereoNoise,
     scale: Scale,
@@ -38,11 +38,11 @@ pub(super) struct Job<'a> {
     level: Level,
 }
 
-/// Memory of one thread. All rows of a strip, `stride` pixels apart.
+/// The memory of one thread: the rows of a strip, `stride` pixels apart.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
     stride: usize,
-    /// Of each pixel.
+    /// The column of each pixel.
     columns: Vec<f32>,
     disparities: Vec<f32>,
     sums: Vec<u32>,
@@ -83,12 +83,12 @@ impl<'a> Job<'a> {
         self.depth.width() as usize
     }
 
-    /// The depth of a row; none beyond the border.
+    /// Returns the depth of a row, or `None` beyond the border.
     fn depth_row(&self, y: usize) -> Option<&'a [f32]> {
         self.depth.pixels().get(y * self.width()..(y + 1) * self.width())
     }
 
-    /// Every row on all threads, each made of its disparities by `finish`.
+    /// Computes all rows on all threads; `finish` makes each from its disparities.
     pub(super) fn image<T: Send>(&self, out: &mut [T], finish: impl Fn(&[u16], &mut [T]) + Sync) {
         let band = BAND * self.width();
         out.par_chunks_mut(band.max(1)).enumerate().for_each_init(
@@ -99,7 +99,7 @@ impl<'a> Job<'a> {
         );
     }
 
-    /// The rows from `first` that `out` has room for.
+    /// Computes as many rows from `first` as `out` holds.
     pub(super) fn rows<T>(
         &self,
         s: &mut Scratch,
@@ -123,7 +123,7 @@ impl<'a> Job<'a> {
 }
 
 impl Scratch {
-    /// Ready for row `first`.
+    /// Prepares for row `first`.
     fn begin(&mut self, job: &Job<'_>, first: usize) {
         let (width, scale) = (job.width(), &job.scale);
         self.stride = width.next_multiple_of(PADDING);
@@ -149,7 +149,7 @@ impl Scratch {
         }
     }
 
-    /// The measured disparities of the next rows.
+    /// Computes the measured disparities of the next rows.
     fn strip(&mut self, job: &Job<'_>, first: usize, rows: usize) {
         let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
         self.make_room(rows);
@@ -188,7 +188,7 @@ impl Scratch {
 
     fn make_room(&mut self, rows: usize) {
         let pixels = rows * self.stride;
-        // Strips have one stride; the last may be shorter.
+        // The last strip may be shorter.
         if self.columns.len() < pixels {
             self.columns.clear();
             for _ in 0..rows {
@@ -200,7 +200,7 @@ impl Scratch {
         self.fixed.resize(pixels, 0);
     }
 
-    /// Finds what is hidden: pixels of the strip.
+    /// Finds the occluded pixels of the strip.
     fn hide(&mut self, nearer: f32, scale: &Scale, level: Level) {
         let rows = Rows {
             columns: &self.columns,
@@ -219,7 +219,7 @@ impl Scratch {
         }
     }
 
-    /// A row enters the window of the dilation.
+    /// Adds a row to the window of the dilation.
     fn dilate(&mut self, job: &Job<'_>, y: Option<usize>) {
         let inside = y.filter(|&y| job.depth_row(y).is_some());
         self.dilated.resize(self.stride, 0.0);
@@ -230,7 +230,7 @@ impl Scratch {
             .push(job.level, inside.map(|_| self.dilated.as_slice()));
     }
 
-    /// Widens the near sides of edges, and drops what is hidden then.
+    /// Widens the near sides of edges, and drops the pixels that they occlude.
     fn widen(&mut self, job: &Job<'_>, first: usize) {
         let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
         self.widened.resize(self.disparities.len(), 0.0);
@@ -239,19 +239,19 @@ impl Scratch {
             let row = start..start + stride;
             self.dilation
                 .widen(job.level, &self.disparities[row.clone()], &mut self.widened[row]);
-            // What grows over the border is not in the image.
+            // The widening ends at the border.
             self.widened[start + job.width()..start + stride].fill(0.0);
         }
         let widened = std::mem::take(&mut self.widened);
         if p.occlusion {
-            // What is widened over the shadow is seen by both.
+            // Both cameras see what is widened over the shadow.
             self.hide(NEARER, scale, job.level);
             let narrow = &self.disparities;
             self.hidden
                 .retain(|&pixel| narrow.get(pixel) == widened.get(pixel));
         }
         self.widened = std::mem::replace(&mut self.disparities, widened);
-        // What the other direction of matching reports is as wide: it takes the place of what is beside the shadow.
+        // Objects are as wide in the other direction of matching, where they replace what is beside the shadow.
         if p.occlusion && p.left_right_check {
             let threshold = p.left_right_check_threshold_px as f32 * scale.image_px;
             self.hide(threshold.max(NEARER), scale, job.level);
@@ -259,7 +259,7 @@ impl Scratch {
         self.drop_hidden();
     }
 
-    /// Drops what has too little texture.
+    /// Drops pixels with too little texture.
     fn drop_plain(&mut self, job: &Job<'_>, first: usize) {
         let Some(picture) = &job.picture else { return };
         let side = job.scale.window;
@@ -292,13 +292,13 @@ impl Scratch {
     }
 }
 
-/// A row's number for the generator, a window's area.
+/// Converts a row number or a window's area for the generator.
 #[expect(clippy::cast_possible_truncation, reason = "images have less than 2³² rows")]
 fn counter(row: usize) -> u32 {
     row as u32
 }
 
-/// Rows of disparities from `first` on; the padding has no surface.
+/// Fills rows of disparities from `first`; the padding has no surface.
 fn to_disparities(job: &Job<'_>, first: usize, stride: usize, out: &mut [f32]) {
     for (y, row) in (first..).zip(out.chunks_exact_mut(stride)) {
         let depth = job.depth_row(y).unwrap_or_default();

@@ -1,38 +1,37 @@
-//! What the second imager does not see: its view is blocked by something nearer.
+//! Occlusion: pixels whose view from the second imager is blocked by something nearer.
 //!
-//! A pixel at column x with disparity d lies at x − d in the right image. Seen from there, what is farther to the right
-//! in the left image comes first: a pixel can be hidden only where something on its right lies at its place or left of
-//! it (the running minimum of x − d from the right), and is hidden where that something covers its very place, so that
-//! a wall between a thin pole and the pole's shadow stays visible.
+//! A pixel at column x with disparity d is at x − d in the right image. A pixel can be occluded only if a pixel on its
+//! right is at its position or left of it in the right image (the running minimum of x − d from the right), and it is
+//! occluded if that pixel covers its exact position, so that a wall between a thin pole and the pole's shadow stays visible.
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-/// Pixels that are looked at together.
+/// The pixels that are processed together.
 pub(super) const BLOCK: usize = 16;
 
-/// What is farther left is out of every image.
+/// A position left of every image.
 const LEFTMOST: f32 = -1_048_576.0;
 
-/// What hides something is this much nearer, image px: less is the slope of a surface.
+/// The minimum disparity difference of an occlusion, image px; smaller differences are slopes of surfaces.
 pub(super) const NEARER: f32 = 1.0;
 
-/// Places in the right image of the pixels of a strip.
+/// The positions of a strip's pixels in the right image.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shadow {
-    /// And a last one that is beyond all.
+    /// The positions, and one at the end beyond all.
     places: Vec<f32>,
-    /// Whether the next pixel of the row does not lie on the right.
+    /// Whether the next pixel of the row is not on the right.
     falls: Vec<u8>,
-    /// Of a row.
+    /// The blocks of a row.
     blocks: Vec<Block>,
 }
 
-/// Where a block's pixels lie in the right image.
+/// The positions of a block's pixels in the right image.
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
     low: f32,
     high: f32,
-    /// The smallest of all after.
+    /// The minimum of all positions after the block.
     after: f32,
 }
 
@@ -41,16 +40,16 @@ struct Block {
 pub(super) struct Rows<'a> {
     /// The column of each pixel.
     pub(super) columns: &'a [f32],
-    /// Matcher px.
+    /// Disparities, matcher px.
     pub(super) disparities: &'a [f32],
-    /// Pixels of a row, a multiple of [`BLOCK`].
+    /// The pixels of a row, a multiple of [`BLOCK`].
     pub(super) stride: usize,
-    /// Image px a matcher pixel.
+    /// Image pixels per matcher pixel.
     pub(super) image_px: f32,
 }
 
 impl Shadow {
-    /// Finds the pixels that are hidden by something at least `nearer` image px nearer, in no order.
+    /// Finds the pixels that are occluded by something at least `nearer` image px nearer, in any order.
     pub(super) fn find(&mut self, level: Level, rows: Rows<'_>, nearer: f32, hidden: &mut Vec<usize>) {
         self.places.resize(rows.disparities.len() + 1, 0.0);
         self.falls.resize(rows.disparities.len(), 0);
@@ -71,7 +70,7 @@ impl Shadow {
     }
 }
 
-/// Disparities become places.
+/// Converts disparities to positions.
 struct Places<'a> {
     rows: Rows<'a>,
     places: &'a mut [f32],
@@ -95,7 +94,7 @@ impl Kernel for Places<'_> {
         for ((falls, this), next) in self.falls.iter_mut().zip(self.places.iter()).zip(next) {
             *falls = u8::from(next <= this);
         }
-        // Not so the last of a row, whose next is the first of another.
+        // Not for the last pixel of a row, whose next pixel is in another row.
         for falls in self.falls.chunks_exact_mut(self.rows.stride) {
             if let Some(last) = falls.last_mut() {
                 *last = 0;
@@ -104,7 +103,7 @@ impl Kernel for Places<'_> {
     }
 }
 
-/// Hidden pixels, from what lies in the wrong order.
+/// Finds occluded pixels among those in the wrong order.
 struct Find<'a> {
     shadow: &'a mut Shadow,
     rows: Rows<'a>,
@@ -173,7 +172,7 @@ fn is_in_order(falls: &[u8; BLOCK]) -> bool {
     u128::from_ne_bytes(*falls) == 0
 }
 
-/// The first of all, in an order.
+/// Returns the first of all, in an order.
 #[inline(always)]
 fn least(mut values: [f32; BLOCK], is_before: impl Fn(f32, f32) -> bool) -> f32 {
     let mut half = BLOCK / 2;
@@ -187,7 +186,7 @@ fn least(mut values: [f32; BLOCK], is_before: impl Fn(f32, f32) -> bool) -> f32 
     values[0]
 }
 
-/// Pixels of a block that something on their right has passed, a bit each; none beyond the left border.
+/// Returns a bit for each pixel of a block that a pixel on its right has passed, and none beyond the left border.
 #[inline(always)]
 fn passed(places: &[f32; BLOCK], after: f32) -> u32 {
     let (mut passed, mut leftmost) = (0, after);
@@ -198,7 +197,7 @@ fn passed(places: &[f32; BLOCK], after: f32) -> u32 {
     passed
 }
 
-/// What covers a cell of the right image: of at least this disparity, image px.
+/// A search for a pixel that covers a cell of the right image, with at least this disparity, image px.
 struct Covering {
     cell: f32,
     least: f32,
@@ -206,7 +205,7 @@ struct Covering {
 }
 
 impl Covering {
-    /// Whether it is in the blocks from the pixel's own on. What is nearer is on the right.
+    /// Whether there is one in the blocks from the pixel's own. Nearer pixels are on the right.
     #[inline(always)]
     fn is_in(&self, blocks: &[Block], places: &[f32], disparities: &[f32]) -> bool {
         for (b, block) in blocks.iter().enumerate() {
@@ -224,8 +223,8 @@ impl Covering {
         false
     }
 
-    /// A pixel covers the cell that it lies in, and the next where the surface is stretched to at most twice its width
-    /// there. Next to the last of a row is something on the left, or nothing.
+    /// A pixel covers its cell, and the next one if the surface is stretched to at most twice its width there. The last
+    /// pixel of a row has no next pixel on the right.
     #[inline(always)]
     fn is_among(&self, places: &[f32], next: &[f32], disparities: &[f32]) -> bool {
         let (before, cell, after) = (self.cell - 1.0, self.cell, self.cell + 1.0);

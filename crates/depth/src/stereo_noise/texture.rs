@@ -1,19 +1,19 @@
-//! How sure the matcher is, from a picture.
+//! The matcher's confidence, from a colour image.
 //!
-//! An estimate, as the device's own measure is not published: the mean absolute difference of a pixel's luma (0 to 255)
-//! and that of the next pixel on its right over the matching window, times [`GAIN`], at most 255. Only texture along
-//! the row tells disparities apart. The threshold of 55 that `DepthAI` has by default asks for 0.43 grey levels: a plain
-//! face is dropped, brick and wood are kept.
+//! An estimate, as the device's own measure is not published: the mean absolute difference between the luma (0 to 255) of
+//! a pixel and of the next pixel on its right over the matching window, times [`GAIN`], at most 255. Only texture along
+//! the row distinguishes disparities. `DepthAI`'s default threshold of 55 requires 0.43 grey levels: a plain face is
+//! dropped, brick and wood are kept.
 
 use oaktwin_image::ImageView;
 use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::window::{WindowSum, field_width};
 
-/// Confidence a grey level.
+/// Confidence per grey level.
 pub(super) const GAIN: u32 = 128;
 
-/// Differences of a picture's rows under a window that slides down.
+/// The differences of an image's rows in a window that slides down.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Texture {
     window: WindowSum,
@@ -28,8 +28,8 @@ impl Texture {
         self.field.resize(field_width(width, side), 0);
     }
 
-    /// Row `row` of the field enters: the picture's row half a window above, at its border the last one. Then the sums
-    /// under the windows that end there.
+    /// Adds row `row` of the field: the image row half a window above, at the border the last one. Then computes the sums of
+    /// the windows that end there.
     pub(super) fn slide(
         &mut self,
         level: Level,
@@ -62,7 +62,7 @@ impl Texture {
     }
 }
 
-/// A row's luma, and how it differs from the pixel on the right; the last pixel as the one before.
+/// Computes the luma of a row and its difference to the next pixel on the right; the last difference is repeated.
 struct Differences<'a> {
     pixels: &'a [[u8; 4]],
     luma: &'a mut [u16],

@@ -1,8 +1,8 @@
-//! Sums over a square window that slides down an image of small whole numbers, exactly.
+//! Exact sums over a square window that slides down an image of small integers.
 
 use oaktwin_simd::Kernel;
 
-/// The last `side` rows of a field, `side − 1` columns wider than the image, and what each column of them sums to.
+/// The last `side` rows of a field, which is `side − 1` columns wider than the image, and the sums of their columns.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WindowSum {
     side: usize,
@@ -15,7 +15,7 @@ pub(super) struct WindowSum {
 pub(super) const MAX_SIDE: usize = 255;
 
 impl WindowSum {
-    /// Empties it, for a field `width` columns wide. What a field's column holds must fit `u16 / side`.
+    /// Clears the window, for a field of `width` columns. The numbers of the field must fit `u16 / side`.
     pub(super) fn reset(&mut self, width: usize, side: usize) {
         self.side = side;
         self.next = 0;
@@ -25,8 +25,8 @@ impl WindowSum {
         self.columns.resize(width, 0);
     }
 
-    /// The next rows of the field enter, `side` rows later they leave. After each the sums, `stride` of them: of pixel x
-    /// those of columns x to x + side − 1. No `out`, no sums.
+    /// Adds the next rows of the field, which leave `side` rows later. After each row writes `stride` sums: for pixel x the
+    /// sum of the columns x to x + side − 1. An empty `out` gets no sums.
     pub(super) fn slide<'a>(&'a mut self, field: &'a [u16], stride: usize, out: &'a mut [u32]) -> Slide<'a> {
         Slide {
             window: self,
@@ -37,12 +37,12 @@ impl WindowSum {
     }
 }
 
-/// Columns of the field under the windows of an image.
+/// The columns of the field in the windows of an image.
 pub(super) fn field_width(width: usize, side: usize) -> usize {
     width + side - 1
 }
 
-/// Rows enter, others leave, and columns become windows.
+/// Adds and removes rows, and sums columns to windows.
 pub(super) struct Slide<'a> {
     window: &'a mut WindowSum,
     field: &'a [u16],
@@ -81,7 +81,7 @@ impl Kernel for Slide<'_> {
     }
 }
 
-/// Blocks as wide as can be; rows are multiples of 16.
+/// Processes blocks as wide as possible; rows are multiples of 16.
 #[inline(always)]
 fn sum_along(columns: &[u16], side: usize, out: &mut [u32]) {
     let (wide, rest) = out.as_chunks_mut::<64>();
@@ -101,7 +101,7 @@ fn sum_along(columns: &[u16], side: usize, out: &mut [u32]) {
     }
 }
 
-/// Sums that stay in registers.
+/// Processes a block whose sums stay in registers.
 #[inline(always)]
 fn sum_block<const N: usize>(columns: &[u16], start: usize, side: usize, out: &mut [u32; N]) {
     let mut sums = [0u32; N];

@@ -5,11 +5,11 @@ use crate::batch::Batch;
 use crate::random::Stream;
 
 impl TimeOfFlight {
-    /// What it reports of a batch of images of one frame, `[count, height, width]` as `depth` and `out` are: those of
-    /// [`TimeOfFlight::sense`] of shots without pictures, items numbered from `first_item`. Metres in and out.
+    /// Measures a batch `[count, height, width]` of depth images of one frame as [`TimeOfFlight::sense`] does without colour
+    /// images; items count from `first_item`. Metres in and out.
     ///
     /// # Errors
-    /// `depth` or `out` has another length than the shape says.
+    /// Returns an error if the length of `depth` or `out` does not match the shape.
     pub fn sense_batch(
         &self,
         depth: &[f32],

@@ -1,4 +1,4 @@
-//! What the errors are in closed form, of a wide surface that faces the camera.
+//! The errors in closed form, for a wide surface that faces the camera.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use super::parameters::Parameters;
 use super::unwrap::turn_m;
 
 impl Parameters {
-    /// How much each frequency's distance counts in what is reported.
+    /// The weight of each frequency's distance in the reported one.
     fn weights(&self) -> [f64; 2] {
         if self.phase_unwrapping_level == 0 || !self.enable_phase_unwrapping {
             return [1.0, 0.0];
@@ -15,7 +15,7 @@ impl Parameters {
         squares.map(|square| square / (squares[0] + squares[1]))
     }
 
-    /// Both frequencies' c / 2f, weighted, m: how wrong a distance is that is wrong by one period of each.
+    /// The weighted c / 2f of both frequencies, m: the distance error of one wrong period of each.
     #[must_use]
     pub fn period_m(&self) -> f64 {
         let [a, b] = self.weights();
@@ -23,7 +23,7 @@ impl Parameters {
         a * low + b * high
     }
 
-    /// The amplitude of the phase's periodic error, as the correction leaves it where it is enabled.
+    /// The amplitude of the phase's periodic error, after its correction if that is enabled.
     #[must_use]
     pub fn wiggling_left(&self) -> f64 {
         if self.enable_wiggle_correction {
@@ -33,7 +33,7 @@ impl Parameters {
         }
     }
 
-    /// The error of a distance along the ray by wiggling of this amplitude, m.
+    /// Returns the error of a distance along the ray due to wiggling of this amplitude, m.
     #[must_use]
     pub fn wiggle_m(&self, range_m: f64, amplitude: f64) -> f64 {
         let errors = self.frequencies_mhz.map(turn_m).map(|turn| {
@@ -44,8 +44,8 @@ impl Parameters {
         a * errors[0] + b * errors[1]
     }
 
-    /// The variance over time of a distance along a ray, m², without what whole millimetres add; `cosine` is of the ray's
-    /// angle to the surface's normal. Where that is a small part of a turn.
+    /// Returns the variance over time of a distance along a ray, m², without the rounding to millimetres; `cosine` is of the
+    /// angle between the ray and the surface normal. Valid while the phase noise is a small part of a turn.
     #[must_use]
     pub fn range_variance_m2(&self, range_m: f64, cosine: f64) -> f64 {
         let light = self.signal_e * self.albedo * cosine / (range_m * range_m);
@@ -60,14 +60,14 @@ impl Parameters {
             let shape = 1.0 + self.wiggling * (4.0 * TAU * range_m / turn).cos();
             let length = self.contrast * light * shape;
             let phase = phasor / (length * length);
-            // To second order: an angle's noise grows faster than its phasor's.
+            // To second order: the noise of an angle grows faster than that of its phasor.
             phase * (1.0 + phase) * (turn / TAU) * (turn / TAU)
         });
         let [a, b] = self.weights();
         a * a * variances[0] + b * b * variances[1]
     }
 
-    /// How much of a frame's noise is the next one's too, 0 to 1.
+    /// Returns the share of a frame's noise that the next frame repeats, 0 to 1.
     #[must_use]
     pub fn shared_noise(&self) -> f64 {
         if self.enable_phase_shuffle_temporal_filter && !self.enable_burst_mode {

@@ -1,25 +1,25 @@
-//! The light that comes back: a row of depth becomes a row of phasors.
+//! The reflected light: converts a row of depth to a row of phasors.
 
 use oaktwin_simd::Kernel;
 
 use crate::turns::{fraction, sin_of_turns};
 
-/// What is farther away is no surface: 10 km.
+/// The maximum distance of a surface: 10 km.
 const LEAST_INVERSE: f32 = 1e-4;
 
-/// What is nearer is as bright as at 0.1 mm.
+/// The distance at which brightness saturates: 0.1 mm.
 const MOST_INVERSE: f32 = 1e4;
 
-/// The tangent of 89°: what is steeper on both sides is an edge.
+/// The tangent of 89°; pixels that are steeper on both sides are edges.
 const STEEPEST: f32 = 57.289_96;
 
-/// Albedo of the darkest things.
+/// The minimum albedo.
 const LEAST_ALBEDO: f32 = 0.02;
 
-/// Inverse depth, 1/m, 0 where there is no surface; there is none beside the row.
+/// Computes inverse depth, 1/m; 0 without a surface and beside the row.
 pub(super) struct InverseDepth<'a> {
     pub(super) depth: &'a [f32],
-    /// A pixel longer at both ends.
+    /// One pixel longer at both ends.
     pub(super) out: &'a mut [f32],
 }
 
@@ -36,15 +36,15 @@ impl Kernel for InverseDepth<'_> {
             } else {
                 MOST_INVERSE
             };
-            // False for a NaN.
+            // False for NaN.
             let surface = (z > 0.0) & (inverse >= LEAST_INVERSE);
             *out = if surface { bounded } else { 0.0 };
         }
     }
 }
 
-/// Albedos of a picture's row, at least 0.02: an estimate, as a picture shows what is bright in visible light. Its luma as
-/// it is, not the linear value: dyes and paints that look dark reflect much more at 940 nm, and a picture has shadows.
+/// Computes the albedos of a row of the colour image, at least 0.02: an estimate, since the image shows visible light. It
+/// is the luma and not its linear value: dyes and paints that look dark reflect much more at 940 nm, and images have shadows.
 pub(super) struct Albedos<'a> {
     pub(super) picture: &'a [[u8; 4]],
     pub(super) out: &'a mut [f32],
@@ -67,14 +67,14 @@ impl Kernel for Albedos<'_> {
     }
 }
 
-/// One row of what the pixels' centres see, a pixel longer at both ends: as the pixels there. Real and imaginary part of
-/// each frequency's phasor, then all light; electrons a sample.
+/// The light of one row of pixels, with the border pixels repeated at both ends: real and imaginary part of each
+/// frequency's phasor, then all light; electrons per sample.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LightRow {
     pub(super) channels: [Vec<f32>; CHANNELS],
 }
 
-/// Of a [`LightRow`].
+/// The channels of a [`LightRow`].
 pub(super) const CHANNELS: usize = 5;
 
 impl LightRow {
@@ -85,7 +85,7 @@ impl LightRow {
         }
     }
 
-    /// Beside the row it is as at its ends.
+    /// Repeats the pixels at both ends.
     pub(super) fn close(&mut self) {
         for channel in &mut self.channels {
             match &mut channel[..] {
@@ -97,28 +97,28 @@ impl LightRow {
     }
 }
 
-/// What all rows share.
+/// The constants of all rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lamp {
     pub(super) signal: f32,
     pub(super) contrast: f32,
     pub(super) ambient: f32,
-    /// Turns of the phase a metre.
+    /// Turns of the phase per metre.
     pub(super) turns_per_m: [f32; 2],
-    /// How long ago each frequency was measured, s.
+    /// The age of each frequency's measurement, s.
     pub(super) age_s: [f32; 2],
 }
 
-/// The phasors of a row.
+/// Computes the phasors of a row.
 pub(super) struct Returns<'a> {
     pub(super) lamp: &'a Lamp,
-    /// Inverse depth of the row above, this one and the one below, a pixel longer at both ends.
+    /// The inverse depth of the row above, this row and the row below, one pixel longer at both ends.
     pub(super) inverse: [&'a [f32]; 3],
     pub(super) depth: &'a [f32],
     pub(super) albedo: &'a [f32],
-    /// What is added to the distance, m.
+    /// The error of the distance, m.
     pub(super) shift: &'a [f32],
-    /// m/s.
+    /// The radial velocity, m/s.
     pub(super) velocity: &'a [f32],
     pub(super) focal_length_px: f32,
     pub(super) u: &'a [f32],
@@ -176,8 +176,8 @@ impl<'a> Kernel for Returns<'a> {
     }
 }
 
-/// The normal, away from the camera, as long as the plane is near: points p of the plane have g·p = 1. A plane's inverse depth
-/// is linear in u and v, so that this is exact. `beside`: left, right, above, below.
+/// Returns the normal g away from the camera, where g·p = 1 for points p of the plane. The inverse depth of a plane is
+/// linear in u and v, so this is exact. `beside`: left, right, above, below.
 #[inline(always)]
 pub(super) fn plane(middle: f32, beside: [f32; 4], [u, v]: [f32; 2], focal_length_px: f32) -> [f32; 3] {
     let [left, right, above, below] = beside;
@@ -186,7 +186,7 @@ pub(super) fn plane(middle: f32, beside: [f32; 4], [u, v]: [f32; 2], focal_lengt
     [gx, gy, middle - gx * u - gy * v]
 }
 
-/// How much the middle changes a unit of u or v: by the flatter of two sides, not over an edge.
+/// Returns the derivative by u or v at the middle: that of the flatter side, and none across an edge.
 #[inline(always)]
 fn gradient(before: f32, middle: f32, after: f32, focal_length_px: f32) -> f32 {
     let (a, b) = (middle - before, after - middle);

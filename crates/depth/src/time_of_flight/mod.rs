@@ -1,47 +1,47 @@
-//! What a time-of-flight camera reports: light whose brightness is modulated comes back with a phase.
+//! A model of time-of-flight cameras, which measure the phase of reflected, modulated light.
 //!
-//! Images are taken as they are: there is no lens here ([`Parameters::focal_length_px`] and
-//! [`Parameters::principal_point_px`] say where pixels look), and no filter but the amplitude's.
+//! There is no lens distortion ([`Parameters::focal_length_px`] and [`Parameters::principal_point_px`] define the rays of
+//! pixels), and no filter except the amplitude's.
 //!
 //! # Steps
-//! 1. **Light.** What is not finite, not above 0, or beyond 10 km is no surface and throws nothing back. Elsewhere the
-//!    distance along the pixel's ray is r, and the light of a sample A = [signal](Parameters::signal_e)·albedo·cos θ/r²
-//!    electrons, and that of other lamps [ambient](Parameters::ambient_e)·albedo. The normal comes from the depth itself: on
-//!    a plane 1/z is linear over the image, so that its gradient is exact there; of the two sides of a pixel the flatter
-//!    counts, and what is steeper than 89° on both is taken to face the camera. The albedo at 940 nm is, an estimate, the
-//!    luma of the shot's picture (not its linear value, as what looks dark reflects more there), at least 0.02; without a
-//!    picture [`Parameters::albedo`].
-//! 2. **Phasors.** Of each frequency C·A·e^{iφ}, φ = 4π·f·r/c. If things move ([`Shot::with_radial_velocity`]), each
-//!    frequency sees them where they were in the middle of its measurements: the last of the higher one is now.
-//!    To them comes, if asked for, the light that went by another surface ([`Parameters::multipath`]): once, from what the
-//!    image shows, in 40 × 30 patches at most, whether or not something stands between. It makes concave corners too far
-//!    and round: two walls at 90°, their edge 1.5 m away, of albedo 0.5 by 30 mm where they are 0.2 m from the middle, of
-//!    0.9 by 51 mm, less at the edge itself.
-//! 3. **Mixing.** A pixel sees its neighbours' light too ([`Parameters::pixel_mixing`]), rows and columns: at an edge the
-//!    phasors of both sides add up, and what is measured lies between them: flying pixels. What has no surface stays so.
-//! 4. **Wiggling** of phase and amplitude with four times the phase, as four samples of what is no sine have it.
-//! 5. **Noise.** Of four samples with shot noise and read noise: as both parts of the phasor, halves of two samples'
-//!    differences, have the same variance at every phase and are independent, they are drawn at once, normal. Where there
-//!    is little light the phase becomes any, and the amplitude has Rice's distribution.
+//! 1. **Light.** Depth that is not finite, not above 0, or beyond 10 km is no surface and reflects nothing. Elsewhere the
+//!    distance along the pixel's ray is r, the light of a sample A = [signal](Parameters::signal_e)·albedo·cos θ/r²
+//!    electrons, and ambient light [ambient](Parameters::ambient_e)·albedo. The normal is derived from the depth: on a
+//!    plane 1/z is linear over the image, so that its gradient is exact; the flatter of the two sides of a pixel is used,
+//!    and pixels steeper than 89° on both sides count as facing the camera. The albedo at 940 nm is estimated as the luma of
+//!    the colour image (not its linear value, as dark surfaces reflect more at 940 nm), at least 0.02; without a colour image
+//!    it is [`Parameters::albedo`].
+//! 2. **Phasors.** C·A·e^{iφ} for each frequency, φ = 4π·f·r/c. If surfaces move ([`Shot::with_radial_velocity`]), each
+//!    frequency sees them at the middle of its measurements; the last one of the higher frequency is now. With
+//!    [`Parameters::multipath`], indirect light is added: one bounce between the visible surfaces, in 40 × 30 patches at
+//!    most, without occlusion. It moves concave corners away and rounds them: two walls at 90° whose edge is 1.5 m away, with
+//!    an albedo of 0.5, by 30 mm at 0.2 m from the edge, with 0.9 by 51 mm, and less at the edge itself.
+//! 3. **Mixing.** A pixel receives light of its neighbours in rows and columns ([`Parameters::pixel_mixing`]): at an edge the
+//!    phasors of both sides add up, and the measurement lies between them: flying pixels. Pixels without a surface stay
+//!    invalid.
+//! 4. **Wiggling** of phase and amplitude with four times the phase, as for four samples of a wave that is not a sine.
+//! 5. **Noise.** Four samples have shot noise and read noise. The parts of the phasor, halves of the differences of two
+//!    samples, are independent and have the same variance at every phase, so they are drawn directly as normal numbers. In
+//!    low light the phase is random, and the amplitude has Rice's distribution.
 //! 6. **Unwrapping.** Of all periods of both frequencies within range
-//!    ([`Parameters::phase_unwrapping_level`]) those by which the two distances differ least, lost where they differ by
-//!    more than [`Parameters::phase_unwrap_error_threshold`]; the mean of both, weighted by the squares of the
-//!    frequencies. Much noise finds a wrong period; what is out of range is reported nearer, or lost.
-//! 7. **Depth** z = r·cos of the ray's angle in whole millimetres. Lost are pixels that are full
-//!    ([`Parameters::full_well_e`]), dark ([`Parameters::min_amplitude_e`]) or, by `DepthAI`'s filter, of too little
+//!    ([`Parameters::phase_unwrapping_level`]), those with the smallest difference between the two distances; invalid if they
+//!    differ by more than [`Parameters::phase_unwrap_error_threshold`]; the mean of both, weighted by the squares of the
+//!    frequencies. Strong noise leads to a wrong period; surfaces out of range are reported nearer, or are invalid.
+//! 7. **Depth** z = r·cos of the ray's angle in whole millimetres. Pixels are invalid if they are saturated
+//!    ([`Parameters::full_well_e`]), dark ([`Parameters::min_amplitude_e`]) or, by `DepthAI`'s filter, have too little
 //!    [confidence](Parameters::confidence_threshold).
 //!
-//! # What is known, and what is an estimate
+//! # Sources and estimates
 //! * The frequencies, the ranges of the levels, the settings and their defaults are `DepthAI`'s; so are the accuracy
-//!   (error below 1 % indoors and 2 % outdoors from 0.2 to 5 m) and the precision (below 0.1 %) that the estimates of light
-//!   and noise are chosen to stay inside.
-//! * Not modelled: more bounces, mirrors and glass, light scattered in the lens, and what lights from outside the image.
-//! * Estimates: electrons of signal, ambient light, read noise and full well; contrast; wiggling and what its correction
-//!   leaves; the fixed pattern; the unit of the threshold of unwrapping; the least amplitude.
+//!   (error below 1 % indoors and 2 % outdoors from 0.2 to 5 m) and the precision (below 0.1 %), within which the
+//!   estimates of light and noise are chosen.
+//! * Not modelled: more bounces, mirrors and glass, light scattered in the lens, and light from outside the image.
+//! * Estimates: electrons of signal, ambient light, read noise and full well; contrast; wiggling and its residual
+//!   after correction; the fixed pattern; the unit of the unwrapping threshold; the minimum amplitude.
 //! * A measurement is one exposure with all four samples, as a four-tap pixel takes them. The order of the measurements is
-//!   low, high, low shuffled, high shuffled; two of them a frame, so that each frame shares half of its measurements with
-//!   the one before unless in burst mode. Movement across the image is not modelled: it blurs edges on a device.
-//! * `enableTemperatureCorrection` and `enableDistortionCorrection` have no counterpart: there is no temperature and no lens.
+//!   low, high, low shuffled, high shuffled; two per frame, so that each frame shares half of its measurements with
+//!   the previous one except in burst mode. Movement across the image is not modelled: it blurs edges on a device.
+//! * `enableTemperatureCorrection` and `enableDistortionCorrection` have no counterpart: neither temperature nor lens distortion is modelled.
 
 mod batch;
 mod closed_form;
@@ -67,7 +67,7 @@ use crate::filter::DepthConfidence;
 use crate::random::Stream;
 use crate::{ParameterError, Shot};
 
-/// The sensor, ready to look.
+/// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeOfFlight {
     parameters: Parameters,
@@ -75,24 +75,24 @@ pub struct TimeOfFlight {
     unwrapping: Unwrapping,
 }
 
-/// All that it reports of a shot.
+/// All outputs of the engine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     /// Metres, whole millimetres; 0 where nothing was measured. Distance along the ray without
     /// [`Parameters::enable_optical_correction`].
     pub distance: ZDepth,
-    /// The mean amplitude of the two frequencies, whole electrons of a sample. In what unit `DepthAI`'s is, is not
+    /// The mean amplitude of the two frequencies in whole electrons per sample. The unit of `DepthAI`'s amplitude is not
     /// published.
     pub amplitude: Image<u16>,
-    /// [`DepthConfidence`] of both.
+    /// The [`DepthConfidence`] of both frequencies.
     pub confidence: Image<u16>,
 }
 
 impl TimeOfFlight {
-    /// Of its parameters.
+    /// Creates the engine from its parameters.
     ///
     /// # Errors
-    /// A parameter out of its range.
+    /// Returns an error if a parameter is out of range.
     pub fn new(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.check()?;
         Ok(Self {
@@ -102,13 +102,13 @@ impl TimeOfFlight {
         })
     }
 
-    /// Its parameters.
+    /// The parameters.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// From where on a white wall that faces it fills no sample, metres.
+    /// Returns the distance in metres beyond which a white wall facing the camera saturates no sample.
     #[must_use]
     pub fn nearest_m(&self) -> f64 {
         let p = &self.parameters;
@@ -116,13 +116,13 @@ impl TimeOfFlight {
         (p.signal_e * (1.0 + p.contrast) / room).sqrt()
     }
 
-    /// How far it measures, metres along the ray.
+    /// Returns the unambiguous range in metres along the ray.
     #[must_use]
     pub fn range_m(&self) -> f64 {
         range_m(&self.parameters)
     }
 
-    /// What it reports of a shot: metres, whole millimetres, 0 where nothing was measured.
+    /// Measures the distance of a shot: metres, whole millimetres, 0 where nothing was measured.
     #[must_use]
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
         let mut out = Image::filled(shot.depth().width(), shot.depth().height(), 0.0);
@@ -130,7 +130,7 @@ impl TimeOfFlight {
         ZDepth(out)
     }
 
-    /// All that it reports of a shot.
+    /// Measures all outputs of a shot.
     #[must_use]
     pub fn output(&self, shot: &Shot<'_>, random: &Stream) -> Output {
         let (width, height) = (shot.depth().width(), shot.depth().height());
@@ -158,7 +158,7 @@ impl Constants {
         reason = "checked parameters; rows are single precision"
     )]
     fn new(p: &Parameters) -> Self {
-        // In the middle of its measurements, of which the last of the higher frequency is now.
+        // The ages at the middle of the measurements; the last one of the higher frequency is now.
         let ages = if p.enable_phase_shuffle_temporal_filter {
             [2.0, 1.0]
         } else {
@@ -166,9 +166,9 @@ impl Constants {
         };
         let noise = match (p.enable_phase_shuffle_temporal_filter, p.enable_burst_mode) {
             (false, _) => 1.0,
-            // Of the mean of two.
+            // The mean of two measurements.
             (true, true) => 0.5f64.sqrt(),
-            // Of both, which are added up.
+            // The sum of both measurements.
             (true, false) => 0.5,
         };
         let residual = if p.enable_wiggle_correction {

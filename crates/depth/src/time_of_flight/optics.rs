@@ -1,13 +1,13 @@
-//! Where pixels look.
+//! The rays of pixels.
 
 use super::parameters::Parameters;
 
-/// A pinhole, in the pixels of one image: the ray of a pixel is (u, v, 1).
+/// A pinhole camera in the pixels of one image: the ray of a pixel is (u, v, 1).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Optics {
-    /// Image px.
+    /// The focal length, image px.
     pub(super) focal_length_px: f32,
-    /// u of each column.
+    /// The u of each column.
     pub(super) columns: Vec<f32>,
     middle_y_px: f64,
     per_px: f64,
@@ -33,7 +33,7 @@ impl Optics {
         }
     }
 
-    /// v of a row.
+    /// Returns the v of a row.
     #[expect(clippy::cast_possible_truncation, reason = "rows are single precision")]
     pub(super) fn row(&self, y: isize) -> f32 {
         ((y as f64 + 0.5 - self.middle_y_px) * self.per_px) as f32

@@ -1,4 +1,4 @@
-//! What the sensor makes of the light: samples, phases, distances.
+//! The sensor's processing of light: samples, phases and distances.
 
 use oaktwin_simd::Kernel;
 
@@ -6,14 +6,13 @@ use super::unwrap::Unwrapping;
 use crate::random::box_muller;
 use crate::turns::angle_in_turns;
 
-/// 2²³: from here on to twice as much, `float32` has just the whole numbers, in its lowest bits. Adding it rounds,
-/// halves to even.
+/// 2²³: from here to 2²⁴, `float32` represents exactly the integers, in its lowest bits. Adding it rounds, halves to even.
 const ONE_A_STEP: f32 = 8_388_608.0;
 
-/// Far below any amplitude.
+/// A number far below every amplitude.
 const TINY: f32 = 1e-30;
 
-/// What three rows' pixels see of the one in the middle.
+/// Mixes the light of three rows into the middle one.
 pub(super) struct Mix<'a> {
     pub(super) weight: f32,
     pub(super) rows: [&'a [f32]; 3],
@@ -33,34 +32,34 @@ impl Kernel for Mix<'_> {
     }
 }
 
-/// What all rows share.
+/// The constants of all rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Receiver {
-    /// The weight of a pixel on each side.
+    /// The weight of each neighbour.
     pub(super) mixing: f32,
-    /// Of the amplitude, and of the phase.
+    /// The wiggling of the amplitude, and of the phase.
     pub(super) wiggling: [f32; 2],
-    /// Electrons², of a sample.
+    /// Electrons² per sample.
     pub(super) read_variance: f32,
-    /// Standard deviation of the averaged random numbers, of which there are one or two.
+    /// The standard deviation of the mean of one or two random numbers.
     pub(super) noise: f32,
 }
 
-/// The noisy phase and amplitude of one frequency.
+/// Computes the noisy phase and amplitude of one frequency.
 ///
-/// A pixel takes four samples, a quarter of a period apart: total + amplitude·cos(φ − kπ/2), of as much shot noise and
-/// the read noise. What is made of them, half the differences of opposite ones, is the phasor, of whose parts each has
-/// the variance (total + read noise²)/2, whatever the phase: it is drawn at once. Its length has Rice's distribution.
+/// A pixel takes four samples, a quarter of a period apart: total + amplitude·cos(φ − kπ/2), with shot noise and read
+/// noise. Half the differences of opposite samples are the parts of the phasor, each with the variance
+/// (total + read noise²)/2 at every phase, so that the phasor is drawn directly. Its length has Rice's distribution.
 pub(super) struct Sample<'a> {
     pub(super) receiver: &'a Receiver,
-    /// A pixel longer at both ends.
+    /// One pixel longer at both ends.
     pub(super) phasor: [&'a [f32]; 2],
     pub(super) total: &'a [f32],
-    /// Of each pixel one, or one of each of two measurements: the upper half is the radius, the lower the angle.
+    /// One word per pixel and measurement: the upper half is the radius, the lower the angle.
     pub(super) words: [&'a [u32]; 2],
     pub(super) turns: &'a mut [f32],
     pub(super) amplitude: &'a mut [f32],
-    /// Electrons in the fullest sample.
+    /// The electrons in the fullest sample.
     pub(super) fullest: &'a mut [f32],
 }
 
@@ -111,25 +110,25 @@ impl<'a> Kernel for Sample<'a> {
     }
 }
 
-/// Two independent standard normal numbers of the two halves of a word, up to 4.9 standard deviations.
+/// Returns two independent standard normal numbers for the halves of a word, up to 4.9 standard deviations.
 #[inline(always)]
 fn normal(word: u32) -> [f32; 2] {
-    // The middle of what the 16 bits stand for.
+    // The centre of the interval of the 16 bits.
     box_muller(word & 0xFFFF_0000 | 0x8000, word << 16)
 }
 
-/// Pixels whose periods are looked for together.
+/// The pixels that are unwrapped together.
 const LANES: usize = 16;
 
-/// A row's phases and amplitudes of both frequencies, and the distances that they make, up to whole [`LANES`].
+/// The phases and amplitudes of a row at both frequencies and the resulting distances, padded to [`LANES`].
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sampled {
     pub(super) turns: [Vec<f32>; 2],
     pub(super) amplitudes: [Vec<f32>; 2],
     pub(super) fullest: [Vec<f32>; 2],
-    /// Along the ray, m.
+    /// The distance along the ray, m.
     range: Vec<f32>,
-    /// By how much the two frequencies differ, m.
+    /// The difference between the two frequencies' distances, m.
     apart: Vec<f32>,
 }
 
@@ -144,7 +143,7 @@ impl Sampled {
     }
 }
 
-/// Phases become distances.
+/// Converts phases to distances.
 pub(super) struct Unwrap<'a> {
     pub(super) unwrapping: &'a Unwrapping,
     pub(super) sampled: &'a mut Sampled,
@@ -179,26 +178,26 @@ impl Kernel for Unwrap<'_> {
     }
 }
 
-/// What of a pixel is kept.
+/// The conditions for a valid pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Limits {
     pub(super) min_amplitude: f32,
     pub(super) full_well: f32,
-    /// Whether distance becomes depth.
+    /// Whether distance is converted to depth.
     pub(super) is_depth: bool,
 }
 
-/// Distances become whole millimetres.
+/// Converts distances to whole millimetres.
 pub(super) struct Decode<'a> {
-    /// By how much the two frequencies may differ, m.
+    /// The maximum difference between the two frequencies' distances, m.
     pub(super) threshold_m: f32,
     pub(super) limits: &'a Limits,
     pub(super) sampled: &'a Sampled,
-    /// Of this row, a pixel longer at both ends: 0 where there is no surface.
+    /// The inverse depth of this row, one pixel longer at both ends; 0 without a surface.
     pub(super) inverse: &'a [f32],
     pub(super) u: &'a [f32],
     pub(super) v: f32,
-    /// Millimetres, 0 where nothing is measured.
+    /// Millimetres, 0 where nothing was measured.
     pub(super) depth: &'a mut [u16],
     /// Electrons.
     pub(super) amplitude: &'a mut [u16],

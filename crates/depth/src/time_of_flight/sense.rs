@@ -1,4 +1,4 @@
-//! All steps of an image, one row after the other, in memory that stays near the processor.
+//! All steps for an image, row by row and in memory that fits the processor's caches.
 
 use oaktwin_image::ImageView;
 use oaktwin_simd::{self as simd, Level};
@@ -13,24 +13,24 @@ use crate::Shot;
 use crate::filter::DepthConfidence;
 use crate::random::{Plane, Stage, Stream};
 
-/// Rows that one thread works on. The first and the last need those beyond.
+/// The rows that one thread processes. The first and the last also require the rows beyond.
 const BAND: usize = 48;
 
-/// One image to be sensed.
+/// The measurement of one image.
 pub(super) struct Job<'a> {
     sensor: &'a TimeOfFlight,
     optics: Optics,
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
     velocity: Option<ImageView<'a, f32>>,
-    /// The random numbers of this frame's measurements, and of the frame before where it shares them.
+    /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
     measurements: [Option<Plane>; 2],
     fixed_pattern: Option<Plane>,
     multipath: Option<Multipath>,
     level: Level,
 }
 
-/// What all rows of all images share.
+/// The constants of all rows of all images.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Constants {
     pub(super) lamp: Lamp,
@@ -44,10 +44,10 @@ pub(super) struct Constants {
     pub(super) confidence: DepthConfidence,
 }
 
-/// Memory of one thread.
+/// The memory of one thread.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
-    /// Of the rows y − 1, y and y + 1 at their numbers modulo 3.
+    /// The rows y − 1, y and y + 1, at their numbers modulo 3.
     inverse: [Vec<f32>; 3],
     light: [LightRow; 3],
     mixed: LightRow,
@@ -71,7 +71,7 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Depth in metres.
+    /// Writes the depth in metres.
     pub(super) fn metres(&self, out: &mut [f32]) {
         for (out, &millimetres) in out.iter_mut().zip(self.depth) {
             *out = f32::from(millimetres) / 1000.0;
@@ -96,7 +96,7 @@ impl<'a> Job<'a> {
                 Some(plane(shot.frame)),
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
             ],
-            // Of the device, whatever it looks at.
+            // The same for every frame of the device.
             fixed_pattern: has_pattern.then(|| random.plane(Stage::FixedPattern, 0, 0)),
             multipath: None,
             level: Level::detect(),
@@ -131,7 +131,7 @@ impl<'a> Job<'a> {
         self.depth.width() as usize
     }
 
-    /// Every row on all threads.
+    /// Computes the distance of all rows on all threads.
     pub(super) fn distance(&self, out: &mut [f32]) {
         let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
         out.par_chunks_mut(band)
@@ -145,7 +145,7 @@ impl<'a> Job<'a> {
             });
     }
 
-    /// All that is measured.
+    /// Computes all outputs.
     pub(super) fn output(&self, out: &mut Output) {
         let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
         let distance = out.distance.0.pixels_mut().par_chunks_mut(band);
@@ -171,14 +171,14 @@ impl<'a> Job<'a> {
         );
     }
 
-    /// `count` rows from `first` on, each handed to `finish`.
+    /// Computes `count` rows from `first` and passes each to `finish`.
     pub(super) fn rows(&self, s: &mut Scratch, first: usize, count: usize, mut finish: impl FnMut(Row<'_>)) {
         if count == 0 || self.width() == 0 {
             return;
         }
         s.begin(self);
         let (first, last) = (first.cast_signed(), (first + count).cast_signed());
-        // The light of a row takes the depth of the rows beside it, what is measured the light of the rows beside it.
+        // The light of a row requires the depth of the adjacent rows, the measurement the light of the adjacent rows.
         for y in first - 2..last + 2 {
             s.inverse(self, y);
             if y >= first {
@@ -196,12 +196,12 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Where a row is kept.
+/// Returns the index of a row's buffer.
 fn slot(y: isize) -> usize {
     y.rem_euclid(3) as usize
 }
 
-/// A row of an image, where it has one of this number.
+/// Returns a row of an image, or `None` outside it.
 fn row<T>(image: ImageView<'_, T>, y: isize) -> Option<&[T]> {
     let width = image.width() as usize;
     let start = usize::try_from(y).ok()?.checked_mul(width)?;
@@ -311,7 +311,7 @@ impl Scratch {
 
     fn measure(&mut self, job: &Job<'_>, y: isize) {
         let (c, width) = (job.sensor.constants(), job.width());
-        // Beyond the border it is as at the border.
+        // Beyond the border, the border is repeated.
         let last = (job.depth.height() as usize).cast_signed() - 1;
         let slots = [y - 1, y, y + 1].map(|y| slot(y.clamp(0, last)));
         let is_mixed = c.receiver.mixing > 0.0;
@@ -380,7 +380,7 @@ impl Scratch {
     }
 }
 
-/// A row's number for the generator.
+/// Converts a row number for the generator.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

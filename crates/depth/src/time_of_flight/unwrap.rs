@@ -1,30 +1,30 @@
-//! Which period of each frequency a distance lies in.
+//! Phase unwrapping: the period of each frequency in which a distance lies.
 
 use super::parameters::Parameters;
 
 /// The speed of light in vacuum, m/s (SI).
 pub(super) const LIGHT_M_S: f64 = 299_792_458.0;
 
-/// Whole periods of both frequencies, in metres: what the two phases' distances become by them.
+/// Whole periods of both frequencies in metres, which are added to the distances of their phases.
 pub(super) type Periods = [f32; 2];
 
-/// How two phases become one distance.
+/// The conversion of two phases to one distance.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unwrapping {
-    /// Metres a turn, c / 2f.
+    /// Metres per turn, c / 2f.
     pub(super) turn_m: [f32; 2],
-    /// How the two distances are averaged.
+    /// The weights of the two distances in their mean.
     pub(super) weights: [f32; 2],
-    /// What is looked through; the first of those that fit best is taken.
+    /// The candidates; of those that fit best, the first is taken.
     pub(super) candidates: Vec<Periods>,
-    /// By how much the two distances may differ, m.
+    /// The maximum difference between the two distances, m.
     pub(super) threshold_m: f32,
 }
 
-/// As far as single precision tells a whole number of periods from none.
+/// The tolerance in single precision for a whole number of periods.
 const SAME: f64 = 1e-6;
 
-/// Metres of a turn of the phase, c / 2f: what a distance is known modulo.
+/// Returns the metres per turn of the phase, c / 2f: distances are ambiguous by multiples of it.
 pub(super) fn turn_m(frequency_mhz: f64) -> f64 {
     LIGHT_M_S / (2e6 * frequency_mhz)
 }
@@ -42,12 +42,12 @@ impl Unwrapping {
                 threshold_m: f32::INFINITY,
             };
         }
-        // The error of a distance is that of the phase by the length of a turn: weights of least variance.
+        // A distance's error is the phase's times the length of a turn: these weights minimize the variance.
         let squares = p.frequencies_mhz.map(|f| f * f);
         let weights = squares.map(|square| (square / (squares[0] + squares[1])) as f32);
         let most = range_m(p);
         let mut candidates = Vec::new();
-        // Both periods that hold a distance, from near to far.
+        // The pairs of periods that contain a distance, from near to far.
         let (mut low, mut high) = (0.0, 0.0);
         while f64::max(low * turns[0], high * turns[1]) < most * (1.0 - SAME) {
             candidates.push([(low * turns[0]) as f32, (high * turns[1]) as f32]);
@@ -69,13 +69,13 @@ impl Unwrapping {
     }
 }
 
-/// How far it measures, m: what is farther away is reported nearer, or not at all.
+/// Returns the unambiguous range, m: surfaces beyond it are reported nearer, or not at all.
 pub(super) fn range_m(p: &Parameters) -> f64 {
     let turns = p.frequencies_mhz.map(turn_m);
     if p.phase_unwrapping_level == 0 || !p.enable_phase_unwrapping {
         return turns[0];
     }
-    // Where both frequencies begin a period, everything begins anew.
+    // Distances repeat where both frequencies begin a period.
     let anew = (1..=p.phase_unwrapping_level + 1).find(|&periods| {
         let low = f64::from(periods) * turns[1] / turns[0];
         (low - low.round()).abs() <= SAME * low && low.round() >= 1.0

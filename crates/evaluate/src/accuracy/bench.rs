@@ -7,8 +7,8 @@ use rayon::prelude::*;
 
 use super::eyes::Eyes;
 use super::measured::Curve;
-use super::stand::{Effort, Stand, Unit};
-use super::units::{depth_sensor, units};
+use super::test_rig::{Effort, TestRig, Unit};
+use super::units::units;
 use super::vendor::differences;
 use super::{
     AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, distances,
@@ -16,13 +16,13 @@ use super::{
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::{Progress, Watch};
-use oaktwin_pipeline::sensor::{Engine, EngineKind, ParameterError};
+use oaktwin_pipeline::sensor::{ParameterError, default_engine, depth_sensor};
 
 /// A twin's depth sensor, ready to be measured.
 #[derive(Debug)]
 pub struct Bench {
     pub(super) report: Report,
-    stand: Stand,
+    rig: TestRig,
     pub(super) is_absolute: bool,
     from_m: f64,
 }
@@ -52,7 +52,7 @@ impl Bench {
         let size = intrinsics.size;
         let region = Region::centred(size.width, size.height, options.region);
         let scale = own_width_px.map_or(1.0, |own| f64::from(size.width) / f64::from(own));
-        let stand = Stand {
+        let rig = TestRig {
             intrinsics,
             eyes: eyes(&units, scale, options)?,
             units,
@@ -62,26 +62,26 @@ impl Bench {
         let published = Bands::of(&twin.device, depth.spec.kind);
         let distances = match &options.distances_m {
             Some(distances) => distances.clone(),
-            None => default_distances(&stand, &depth, published.as_ref()),
+            None => default_distances(&rig, &depth, published.as_ref()),
         };
         let kind = options
             .engine
             .engine
-            .unwrap_or_else(|| EngineKind::default_for(depth.spec.kind));
+            .unwrap_or_else(|| default_engine(depth.spec.kind));
         let report = Report {
             model: twin.device.name.clone(),
             sensor: depth.spec.prim.clone(),
-            engine: kind.as_str(),
-            carries_depth: stand.carries_depth(),
+            engine: kind.name,
+            carries_depth: rig.carries_depth(),
             devices,
             focal_length_px: intrinsics.fx,
             image_width_px: size.width,
             image_height_px: size.height,
-            disparity_times_depth_px_m: stand.disparity_times_depth(),
-            region_width_px: stand.region.columns.end - stand.region.columns.start,
-            region_height_px: stand.region.rows.end - stand.region.rows.start,
+            disparity_times_depth_px_m: rig.disparity_times_depth(),
+            region_width_px: rig.region.columns.end - rig.region.columns.start,
+            region_height_px: rig.region.rows.end - rig.region.rows.start,
             captures: options.captures,
-            protocol_deviations: differences(&stand, options, depth.spec.kind, own_width_px),
+            protocol_deviations: differences(&rig, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
@@ -89,7 +89,7 @@ impl Bench {
         };
         let bench = Self {
             report,
-            stand,
+            rig,
             is_absolute: true,
             from_m: options.from_m,
         };
@@ -144,12 +144,12 @@ impl Bench {
                 let total = distances.len() as u64;
                 let progress = |done| Progress { done, total };
                 let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
-                let units = self.stand.measure(distance_m, effort, &wants_more)?;
+                let units = self.rig.measure(distance_m, effort, &wants_more)?;
                 if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
                 let row = Row::new(distance_m, &units, self.report.published.as_ref());
-                Ok(row.with_single_view(self.stand.jitter_times_depth(), self.report.carries_depth))
+                Ok(row.with_single_view(self.rig.jitter_times_depth(), self.report.carries_depth))
             })
             .collect()
     }
@@ -188,17 +188,14 @@ impl Bench {
 
 /// What takes the pictures of engines that match them.
 fn eyes(units: &[Unit], scale: f64, options: &Options) -> Result<Option<Eyes>, ParameterError> {
-    match units.first().map(|unit| &unit.engine) {
-        Some(Engine::StereoMatching(engine)) => {
-            Eyes::new(engine.parameters().stereo.baseline_m, scale, options.engine.seed).map(Some)
-        }
-        _ => Ok(None),
-    }
+    let baseline_m = units.first().and_then(|unit| unit.engine.baseline_m());
+    let eyes = baseline_m.map(|baseline_m| Eyes::new(baseline_m, scale, options.engine.seed));
+    eyes.transpose()
 }
 
-fn default_distances(stand: &Stand, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {
+fn default_distances(rig: &TestRig, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {
     let begin = published.and_then(|bands| bands.bands.iter().map(|band| band.from_m).reduce(f64::min));
-    let near = stand.nearest_m().max(begin.unwrap_or(0.0));
+    let near = rig.nearest_m().max(begin.unwrap_or(0.0));
     let far = published
         .and_then(Bands::end_m)
         .unwrap_or(depth.spec.max_distance_m);

@@ -1,7 +1,7 @@
 //! At which distances to measure.
 
 use super::AccuracyError;
-use crate::csv::{Row, Wrong, wrong};
+use crate::table::{Row, Wrong, wrong};
 
 /// Where a depth image in whole millimetres ends.
 pub const FARTHEST_M: f64 = 65.535;
@@ -65,7 +65,7 @@ pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
 }
 
 /// The distance in a row of a table.
-pub(crate) fn in_row<const N: usize>(row: &Row<'_, N>, at: usize) -> Result<f64, Wrong> {
+pub(crate) fn in_row<const N: usize>(row: &Row<N>, at: usize) -> Result<f64, Wrong> {
     let distance_m = row.number(at)?;
     check(distance_m).map_err(|what| {
         wrong(

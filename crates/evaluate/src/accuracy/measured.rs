@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{AccuracyError, distances};
-use crate::csv::{self, Wrong};
+use crate::table::{self, Wrong};
 
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
@@ -31,14 +31,14 @@ pub struct Curve {
 /// # Errors
 /// It cannot be read; a column is missing; a number is none, or not finite; there is no row.
 pub fn read(path: &Path) -> Result<Curve, AccuracyError> {
-    let text = csv::text(path, "a measured curve")?;
+    let text = table::text(path, "a measured curve")?;
     let points = parse(&text).map_err(|wrong| wrong.of(path))?;
     let is_absolute = points.iter().all(|point| point.error_percent >= 0.0);
     Ok(Curve { points, is_absolute })
 }
 
 fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
-    let rows = csv::rows(text, [DISTANCE, ERROR])?;
+    let rows = table::rows(text, [DISTANCE, ERROR])?;
     let points = rows.iter().map(|row| {
         Ok(Point {
             distance_m: distances::in_row(row, 0)?,
@@ -72,7 +72,7 @@ mod tests {
                 "distance_m,error\n1,2\n",
                 "line 1: there is no column depth_error_percent",
             ),
-            ("distance_m;depth_error_percent\n1;2\n", "apart by ';'"),
+            ("distance_m;depth_error_percent\n1;2\n", "separated by ';'"),
             (
                 "distance_m,depth_error_percent\n1,2\n2,nan\n",
                 "line 3: depth_error_percent: \"nan\"",

@@ -1,4 +1,4 @@
-use super::stand::Effort;
+use super::test_rig::Effort;
 use super::{AccuracyError, Bench, Devices, Report, plot};
 use crate::figure::Figure;
 use oaktwin_pipeline::progress::Watch;

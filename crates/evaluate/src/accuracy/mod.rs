@@ -24,7 +24,7 @@ mod optics;
 mod options;
 mod plot;
 mod report;
-mod stand;
+mod test_rig;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -38,7 +38,6 @@ pub use measurement::Measurement;
 pub use optics::MeasuredOptics;
 pub use options::Options;
 pub use report::{ComparedPoint, Comparison, Devices, Reading, Report, Row, Verdict};
-pub(crate) use units::depth_sensor;
 
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;

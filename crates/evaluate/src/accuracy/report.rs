@@ -4,7 +4,7 @@ use crate::measure::{median, quantile};
 use serde::Serialize;
 
 use super::bands::{Band, Bands};
-use super::stand::{Measured, MeasuredUnit};
+use super::test_rig::{Measured, MeasuredUnit};
 
 /// How accurate a twin is.
 #[derive(Clone, Debug, PartialEq, Serialize)]

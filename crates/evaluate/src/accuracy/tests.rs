@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 use super::*;
 use oaktwin_catalog::Catalog;
-use oaktwin_pipeline::sensor::{EngineKind, SensorOptions};
+use oaktwin_pipeline::sensor::{SINGLE_VIEW, STEREO_MATCHING, SensorOptions};
 
 fn bench(model: &str, options: &Options) -> Bench {
     let catalog = Catalog::builtin();
@@ -31,7 +31,7 @@ fn with_parameters(parameters: &[(&str, &str)]) -> SensorOptions {
 
 fn matching(parameters: &[(&str, &str)]) -> SensorOptions {
     SensorOptions {
-        engine: Some(EngineKind::StereoMatching),
+        engine: Some(&STEREO_MATCHING),
         ..with_parameters(parameters)
     }
 }
@@ -168,7 +168,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
     let options = Options {
         distances_m: Some(vec![0.2, 5.0]),
         engine: SensorOptions {
-            engine: Some(EngineKind::SingleView),
+            engine: Some(&SINGLE_VIEW),
             ..SensorOptions::default()
         },
         ..Options::default()
@@ -192,7 +192,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
 
     let recomputed = Options {
         engine: SensorOptions {
-            engine: Some(EngineKind::SingleView),
+            engine: Some(&SINGLE_VIEW),
             ..with_parameters(&[("depth", "recomputed")])
         },
         ..options

@@ -48,14 +48,18 @@ use std::path::PathBuf;
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
 
-use crate::accuracy::{self, AccuracyError, MeasuredOptics, REGION};
+use crate::accuracy::{AccuracyError, MeasuredOptics, REGION};
 use crate::figure::Figure;
 use method::{Fitted, Method};
 use oaktwin_catalog::{DepthKind, Twin};
+use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_diagnostic::{Finding, Level, Message, message};
 use oaktwin_files::FileError;
 use oaktwin_pipeline::progress::Watch;
-use oaktwin_pipeline::sensor::{Engine, EngineKind, ParameterError, SensorOptions, sensor};
+use oaktwin_pipeline::sensor::{
+    ParameterError, SensorOptions, Technology, default_engine, depth_sensor, sensor,
+};
 use recording::Recording;
 use stereo_noise::Stereo;
 use time_of_flight::Tof;
@@ -148,43 +152,41 @@ pub fn fit(
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
     let mut twin = twin.clone();
-    let of_engine = match options.engine.engine {
-        Some(EngineKind::StereoNoise) => Some(DepthKind::Stereo.as_str()),
-        Some(EngineKind::TimeOfFlight) => Some(DepthKind::Tof.as_str()),
-        _ => None,
-    };
-    let depth = accuracy::depth_sensor(&twin, options.sensor.as_deref().or(of_engine))?.clone();
+    let of_engine = options.engine.engine.and_then(|kind| kind.models);
+    let of_engine = of_engine.map(|models| match models {
+        Technology::Stereo => DepthKind::Stereo.as_str(),
+        Technology::TimeOfFlight => DepthKind::Tof.as_str(),
+    });
+    let depth = depth_sensor(&twin, options.sensor.as_deref().or(of_engine))?.clone();
     let depth = options.optics.apply(&mut twin, &depth)?;
     let kind = options
         .engine
         .engine
-        .unwrap_or_else(|| EngineKind::default_for(depth.spec.kind));
+        .unwrap_or_else(|| default_engine(depth.spec.kind));
     let settings = SensorOptions {
         engine: Some(kind),
         ..options.engine.clone()
     };
     let (sensor, mut findings) = sensor(&twin, &depth, &settings)?;
-    let mut method: Box<dyn Method> = match sensor.engine() {
-        Engine::StereoNoise(engine) => Box::new(Stereo::new(*engine.parameters())),
-        Engine::TimeOfFlight(engine) => Box::new(Tof::new(engine, options)?),
+    let stereo = sensor.engine().downcast_ref::<StereoNoise>();
+    let stereo = stereo.map(StereoNoise::parameters);
+    let mut method: Box<dyn Method> = match (stereo, sensor.engine().downcast_ref::<TimeOfFlight>()) {
+        (Some(parameters), _) => Box::new(Stereo::new(*parameters)),
+        (_, Some(engine)) => Box::new(Tof::new(engine, options)?),
         _ => {
             return Err(FitError::Option(message![format!(
                 "engine: there is nothing to fit in {}, whose errors are not measured; choose stereo-noise or \
                  time-of-flight",
-                kind.as_str()
+                kind.name
             )]));
         }
     };
     let recording = recording::open(recordings, &depth.spec.prim)?;
     let (focal_length_px, width_px) = method.focal_length_px();
-    let stereo = match sensor.engine() {
-        Engine::StereoNoise(engine) => Some(engine.parameters()),
-        _ => None,
-    };
     let report = Report {
         model: twin.device.name.clone(),
         sensor: depth.spec.prim.clone(),
-        engine: kind.as_str(),
+        engine: kind.name,
         unit: method.counting().unit(),
         parameters: Vec::new(),
         not_found: Vec::new(),

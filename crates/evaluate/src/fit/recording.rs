@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::FitError;
 use crate::accuracy::distances;
 use crate::accuracy::measured::{self, Curve};
-use crate::csv::{self, wrong};
+use crate::table::{self, wrong};
 use oaktwin_diagnostic::nearest;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::name::Name;
@@ -57,7 +57,7 @@ pub(super) fn open(paths: &[PathBuf], prim: &str) -> Result<Recording, FitError>
         let is_table = path
             .extension()
             .is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-        if is_table && !csv::has_column(&csv::text(path, "a table of distances")?, "file") {
+        if is_table && !table::has_column(&table::text(path, "a table of distances")?, "file") {
             let curve = measured::read(path).map_err(|error| FitError::Option(error.to_string().into()))?;
             if paths.len() > 1 {
                 return Err(FitError::Option(
@@ -106,14 +106,14 @@ fn alone(sensed: PathBuf) -> Files {
 }
 
 /// The rows of a table of distances: of each the distance, m, and the file or folder with its images.
-fn listed(table: &Path) -> Result<Vec<(f64, Named)>, FileError> {
-    let text = csv::text(table, "a table of distances")?;
-    let folder = table.parent().unwrap_or(Path::new(""));
-    let in_table = |wrong: csv::Wrong| wrong.of(table);
+fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
+    let text = table::text(file, "a table of distances")?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let in_table = |wrong: table::Wrong| wrong.of(file);
     let mut seen = BTreeMap::new();
     let mut all = Vec::new();
-    for row in csv::rows(&text, ["file", "distance_m"]).map_err(in_table)? {
-        let name = row.fields[0];
+    for row in table::rows(&text, ["file", "distance_m"]).map_err(in_table)? {
+        let name = row.fields[0].as_str();
         let line = row.line;
         if name.is_empty() {
             let what = format!("line {line}: file: there is no name");

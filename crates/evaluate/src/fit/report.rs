@@ -155,7 +155,7 @@ impl Report {
 
     /// The engine.
     #[must_use]
-    pub fn engine_kind(&self) -> Option<EngineKind> {
+    pub fn engine_kind(&self) -> Option<&'static EngineKind> {
         EngineKind::parse(self.engine).ok()
     }
 

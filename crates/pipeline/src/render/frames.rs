@@ -12,7 +12,7 @@ use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
-use crate::sensor::{Engine, EngineKind, Sensor};
+use crate::sensor::{EngineInput, Sensor};
 use crate::write::{Producer, write_while};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot, WriteError, Writer};
@@ -185,7 +185,7 @@ impl<'a> Station<'a> {
         let sensor = options.sensors.get(index).cloned().flatten();
         let sensor = sensor.filter(|_| is_asked);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
-        let is_matching = (sensor.iter()).any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)));
+        let is_matching = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair);
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);
         Self {
             camera,
@@ -250,7 +250,7 @@ impl<'a> Station<'a> {
 fn not_produced(place: &str, sensor: &Sensor, missing: &[Annotator]) -> Option<Finding> {
     let names: Vec<&str> = missing.iter().map(|annotator| annotator.name()).collect();
     (!names.is_empty()).then(|| {
-        let engine = EngineKind::of(sensor.engine()).as_str();
+        let engine = sensor.engine().kind();
         let filters = match sensor.filters().is_empty() {
             true => "",
             false => " with its filters",

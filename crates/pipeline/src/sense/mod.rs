@@ -25,7 +25,7 @@ pub use crate::input::InputKind;
 pub use camera::image_camera;
 pub use oaktwin_dataset::CloudAxes;
 pub use options::{AlignTo, FieldOfView, SenseOptions};
-pub use plan::{STANDARD_INPUT, depth_sensor};
+pub use plan::STANDARD_INPUT;
 pub use rig::align_to;
 pub use run::{Output, Sensed, sense};
 

@@ -1,5 +1,6 @@
 //! Sequences of input files, and the names of their outputs.
 
+use crate::sensor::depth_sensor;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -37,37 +38,6 @@ pub(super) struct Sequence<'a> {
     pub(super) files: Vec<DepthFile>,
 }
 
-/// Returns the depth sensor of a kind; by default time of flight if the device has it.
-///
-/// # Errors
-/// Returns an error if the device has none.
-pub fn depth_sensor(twin: &Twin, kind: Option<DepthKind>) -> Result<&TwinDepthSensor, SenseError> {
-    let of = |kind: DepthKind| twin.depth_sensors.iter().find(|sensor| sensor.spec.kind == kind);
-    let model = &twin.device.name;
-    let chosen = match kind {
-        Some(kind) => of(kind).ok_or_else(|| {
-            let has: Vec<&str> = twin
-                .depth_sensors
-                .iter()
-                .map(|sensor| sensor.spec.kind.as_str())
-                .collect();
-            SenseError::option(message![
-                opt("sensor").with(kind),
-                format!(
-                    ": {model} has no such depth sensor; expected {}",
-                    has.join(" or ")
-                )
-            ])
-        })?,
-        None => of(DepthKind::Tof)
-            .or_else(|| twin.depth_sensors.first())
-            .ok_or_else(|| {
-                SenseError::option(format!("{model} has no depth sensor; choose another model"))
-            })?,
-    };
-    Ok(chosen)
-}
-
 /// Groups inputs into sequences.
 pub(super) fn sequences<'a>(
     twin: &'a Twin,
@@ -75,7 +45,7 @@ pub(super) fn sequences<'a>(
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
-    let chosen = depth_sensor(twin, options.kind)?;
+    let chosen = depth_sensor(twin, options.kind.map(DepthKind::as_str))?;
     let mut sequences = Vec::new();
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {

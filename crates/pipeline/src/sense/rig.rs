@@ -3,12 +3,11 @@
 use super::shot::reported;
 use super::{AlignTo, SenseError};
 use crate::limits::check_size;
-use crate::sensor::{Engine, Sensor};
+use crate::sensor::Sensor;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
 use oaktwin_catalog::{LensChoice, Twin, TwinDepthSensor};
 use oaktwin_depth::align::Align;
-use oaktwin_depth::single_view::Direction;
 use oaktwin_diagnostic::{message, opt};
 
 /// Returns the alignment of a sensor's depth images to another camera.
@@ -26,7 +25,14 @@ pub fn align_to(
     let size = images.intrinsics.size;
     let (width, height) = look.filters().size(size.width, size.height);
     let smaller = reported(images, ImageSize::new(width, height));
-    aligner(twin, sensor, smaller, shift_m(look.engine(), images), to, lens)
+    aligner(
+        twin,
+        sensor,
+        smaller,
+        look.engine().lateral_shift_m(&images.intrinsics),
+        to,
+        lens,
+    )
 }
 
 /// The alignment of reported depth to a camera with its lens.
@@ -69,22 +75,4 @@ pub(super) fn aligner(
     let target_from_reported =
         target.body_from_camera.inverse() * source.body_from_camera * source_from_reported;
     Ok(Align::new(reported, own, target_from_reported, to.fill))
-}
-
-/// The distance in metres from the camera to the reported image's viewpoint, positive to the left. Isaac Sim's sensor moves the
-/// rendered depth to its left imager; the other engines report the camera's own view.
-pub(super) fn shift_m(engine: &Engine, image: &Camera) -> f64 {
-    match engine {
-        Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => 0.0,
-        Engine::SingleView(engine) => {
-            let moved = engine
-                .parameters()
-                .disparity_times_depth(image.intrinsics.size.width);
-            let sign = match engine.assumptions().direction {
-                Direction::Right => 1.0,
-                Direction::Left => -1.0,
-            };
-            sign * moved / image.intrinsics.fx
-        }
-    }
 }

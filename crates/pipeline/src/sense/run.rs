@@ -13,7 +13,7 @@ use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig
 use crate::geometry::{places, positions, resample, z_of_range};
 use crate::input::source::Source;
 use crate::progress::Watch;
-use crate::sensor::{self, Engine, EngineKind, Sensor, SensorOptions, needs_a_pair, sensor};
+use crate::sensor::{self, Engine, EngineInput, Sensor, SensorOptions, needs_a_pair, sensor};
 use crate::write::{Producer, write_while};
 use oaktwin_camera::{Camera, ImageSize, LensModel};
 use oaktwin_catalog::Twin;
@@ -73,8 +73,12 @@ pub fn sense(
             )
         ]));
     }
-    if options.sensor.engine == Some(EngineKind::StereoMatching) {
-        return Err(needs_a_pair("a depth image is not a pair").into());
+    if let Some(engine) = options
+        .sensor
+        .engine
+        .filter(|kind| kind.input == EngineInput::Pair)
+    {
+        return Err(needs_a_pair(engine, "the input is a depth image").into());
     }
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
@@ -175,7 +179,7 @@ impl<'a> Run<'a, '_, '_> {
                 }
                 None => current.insert(self.session(sequence, file, source.size)?),
             };
-            check_outputs(self.options, sensor.engine(), has_rgb, file)?;
+            check_outputs(self.options, &**sensor.engine(), has_rgb, file)?;
             if self.file(session, sensor, file, source, pictures)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -229,12 +233,12 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
         self.findings.extend(findings);
-        let engine = EngineKind::of(sensor.engine()).as_str();
+        let engine = sensor.engine().kind().name;
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
         }
-        let shift_m = rig::shift_m(sensor.engine(), &looked);
+        let shift_m = sensor.engine().lateral_shift_m(&looked.intrinsics);
         let looked_size = looked.intrinsics.size;
         let (width, height) = sensor.filters().size(looked_size.width, looked_size.height);
         let smaller = reported(&looked, ImageSize::new(width, height));
@@ -372,9 +376,10 @@ impl Session<'_> {
             z = resample(&z, places, size, f32::INFINITY);
             rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
         }
-        let wanted = self.output.wanted();
-        let is_single_view = matches!(sensor.engine(), Engine::SingleView(_));
-        let seen = (wanted.positions && is_single_view).then(|| positions(&self.output.camera, &z));
+        let request = self.output.request();
+        let position = Annotator::DepthSensorPointCloudPosition;
+        let needs_positions = request.contains(&position) && sensor.engine().outputs().contains(&position);
+        let seen = needs_positions.then(|| positions(&self.output.camera, &z));
         let mut shot = sensor::Shot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
@@ -387,44 +392,33 @@ impl Session<'_> {
         if let Some(seen) = &seen {
             shot = shot.with_positions(seen.into()).map_err(of_one_size)?;
         }
-        let capture = sensor.capture(&shot, wanted);
-        Ok(self.output.shot(capture, rgb.as_ref(), input))
+        let capture = sensor.capture(shot, &request)?;
+        let shot = self.output.shot(&**sensor.engine(), capture, rgb.as_ref(), input);
+        Ok(shot)
     }
 }
 
 /// Rejects annotators that the engine does not support, or that require a missing colour image.
 fn check_outputs(
     options: &SenseOptions,
-    engine: &Engine,
+    engine: &dyn Engine,
     has_rgb: bool,
     file: &DepthFile,
 ) -> Result<(), SenseError> {
-    let is_single_view = matches!(engine, Engine::SingleView(_));
-    let needs_rgb = |annotator: &Annotator| match annotator {
-        Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
-        Annotator::DepthSensorOutputVisualization => match engine {
-            Engine::SingleView(engine) => engine.parameters().rgb_depth_output_mode == Default::default(),
-            Engine::StereoNoise(_) | Engine::StereoMatching(_) | Engine::TimeOfFlight(_) => false,
-        },
-        _ => false,
-    };
     for annotator in &options.annotators {
         let name = annotator.name();
         let is_isaac_only = matches!(
             annotator,
             Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
         );
-        if is_isaac_only && !is_single_view {
+        if is_isaac_only && !engine.outputs().contains(annotator) {
             return Err(SenseError::option(message![
                 opt("annotators").with(name),
-                format!(
-                    ": not supported by {}; remove it, or set ",
-                    EngineKind::of(engine).as_str()
-                ),
+                format!(": not supported by {}; remove it, or set ", engine.kind()),
                 opt("engine").with("single-view")
             ]));
         }
-        if needs_rgb(annotator) && !has_rgb {
+        if engine.needs_rgb(*annotator) && !has_rgb {
             let remedy = message!["give it as ", opt("rgb"), ", or remove the annotator"];
             let message = format!("no colour image, which {name} requires");
             return Err(FileError::new(&file.path, message, remedy).into());

@@ -2,7 +2,7 @@
 
 use super::SenseOptions;
 use crate::geometry::positions;
-use crate::sensor::{Capture, single_view};
+use crate::sensor::{Capture, Engine};
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_dataset::{InputName, Layer, LayerData, Shot};
 use oaktwin_depth::align::Align;
@@ -20,25 +20,30 @@ pub(super) struct OutputContext<'a> {
     pub(super) options: &'a SenseOptions,
     /// The camera of the sensor's input.
     pub(super) camera: Camera,
-    /// See [`shift_m`](super::rig::shift_m).
+    /// See [`Engine::lateral_shift_m`].
     pub(super) shift_m: f64,
     pub(super) align: Option<Align>,
 }
 
 impl OutputContext<'_> {
-    /// The outputs of [`single_view`] that are needed.
-    pub(super) fn wanted(&self) -> single_view::Wanted {
-        let wants = |annotator| self.options.annotators.contains(&annotator);
-        single_view::Wanted {
-            positions: wants(Annotator::DepthSensorPointCloudPosition) || self.options.cloud.is_some(),
-            colors: wants(Annotator::DepthSensorPointCloudColor) || self.options.cloud.is_some(),
-            imager: wants(Annotator::DepthSensorImager),
-            view: wants(Annotator::DepthSensorOutputVisualization),
+    /// The outputs that are needed.
+    pub(super) fn request(&self) -> Vec<Annotator> {
+        let mut request = self.options.annotators.clone();
+        if self.options.cloud.is_some() {
+            request.push(Annotator::DepthSensorPointCloudPosition);
+            request.push(Annotator::DepthSensorPointCloudColor);
         }
+        request
     }
 
     /// The frame of a capture, with its aligned depth and its point cloud.
-    pub(super) fn shot(&self, capture: Capture, rgb: Option<&Image<[u8; 4]>>, input: InputName) -> Shot {
+    pub(super) fn shot(
+        &self,
+        engine: &dyn Engine,
+        mut capture: Capture,
+        rgb: Option<&Image<[u8; 4]>>,
+        input: InputName,
+    ) -> Shot {
         let options = self.options;
         let wants = |annotator: Annotator| options.annotators.contains(&annotator);
         let name = Annotator::DepthSensorDistance.name();
@@ -53,7 +58,7 @@ impl OutputContext<'_> {
                 });
             }
         }
-        let Cloud { positions, colors } = self.cloud(&capture, rgb);
+        let Cloud { positions, colors } = self.cloud(engine, &capture, rgb);
         if let (Some(positions), Some(axes)) = (&positions, options.cloud) {
             layers.push(Layer {
                 folder: Annotator::DepthSensorPointCloudPosition.name(),
@@ -65,17 +70,13 @@ impl OutputContext<'_> {
                 },
             });
         }
-        let (imager, view) = match capture.single_view {
-            Some(output) => (output.imager, output.view),
-            None => (None, None),
-        };
         let frame = Frame {
+            depth_sensor_imager: capture.take(Annotator::DepthSensorImager),
+            depth_sensor_output_visualization: capture.take(Annotator::DepthSensorOutputVisualization),
             depth_sensor_distance: Some(capture.distance),
             depth_sensor_point_cloud_position: positions
                 .filter(|_| wants(Annotator::DepthSensorPointCloudPosition)),
             depth_sensor_point_cloud_color: colors.filter(|_| wants(Annotator::DepthSensorPointCloudColor)),
-            depth_sensor_imager: imager,
-            depth_sensor_output_visualization: view,
             ..Frame::default()
         };
         Shot {
@@ -86,23 +87,26 @@ impl OutputContext<'_> {
     }
 
     /// The measured points and their colours, if they are needed.
-    fn cloud(&self, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
-        let wanted = self.wanted();
+    fn cloud(&self, engine: &dyn Engine, capture: &Capture, rgb: Option<&Image<[u8; 4]>>) -> Cloud {
+        let request = self.request();
+        let wants = |annotator| request.contains(&annotator);
         let ZDepth(metres) = &capture.distance;
-        let sisters = capture.single_view.as_ref();
-        // Filters may have changed the depth; then the points are computed from it.
-        let moved = sisters.filter(|sisters| sisters.distance == capture.distance);
-        let positions = wanted
-            .positions
-            .then(|| match moved.and_then(|moved| moved.positions.clone()) {
-                Some(positions) => positions,
+        let positions = wants(Annotator::DepthSensorPointCloudPosition).then(|| {
+            let moved = capture.extra::<Image<[f32; 4]>>(Annotator::DepthSensorPointCloudPosition);
+            // Filters may have changed the depth; then the points are computed from it.
+            match moved.filter(|_| !capture.is_filtered) {
+                Some(positions) => positions.clone(),
                 None => self.seen(metres),
-            });
+            }
+        });
         let is_whole =
             |image: &Image<[u8; 4]>| (image.width(), image.height()) == (metres.width(), metres.height());
-        let colors = match sisters {
-            Some(sisters) => sisters.colors.clone().filter(is_whole),
-            None => rgb.filter(|rgb| wanted.colors && is_whole(rgb)).map(|rgb| {
+        let color = Annotator::DepthSensorPointCloudColor;
+        let colors = if engine.outputs().contains(&color) {
+            let colors = capture.extra::<Image<[u8; 4]>>(color);
+            colors.cloned().filter(is_whole)
+        } else {
+            rgb.filter(|rgb| wants(color) && is_whole(rgb)).map(|rgb| {
                 let mut colors = rgb.clone();
                 for (color, z) in colors.pixels_mut().iter_mut().zip(metres.pixels()) {
                     if *z <= 0.0 {
@@ -110,7 +114,7 @@ impl OutputContext<'_> {
                     }
                 }
                 colors
-            }),
+            })
         };
         Cloud { positions, colors }
     }

@@ -12,13 +12,10 @@
 
 use std::path::Path;
 
-use oaktwin_depth::preset::Platform;
-use oaktwin_depth::single_view::Assumptions;
-use oaktwin_depth::{ParameterError, single_view, stereo_matching, stereo_noise, time_of_flight};
+use oaktwin_depth::{EngineKind, ParameterError, Setup};
 use toml::Value;
 
-use super::{EngineKind, SensorOptions, calibration_error_px, configure};
-use oaktwin_camera::StereoGeometry;
+use super::SensorOptions;
 use oaktwin_diagnostic::nearest;
 use oaktwin_files::{self as files, FileError};
 
@@ -31,7 +28,7 @@ const TABLES: [&str; 3] = ["engine", "parameters", "fit"];
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterFile {
     /// Whose parameters they are.
-    pub engine: EngineKind,
+    pub engine: &'static EngineKind,
     /// By their names, in the file's order.
     pub parameters: Vec<(String, String)>,
 }
@@ -119,11 +116,10 @@ impl ParameterFile {
             Some(engine) if engine != self.engine => Err(ParameterError {
                 name: "engine".to_owned(),
                 what: format!(
-                    "the file of parameters is for {}, and {} is asked for",
-                    self.engine.as_str(),
-                    engine.as_str()
+                    "the parameter file is for {}, but {engine} is chosen",
+                    self.engine
                 ),
-                remedy: "leave one of the two out".to_owned(),
+                remedy: "remove one of the two".to_owned(),
             }),
             _ => {
                 options.engine = Some(self.engine);
@@ -134,41 +130,20 @@ impl ParameterFile {
         }
     }
 
-    /// Sets each on its own, on a device of no importance: a value that is wrong by itself is found here, with its file.
+    /// Checks the values on a reference camera, so that errors name the file.
     fn check(&self) -> Result<(), ParameterError> {
-        let stereo = StereoGeometry {
-            focal_length_px: 800.0,
-            baseline_m: 0.075,
-        };
-        let options = SensorOptions {
+        let setup = Setup {
             parameters: self.parameters.clone(),
-            ..SensorOptions::default()
+            ..Setup::new(800.0, 1280, 0.075)
         };
-        match self.engine {
-            EngineKind::StereoNoise => {
-                let mut parameters = stereo_noise::Parameters::new(stereo, 1280);
-                configure::set_stereo_noise(&mut parameters, &options)
-            }
-            EngineKind::StereoMatching => {
-                let mut parameters = stereo_matching::Parameters::new(Platform::Rvc2, stereo, 1280);
-                configure::set_stereo_matching(&mut parameters, &options)?;
-                calibration_error_px(&options).map(|_| ())
-            }
-            EngineKind::SingleView => {
-                let mut parameters = single_view::Parameters::isaac_5_1();
-                configure::set_single_view(&mut parameters, &mut Assumptions::default(), &options)
-            }
-            EngineKind::TimeOfFlight => {
-                let mut parameters = time_of_flight::Parameters::new(457.0, 640);
-                configure::set_time_of_flight(&mut parameters, &options)
-            }
-        }
+        self.engine.create(&setup).map(|_| ())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sensor::{SINGLE_VIEW, STEREO_NOISE};
 
     #[test]
     fn a_file_is_read_and_named_values_count_more() {
@@ -182,7 +157,7 @@ mod tests {
             ..SensorOptions::default()
         };
         file.apply(&mut options).unwrap();
-        assert_eq!(options.engine, Some(EngineKind::StereoNoise));
+        assert_eq!(options.engine, Some(&STEREO_NOISE));
         let last = options
             .parameters
             .iter()
@@ -190,7 +165,7 @@ mod tests {
             .unwrap();
         assert_eq!(last.1, "0.1");
         assert_eq!(options.parameters.len(), 5);
-        options.engine = Some(EngineKind::SingleView);
+        options.engine = Some(&SINGLE_VIEW);
         assert!(
             file.apply(&mut options)
                 .unwrap_err()

@@ -1,7 +1,11 @@
 use super::*;
 use oaktwin_camera::ImageSize;
+use oaktwin_camera::Intrinsics;
 use oaktwin_catalog::Catalog;
 use oaktwin_depth::filter::Filter;
+use oaktwin_depth::single_view::SingleView;
+use oaktwin_depth::stereo_noise::StereoNoise;
+use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_depth::{stereo_noise, time_of_flight as tof};
 
 fn twin(model: &str) -> Twin {
@@ -15,24 +19,23 @@ fn of(model: &str, index: usize, options: &SensorOptions) -> Result<(Sensor, Vec
 }
 
 fn stereo(sensor: &Sensor) -> stereo_noise::Parameters {
-    match sensor.engine() {
-        Engine::StereoNoise(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::of(other).as_str()),
-    }
+    *sensor
+        .engine()
+        .downcast_ref::<StereoNoise>()
+        .unwrap()
+        .parameters()
 }
 
 fn time_of_flight(sensor: &Sensor) -> tof::Parameters {
-    match sensor.engine() {
-        Engine::TimeOfFlight(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::of(other).as_str()),
-    }
+    *sensor
+        .engine()
+        .downcast_ref::<TimeOfFlight>()
+        .unwrap()
+        .parameters()
 }
 
 fn isaac(sensor: &Sensor) -> single_view::Parameters {
-    match sensor.engine() {
-        Engine::SingleView(engine) => *engine.parameters(),
-        other => panic!("{}", EngineKind::of(other).as_str()),
-    }
+    *sensor.engine().downcast_ref::<SingleView>().unwrap().parameters()
 }
 
 #[test]
@@ -49,14 +52,14 @@ fn defaults_are_the_devices() {
     assert_eq!((p.width_px, p.principal_point_px), (640, Some([320.0, 240.0])));
     assert!((p.focal_length_px - 457.0).abs() < 0.1, "{}", p.focal_length_px);
     let parity = SensorOptions {
-        engine: Some(EngineKind::SingleView),
+        engine: Some(&SINGLE_VIEW),
         ..options.clone()
     };
     let (tof, _) = of("OAK-D ToF", 1, &parity).unwrap();
     assert_eq!(isaac(&tof).baseline_mm, 0.5);
     let (near, _) = of("OAK-D ToF", 0, &options).unwrap();
     assert!((stereo(&near).stereo.baseline_m - 0.02).abs() < 1e-12);
-    let wrong = |engine, index| {
+    let wrong = |engine: &'static EngineKind, index| {
         let options = SensorOptions {
             engine: Some(engine),
             ..options.clone()
@@ -64,13 +67,14 @@ fn defaults_are_the_devices() {
         of("OAK-D ToF", index, &options).unwrap_err()
     };
     assert_eq!(
-        wrong(EngineKind::StereoNoise, 1),
-        "engine: Camera_pseudo_depth_tof is no stereo sensor; use time-of-flight, single-view, or the stereo sensor"
+        wrong(&STEREO_NOISE, 1),
+        "engine: stereo-noise does not model Camera_pseudo_depth_tof, a tof sensor; use single-view, time-of-flight, or \
+         choose another sensor"
     );
     assert_eq!(
-        wrong(EngineKind::TimeOfFlight, 0),
-        "engine: Camera_pseudo_depth_stereo is no time-of-flight sensor; use stereo-noise, single-view, or the \
-         time-of-flight sensor"
+        wrong(&TIME_OF_FLIGHT, 0),
+        "engine: time-of-flight does not model Camera_pseudo_depth_stereo, a stereo sensor; use single-view, \
+         stereo-noise, stereo-matching, or choose another sensor"
     );
 }
 
@@ -93,7 +97,7 @@ fn the_images_own_focal_length_is_said() {
     assert_eq!(findings[0].code, "own-focal-length");
     assert_eq!(stereo(&other).stereo.focal_length_px, 600.0);
     let single = SensorOptions {
-        engine: Some(EngineKind::SingleView),
+        engine: Some(&SINGLE_VIEW),
         ..image(640, 300.0)
     };
     assert_eq!(
@@ -101,7 +105,7 @@ fn the_images_own_focal_length_is_said() {
         600.0
     );
     for wrong in [0.0, f64::NAN, -3.0] {
-        for engine in [EngineKind::SingleView, EngineKind::StereoNoise] {
+        for engine in [&SINGLE_VIEW, &STEREO_NOISE] {
             let options = SensorOptions {
                 engine: Some(engine),
                 ..image(640, wrong)
@@ -167,7 +171,7 @@ fn presets_are_the_platforms() {
         ["median", "speckle"]
     );
     let extended = SensorOptions {
-        engine: Some(EngineKind::SingleView),
+        engine: Some(&SINGLE_VIEW),
         ..preset("face")
     };
     assert_eq!(
@@ -178,7 +182,7 @@ fn presets_are_the_platforms() {
 
 #[test]
 fn parameters_by_name_belong_to_their_engine() {
-    let with = |engine, name: &str, value: &str| {
+    let with = |engine: &'static EngineKind, name: &str, value: &str| {
         let options = SensorOptions {
             engine: Some(engine),
             parameters: vec![(name.to_owned(), value.to_owned())],
@@ -186,7 +190,7 @@ fn parameters_by_name_belong_to_their_engine() {
         };
         of("OAK-D Pro PoE", 0, &options).map(|(sensor, _)| sensor)
     };
-    let (single, noise) = (EngineKind::SingleView, EngineKind::StereoNoise);
+    let (single, noise): (&'static EngineKind, &'static EngineKind) = (&SINGLE_VIEW, &STEREO_NOISE);
     assert_eq!(
         isaac(&with(single, "noise-mean", "0.5").unwrap()).noise_mean_px,
         0.5
@@ -235,7 +239,7 @@ fn devices_differ_by_their_seed_alone() {
 #[test]
 fn parameters_of_another_processor_are_told() {
     let set = |name: &str| SensorOptions {
-        engine: Some(EngineKind::StereoMatching),
+        engine: Some(&STEREO_MATCHING),
         parameters: vec![(name.to_owned(), "20".to_owned())],
         ..SensorOptions::default()
     };

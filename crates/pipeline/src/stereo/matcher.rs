@@ -6,8 +6,7 @@ use super::StereoError;
 use crate::pair::{PairCameras, PairOptions};
 use crate::sense::FieldOfView;
 use crate::sensor::{
-    Capture, Engine, ParameterError, Sensor, SensorOptions, Shot, platform, single_view,
-    stereo_matching as sensor,
+    Capture, Input, ParameterError, Sensor, SensorOptions, platform, stereo_matching as sensor,
 };
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::Twin;
@@ -16,7 +15,7 @@ use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
 use oaktwin_depth::stereo_matching::{self, Pair};
 use oaktwin_diagnostic::Finding;
-use oaktwin_image::Image;
+use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 
 /// The cameras of a pair.
@@ -243,14 +242,9 @@ impl Matcher {
 fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoError> {
     let [left, right] = &rectified;
     let pair = Pair::new(left, right)?;
-    let findings = match sensor.engine() {
-        Engine::StereoMatching(engine) => stereo_matching::inspect(&pair, engine.parameters()),
-        _ => Vec::new(),
-    };
-    // The measured depth has the size of the pair.
-    let none = Image::filled(1, 1, 0.0);
-    let shot = Shot::new((&none).into()).with_pair(pair);
-    let capture = sensor.capture(&shot, single_view::Wanted::default());
+    let input = Input::Pair(pair);
+    let findings = sensor.engine().inspect(&input);
+    let capture = sensor.capture(input, &[Annotator::Disparity, Annotator::Confidence])?;
     Ok(Seen {
         capture,
         rectified,

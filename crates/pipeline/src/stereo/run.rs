@@ -10,15 +10,15 @@ use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::geometry::{measured_only, positions};
 use crate::progress::Watch;
-use crate::sensor::SensorOptions;
+use crate::sensor::{FixedDisparity, SensorOptions};
 use crate::write::write_while;
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_dataset::{self as dataset, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot};
 use oaktwin_depth::rectify::Method;
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
-use oaktwin_image::ZDepth;
-use oaktwin_image::annotation::Frame;
+use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::{Image, ZDepth};
 
 /// The outputs of stereo matching.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -242,15 +242,13 @@ fn shot(seen: Seen, camera: &Camera, options: &StereoOptions, pair: &PairFiles) 
             data,
         });
     };
-    if let Some(disparity) = capture
-        .disparity
-        .as_ref()
-        .filter(|_| wants(StereoOutput::Disparity))
-    {
+    let disparity = capture.extra::<FixedDisparity>(Annotator::Disparity);
+    if let Some(disparity) = disparity.filter(|_| wants(StereoOutput::Disparity)) {
         add("disparity", LayerData::Float(disparity.to_px()));
     }
-    if let Some(confidence) = capture.confidence.filter(|_| wants(StereoOutput::Confidence)) {
-        add("confidence", LayerData::Byte(confidence));
+    let confidence = capture.extra::<Image<u8>>(Annotator::Confidence);
+    if let Some(confidence) = confidence.filter(|_| wants(StereoOutput::Confidence)) {
+        add("confidence", LayerData::Byte(confidence.clone()));
     }
     if wants(StereoOutput::Rectified) {
         for (name, image) in ["rectified_left", "rectified_right"].into_iter().zip(rectified) {

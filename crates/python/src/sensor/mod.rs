@@ -6,11 +6,12 @@ mod sense;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
+use oaktwin::catalog::DepthKind;
 use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::sense_frame;
 use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
-use oaktwin::sensor::{Engine, EngineKind};
+use oaktwin::sensor::{EngineInput, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -122,10 +123,11 @@ impl DepthSensor {
         let options = settings.options()?;
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
-        let depth = sensing::depth_sensor(twin, kind(sensor)?).map_err(error)?.clone();
+        let sensor = kind(sensor)?.map(DepthKind::as_str);
+        let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
-        if options.engine == Some(EngineKind::StereoMatching) {
-            let is = "stereo-matching needs a pair of images, and depth is none";
+        if let Some(engine) = options.engine.filter(|kind| kind.input == EngineInput::Pair) {
+            let is = format!("{engine} requires a stereo pair, not depth");
             return Err(wrong("engine", is, "use StereoMatcher, or stereo-noise"));
         }
         let source = Source {
@@ -152,7 +154,7 @@ impl DepthSensor {
             FieldOfView::Degrees(hfov) => (None, Some(hfov)),
         };
         options.set_item("sensor", self.source.depth.spec.kind.as_str())?;
-        options.set_item("engine", own.engine.map(EngineKind::as_str))?;
+        options.set_item("engine", own.engine.map(|kind| kind.name))?;
         options.set_item("preset", &own.preset)?;
         options.set_item("filters", &own.filters)?;
         options.set_item("parameters", own.parameters.clone().into_py_dict(py)?)?;
@@ -320,7 +322,7 @@ impl DepthSensor {
     /// "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(EngineKind::of(self.now(py, None)?.sensor.engine()).as_str())
+        Ok(self.now(py, None)?.sensor.engine().kind().name)
     }
 
     /// The engine's parameters by name, as `parameters=` takes them, for images of the size that was looked at last.
@@ -328,13 +330,9 @@ impl DepthSensor {
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let parameters = PyDict::new(py);
         let sensor = self.now(py, None)?.sensor;
-        for (name, value) in sensor.engine().parameters() {
+        let engine = sensor.engine();
+        for (name, value) in engine.parameters().into_iter().chain(engine.assumptions()) {
             parameters.set_item(name, value)?;
-        }
-        if let Engine::SingleView(engine) = sensor.engine() {
-            for (name, value) in engine.assumptions().by_name() {
-                parameters.set_item(name, value)?;
-            }
         }
         Ok(parameters)
     }

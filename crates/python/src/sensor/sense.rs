@@ -2,7 +2,7 @@ use std::sync::{Arc, PoisonError};
 
 use oaktwin::camera::ImageSize;
 use oaktwin::image::ImageView;
-use oaktwin::sensor::{Sensor, Shot, single_view};
+use oaktwin::sensor::{Sensor, Shot};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
@@ -40,15 +40,15 @@ impl DepthSensor {
                     shot = shot.with_rgb(rgb).map_err(error)?;
                 }
             }
-            let wanted = single_view::Wanted::default();
-            let distance = if sensor.remembers() {
+            let capture = if sensor.remembers() {
                 let sensor = Arc::make_mut(sensor);
-                threads::install(|| sensor.capture(&shot, wanted).distance)?
+                threads::install(|| sensor.capture(shot, &[]))?
             } else {
                 let mut sensor = Sensor::clone(sensor);
                 drop(eye);
-                threads::install(|| sensor.capture(&shot, wanted).distance)?
+                threads::install(|| sensor.capture(shot, &[]))?
             };
+            let distance = capture.map_err(error)?.distance;
             out.fill(0, distance.0.pixels().len(), |room| {
                 room.copy_from_slice(distance.0.pixels());
                 Ok(())

@@ -33,7 +33,7 @@ mod i32;
 
 use self::f32::F32;
 use self::f64::{Double, Pair};
-use crate::LaneKernel;
+use crate::{Kernel, LaneKernel};
 
 /// Instructions beyond the baseline that this processor has. Only this module creates values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,11 +67,18 @@ impl Extension {
             .collect()
     }
 
-    #[inline]
-    pub(crate) fn run<K: LaneKernel>(self, kernel: K) -> K::Output {
+    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
             Instructions::Avx2 => unsafe { avx2(kernel) },
             Instructions::Avx512 => unsafe { avx512(kernel) },
+        }
+    }
+
+    #[inline]
+    pub(crate) fn run_lanes<K: LaneKernel>(self, kernel: K) -> K::Output {
+        match self.0 {
+            Instructions::Avx2 => unsafe { avx2_lanes(kernel) },
+            Instructions::Avx512 => unsafe { avx512_lanes(kernel) },
         }
     }
 }
@@ -93,11 +100,21 @@ fn has_avx512() -> bool {
 }
 
 #[target_feature(enable = "avx2")]
-fn avx2<K: LaneKernel>(kernel: K) -> K::Output {
+fn avx2<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
+}
+
+#[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl,avx512bitalg")]
+fn avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
+}
+
+#[target_feature(enable = "avx2")]
+fn avx2_lanes<K: LaneKernel>(kernel: K) -> K::Output {
     kernel.run::<F32<Pair>>()
 }
 
 #[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl,avx512bitalg")]
-fn avx512<K: LaneKernel>(kernel: K) -> K::Output {
+fn avx512_lanes<K: LaneKernel>(kernel: K) -> K::Output {
     kernel.run::<F32<Double>>()
 }

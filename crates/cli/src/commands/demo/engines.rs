@@ -9,8 +9,9 @@ use oaktwin::image::contact_sheet::{Picture, panels};
 use oaktwin::image::{Image, ZDepth, png};
 use oaktwin::pair::{Pair, PairCameras, PairOptions};
 use oaktwin::render::Renderer;
-use oaktwin::sensor::single_view::Wanted;
-use oaktwin::sensor::{self, EngineKind, SensorOptions, Shot};
+use oaktwin::sensor::{
+    self, EngineKind, Input, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, Shot,
+};
 use oaktwin_demo as demo_room;
 
 use super::room::{self, RANGE_M};
@@ -38,29 +39,29 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
             ..PairOptions::default()
         },
     )?;
-    let sensor = room::depth_sensor(&pro)?;
+    let sensor = sensor::depth_sensor(&pro, None)?;
     let camera = room::depth_camera(&pro, sensor, SIZE.height)?;
     let (rgb, exact) = room::seen(renderer, &camera)?;
-    let by = |kind: EngineKind, pair: Option<&Pair>| -> Result<ZDepth> {
+    let by = |kind: &'static EngineKind, pair: Option<&Pair>| -> Result<ZDepth> {
         let options = SensorOptions {
             engine: Some(kind),
             image: Some(camera.camera.intrinsics),
             ..SensorOptions::default()
         };
         let (mut sensor, _) = sensor::sensor(&pro, sensor, &options)?;
-        let shot = match pair {
-            None => Shot::new((&exact.0).into()).with_rgb((&rgb).into())?,
-            Some(pair) => {
-                let images = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right)?;
-                Shot::new((&pair.z.0).into()).with_pair(images)
-            }
+        let input = match pair {
+            None => Input::Depth(Shot::new((&exact.0).into()).with_rgb((&rgb).into())?),
+            Some(pair) => Input::Pair(stereo_matching::Pair::new(
+                &pair.rectified_left,
+                &pair.rectified_right,
+            )?),
         };
-        Ok(sensor.capture(&shot, Wanted::default()).distance)
+        Ok(sensor.capture(input, &[])?.distance)
     };
-    let single_view = by(EngineKind::SingleView, None)?;
-    let stereo_noise = by(EngineKind::StereoNoise, None)?;
-    let by_day = by(EngineKind::StereoMatching, Some(&day))?;
-    let by_night = by(EngineKind::StereoMatching, Some(&night))?;
+    let single_view = by(&SINGLE_VIEW, None)?;
+    let stereo_noise = by(&STEREO_NOISE, None)?;
+    let by_day = by(&STEREO_MATCHING, Some(&day))?;
+    let by_night = by(&STEREO_MATCHING, Some(&night))?;
     let dots: Image<u8> = night.left.to_eight();
     let time_of_flight = room::measured_by(renderer, &tof, SIZE.height)?;
     let all = [

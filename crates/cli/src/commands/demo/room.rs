@@ -11,7 +11,6 @@ use oaktwin::image::{Image, ZDepth, png};
 use oaktwin::render::{
     AnnotateOptions, Backend, OakOptions, OpenOptions, PlacedCamera, Renderer, SceneFile, oak_cameras,
 };
-use oaktwin::sensor::single_view::Wanted;
 use oaktwin::sensor::{self, SensorOptions};
 use oaktwin_demo as demo_room;
 
@@ -54,7 +53,7 @@ pub(super) fn render(
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
-        let sensor = depth_sensor(twin)?;
+        let sensor = sensor::depth_sensor(twin, None)?;
         let camera = depth_camera(twin, sensor, HEIGHT)?;
         let (rgb, depth) = seen(renderer, &camera)?;
         let measured = measured(twin, sensor, &camera, (&rgb, &depth))?;
@@ -86,7 +85,7 @@ pub(super) fn render(
 
 /// What a model's own depth sensor reports of the room, in images so high.
 pub(super) fn measured_by(renderer: &Renderer, twin: &Twin, height: u32) -> Result<ZDepth> {
-    let sensor = depth_sensor(twin)?;
+    let sensor = sensor::depth_sensor(twin, None)?;
     let camera = depth_camera(twin, sensor, height)?;
     let (rgb, depth) = seen(renderer, &camera)?;
     measured(twin, sensor, &camera, (&rgb, &depth))
@@ -98,12 +97,6 @@ pub(super) fn seen(renderer: &Renderer, camera: &PlacedCamera) -> Result<(Image<
     let (frame, _) = renderer.annotate(&view, &ANNOTATORS, Backend::Auto, &AnnotateOptions::default());
     let both = frame.rgb.zip(frame.distance_to_image_plane);
     Ok(both.ok_or("nothing was rendered")?)
-}
-
-/// The model's own depth sensor: the last one, for where there are two, it is the time-of-flight camera.
-pub(super) fn depth_sensor(twin: &Twin) -> Result<&TwinDepthSensor> {
-    let sensor = twin.depth_sensors.last();
-    Ok(sensor.ok_or_else(|| format!("{} has no depth sensor", twin.device.name))?)
 }
 
 pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, height: u32) -> Result<PlacedCamera> {
@@ -132,5 +125,5 @@ fn measured(
     };
     let (mut sensor, _) = sensor::sensor(twin, depth_sensor, &options)?;
     let shot = sensor::Shot::new((&depth.0).into()).with_rgb(rgb.into())?;
-    Ok(sensor.capture(&shot, Wanted::default()).distance)
+    Ok(sensor.capture(shot, &[])?.distance)
 }

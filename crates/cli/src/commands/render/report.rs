@@ -6,7 +6,7 @@ use oaktwin::diagnostic::Finding;
 use oaktwin::files::WrittenFile;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{PlacedCamera, Written};
-use oaktwin::sensor::{EngineKind, Sensor};
+use oaktwin::sensor::Sensor;
 use serde::Serialize;
 
 use crate::args::RenderArgs;
@@ -160,7 +160,7 @@ impl<'a> CameraReport<'a> {
 impl SensorReport {
     fn new(sensor: &Sensor) -> Self {
         Self {
-            engine: EngineKind::of(sensor.engine()).as_str(),
+            engine: sensor.engine().kind().name,
             parameters: sensor.engine().parameters().into_iter().collect(),
         }
     }

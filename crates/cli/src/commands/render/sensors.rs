@@ -5,7 +5,7 @@ use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
-use oaktwin::sensor::{EngineKind, Sensor, calibration_error_px};
+use oaktwin::sensor::{EngineInput, Sensor};
 
 use super::{Oak, asked};
 use crate::args::RenderArgs;
@@ -64,7 +64,7 @@ pub(super) fn pair(
         .map_err(|error| format!("--sweep: {error}"))?
         .unwrap_or_default();
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
-    if !engines.any(|engine| engine == Some(EngineKind::StereoMatching)) {
+    if !engines.any(|engine| engine.is_some_and(|kind| kind.input == EngineInput::Pair)) {
         return match args.pair.given() {
             Some(option) => Err(format!("{option} requires --engine stereo-matching").into()),
             None => Ok(None),
@@ -76,9 +76,9 @@ pub(super) fn pair(
                 .into(),
         );
     };
-    let bias_px = calibration_error_px(&options)?;
+    let bias_px = options.calibration_error_px()?;
     for swept in &all {
-        if calibration_error_px(swept)?.to_bits() != bias_px.to_bits() {
+        if swept.calibration_error_px()?.to_bits() != bias_px.to_bits() {
             return Err(
                 "--sweep bias: not supported with stereo-matching, which renders the pair once; run with each --param bias="
                     .into(),

@@ -36,8 +36,8 @@ fn what_is_wrong_is_told() {
     let findings = inspect(&pair(&[left.clone(), lower(5)]), &parameters());
     assert_eq!(
         findings[0].to_string(),
-        "warning[vertical-offset]: stereo pair: the right image has things about 5 px lower than the left; \
-         rectify both with the calibration of this device"
+        "warning[vertical-offset]: stereo pair: the right image is about 5 px lower than the left one; \
+         rectify both with this unit's calibration"
     );
     let blank = image(640, 200, |_, _| (0, 3.0));
     assert_eq!(

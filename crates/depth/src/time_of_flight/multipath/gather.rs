@@ -1,17 +1,17 @@
-//! All patches' light at some receivers.
+//! The light of all patches at some receivers.
 
 use oaktwin_simd::Kernel;
 
 use super::patches::{Found, Patch};
 use crate::time_of_flight::light::{CHANNELS, phasor};
 
-/// Receivers that are lit together.
+/// The receivers that are processed together.
 pub(super) const LANES: usize = 16;
 
-/// Far below any distance that matters, m².
+/// A number far below every relevant squared distance, m².
 const TINY: f32 = 1e-12;
 
-/// Receivers side by side.
+/// Adjacent receivers.
 #[derive(Clone, Debug)]
 pub(super) struct Lit {
     point: [[f32; LANES]; 3],
@@ -35,7 +35,7 @@ impl Lit {
     }
 }
 
-/// Real and imaginary part of each frequency's phasor, then all light: of the lamp's light at 1 m.
+/// Real and imaginary part of each frequency's phasor, then all light, relative to the lamp's light at 1 m.
 pub(super) struct Gather<'a> {
     pub(super) patches: &'a [Patch],
     pub(super) found: &'a Lit,
@@ -59,7 +59,7 @@ impl Kernel for Gather<'_> {
             for i in 0..LANES {
                 let (dx, dy, dz) = (x - px[i], y - py[i], z - pz[i]);
                 let square = dx * dx + dy * dy + dz * dz;
-                // Each is the cosine times the distance.
+                // Each is a cosine times the distance.
                 let here = nx[i] * dx + ny[i] * dy + nz[i] * dz;
                 let there = -(a * dx + b * dy + c * dz);
                 let seen = (here > 0.0) & (there > 0.0);

@@ -1,28 +1,29 @@
-//! Light that comes by another surface: lamp, surface, this surface, camera.
+//! Indirect light with one bounce: lamp, other surface, this surface, camera.
 //!
-//! It has come a longer way than the light that came straight, and adds to its phasor: concave corners are reported too far,
-//! and rounded.
+//! Its path is longer than that of direct light, and it adds to the phasor: concave corners are reported too far away and
+//! rounded.
 //!
 //! # Steps
-//! 1. **Patches.** The image in square cells, 40 × 30 at most. What a cell shows is one patch, with the mean point and normal
-//!    of its pixels, each weighted by what it reflects: albedo·Ω of the light of the lamp, Ω the pixel's solid angle. The sum
-//!    of these is the patch's flux Φ, and that of the pixels' surfaces its area a.
-//! 2. **Receivers.** Twice as many as cells in each row and column: points and normals as single pixels see them. At each, the
-//!    sum over all patches of Φ·cos α·cos β/(π d² + a), Lambert's law twice, α and β the angles of the line between them, d
-//!    long, to both normals; near a patch it is as of a disc of its area, no more. Of each frequency the phase is of half the
-//!    way from the lamp to the patch and on to the receiver.
-//! 3. **Pixels.** Of the four receivers around, those count whose normal is like the pixel's, and near whose plane it lies: no
-//!    light leaks over edges. Where none is like it, as on what is thinner than a cell, there is less light than there
-//!    would be. By signal·albedo it becomes electrons, whose phase the pixel's own half of the way completes.
+//! 1. **Patches.** The image is divided into square cells, 40 × 30 at most. Each cell is one patch with the mean point and
+//!    normal of its pixels, weighted by their reflected light: albedo·Ω of the light of the lamp, Ω the pixel's solid angle.
+//!    The sum of these is the patch's flux Φ, and the sum of the pixels' surfaces its area a.
+//! 2. **Receivers.** Twice as many as cells in each row and column: the points and normals of single pixels. Each sums
+//!    Φ·cos α·cos β/(π d² + a) over all patches, Lambert's law twice, with the angles α and β between the connecting line of
+//!    length d and both normals; near a patch this is limited to the light of a disc of its area. The phase at each frequency
+//!    is that of half the path from the lamp via the patch to the receiver.
+//! 3. **Pixels.** A pixel interpolates between the four receivers around it, weighted by the similarity of the normals and the
+//!    distance to the receiver's plane, so that no light leaks across edges. If none is similar, as on objects thinner than a
+//!    cell, there is too little light. The light times signal·albedo gives electrons, and the pixel's own half of the path
+//!    completes the phase.
 //!
-//! The reverse way, lamp, this surface, another, camera, ends in the pixel that sees the other surface: what each pixel gets
-//! is one of the two.
+//! The reverse path (lamp, this surface, other surface, camera) ends in the pixel that sees the other surface, so each
+//! pixel receives one of the two.
 //!
-//! # What is known, and what is an estimate
-//! All of it is an estimate, from what the image shows. Left out: more than one bounce (a white corner has much of it), what
-//! shines, whether something stands between two surfaces, and what lies outside the image, behind something, or turned away
-//! from the camera. All moves as the pixel does. A patch is one even disc, which is coarse near by: half a cell from an edge
-//! of 90° it makes 7 % less of the error than every pixel would.
+//! # Limits
+//! All of this is an estimate from the visible surfaces. Not modelled: more than one bounce (strong in white corners), glossy
+//! surfaces, occlusion between two surfaces, and surfaces outside the image, occluded, or facing away from the camera. All
+//! surfaces move as the pixel does. A patch is one uniform disc, which is coarse at short range: half a cell from an edge of
+//! 90° the error is 7 % smaller than with one patch per pixel.
 
 mod gather;
 mod patches;
@@ -39,40 +40,40 @@ use super::light::Lamp;
 use super::optics::Optics;
 use oaktwin_image::ImageView;
 
-/// Cells in a row and in a column, at most.
+/// The maximum number of cells in a row and in a column.
 const CELLS: [u32; 2] = [40, 30];
 
-/// Receivers that one thread works on: a multiple of [`LANES`].
+/// The receivers that one thread processes: a multiple of [`LANES`].
 const TASK: usize = 8 * LANES;
 
-/// What an image is made of.
+/// The input of one image.
 pub(super) struct View<'a> {
     pub(super) depth: ImageView<'a, f32>,
     pub(super) picture: Option<ImageView<'a, [u8; 4]>>,
-    /// Where there is no picture.
+    /// The albedo without a colour image.
     pub(super) albedo: f32,
     pub(super) optics: &'a Optics,
     pub(super) lamp: &'a Lamp,
     pub(super) level: Level,
 }
 
-/// Receivers' light of one image.
+/// The light of one image's receivers.
 #[derive(Clone, Debug)]
 pub(super) struct Multipath {
     /// Electrons of a white surface per unit of the receivers' light.
     signal: f32,
     columns: Vec<usize>,
     rows: Vec<usize>,
-    /// Row by row.
+    /// Receivers, row by row.
     receivers: Vec<Receiver>,
 }
 
-/// How an image is divided.
+/// The division of an image.
 #[derive(Clone, Copy, Debug)]
 struct Grid {
     size: [usize; 2],
     cell: usize,
-    /// Pixels from one receiver to the next.
+    /// The distance between receivers, px.
     step: usize,
 }
 
@@ -86,11 +87,11 @@ impl Grid {
         }
     }
 
-    /// The receivers' columns, or rows.
+    /// Returns the receivers' columns or rows.
     fn receivers(&self, axis: usize) -> Vec<usize> {
         let size = self.size[axis];
         let starts = (0..size).step_by(self.step);
-        // The last lies in the image, and after the one before.
+        // The last is inside the image, and after the one before it.
         starts
             .map(|start| (start + self.step / 2).min(size - 1))
             .collect()
@@ -98,7 +99,7 @@ impl Grid {
 }
 
 impl Multipath {
-    /// `strength`: 1 as it would be.
+    /// A `strength` of 1 is physical.
     pub(super) fn new(view: &View<'_>, strength: f32) -> Self {
         let grid = Grid::new(view.depth.width(), view.depth.height());
         let [columns, rows] = [0, 1].map(|axis| grid.receivers(axis));
@@ -140,7 +141,7 @@ impl Multipath {
         self.signal
     }
 
-    /// The receivers' light at the pixels of row `y`, whose surfaces these are.
+    /// Computes the receivers' light at the pixels of row `y` with these surfaces.
     pub(super) fn spread(&self, level: Level, y: usize, surfaces: &mut Surfaces) {
         let below = self.rows.partition_point(|&row| row <= y);
         let pair = [below.saturating_sub(1), below.min(self.rows.len() - 1)];
@@ -159,7 +160,7 @@ impl Multipath {
     }
 }
 
-/// How far `at` is from the first to the second.
+/// Returns the position of `at` between the first and the second, 0 to 1.
 #[inline(always)]
 fn between([first, second]: [usize; 2], at: usize) -> f32 {
     if second > first {

@@ -1,4 +1,4 @@
-//! The image's surfaces: one patch of each cell, and the points where light is gathered.
+//! The image's surfaces: one patch per cell, and the points where light is gathered.
 
 use oaktwin_simd as simd;
 
@@ -6,28 +6,28 @@ use super::spread::{Normals, Surfaces};
 use super::{Grid, View};
 use crate::time_of_flight::light::{Albedos, InverseDepth};
 
-/// What a cell shows, as one surface. Metres, the camera's frame.
+/// The surface of a cell, in metres in the camera's frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Patch {
     pub(super) point: [f32; 3],
-    /// Towards the camera's side.
+    /// The unit normal towards the camera.
     pub(super) normal: [f32; 3],
-    /// Of the lamp's light per steradian, what it reflects.
+    /// The reflected share of the lamp's light per steradian.
     pub(super) flux: f32,
-    /// m².
+    /// The area, m².
     pub(super) area: f32,
-    /// From the lamp, m.
+    /// The distance from the lamp, m.
     pub(super) range: f32,
 }
 
-/// A receiver's place: as [`Patch`]'s. No surface: a normal of 0.
+/// The position of a receiver, in [`Patch`]'s frame. The normal is 0 without a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Found {
     pub(super) point: [f32; 3],
     pub(super) normal: [f32; 3],
 }
 
-/// Finds a band of cells; the memory of one thread.
+/// The memory of one thread for a band of cells.
 pub(super) struct Surveyor<'a> {
     view: &'a View<'a>,
     grid: Grid,
@@ -39,7 +39,7 @@ pub(super) struct Surveyor<'a> {
     sums: Vec<Sum>,
 }
 
-/// What a cell's pixels add up to.
+/// The sums over a cell's pixels.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     point: [f32; 3],
@@ -65,7 +65,7 @@ impl<'a> Surveyor<'a> {
         }
     }
 
-    /// Of the cells from row `band`·cell on.
+    /// Computes the cells from row `band`·cell.
     pub(super) fn band(mut self, band: usize) -> (Vec<Patch>, Vec<Found>) {
         let first = band * self.grid.cell;
         let last = (first + self.grid.cell).min(self.grid.size[1]);
@@ -134,7 +134,7 @@ impl<'a> Surveyor<'a> {
                 );
                 let facing = -(p[0] * n[0] + p[1] * n[1] + p[2] * n[2]);
                 if facing > 0.0 {
-                    // The ray's length at a depth of 1; the pixel's solid angle is its area there over the cube of it.
+                    // The ray's length at a depth of 1; the pixel's solid angle is its area there divided by the cube of it.
                     let ray = range[x] / p[2];
                     let flux = self.albedo[x] * pixel / (ray * ray * ray);
                     for k in 0..3 {
@@ -142,7 +142,7 @@ impl<'a> Surveyor<'a> {
                         sum.normal[k] += flux * n[k];
                     }
                     sum.flux += flux;
-                    // Ω·r²/cos θ, and cos θ is `facing` over r.
+                    // Ω·r²/cos θ with cos θ = `facing` / r.
                     sum.area += pixel * p[2] * p[2] * p[2] / facing;
                 }
             }

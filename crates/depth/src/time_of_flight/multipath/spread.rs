@@ -1,4 +1,4 @@
-//! From receivers to pixels.
+//! Interpolation from receivers to pixels.
 
 use oaktwin_simd::Kernel;
 
@@ -6,27 +6,27 @@ use super::between;
 use super::patches::Found;
 use crate::time_of_flight::light::{CHANNELS, Lamp, LightRow, phasor, plane};
 
-/// The unlikeness at which a receiver counts a quarter.
+/// The dissimilarity at which a receiver's weight is a quarter.
 const LIKE: f32 = 0.01;
 
-/// Unlikeness is 1 less the cosine between normals, and the square of this times what a pixel lies off the receiver's plane as
-/// a fraction of its depth: 2 cm at 1 m count as 33° between normals.
+/// Dissimilarity is 1 minus the cosine between the normals, plus the square of this times the pixel's distance from the
+/// receiver's plane as a fraction of its depth: 2 cm at 1 m count as 33° between normals.
 const OFF_PLANE: f32 = 20.0;
 
-/// What a receiver counts at least, of its share by place: the only one that is like the pixel may be far.
+/// The minimum weight by position: the only similar receiver may be far away.
 const LEAST_SHARE: f32 = 0.02;
 
-/// Where all that counts is less, there is less light.
+/// The sum of weights below which there is less light.
 const LEAST_SUM: f32 = 1e-3;
 
-/// What a row's pixels see, and the receivers' light there.
+/// The surfaces of a row's pixels, and the receivers' light there.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Surfaces {
-    /// m, the camera's frame.
+    /// Points, metres in the camera's frame.
     pub(super) point: [Vec<f32>; 3],
-    /// Towards the camera's side, of length 1; 0 where there is no surface.
+    /// Unit normals towards the camera; 0 without a surface.
     pub(super) normal: [Vec<f32>; 3],
-    /// m from the camera.
+    /// The distance from the camera, m.
     pub(super) range: Vec<f32>,
     light: [Vec<f32>; CHANNELS],
 }
@@ -41,9 +41,9 @@ impl Surfaces {
     }
 }
 
-/// Points and normals of a row.
+/// Computes the points and normals of a row.
 pub(crate) struct Normals<'a> {
-    /// Of the row above, this one and the one below, a pixel longer at both ends.
+    /// The inverse depth of the row above, this row and the row below, one pixel longer at both ends.
     pub(crate) inverse: [&'a [f32]; 3],
     pub(crate) depth: &'a [f32],
     pub(crate) focal_length_px: f32,
@@ -88,13 +88,13 @@ impl<'a> Kernel for Normals<'a> {
     }
 }
 
-/// A place, and the light there.
+/// A receiver and its light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Receiver {
     normal: [f32; 3],
-    /// Of the normal and the point.
+    /// The dot product of the normal and the point.
     plane: f32,
-    /// 0 where there is no surface.
+    /// The weight, 0 without a surface.
     counts: f32,
     light: [f32; CHANNELS],
 }
@@ -112,13 +112,13 @@ impl Receiver {
     }
 }
 
-/// The receivers' light at a row's pixels.
+/// Computes the receivers' light at a row's pixels.
 pub(super) struct Spread<'a> {
     /// The receivers' columns.
     pub(super) columns: &'a [usize],
-    /// Those of the rows above and below, which may be the same.
+    /// The receivers above and below, which may be the same row.
     pub(super) rows: [&'a [Receiver]; 2],
-    /// How much the row below counts.
+    /// The weight of the row below.
     pub(super) lower: f32,
     pub(super) surfaces: &'a mut Surfaces,
 }
@@ -130,7 +130,7 @@ impl Kernel for Spread<'_> {
     fn run(self) {
         let n = self.surfaces.range.len();
         let count = self.columns.len();
-        // From the border, or a receiver, to the next, or the border.
+        // From one receiver or border to the next.
         for right in 0..=count {
             let left = right.saturating_sub(1);
             let start = if right == 0 { 0 } else { self.columns[left] };
@@ -198,22 +198,22 @@ fn between_receivers(
         }
         let counted = if counted > LEAST_SUM { counted } else { LEAST_SUM };
         let per = if p[2] > 0.0 { 1.0 / counted } else { 0.0 };
-        // Without a surface the sums are no numbers.
+        // Without a surface the sums are NaN.
         let light = sums.map(|sum| if p[2] > 0.0 { sum * per } else { 0.0 });
         [re0[x], im0[x], re1[x], im1[x], total[x]] = light;
     }
 }
 
-/// The receivers' light at a row's pixels is seen by the camera, with what came straight.
+/// Adds the receivers' light at a row's pixels to the direct light.
 pub(crate) struct Add<'a> {
     pub(crate) lamp: &'a Lamp,
     /// Electrons of a white surface per unit of the receivers' light.
     pub(crate) signal: f32,
     pub(crate) surfaces: &'a Surfaces,
     pub(crate) albedo: &'a [f32],
-    /// What is added to the distance, m.
+    /// The error of the distance, m.
     pub(crate) shift: &'a [f32],
-    /// m/s.
+    /// The radial velocity, m/s.
     pub(crate) velocity: &'a [f32],
     pub(crate) out: &'a mut LightRow,
 }

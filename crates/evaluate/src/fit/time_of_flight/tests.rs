@@ -10,7 +10,7 @@ use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 use crate::fit::{Options, Report, fixture};
 use oaktwin_camera::ImageSize;
 use oaktwin_diagnostic::Finding;
-use oaktwin_pipeline::sensor::{EngineKind, SensorOptions, time_of_flight_parameters};
+use oaktwin_pipeline::sensor::{SensorOptions, TIME_OF_FLIGHT, time_of_flight_parameters};
 
 /// Few pixels, those in the middle of the device's view.
 const CROP: [(&str, &str); 2] = [("width", "64"), ("principalPoint", "center")];
@@ -21,7 +21,7 @@ const MODEL: &str = "oak-d-tof";
 fn options() -> Options {
     Options {
         engine: SensorOptions {
-            engine: Some(EngineKind::TimeOfFlight),
+            engine: Some(&TIME_OF_FLIGHT),
             parameters: CROP
                 .map(|(name, value)| (name.to_owned(), value.to_owned()))
                 .to_vec(),
@@ -71,7 +71,7 @@ impl Recorded<'_> {
 
 fn fitted(path: &Path, options: &Options) -> Result<(Report, Vec<Finding>), String> {
     let (report, findings, read) = fixture::fitted(MODEL, &[path], options)?;
-    assert_eq!(read.engine, EngineKind::TimeOfFlight);
+    assert_eq!(read.engine, &TIME_OF_FLIGHT);
     assert_eq!(read.parameters.len(), report.parameters.len());
     Ok((report, findings))
 }

@@ -2,7 +2,7 @@
 
 use crate::geometry::positions;
 use crate::pair::Pair;
-use crate::sensor::{Capture, Engine, Sensor, Shot, single_view};
+use crate::sensor::{EngineInput, Input, Sensor, Shot};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
 use oaktwin_image::annotation::{Annotator, Frame};
@@ -25,16 +25,29 @@ pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annota
     needed
 }
 
-/// The sensor's input from a frame.
-pub(in crate::render) fn shot<'a>(frame: &'a Frame, number: u64, pair: Option<&'a Pair>) -> Option<Shot<'a>> {
+/// The input of a sensor in a frame of this number; `None` if the frame lacks it.
+pub(in crate::render) fn input<'a>(
+    sensor: &Sensor,
+    frame: &'a Frame,
+    number: u64,
+    pair: Option<&'a Pair>,
+) -> Option<Input<'a>> {
+    match sensor.engine().kind().input {
+        EngineInput::Depth => shot(frame, number).map(Input::Depth),
+        EngineInput::Pair => {
+            let pair = pair?;
+            // Both have the same bit depth.
+            let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+            pair.ok().map(Input::Pair)
+        }
+    }
+}
+
+/// The depth and colour of a frame of this number.
+fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
     let depth = frame.distance_to_image_plane.as_ref()?;
     let mut shot = Shot::new((&depth.0).into());
     shot.frame = number;
-    if let Some(pair) = pair {
-        // Both have the same bit depth.
-        let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
-        shot = shot.with_pair(pair.ok()?);
-    }
     match &frame.rgb {
         // Both are of the same camera and size.
         Some(rgb) => shot.with_rgb(rgb.into()).ok(),
@@ -72,48 +85,39 @@ fn fill(
         wants(Annotator::DepthSensorPointCloudPosition),
         wants(Annotator::DepthSensorPointCloudColor),
     );
-    let is_single_view = matches!(sensor.engine(), Engine::SingleView(_));
+    let position = Annotator::DepthSensorPointCloudPosition;
+    let color = Annotator::DepthSensorPointCloudColor;
+    let own = sensor.engine().outputs();
     let seen = frame
         .distance_to_image_plane
         .as_ref()
-        .filter(|_| wants_positions && is_single_view)
+        .filter(|_| wants_positions && own.contains(&position))
         .map(|z| positions(camera, &z.0));
-    let captured = shot(frame, number, pair).and_then(|shot| {
-        let shot = match &seen {
-            Some(seen) => shot.with_positions(seen.into()).ok()?,
-            None => shot,
+    let captured = input(sensor, frame, number, pair).and_then(|input| {
+        let input = match (&seen, input) {
+            (Some(seen), Input::Depth(shot)) => Input::Depth(shot.with_positions(seen.into()).ok()?),
+            (_, input) => input,
         };
-        let wanted = single_view::Wanted {
-            positions: wants_positions,
-            colors: wants_colors,
-            imager: wants(Annotator::DepthSensorImager),
-            view: wants(Annotator::DepthSensorOutputVisualization),
-        };
-        Some(sensor.capture(&shot, wanted))
+        sensor.capture(input, asked).ok()
     });
-    let Some(Capture {
-        distance,
-        single_view,
-        ..
-    }) = captured
-    else {
+    let Some(mut capture) = captured else {
         return;
     };
-    if let Some(output) = single_view {
-        frame.depth_sensor_point_cloud_position = output.positions;
-        frame.depth_sensor_point_cloud_color = output.colors;
-        frame.depth_sensor_imager = output.imager;
-        frame.depth_sensor_output_visualization = output.view;
+    frame.depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
+    frame.depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
+    // Where no sample moves, a pixel's point is where its ray reaches the measured depth.
+    frame.depth_sensor_point_cloud_position = if own.contains(&position) {
+        capture.take(position)
     } else {
-        // The depth is that of the camera itself: a pixel's point is on its own ray.
-        frame.depth_sensor_point_cloud_position = wants_positions.then(|| positions(camera, &distance.0));
-        frame.depth_sensor_point_cloud_color = frame
-            .rgb
-            .as_ref()
-            .filter(|_| wants_colors)
-            .and_then(|rgb| measured(rgb, &distance));
-    }
-    frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(distance);
+        wants_positions.then(|| positions(camera, &capture.distance.0))
+    };
+    frame.depth_sensor_point_cloud_color = if own.contains(&color) {
+        capture.take(color)
+    } else {
+        let rgb = frame.rgb.as_ref().filter(|_| wants_colors);
+        rgb.and_then(|rgb| measured(rgb, &capture.distance))
+    };
+    frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(capture.distance);
 }
 
 /// The colours of valid depth.

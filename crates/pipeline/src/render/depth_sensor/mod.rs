@@ -5,11 +5,11 @@ mod stage;
 
 use std::collections::BTreeMap;
 
-pub(super) use capture::shot;
+pub(super) use capture::input;
 pub use capture::{scene_annotators, sense_frame};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
-use crate::sensor::{self, EngineKind, ParameterError, Sensor, SensorOptions};
+use crate::sensor::{self, ParameterError, SINGLE_VIEW, Sensor, SensorOptions};
 use oaktwin_catalog::Twin;
 use oaktwin_diagnostic::Finding;
 use oaktwin_usd::asset::IsaacVersion;
@@ -19,7 +19,7 @@ use oaktwin_usd::asset::IsaacVersion;
 pub struct DepthSensorOptions<'a> {
     /// The device, if the cameras are those of an OAK.
     pub twin: Option<&'a Twin>,
-    /// The sensor options. The default engine is [`EngineKind::SingleView`], because Isaac Sim's annotators of these names are its
+    /// The sensor options. The default engine is [`SINGLE_VIEW`], because Isaac Sim's annotators of these names are its
     /// outputs; the image is the camera's own, the default name its prim's, and the version of Isaac Sim is `isaac`.
     pub sensor: &'a SensorOptions,
     /// The version of Isaac Sim whose defaults apply to attributes that a stage does not author; by default that of the stage.
@@ -75,7 +75,7 @@ fn of_twin(
         return Ok(None);
     };
     let own = SensorOptions {
-        engine: Some(options.sensor.engine.unwrap_or(EngineKind::SingleView)),
+        engine: Some(options.sensor.engine.unwrap_or(&SINGLE_VIEW)),
         image: Some(camera.camera.intrinsics),
         isaac: options.isaac.unwrap_or_default(),
         ..options.sensor.clone()
@@ -116,7 +116,7 @@ fn names(cameras: &[PlacedCamera]) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::render::{OakOptions, oak_cameras};
-    use crate::sensor::Engine;
+    use crate::sensor::STEREO_NOISE;
     use oaktwin_camera::RigidTransform;
     use oaktwin_catalog::Catalog;
 
@@ -139,10 +139,10 @@ mod tests {
         let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
         assert!(sensors[0].is_none());
         for sensor in &sensors[1..] {
-            assert!(matches!(sensor.as_ref().unwrap().engine(), Engine::SingleView(_)));
+            assert_eq!(sensor.as_ref().unwrap().engine().kind(), &SINGLE_VIEW);
         }
         let stereo = SensorOptions {
-            engine: Some(EngineKind::StereoNoise),
+            engine: Some(&STEREO_NOISE),
             ..sensor.clone()
         };
         let options = DepthSensorOptions {

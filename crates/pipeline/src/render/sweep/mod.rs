@@ -6,9 +6,9 @@ mod thumbnail;
 use std::collections::BTreeSet;
 
 use super::camera::PlacedCamera;
-use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, shot};
+use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, input};
 use crate::pair::Pair;
-use crate::sensor::{Engine, EngineKind, ParameterError, Sensor, SensorOptions, single_view};
+use crate::sensor::{EngineInput, EngineKind, ParameterError, Sensor, SensorOptions};
 use oaktwin_diagnostic::fold_name;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
@@ -135,13 +135,7 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
         remedy: remedy.to_owned(),
     };
     match fold_name(name).as_str() {
-        "engine" => {
-            let kind = EngineKind::ALL
-                .into_iter()
-                .find(|kind| fold_name(kind.as_str()) == fold_name(value));
-            let all = EngineKind::ALL.map(EngineKind::as_str).join(", ");
-            options.engine = Some(kind.ok_or_else(|| wrong(&format!("expected one of {all}")))?);
-        }
+        "engine" => options.engine = Some(EngineKind::parse(value)?),
         "preset" => options.preset = Some(value.to_owned()),
         "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
         _ => options.parameters.push((name.to_owned(), value.to_owned())),
@@ -188,7 +182,7 @@ impl SweptSensors {
             .sensors
             .iter()
             .filter_map(|sensors| sensors.get(camera)?.as_ref());
-        own.any(|sensor| matches!(sensor.engine(), Engine::StereoMatching(_)))
+        own.any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
     }
 
     /// Whether this camera has a depth sensor.
@@ -205,12 +199,12 @@ impl SweptSensors {
         number: u64,
         pair: Option<&Pair>,
     ) -> Option<Image<[u8; 3]>> {
-        let shot = shot(frame, number, pair)?;
-        let factor = sheet::factor(&self.sweep, shot.depth().width());
+        let width = frame.distance_to_image_plane.as_ref()?.0.width();
+        let factor = sheet::factor(&self.sweep, width);
         let mut cells = Vec::new();
         for sensors in &mut self.sensors {
             let sensor = sensors.get_mut(camera)?.as_mut()?;
-            let captured = sensor.capture(&shot, single_view::Wanted::default());
+            let captured = sensor.capture(input(sensor, frame, number, pair)?, &[]).ok()?;
             cells.push(Thumbnail::new(&captured.distance, factor));
         }
         Some(sheet::sheet(&self.sweep, frame, factor, &cells))
@@ -220,6 +214,7 @@ impl SweptSensors {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sensor::STEREO_NOISE;
 
     fn sweep(texts: &[&str]) -> Result<Sweep, SweepError> {
         Sweep::parse(texts.iter().copied())
@@ -247,7 +242,7 @@ mod tests {
         );
         let engines = sweep(&["engine=single-view,stereo_noise", "seed=7"]).unwrap();
         let options = engines.options(&SensorOptions::default()).unwrap();
-        assert_eq!(options[1].engine, Some(EngineKind::StereoNoise));
+        assert_eq!(options[1].engine, Some(&STEREO_NOISE));
         assert_eq!((options[0].seed, options[0].parameters.len()), (7, 0));
         for wrong in ["engine=stereo", "seed=-1"] {
             assert!(

@@ -1,0 +1,116 @@
+use oaktwin_image::annotation::Annotator;
+use oaktwin_image::{Image, ZDepth};
+
+/// What a sensor reports of one input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Capture {
+    /// Metres along the optical axis, 0 where nothing was measured. Filters that decimate make it smaller than the
+    /// input: [`Chain::size`](crate::filter::Chain::size).
+    pub distance: ZDepth,
+    /// Whether filters of depth changed the distance. [`Capture::extras`] show it unfiltered.
+    pub is_filtered: bool,
+    /// The requested outputs that the engine could make of the input.
+    pub extras: Vec<(Annotator, Layer)>,
+}
+
+/// An output besides the distance.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layer {
+    /// Whole levels.
+    Bytes(Image<u8>),
+    /// Real numbers.
+    Floats(Image<f32>),
+    /// sRGB with alpha.
+    Colors(Image<[u8; 4]>),
+    /// Points in metres and 1.
+    Points(Image<[f32; 4]>),
+    /// Fixed-point disparity.
+    Disparity(FixedDisparity),
+}
+
+impl Capture {
+    /// Returns an extra output, or `None` if it was not made or has another type.
+    #[must_use]
+    pub fn extra<T>(&self, annotator: Annotator) -> Option<&T>
+    where
+        for<'a> &'a T: TryFrom<&'a Layer>,
+    {
+        let layer = self.extras.iter().find(|(own, _)| *own == annotator);
+        layer.and_then(|(_, layer)| layer.try_into().ok())
+    }
+
+    /// Removes and returns an extra output, or returns `None` if it was not made or has another type.
+    pub fn take<T: TryFrom<Layer>>(&mut self, annotator: Annotator) -> Option<T> {
+        let place = self.extras.iter().position(|(own, _)| *own == annotator)?;
+        self.extras.swap_remove(place).1.try_into().ok()
+    }
+
+    /// Adds an extra output if there is one.
+    pub(crate) fn add(&mut self, annotator: Annotator, layer: Option<impl Into<Layer>>) {
+        self.extras.extend(layer.map(|layer| (annotator, layer.into())));
+    }
+}
+
+macro_rules! layers {
+    ($($variant:ident($image:ty);)+) => {$(
+        impl From<$image> for Layer {
+            fn from(image: $image) -> Self {
+                Self::$variant(image)
+            }
+        }
+
+        impl TryFrom<Layer> for $image {
+            type Error = ();
+
+            fn try_from(layer: Layer) -> Result<Self, ()> {
+                match layer {
+                    Layer::$variant(image) => Ok(image),
+                    _ => Err(()),
+                }
+            }
+        }
+
+        impl<'a> TryFrom<&'a Layer> for &'a $image {
+            type Error = ();
+
+            fn try_from(layer: &'a Layer) -> Result<Self, ()> {
+                match layer {
+                    Layer::$variant(image) => Ok(image),
+                    _ => Err(()),
+                }
+            }
+        }
+    )+};
+}
+
+layers! {
+    Bytes(Image<u8>);
+    Floats(Image<f32>);
+    Colors(Image<[u8; 4]>);
+    Points(Image<[f32; 4]>);
+    Disparity(FixedDisparity);
+}
+
+/// A disparity image in fixed point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FixedDisparity {
+    /// Units of `step_px` above `shift_px`; 0 where nothing was measured.
+    pub fixed: Image<u16>,
+    /// The size of a unit, px.
+    pub step_px: f64,
+    /// The smallest disparity, px.
+    pub shift_px: u32,
+}
+
+impl FixedDisparity {
+    /// Returns the disparities in pixels of the pair, 0 where nothing was measured.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "pixels are single precision")]
+    pub fn to_px(&self) -> Image<f32> {
+        let shift = f64::from(self.shift_px);
+        self.fixed.map(|&fixed| match fixed {
+            0 => 0.0,
+            fixed => (f64::from(fixed) * self.step_px + shift) as f32,
+        })
+    }
+}

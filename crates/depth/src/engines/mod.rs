@@ -1,0 +1,97 @@
+//! The registry of engines.
+//!
+//! A new engine needs a module of its own, an adapter here that implements [`Engine`], and a line in [`ENGINES`].
+
+mod filters;
+mod single_view;
+mod stereo_matching;
+mod stereo_noise;
+mod time_of_flight;
+
+use std::sync::Arc;
+
+use oaktwin_diagnostic::{fold_name, nearest};
+
+use crate::{Engine, EngineKind, ParameterError, Setup, Technology};
+
+pub use single_view::SINGLE_VIEW;
+pub use stereo_matching::{STEREO_MATCHING, calibration_error_px, is_calibration_error};
+pub use stereo_noise::STEREO_NOISE;
+pub use time_of_flight::TIME_OF_FLIGHT;
+
+#[cfg(test)]
+pub(crate) use filters::spread;
+
+/// All engines.
+pub static ENGINES: [&EngineKind; 4] = [&SINGLE_VIEW, &STEREO_NOISE, &STEREO_MATCHING, &TIME_OF_FLIGHT];
+
+impl EngineKind {
+    /// Returns the engine of a name; case, hyphens and underscores are ignored.
+    ///
+    /// # Errors
+    /// Returns an error if there is no such engine, with the nearest names.
+    pub fn parse(name: &str) -> Result<&'static Self, ParameterError> {
+        let found = ENGINES
+            .iter()
+            .find(|kind| fold_name(kind.name) == fold_name(name));
+        found.copied().ok_or_else(|| {
+            let near = nearest(name, ENGINES.iter().map(|kind| kind.name));
+            let remedy = if near.is_empty() {
+                format!("use {}", ENGINES.map(|kind| kind.name).join(" or "))
+            } else {
+                format!("did you mean {}?", near.join(" or "))
+            };
+            ParameterError::new("engine", format!("there is no engine `{name}`"), remedy)
+        })
+    }
+
+    /// Returns the default engine for depth cameras of a technology.
+    #[must_use]
+    pub fn default_for(technology: Technology) -> &'static Self {
+        let mut all = ENGINES.iter().filter(|kind| kind.is_default);
+        all.find(|kind| kind.models == Some(technology))
+            .unwrap_or(&ENGINES[0])
+    }
+
+    /// Creates the engine.
+    ///
+    /// # Errors
+    /// Returns an error if a parameter is unknown, has an invalid value, or is out of range.
+    pub fn create(&self, setup: &Setup) -> Result<Arc<dyn Engine>, ParameterError> {
+        let mut setup = setup.clone();
+        for (name, _) in &mut setup.parameters {
+            self.resolve(name)?.clone_into(name);
+        }
+        (self.create)(&setup)
+    }
+
+    fn find(&self, name: &str) -> Option<&'static str> {
+        let mut names = (self.parameters)().into_iter();
+        names.find(|own| fold_name(own) == fold_name(name))
+    }
+
+    /// Returns the exact name of a parameter.
+    fn resolve(&self, given: &str) -> Result<&'static str, ParameterError> {
+        if let Some(name) = self.find(given) {
+            return Ok(name);
+        }
+        let mut others = ENGINES.iter();
+        let (what, remedy) = match others.find_map(|other| Some((other, other.find(given)?))) {
+            Some((other, name)) => (
+                format!("{self} has no {name}: it is a parameter of {other}"),
+                format!("leave it out, or choose the engine {other}"),
+            ),
+            None => {
+                let own = (self.parameters)();
+                let near = nearest(given, own.iter().copied());
+                let remedy = if near.is_empty() {
+                    format!("there are {}", own.join(", "))
+                } else {
+                    format!("did you mean {}?", near.join(" or "))
+                };
+                (format!("{self} has no such parameter"), remedy)
+            }
+        };
+        Err(ParameterError::new(given, what, remedy))
+    }
+}

@@ -1,0 +1,122 @@
+use std::sync::Arc;
+
+use oaktwin_camera::Intrinsics;
+use oaktwin_image::annotation::Annotator;
+
+use super::filters::{are_of_depth, run_on_disparity, run_on_metres};
+use crate::disparity::Subpixel;
+use crate::filter::{Chain, Filter};
+use crate::random::Stream;
+use crate::stereo_noise::{Parameters, StereoNoise};
+use crate::{
+    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
+    Technology,
+};
+
+/// The parametric stereo error model: [`crate::stereo_noise`].
+pub static STEREO_NOISE: EngineKind = EngineKind {
+    name: "stereo-noise",
+    help: "Parametric stereo error model",
+    input: EngineInput::Depth,
+    models: Some(Technology::Stereo),
+    is_default: true,
+    parameters: Parameters::names,
+    create: |setup: &Setup| {
+        let mut parameters = Parameters::new(setup.stereo(), setup.width_px);
+        if let Some(PresetConfig::Stereo(config)) = &setup.preset {
+            config.apply_to(&mut parameters);
+        }
+        parameters.extended_disparity = setup.extended_disparity;
+        if let Some(seed) = setup.device_seed {
+            parameters = parameters.of_device(seed);
+        }
+        for (name, value) in &setup.parameters {
+            parameters.set(name, value)?;
+        }
+        Ok(Arc::new(StereoNoise::new(parameters)?))
+    },
+};
+
+impl Engine for StereoNoise {
+    fn kind(&self) -> &'static EngineKind {
+        &STEREO_NOISE
+    }
+
+    fn parameters(&self) -> Vec<(&'static str, String)> {
+        self.parameters().by_name().collect()
+    }
+
+    fn nearest_m(&self, _width_px: u32) -> f64 {
+        let p = self.parameters();
+        p.stereo.depth(f64::from(p.max_disparity_px()))
+    }
+
+    fn support_px(&self) -> u32 {
+        let p = self.parameters();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates"
+        )]
+        let dilation = p.edge_dilation_px.ceil() as u32;
+        dilation.saturating_add(p.window_px).min(1024)
+    }
+
+    fn disparity_times_depth(&self, _width_px: u32) -> f64 {
+        self.parameters().stereo.disparity(1.0)
+    }
+
+    fn reach_px(&self, width_px: u32, distance_m: f64) -> f64 {
+        let p = self.parameters();
+        p.stereo.disparity(distance_m) * f64::from(width_px) / f64::from(p.width_px.max(1))
+    }
+
+    fn subpixel(&self) -> Option<Subpixel> {
+        Some(self.parameters().subpixel)
+    }
+
+    fn needs_full_width(&self, width_px: u32) -> bool {
+        self.parameters().width_px != width_px
+    }
+
+    fn crop(&self, width_px: u32, crop: &Intrinsics) -> Result<Option<Arc<dyn Engine>>, ParameterError> {
+        if width_px == crop.size.width {
+            return Ok(None);
+        }
+        let mut parameters = *self.parameters();
+        parameters.width_px = crop.size.width;
+        Ok(Some(Arc::new(Self::new(parameters)?)))
+    }
+
+    fn capture(
+        &self,
+        input: &Input<'_>,
+        random: &Stream,
+        _request: &[Annotator],
+        filters: &mut Chain,
+    ) -> Result<Capture, ParameterError> {
+        let shot = input.shot(&STEREO_NOISE)?;
+        let depth = if are_of_depth(filters) {
+            self.sense(shot, random)
+        } else {
+            let (disparity, p) = (self.disparity(shot, random), self.parameters());
+            let max_px = p.max_disparity_px();
+            let (filtered, scale) = run_on_disparity(filters, disparity, shot.rgb(), max_px, p.subpixel);
+            self.depth(&filtered, scale)
+        };
+        let filtered = run_on_metres(filters, &depth, shot.rgb(), Filter::is_of_depth);
+        Ok(Capture::new(depth, filtered))
+    }
+
+    fn sense_batch(
+        &self,
+        depth: &[f32],
+        shape: [usize; 3],
+        frame: u64,
+        first_item: u32,
+        random: &Stream,
+        out: &mut [f32],
+    ) -> Option<Result<(), BatchError>> {
+        Some(self.sense_batch(depth, shape, frame, first_item, random, out))
+    }
+}

@@ -1,0 +1,326 @@
+//! The test rig: a flat board at a distance, and cameras that face its centre.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
+use oaktwin_depth::filter::Chain;
+use oaktwin_depth::random::Stream;
+use oaktwin_depth::single_view::{Assumptions, Depth, SingleView};
+use oaktwin_depth::stereo_matching::{Pair, PairError};
+use oaktwin_image::{Image, ImageView, ZDepth};
+use oaktwin_pipeline::sensor::{Engine, Input, ParameterError, Sensor, Shot};
+use rayon::prelude::*;
+
+use super::AccuracyError;
+use super::board::{self, Board, Sight};
+use super::eyes::Eyes;
+use crate::measure::{Optics, Quality, Region, Vendor, quality, vendor};
+
+/// The margin around the measured region in which textures affect it, besides windows and neighbourhoods, px.
+const AROUND_PX: u32 = 4;
+/// The margin with filters: some carry values along whole rows, halving them at each pixel.
+const AROUND_FILTERS_PX: u32 = 72;
+
+/// Units of one camera model that are measured one after the other.
+#[derive(Debug)]
+pub(super) struct TestRig {
+    /// The intrinsics of the whole depth image.
+    pub(super) intrinsics: Intrinsics,
+    /// The measured region of the depth image.
+    pub(super) region: Region,
+    pub(super) units: Vec<Unit>,
+    /// The noise; each unit has its own.
+    pub(super) random: Stream,
+    /// The stereo cameras, for engines that match pairs.
+    pub(super) eyes: Option<Eyes>,
+}
+
+/// One unit of the camera.
+#[derive(Clone, Debug)]
+pub(super) struct Unit {
+    pub(super) engine: Arc<dyn Engine>,
+    pub(super) filters: Chain,
+    /// The calibration error of a pair that is matched, px of the whole image; other engines have it as a parameter.
+    pub(super) bias_px: f64,
+}
+
+impl PartialEq for Unit {
+    fn eq(&self, other: &Self) -> bool {
+        *self.engine == *other.engine
+            && self.filters == other.filters
+            && self.bias_px.to_bits() == other.bias_px.to_bits()
+    }
+}
+
+/// The measurements of one engine at one distance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Measured {
+    pub(super) vendor: Vendor,
+    /// Empty unless requested.
+    pub(super) quality: Quality,
+}
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    pub(super) captures: u32,
+    /// Whether [`Measured::quality`] is requested.
+    pub(super) quality: bool,
+}
+
+/// The measurements of one unit, and for Isaac Sim's sensor those under its other documented reading: depth computed from
+/// disparity, or carried along.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeasuredUnit {
+    pub(super) own: Measured,
+    pub(super) other: Option<Measured>,
+}
+
+impl TestRig {
+    /// Measures every unit at a distance in metres.
+    pub(super) fn measure(
+        &self,
+        distance_m: f64,
+        effort: Effort,
+        wants_more: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<MeasuredUnit>, AccuracyError> {
+        let part = self.part(distance_m);
+        let scenery = Scenery::new(self, &part, distance_m);
+        let measure = |(unit, item): (&Unit, u32)| {
+            if !wants_more() {
+                return Err(AccuracyError::Interrupted);
+            }
+            let measure =
+                |engine: &Arc<dyn Engine>| self.measure_unit(engine, unit, item, &scenery, &part, effort);
+            Ok(MeasuredUnit {
+                own: measure(&unit.engine)?,
+                other: other_reading(&unit.engine)?.as_ref().map(measure).transpose()?,
+            })
+        };
+        let numbered: Vec<(&Unit, u32)> = self.units.iter().zip(0..).collect();
+        numbered.into_par_iter().map(measure).collect()
+    }
+
+    fn engine(&self) -> Option<&dyn Engine> {
+        self.units.first().map(|unit| &*unit.engine)
+    }
+
+    /// Disparity times depth in the pixels in which the engine counts disparity, px·m.
+    pub(super) fn disparity_times_depth(&self) -> f64 {
+        let width = self.intrinsics.size.width;
+        self.engine()
+            .map_or(0.0, |engine| engine.disparity_times_depth(width))
+    }
+
+    /// The smallest distance that can be measured, m.
+    pub(super) fn nearest_m(&self) -> f64 {
+        let width = self.intrinsics.size.width;
+        self.engine().map_or(0.0, |engine| engine.nearest_m(width))
+    }
+
+    /// Whether Isaac Sim's sensor carries the rendered depth along; `None` for other engines.
+    pub(super) fn carries_depth(&self) -> Option<bool> {
+        let engine = self.engine()?.downcast_ref::<SingleView>()?;
+        Some(engine.assumptions().depth == Depth::Carried)
+    }
+
+    /// One sigma of the jitter of Isaac Sim's sensor as a share of the disparity at 1 m; `None` for other engines.
+    pub(super) fn jitter_times_depth(&self) -> Option<f64> {
+        let p = self.engine()?.downcast_ref::<SingleView>()?.parameters();
+        let is_on = p.noise_mean_px > 0.0;
+        Some(if is_on {
+            p.noise_sigma_px / self.disparity_times_depth()
+        } else {
+            0.0
+        })
+    }
+
+    fn measure_unit(
+        &self,
+        engine: &Arc<dyn Engine>,
+        unit: &Unit,
+        item: u32,
+        scenery: &Scenery<'_>,
+        part: &Part,
+        effort: Effort,
+    ) -> Result<Measured, AccuracyError> {
+        let cropped = engine.crop(self.intrinsics.size.width, &part.intrinsics)?;
+        let engine = cropped.unwrap_or_else(|| Arc::clone(engine));
+        let mut sensor = Sensor::new(engine, unit.filters.clone(), self.random);
+        let images = scenery.captures(&mut sensor, unit, item, part, effort.captures)?;
+        let (region, intrinsics) = part.in_image(images.first());
+        let views: Vec<ImageView<'_, f32>> = images.iter().map(|image| (&image.0).into()).collect();
+        let optics = Optics {
+            intrinsics,
+            disparity_times_depth: sensor.engine().disparity_times_depth(part.intrinsics.size.width),
+        };
+        Ok(Measured {
+            vendor: vendor(&views, &region),
+            quality: if effort.quality {
+                quality(&views, &region, &optics, scenery.distance_m)
+            } else {
+                Quality::default()
+            },
+        })
+    }
+
+    /// The part of the image that affects the region; only this is rendered.
+    fn part(&self, distance_m: f64) -> Part {
+        let size = self.intrinsics.size;
+        let is_filtered = self.units.iter().any(|unit| !unit.filters.is_empty());
+        let engines = || self.units.iter().map(|unit| &unit.engine);
+        let around = engines().map(|engine| engine.support_px()).max().unwrap_or(0);
+        let around = around + if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
+        let reach = engines()
+            .map(|engine| engine.reach_px(size.width, distance_m).abs())
+            .fold(0.0, f64::max)
+            .min(f64::from(size.width));
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "within the image"
+        )]
+        let sideways = around + reach.ceil() as u32;
+        let columns = if engines().any(|engine| engine.needs_full_width(size.width)) {
+            0..size.width
+        } else {
+            grown(&self.region.columns, sideways, size.width)
+        };
+        let rows = grown(&self.region.rows, around, size.height);
+        let top_left = PixelPoint::<OpenCv>::new(f64::from(columns.start), f64::from(rows.start));
+        let within = |range: &Range<u32>, start: u32| range.start - start..range.end - start;
+        Part {
+            region: Region {
+                columns: within(&self.region.columns, columns.start),
+                rows: within(&self.region.rows, rows.start),
+            },
+            intrinsics: self.intrinsics.cropped(
+                top_left,
+                ImageSize::new(columns.end - columns.start, rows.end - rows.start),
+            ),
+        }
+    }
+}
+
+/// The scene in front of the cameras.
+struct Scenery<'a> {
+    distance_m: f64,
+    /// Rendered depth and colour, for engines that require depth.
+    sight: Option<Sight>,
+    /// The board, the cameras, and the light on the left one, for engines that require pairs.
+    pair: Option<(Board, &'a Eyes, Image<f32>)>,
+}
+
+impl<'a> Scenery<'a> {
+    fn new(rig: &'a TestRig, part: &Part, distance_m: f64) -> Self {
+        let pair = rig.eyes.as_ref().map(|eyes| {
+            let board = Board::new(part.intrinsics, distance_m);
+            let left = eyes.left(&board, part.intrinsics);
+            (board, eyes, left)
+        });
+        let sight = match pair {
+            Some(_) => None,
+            None => board::look(part.intrinsics, distance_m),
+        };
+        Self {
+            distance_m,
+            sight,
+            pair,
+        }
+    }
+
+    /// Captures a unit `count` times.
+    fn captures(
+        &self,
+        sensor: &mut Sensor,
+        unit: &Unit,
+        item: u32,
+        part: &Part,
+        count: u32,
+    ) -> Result<Vec<ZDepth>, AccuracyError> {
+        if let Some((board, eyes, left)) = &self.pair {
+            let right = eyes.right(board, part.intrinsics, unit.bias_px);
+            let captures = (0..count).map(|frame| {
+                let [left, right] = eyes.record([left, &right], &part.intrinsics, (frame.into(), item));
+                let pair = Pair::new(&left, &right).map_err(unusable)?;
+                Ok(sensor.capture(Input::Pair(pair), &[])?.distance)
+            });
+            return captures.collect();
+        }
+        let Some(sight) = &self.sight else {
+            return Ok(Vec::new());
+        };
+        let shot = Shot::new((&sight.depth.0).into());
+        let mut shot = shot.with_rgb((&sight.rgb).into()).unwrap_or(shot);
+        let captures = (0..count).map(|frame| {
+            (shot.frame, shot.item) = (frame.into(), item);
+            Ok(sensor.capture(shot, &[])?.distance)
+        });
+        captures.collect()
+    }
+}
+
+/// Reports a rendered pair that cannot be matched.
+fn unusable(error: PairError) -> ParameterError {
+    ParameterError {
+        name: "region".to_owned(),
+        what: error.what,
+        remedy: error.remedy.to_owned(),
+    }
+}
+
+fn grown(range: &Range<u32>, by: u32, end: u32) -> Range<u32> {
+    range.start.saturating_sub(by)..range.end.saturating_add(by).min(end)
+}
+
+/// A part of the depth image.
+struct Part {
+    intrinsics: Intrinsics,
+    /// The measured region of the part.
+    region: Region,
+}
+
+impl Part {
+    /// The region and intrinsics in the sensor's image of the part, which filters may have decimated.
+    fn in_image(&self, image: Option<&ZDepth>) -> (Region, Intrinsics) {
+        let own = self.intrinsics.size;
+        let size = image.map_or(own, |image| ImageSize::new(image.0.width(), image.0.height()));
+        if size == own {
+            return (self.region.clone(), self.intrinsics);
+        }
+        let scaled = |range: &Range<u32>, to: u32, from: u32| {
+            let at = |place: u32| u64::from(place) * u64::from(to) / u64::from(from.max(1));
+            let narrow = |place: u64| u32::try_from(place).unwrap_or(u32::MAX);
+            narrow(at(range.start))..narrow(at(range.end))
+        };
+        let region = Region {
+            columns: scaled(&self.region.columns, size.width, own.width),
+            rows: scaled(&self.region.rows, size.height, own.height),
+        };
+        (region, self.intrinsics.resized(size, false))
+    }
+}
+
+/// Returns Isaac Sim's sensor with the other reading of how its reported depth is computed, which public sources leave
+/// open; `None` for other engines.
+fn other_reading(engine: &Arc<dyn Engine>) -> Result<Option<Arc<dyn Engine>>, ParameterError> {
+    let Some(engine) = engine.downcast_ref::<SingleView>() else {
+        return Ok(None);
+    };
+    let depth = match engine.assumptions().depth {
+        Depth::Carried => Depth::Recomputed,
+        Depth::Recomputed => Depth::Carried,
+    };
+    let assumptions = Assumptions {
+        depth,
+        ..*engine.assumptions()
+    };
+    Ok(Some(Arc::new(SingleView::new(
+        *engine.parameters(),
+        assumptions,
+    )?)))
+}
+
+#[cfg(test)]
+mod tests;

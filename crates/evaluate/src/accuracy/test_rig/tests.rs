@@ -1,0 +1,95 @@
+use super::*;
+use oaktwin_catalog::Catalog;
+use oaktwin_pipeline::sensor::{
+    EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, sensor,
+};
+
+fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)]) -> TestRig {
+    let catalog = Catalog::builtin();
+    let twin = catalog.nominal(catalog.device(model).unwrap());
+    let depth = twin.depth_sensors.last().unwrap();
+    let options = SensorOptions {
+        engine: Some(engine),
+        parameters: parameters
+            .iter()
+            .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))
+            .collect(),
+        ..SensorOptions::default()
+    };
+    let (sensor, _) = sensor(&twin, depth, &options).unwrap();
+    let intrinsics = twin.camera(depth.spec.camera).unwrap().intrinsics;
+    TestRig {
+        intrinsics,
+        region: Region::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
+        units: vec![Unit {
+            engine: Arc::clone(sensor.engine()),
+            filters: Chain::default(),
+            bias_px: 0.0,
+        }],
+        random: Stream::new(0, ""),
+        eyes: None,
+    }
+}
+
+#[test]
+fn a_part_measures_the_same_as_the_whole_image() {
+    let effort = Effort {
+        captures: 3,
+        quality: false,
+    };
+    for (model, engine, quiet) in [
+        ("oak4-d", &STEREO_NOISE, ("jitter", "0")),
+        ("oak-d-tof", &SINGLE_VIEW, ("noiseSigma", "0")),
+    ] {
+        let rig = test_rig(model, engine, &[quiet]);
+        for distance in [0.8, 1.31, 3.3] {
+            let part = rig.part(distance);
+            assert!(part.intrinsics.size.width < rig.intrinsics.size.width / 2);
+            let whole = Part {
+                intrinsics: rig.intrinsics,
+                region: rig.region.clone(),
+            };
+            let [part, whole] = [part, whole].map(|part| {
+                let scenery = Scenery::new(&rig, &part, distance);
+                let unit = &rig.units[0];
+                let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
+                engines.map(|engine| {
+                    engine.map(|engine| {
+                        rig.measure_unit(&engine, unit, 0, &scenery, &part, effort)
+                            .unwrap()
+                            .vendor
+                    })
+                })
+            });
+            assert_eq!(part, whole, "{model} {distance}");
+            assert!(part[0].unwrap().depth_m.is_some(), "{model} {distance}");
+        }
+    }
+}
+
+/// Noise, exposure and the far ends of the matcher's paths differ between the part and the whole image.
+#[test]
+fn a_part_matches_nearly_the_same_as_the_whole_image() {
+    let mut rig = test_rig("oak4-d", &STEREO_MATCHING, &[]);
+    rig.eyes = Some(Eyes::new(0.075, 1.0, 0).unwrap());
+    let effort = Effort {
+        captures: 2,
+        quality: false,
+    };
+    for disparity in [75.0, 46.15, 18.9, 18.35] {
+        let distance = rig.disparity_times_depth() / disparity;
+        let part = rig.part(distance);
+        assert!(part.intrinsics.size.height < rig.intrinsics.size.height / 2);
+        let whole = Part {
+            intrinsics: rig.intrinsics,
+            region: rig.region.clone(),
+        };
+        let [part, whole] = [part, whole].map(|part| {
+            let scenery = Scenery::new(&rig, &part, distance);
+            let unit = &rig.units[0];
+            let measured = rig.measure_unit(&unit.engine, unit, 0, &scenery, &part, effort);
+            rig.disparity_times_depth() / measured.unwrap().vendor.depth_m.unwrap()
+        });
+        assert!((part - whole).abs() < 0.15, "{distance} m: {part} {whole} px");
+    }
+}

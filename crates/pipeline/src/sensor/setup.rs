@@ -1,0 +1,180 @@
+//! What engines are made of, from a twin, a render product or a stereo pair.
+
+use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
+use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_depth::preset::Platform;
+use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
+use oaktwin_diagnostic::{Finding, Level};
+
+use super::options::technology;
+use super::parameters::stereo_pair;
+use super::{ENGINES, SensorOptions, preset, single_view_parameters};
+
+/// The largest relative difference between the focal lengths of the images and of the twin, at the same width, at which
+/// they count as the same: the rounding of single precision, in which USD holds its cameras.
+const SAME_FOCAL_LENGTH: f64 = 1e-5;
+
+/// Where the geometry of a sensor comes from.
+pub(super) enum Source<'a> {
+    /// A depth sensor of a twin.
+    Twin {
+        twin: &'a Twin,
+        sensor: &'a TwinDepthSensor,
+        /// The images' intrinsics, if their field of view differs from the camera's.
+        own: Option<Intrinsics>,
+    },
+    /// NVIDIA's attributes of a render product.
+    Product(&'a single_view::Parameters),
+    /// A rectified stereo pair.
+    Pair {
+        platform: Platform,
+        stereo: StereoGeometry,
+        width_px: u32,
+    },
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn twin(twin: &'a Twin, sensor: &'a TwinDepthSensor, options: &SensorOptions) -> Self {
+        let own = twin.camera(sensor.spec.camera).and_then(|camera| {
+            let (image, own) = (options.image?, camera.intrinsics);
+            let at_own_width = image.fx * f64::from(own.size.width) / f64::from(image.size.width);
+            // NaN counts as different.
+            let is_same = (at_own_width - own.fx).abs() <= SAME_FOCAL_LENGTH * own.fx;
+            (!is_same).then_some(image)
+        });
+        Self::Twin { twin, sensor, own }
+    }
+}
+
+/// Collects what an engine is made of.
+pub(super) fn setup(
+    kind: &EngineKind,
+    source: &Source<'_>,
+    options: &SensorOptions,
+    findings: &mut Vec<Finding>,
+) -> Result<Setup, ParameterError> {
+    let mut setup = match *source {
+        Source::Twin { twin, sensor, own } => of_twin(kind, twin, sensor, own, options, findings)?,
+        Source::Product(attributes) => {
+            if kind.models.is_some() {
+                attributes.check()?;
+            }
+            let baseline_m = attributes.baseline_mm.abs() / 1000.0;
+            Setup {
+                attributes: *attributes,
+                ..Setup::new(attributes.focal_length_px, width_px(attributes), baseline_m)
+            }
+        }
+        Source::Pair {
+            platform,
+            stereo,
+            width_px,
+        } => {
+            let preset = options.preset.as_deref();
+            Setup {
+                platform,
+                preset: preset.map(|name| preset::of_stereo(platform, name)).transpose()?,
+                ..Setup::new(stereo.focal_length_px, width_px, stereo.baseline_m)
+            }
+        }
+    };
+    let preset_extends = setup
+        .preset
+        .as_ref()
+        .is_some_and(PresetConfig::extended_disparity);
+    setup.extended_disparity = options.extended_disparity || preset_extends;
+    if let Source::Twin { sensor, own, .. } = source {
+        setup.attributes = single_view_parameters(sensor, setup.extended_disparity, options.isaac);
+        if let Some(image) = own {
+            setup.attributes.focal_length_px =
+                image.fx * setup.attributes.sensor_size_px / f64::from(image.size.width);
+        }
+    }
+    setup.device_seed = options.device_seed;
+    setup.parameters.clone_from(&options.parameters);
+    Ok(setup)
+}
+
+fn of_twin(
+    kind: &EngineKind,
+    twin: &Twin,
+    sensor: &TwinDepthSensor,
+    own: Option<Intrinsics>,
+    options: &SensorOptions,
+    findings: &mut Vec<Finding>,
+) -> Result<Setup, ParameterError> {
+    let camera = twin.camera(sensor.spec.camera).map(|camera| camera.intrinsics);
+    if let (Some(image), Some(camera)) = (own, camera) {
+        findings.push(own_focal_length(&image, &camera, &sensor.spec.prim));
+    }
+    let preset = preset::of_sensor(twin, sensor.spec.kind, options)?;
+    let geometry = match sensor.spec.kind {
+        DepthKind::Stereo => stereo_pair(twin).map(|(stereo, width_px)| {
+            let focal_length_px = own.map_or(stereo.focal_length_px, |image| {
+                image.fx * f64::from(width_px) / f64::from(image.size.width)
+            });
+            Setup::new(focal_length_px, width_px, stereo.baseline_m)
+        }),
+        DepthKind::Tof => camera.map(|camera| {
+            let image = options.image.unwrap_or(camera);
+            let fx = if own.is_some() {
+                image.fx
+            } else {
+                camera.fx * (f64::from(image.size.width) / f64::from(camera.size.width))
+            };
+            let centre = image.principal_point::<Usd>();
+            Setup {
+                principal_point_px: Some([centre.x, centre.y]),
+                ..Setup::new(fx, image.size.width, 0.0)
+            }
+        }),
+    };
+    let is_own = technology(sensor.spec.kind);
+    let suits = |kind: &EngineKind| kind.models.is_none_or(|models| models == is_own);
+    if !suits(kind) || (kind.models.is_some() && geometry.is_none()) {
+        let suitable = ENGINES.iter().filter(|kind| suits(kind)).map(|kind| kind.name);
+        return Err(ParameterError {
+            name: "engine".to_owned(),
+            what: format!(
+                "{kind} does not model {}, a {} sensor",
+                sensor.spec.prim, sensor.spec.kind
+            ),
+            remedy: format!(
+                "use {}, or choose another sensor",
+                suitable.collect::<Vec<_>>().join(", ")
+            ),
+        });
+    }
+    Ok(Setup {
+        // Devices with an unknown processor are treated as the most common one.
+        platform: preset::platform(twin).unwrap_or(Platform::Rvc2),
+        preset,
+        ..geometry.unwrap_or_else(|| Setup::new(0.0, 0, 0.0))
+    })
+}
+
+fn own_focal_length(image: &Intrinsics, own: &Intrinsics, prim: &str) -> Finding {
+    let width = own.size.width;
+    let at_own_width = image.fx * f64::from(width) / f64::from(image.size.width);
+    Finding::new(
+        "own-focal-length",
+        Level::Note,
+        prim,
+        format!(
+            "the images' focal length of {at_own_width:.2} px at a width of {width} px is used instead of the model's \
+             {:.2} px",
+            own.fx
+        ),
+        "",
+    )
+}
+
+/// The width of the simulated sensor, px.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates, and widths out of range are rejected"
+)]
+fn width_px(product: &single_view::Parameters) -> u32 {
+    product.sensor_size_px.round() as u32
+}
