@@ -298,7 +298,7 @@ fn options_that_cannot_be() {
     assert!(refused(&|o| o.region = f64::NAN).contains("region"));
     assert!(refused(&|o| o.from_m = -1.0).contains("from"));
     assert!(refused(&|o| o.distances_m = Some(vec![1.0, f64::NAN])).contains("NaN"));
-    assert!(refused(&|o| o.sensor = Some("steroe".to_owned())).contains("did you mean stereo?"));
+    assert!(refused(&|o| o.sensor = Some("steroe".to_owned())).contains("did you mean 'stereo'?"));
     let stereo = Options {
         sensor: Some("stereo".to_owned()),
         ..Options::default()
