@@ -32,9 +32,9 @@ impl<'a> Plot<'a> {
     /// Writes figures below each other.
     pub(crate) fn draw(&self, figures: &[Figure]) -> Result<()> {
         let bytes = if self.is_svg {
-            figure::svg_of(figures).into_bytes()
+            figure::svg(figures)?.into_bytes()
         } else {
-            png::encode(&figure::picture_of(figures))?
+            png::encode(&figure::image(figures)?)?
         };
         Ok(files::write(self.file, &bytes)?)
     }

@@ -1,7 +1,7 @@
-//! Figures of numbers over numbers: one description, written as SVG or painted as a picture.
+//! Figures of curves over an axis, as SVG and as images.
 //!
 //! ```
-//! use crate::figure::{Axis, Figure, Layer, Shape};
+//! use oaktwin_evaluate::figure::{self, Axis, Figure, Layer, Shape};
 //!
 //! let figure = Figure {
 //!     title: "Error over distance".to_owned(),
@@ -9,101 +9,74 @@
 //!     x: Axis { label: "distance [m]".to_owned(), range: [0.0, 10.0] },
 //!     y: Axis { label: "error [%]".to_owned(), range: [0.0, 6.0] },
 //!     layers: vec![Layer {
-//!         label: "a device".to_owned(),
+//!         label: "a unit".to_owned(),
 //!         color: [40, 90, 180],
 //!         shape: Shape::Line(vec![[1.0, 0.5], [5.0, 2.0], [10.0, 4.5]]),
 //!     }],
 //! };
-//! assert!(figure.svg().starts_with("<svg"));
-//! assert!(figure.picture().width() > figure.picture().height());
+//! assert!(figure::svg(&[figure.clone()])?.starts_with("<svg"));
+//! let image = figure::image(&[figure])?;
+//! assert!(image.width() > image.height());
+//! # Ok::<(), figure::FigureError>(())
 //! ```
 
-mod axis;
-mod layout;
-mod picture;
-mod svg;
+mod chart;
+mod clip;
+mod render;
+#[cfg(test)]
+mod tests;
 
-use oaktwin_image::Image;
+pub use render::{image, svg};
 
-/// What a figure shows.
+/// A figure: layers over a pair of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Above it.
+    /// The heading.
     pub title: String,
-    /// Below the title, smaller.
+    /// A smaller line below the title; may be empty.
     pub subtitle: String,
-    /// To the right.
+    /// The horizontal axis.
     pub x: Axis,
-    /// Upwards.
+    /// The vertical axis.
     pub y: Axis,
-    /// From the back to the front; what lies outside the axes' ranges is cut off.
+    /// The layers from back to front, clipped to the ranges of the axes.
     pub layers: Vec<Layer>,
 }
 
-/// An axis.
+/// An axis of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures, and in what.
+    /// The quantity and its unit.
     pub label: String,
-    /// From where to where.
+    /// The first and the last value.
     pub range: [f64; 2],
 }
 
-/// Numbers that belong together.
+/// A set of values drawn in one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// Its name in the legend; without one it has no place there.
+    /// The name in the legend; an empty one is not listed.
     pub label: String,
-    /// sRGB.
+    /// The sRGB colour.
     pub color: [u8; 3],
-    /// How it is drawn.
+    /// The values, and the style in which they are drawn.
     pub shape: Shape,
 }
 
-/// How numbers are drawn. What is not finite is left out; a line has a gap there.
+/// Values and the style in which they are drawn. Values that are not finite are skipped, and interrupt a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// Rectangles from one x to another, over a range of y: `[from, to, low, high]`.
+    /// Rectangles `[from, to, low, high]`: a range of x and a range of y.
     Steps(Vec<[f64; 4]>),
     /// The area between two curves: `[x, low, high]`.
     Area(Vec<[f64; 3]>),
     /// A line through `[x, y]`.
     Line(Vec<[f64; 2]>),
-    /// A thin broken line through `[x, y]`.
-    Dashes(Vec<[f64; 2]>),
     /// A dot at each `[x, y]`.
     Dots(Vec<[f64; 2]>),
 }
 
-impl Figure {
-    /// An SVG document.
-    #[must_use]
-    pub fn svg(&self) -> String {
-        svg::written(&layout::marks(self))
-    }
-
-    /// A picture, at twice the size of the SVG.
-    #[must_use]
-    pub fn picture(&self) -> Image<[u8; 3]> {
-        picture::painted(&layout::marks(self))
-    }
-}
-
-/// An SVG document of figures one below the other.
-#[must_use]
-pub fn svg_of(figures: &[Figure]) -> String {
-    match figures {
-        [one] => one.svg(),
-        all => svg::stacked(&all.iter().map(layout::marks).collect::<Vec<_>>()),
-    }
-}
-
-/// A picture of figures one below the other, at twice the size of the SVG.
-#[must_use]
-pub fn picture_of(figures: &[Figure]) -> Image<[u8; 3]> {
-    let pictures: Vec<Image<[u8; 3]>> = figures.iter().map(Figure::picture).collect();
-    let width = pictures.first().map_or(0, Image::width);
-    let height = pictures.iter().map(Image::height).sum();
-    let pixels = pictures.iter().flat_map(Image::pixels).copied().collect();
-    Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(width, height, [255; 3]))
-}
+/// A figure that could not be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the figure cannot be drawn: {0}")]
+pub struct FigureError(String);
