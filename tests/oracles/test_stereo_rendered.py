@@ -79,7 +79,7 @@ class View:
     def ours(self, *options):
         """Disparity and confidence."""
         out = self.folder / "ours"
-        self.run("stereo", *self.pair, "--model", MODEL, "--disparity", "--confidence", "-o", out, *options)
+        self.run("stereo", *self.pair, "--model", MODEL, "--annotators", "disparity,confidence", "-o", out, *options)
         return [np.load(next(out.glob(f"*{name}*.npy"))) for name in ("disparity", "confidence")]
 
     def opencv(self):

@@ -5,8 +5,8 @@ mod annotators;
 mod asset;
 mod calibration;
 pub(crate) mod choice;
-mod depth_files;
 mod fit;
+mod outputs;
 mod pair;
 mod render;
 mod sense;
@@ -26,8 +26,8 @@ pub(crate) use asset::AssetArgs;
 pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs, ExportFormat,
 };
-pub(crate) use depth_files::DepthFileArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use render::RenderArgs;
 pub(crate) use sense::SenseArgs;

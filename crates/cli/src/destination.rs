@@ -21,7 +21,7 @@ pub(crate) fn file_or_folder(output: &Path, name: &str) -> Result<PathBuf, FileE
     }
 }
 
-/// Whether `-o` names a folder.
+/// Whether `-o` is a folder.
 pub(crate) fn names_folder(output: &Path) -> bool {
     output.is_dir()
         || output

@@ -5,7 +5,6 @@ mod args;
 mod commands;
 mod context;
 mod destination;
-mod interrupt;
 mod output;
 mod plot;
 mod progress;

@@ -15,7 +15,7 @@ pub(crate) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written ({error}); send it elsewhere").into())
+            Err(format!("standard output: cannot be written ({error}); redirect it elsewhere").into())
         }
         written => Ok(written?),
     }

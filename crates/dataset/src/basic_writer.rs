@@ -1,137 +1,102 @@
-use oaktwin_image::annotation::Annotator;
-use oaktwin_image::png;
+use std::path::PathBuf;
+
+use oaktwin_files::OutputFiles;
 use serde_json::json;
 
-use crate::file::DatasetFile;
-use crate::listing::Files;
-use crate::segmentation::{self, Kind};
-use crate::{Options, Shot, json, normals};
+use crate::file::write_all;
+use crate::listing::list;
+use crate::{Options, Shot, WriteError, Writer, json};
 
 /// The layout of Replicator's `BasicWriter` 0.0.2: names, types, shapes and keys.
 ///
 /// # Extensions
-/// What [`Extras`](crate::Extras) asks for has names that `BasicWriter` never writes (with `colorize_depth` it puts a grey
+/// The files of [`Extras`](crate::Extras) have names that `BasicWriter` never uses (its `colorize_depth` writes a grey
 /// `distance_to_image_plane_0000.png` beside the array):
 ///
-/// | file | what |
+/// | file | contents |
 /// |---|---|
 /// | `distance_to_image_plane_millimetres_0000.png` | 16-bit grey, see [`from_metres`](oaktwin_image::millimetres::from_metres) |
 /// | `distance_to_image_plane_0000.exr` | `float32`, see [`exr`](oaktwin_image::exr) |
-/// | `distance_to_image_plane_preview_0000.png` | a picture for people, see [`preview`](oaktwin_image::preview) |
+/// | `distance_to_image_plane_preview_0000.png` | a colour-mapped image, see [`preview`](oaktwin_image::preview) |
 /// | `pointcloud_0000.ply` | the point cloud with its normals and colours, scene units |
 ///
-/// and the first three for `distance_to_camera` and `depth_sensor_distance` too. What a depth sensor reports, for which
-/// `BasicWriter` has no files, has the names of Isaac Sim 6's annotators:
+/// and the first three also for `distance_to_camera` and `depth_sensor_distance`. Sensor outputs, for which `BasicWriter` has no
+/// files, have the names of Isaac Sim 6's annotators:
 ///
-/// | file | what |
+/// | file | contents |
 /// |---|---|
 /// | `depth_sensor_distance_0000.npy` | `float32` (H, W), metres, 0 where nothing was measured |
 /// | `depth_sensor_point_cloud_position_0000.npy` | `float32` (H, W, 4), see [`Frame`](oaktwin_image::annotation::Frame) |
 /// | `depth_sensor_point_cloud_color_0000.npy` | `uint8` (H, W, 4) |
 /// | `depth_sensor_imager_0000.npy` | `float32` (H, W) |
 /// | `depth_sensor_output_visualization_0000.png` | RGBA |
-/// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours where those are there |
-#[derive(Clone, Debug, Default, PartialEq)]
+/// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours if those are rendered |
+#[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
     options: Options,
+    has_metadata: bool,
 }
 
 impl BasicWriter {
-    /// A writer.
+    /// Creates a writer.
     #[must_use]
     pub fn new(options: Options) -> Self {
-        Self { options }
+        Self {
+            options,
+            has_metadata: false,
+        }
     }
 
-    /// `metadata.txt`, one for a data set. The colon within the key of the seed is `BasicWriter`'s own.
-    #[must_use]
-    pub fn metadata(&self) -> DatasetFile<'static> {
-        let seed = self.options.seed;
-        DatasetFile::new("metadata.txt".into(), move || {
-            Ok(json::encode(&json!({
+    fn path(&self, shot: &Shot, annotator: &str, name: &str, extension: &str) -> PathBuf {
+        let (number, padding) = (shot.number, self.options.frame_padding);
+        let file = format!("{name}_{number:0padding$}.{extension}");
+        match &shot.render_product {
+            None => file.into(),
+            Some(product) => [&folder(product), annotator, &file].iter().collect(),
+        }
+    }
+}
+
+impl Writer for BasicWriter {
+    fn write(&mut self, shot: &Shot, output: &mut OutputFiles) -> Result<(), WriteError> {
+        if !std::mem::replace(&mut self.has_metadata, true) {
+            // The colon within the last key is `BasicWriter`'s own.
+            let metadata = json::encode(&json!({
                 "name": "BasicWriter",
                 "version": "0.0.2",
-                "replicator_global_seed:": seed,
-            })))
-        })
+                "replicator_global_seed:": self.options.seed,
+            }));
+            output.write("metadata.txt".as_ref(), &metadata)?;
+        }
+        let files = list(shot, &self.options).into_iter();
+        let files = files.map(|file| (self.path(shot, file.folder, &file.name, file.extension), file));
+        write_all(&files.collect::<Vec<_>>(), output)
     }
+}
 
-    /// The files of one camera's frame.
-    #[must_use]
-    pub fn files<'a>(&self, shot: &Shot<'a>) -> Vec<DatasetFile<'a>> {
-        let frame = shot.frame;
-        let mut files = Files {
-            options: self.options,
-            shot: *shot,
-            list: Vec::new(),
-        };
-        if let Some(rgb) = &frame.rgb {
-            files.push(Annotator::Rgb, "rgb", "png", move || Ok(png::encode(rgb)?));
-        }
-        if let Some(depth) = &frame.distance_to_image_plane {
-            files.push_depth(Annotator::DistanceToImagePlane, &depth.0);
-        }
-        if let Some(depth) = &frame.distance_to_camera {
-            files.push_depth(Annotator::DistanceToCamera, &depth.0);
-        }
-        if let Some(image) = &frame.normals {
-            files.push(Annotator::Normals, "normals", "png", move || {
-                Ok(png::encode(&normals::colorize(image))?)
-            });
-        }
-        if let Some(segmentation) = &frame.instance_id_segmentation {
-            let colorized = self.options.colorize_instance_id_segmentation;
-            let (annotator, kind) = (Annotator::InstanceIdSegmentation, Kind::InstanceId);
-            files.push_ids(annotator, kind, &segmentation.ids, colorized);
-            files.push(annotator, "instance_id_segmentation_mapping", "json", move || {
-                Ok(json::encode(&segmentation::legend(
-                    kind,
-                    &segmentation.prim_paths,
-                    colorized,
-                )))
-            });
-        }
-        if let Some(segmentation) = &frame.semantic_segmentation {
-            let colorized = self.options.colorize_semantic_segmentation;
-            let (annotator, kind) = (Annotator::SemanticSegmentation, Kind::Semantic);
-            files.push_ids(annotator, kind, &segmentation.ids, colorized);
-            files.push(annotator, "semantic_segmentation_labels", "json", move || {
-                Ok(json::encode(&segmentation::legend(
-                    kind,
-                    &segmentation.labels,
-                    colorized,
-                )))
-            });
-        }
-        if let Some(boxes) = &frame.bounding_box_2d_tight {
-            files.push_boxes(Annotator::BoundingBox2dTight, boxes);
-        }
-        if let Some(boxes) = &frame.bounding_box_2d_loose {
-            files.push_boxes(Annotator::BoundingBox2dLoose, boxes);
-        }
-        if let Some(cloud) = &frame.pointcloud {
-            files.push_cloud(cloud);
-        }
-        files.push_depth_sensor();
-        if let Some(params) = shot.camera_params {
-            files.push(Annotator::CameraParams, "camera_params", "json", move || {
-                Ok(json::encode(params))
-            });
-        }
-        files.list
+/// A name as that of a single folder.
+fn folder(name: &str) -> String {
+    let kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let name: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
+    // Neither `.`, `..` nor an empty name.
+    if name.trim_matches('.').is_empty() {
+        return "_".repeat(name.len().max(1));
     }
+    name
 }
 
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
+    use std::fs;
+    use std::path::Path;
 
     use super::*;
     use crate::Extras;
     use oaktwin_image::annotation::{
         Box2d, Boxes2d, Frame, Labels, PointCloud, Segmentation, SemanticSegmentation,
     };
-    use oaktwin_image::{Image, RangeDepth, ZDepth, npy, ply};
+    use oaktwin_image::{Image, RangeDepth, ZDepth, npy, ply, png};
 
     fn frame() -> Frame {
         let depth = Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap();
@@ -180,21 +145,30 @@ mod tests {
         }
     }
 
-    fn paths(options: Options, render_product: Option<&str>, frame: &Frame) -> Vec<String> {
+    /// The paths and bytes of a shot's files, without `metadata.txt`.
+    fn written(options: Options, shot: &Shot) -> Vec<(String, Vec<u8>)> {
+        let folder = tempfile::tempdir().unwrap();
+        let mut output = OutputFiles::in_folder(folder.path()).unwrap();
+        BasicWriter::new(options).write(shot, &mut output).unwrap();
+        let name = |path: &Path| path.strip_prefix(folder.path()).unwrap().display().to_string();
+        let files = output.files().iter();
+        let files = files.map(|file| (name(&file.path), fs::read(&file.path).unwrap()));
+        files.filter(|(name, _)| name != "metadata.txt").collect()
+    }
+
+    fn paths(options: Options, render_product: Option<&str>, frame: Frame) -> Vec<String> {
         let shot = Shot {
-            frame,
-            camera_params: None,
-            number: 12,
-            render_product,
+            render_product: render_product.map(str::to_owned),
+            ..Shot::new(frame, 12)
         };
-        let files = BasicWriter::new(options).files(&shot);
-        files.iter().map(|file| file.path().to_owned()).collect()
+        let files = written(options, &shot);
+        files.into_iter().map(|(path, _)| path).collect()
     }
 
     #[test]
-    fn one_camera_lies_flat() {
+    fn a_single_camera_has_no_folder() {
         assert_eq!(
-            paths(Options::default(), None, &frame()),
+            paths(Options::default(), None, frame()),
             [
                 "rgb_0012.png",
                 "distance_to_image_plane_0012.npy",
@@ -222,11 +196,11 @@ mod tests {
                 "depth_sensor_output_visualization_0012.png",
             ]
         );
-        assert_eq!(paths(Options::default(), None, &Frame::default()), [""; 0]);
+        assert_eq!(paths(Options::default(), None, Frame::default()), [""; 0]);
     }
 
     #[test]
-    fn several_have_a_folder_each() {
+    fn several_cameras_have_folders() {
         let options = Options {
             frame_padding: 1,
             ..Options::default()
@@ -236,7 +210,7 @@ mod tests {
             ..Frame::default()
         };
         assert_eq!(
-            paths(options, Some("Camera left"), &only_boxes),
+            paths(options, Some("Camera left"), only_boxes),
             [
                 "Camera_left/bounding_box_2d_tight/bounding_box_2d_tight_12.npy",
                 "Camera_left/bounding_box_2d_tight/bounding_box_2d_tight_labels_12.json",
@@ -246,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn extras_have_names_of_their_own() {
+    fn extras_have_their_own_names() {
         let options = Options {
             extras: Extras {
                 millimetres: true,
@@ -257,8 +231,8 @@ mod tests {
             ..Options::default()
         };
         let frame = frame();
-        let plain = paths(Options::default(), None, &frame);
-        let extra: Vec<String> = paths(options, None, &frame)
+        let plain = paths(Options::default(), None, frame.clone());
+        let extra: Vec<String> = paths(options, None, frame.clone())
             .into_iter()
             .filter(|path| !plain.contains(path))
             .collect();
@@ -278,38 +252,16 @@ mod tests {
                 "depth_sensor_point_cloud_0012.ply",
             ]
         );
-        let shot = Shot {
-            frame: &frame,
-            camera_params: None,
-            number: 0,
-            render_product: None,
-        };
-        for file in BasicWriter::new(options).files(&shot) {
-            let bytes = file.bytes().unwrap();
-            assert!(!bytes.is_empty());
-            assert_eq!(file.bytes().unwrap(), bytes, "{file:?}");
-        }
+        let shot = Shot::new(frame, 0);
+        let files = written(options, &shot);
+        assert!(files.iter().all(|(_, bytes)| !bytes.is_empty()));
+        assert_eq!(written(options, &shot), files);
     }
 
     #[test]
-    fn what_the_files_say() {
-        let frame = frame();
-        let shot = Shot {
-            frame: &frame,
-            camera_params: None,
-            number: 0,
-            render_product: None,
-        };
-        let writer = BasicWriter::default();
-        let files = writer.files(&shot);
-        let bytes = |path: &str| {
-            files
-                .iter()
-                .find(|file| file.path() == path)
-                .unwrap()
-                .bytes()
-                .unwrap()
-        };
+    fn encodes_labels_and_arrays() {
+        let files = written(Options::default(), &Shot::new(frame(), 0));
+        let bytes = |path: &str| files.iter().find(|(name, _)| name == path).unwrap().1.clone();
         let text = |path: &str| String::from_utf8(bytes(path)).unwrap();
         assert_eq!(
             text("bounding_box_2d_tight_labels_0000.json"),
@@ -335,21 +287,27 @@ mod tests {
             let array = npy::decode(&bytes(&format!("{name}_0000.npy"))).unwrap();
             assert_eq!(array.shape, shape, "{name}");
         }
+    }
+
+    #[test]
+    fn writes_metadata_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut output = OutputFiles::in_folder(folder.path()).unwrap();
+        let mut writer = BasicWriter::default();
+        for number in 0..2 {
+            writer
+                .write(&Shot::new(Frame::default(), number), &mut output)
+                .unwrap();
+        }
+        assert_eq!(output.files().len(), 1);
         assert_eq!(
-            writer.metadata().bytes().unwrap(),
+            fs::read(folder.path().join("metadata.txt")).unwrap(),
             br#"{"name": "BasicWriter", "version": "0.0.2", "replicator_global_seed:": 0}"#
         );
     }
 
     #[test]
-    fn a_cloud_has_what_was_measured() {
-        let frame = frame();
-        let shot = Shot {
-            frame: &frame,
-            camera_params: None,
-            number: 0,
-            render_product: None,
-        };
+    fn clouds_contain_the_measured_points() {
         let options = Options {
             extras: Extras {
                 ply: true,
@@ -357,39 +315,41 @@ mod tests {
             },
             ..Options::default()
         };
-        let files = BasicWriter::new(options).files(&shot);
+        let files = written(options, &Shot::new(frame(), 0));
         let cloud = files
             .iter()
-            .find(|file| file.path() == "depth_sensor_point_cloud_0000.ply");
+            .find(|(path, _)| path == "depth_sensor_point_cloud_0000.ply");
         let expected = ply::encode(&ply::Cloud {
             points: &[[0.5, 0.25, -1.25]],
             normals: None,
             rgb: Some(&[[7, 8, 9, 255]]),
         });
-        assert_eq!(cloud.unwrap().bytes().unwrap(), expected.unwrap());
+        assert_eq!(cloud.unwrap().1, expected.unwrap());
     }
 
     #[test]
-    fn ids_that_do_not_fit_are_an_error() {
-        let frame = frame();
-        let shot = Shot {
-            frame: &frame,
-            camera_params: None,
-            number: 0,
-            render_product: None,
-        };
+    fn rejects_ids_above_16_bits() {
         let options = Options {
             colorize_instance_id_segmentation: false,
             ..Options::default()
         };
-        let files = BasicWriter::new(options).files(&shot);
-        let file = files
-            .iter()
-            .find(|file| file.path() == "instance_id_segmentation_0000.png");
+        let folder = tempfile::tempdir().unwrap();
+        let mut output = OutputFiles::in_folder(folder.path()).unwrap();
+        let error = BasicWriter::new(options)
+            .write(&Shot::new(frame(), 0), &mut output)
+            .unwrap_err();
         assert_eq!(
-            file.unwrap().bytes().unwrap_err().to_string(),
+            error.to_string(),
             "instance_id_segmentation_0000.png: the id 70000 does not fit in 16 bits; leave the segmentation \
              colorized, which holds any number of ids"
+        );
+    }
+
+    #[test]
+    fn cleans_folder_names() {
+        assert_eq!(
+            ["..", "", "a/../b", "C:\\x"].map(folder),
+            ["__", "_", "a_.._b", "C__x"]
         );
     }
 }

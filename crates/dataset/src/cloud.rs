@@ -1,6 +1,6 @@
-//! Arrays of point clouds: those of `pointcloud`, and those of a depth sensor.
+//! The arrays of `pointcloud`.
 
-use oaktwin_image::{Image, npy};
+use oaktwin_image::npy;
 
 use crate::file::Fault;
 
@@ -27,12 +27,6 @@ pub(crate) fn ids(ids: &[u32]) -> Result<Vec<u8>, Fault> {
         Some(bytes) => npy::encode(&[ids.len()], &bytes)?,
         None => npy::encode(&[ids.len()], ids)?,
     })
-}
-
-/// Encodes an image of points or colours as `(H, W, 4)`.
-pub(crate) fn organized<T: npy::Element>(image: &Image<[T; 4]>) -> Result<Vec<u8>, Fault> {
-    let shape = [image.height() as usize, image.width() as usize, 4];
-    Ok(npy::encode(&shape, image.pixels().as_flattened())?)
 }
 
 #[cfg(test)]

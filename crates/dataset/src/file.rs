@@ -1,19 +1,24 @@
-use std::fmt;
+use std::path::{Path, PathBuf};
 
-use oaktwin_image::CodecError;
+use oaktwin_files::OutputFiles;
+use oaktwin_image::npy::{self, Element};
+use oaktwin_image::{CodecError, Image};
+use rayon::prelude::*;
 
-/// A file that cannot be made.
+use crate::WriteError;
+
+/// An error that prevents a file from being encoded.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DatasetError {
-    /// Its format cannot hold the image.
+    /// The format of the file cannot hold the image.
     #[error("{path}: {source}")]
     Codec {
         /// The file, relative to the data set.
         path: String,
-        /// What is wrong.
+        /// The error of the encoder.
         source: CodecError,
     },
-    /// Ids do not fit in the 16 bits of a grey PNG.
+    /// An id does not fit in the 16 bits of a grey PNG.
     #[error(
         "{path}: the id {id} does not fit in 16 bits; leave the segmentation colorized, which holds any number of ids"
     )]
@@ -25,7 +30,7 @@ pub enum DatasetError {
     },
 }
 
-/// What can go wrong within a file, before its name is known.
+/// An error within a file, without its name.
 pub(crate) enum Fault {
     Codec(CodecError),
     IdTooLarge(u32),
@@ -37,47 +42,87 @@ impl From<CodecError> for Fault {
     }
 }
 
-type Encode<'a> = dyn Fn() -> Result<Vec<u8>, Fault> + Send + Sync + 'a;
-
-/// One file of a data set, not encoded yet.
-pub struct DatasetFile<'a> {
-    path: String,
-    encode: Box<Encode<'a>>,
-}
-
-impl<'a> DatasetFile<'a> {
-    pub(crate) fn new(path: String, encode: impl Fn() -> Result<Vec<u8>, Fault> + Send + Sync + 'a) -> Self {
-        Self {
-            path,
-            encode: Box::new(encode),
+impl Fault {
+    fn at(self, path: &Path) -> DatasetError {
+        let path = path.display().to_string();
+        match self {
+            Self::Codec(source) => DatasetError::Codec { path, source },
+            Self::IdTooLarge(id) => DatasetError::IdTooLarge { path, id },
         }
     }
+}
 
-    /// Where it lies in the data set's folder; `/` between folders.
-    #[must_use]
-    pub fn path(&self) -> &str {
-        &self.path
+type Encode<'a> = Box<dyn Fn() -> Result<Vec<u8>, Fault> + Send + Sync + 'a>;
+
+/// One file of a frame, not encoded yet; a writer chooses its path.
+pub(crate) struct DatasetFile<'a> {
+    /// The folder, where annotators have folders.
+    pub(crate) folder: &'static str,
+    pub(crate) name: String,
+    pub(crate) extension: &'static str,
+    pub(crate) content: Content<'a>,
+}
+
+pub(crate) enum Content<'a> {
+    Whole(Encode<'a>),
+    Array(Array<'a>),
+}
+
+/// An NPY array, in parts that a batch needs.
+pub(crate) struct Array<'a> {
+    /// The header for a shape.
+    pub(crate) begin: fn(&[usize]) -> Vec<u8>,
+    pub(crate) shape: Vec<usize>,
+    pub(crate) data: Box<dyn Fn() -> Vec<u8> + Send + Sync + 'a>,
+}
+
+impl<'a> Array<'a> {
+    /// An array of shape `(H, W)`.
+    pub(crate) fn of_image<T: Element + Sync>(image: &'a Image<T>) -> Self {
+        let shape = vec![image.height() as usize, image.width() as usize];
+        Self::new(shape, image.pixels())
     }
 
-    /// Encodes it: the same bytes at every call.
-    ///
-    /// # Errors
-    /// Where the file's format cannot hold the image.
-    pub fn bytes(&self) -> Result<Vec<u8>, DatasetError> {
-        (self.encode)().map_err(|fault| {
-            let path = self.path.clone();
-            match fault {
-                Fault::Codec(source) => DatasetError::Codec { path, source },
-                Fault::IdTooLarge(id) => DatasetError::IdTooLarge { path, id },
-            }
-        })
+    /// An array of shape `(H, W, 4)`.
+    pub(crate) fn of_vectors<T: Element + Sync>(image: &'a Image<[T; 4]>) -> Self {
+        let shape = vec![image.height() as usize, image.width() as usize, 4];
+        Self::new(shape, image.pixels().as_flattened())
+    }
+
+    fn new<T: Element + Sync>(shape: Vec<usize>, values: &'a [T]) -> Self {
+        Self {
+            begin: npy::begin::<T>,
+            shape,
+            data: Box::new(move || {
+                let mut bytes = Vec::new();
+                npy::put(values, &mut bytes);
+                bytes
+            }),
+        }
     }
 }
 
-impl fmt::Debug for DatasetFile<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("DatasetFile")
-            .field("path", &self.path)
-            .finish_non_exhaustive()
+impl Content<'_> {
+    pub(crate) fn bytes(&self) -> Result<Vec<u8>, Fault> {
+        match self {
+            Self::Whole(encode) => encode(),
+            Self::Array(array) => {
+                let mut bytes = (array.begin)(&array.shape);
+                bytes.extend((array.data)());
+                Ok(bytes)
+            }
+        }
     }
+}
+
+/// Encodes files in parallel and writes them in order.
+pub(crate) fn write_all(
+    files: &[(PathBuf, DatasetFile<'_>)],
+    output: &mut OutputFiles,
+) -> Result<(), WriteError> {
+    let encoded: Vec<_> = files.par_iter().map(|(_, file)| file.content.bytes()).collect();
+    for ((path, _), bytes) in files.iter().zip(encoded) {
+        output.write(path, &bytes.map_err(|fault| fault.at(path))?)?;
+    }
+    Ok(())
 }

@@ -1,21 +1,25 @@
-//! Writers of data sets: the layout of Replicator's `BasicWriter`, recordings, and pictures and figures for people.
+//! Writers of data sets: the layout of Replicator's `BasicWriter`, files named after an input, and recordings.
 //!
-//! A writer says which files a frame consists of; each [`DatasetFile`] is encoded when it is asked for its bytes, on any
-//! thread. Nothing is written here: whoever opens files does so whole or not at all.
+//! A [`Writer`] receives one [`Shot`] after the other and writes it into [`OutputFiles`](oaktwin_files::OutputFiles). To add
+//! a layout, implement the trait and add a row to [`LAYOUTS`].
 //!
 //! ```
-//! use oaktwin_dataset::{BasicWriter, Options, Shot};
+//! use oaktwin_dataset::{BasicWriter, Options, Shot, Writer};
+//! use oaktwin_files::OutputFiles;
 //! use oaktwin_image::{Image, ZDepth, annotation::Frame};
 //!
+//! # let folder = tempfile::tempdir()?;
+//! # let folder = folder.path();
 //! let frame = Frame {
 //!     distance_to_image_plane: Some(ZDepth(Image::filled(4, 3, 1.5))),
 //!     ..Frame::default()
 //! };
-//! let writer = BasicWriter::new(Options::default());
-//! let files = writer.files(&Shot { frame: &frame, number: 7, camera_params: None, render_product: None });
-//! assert_eq!(files[0].path(), "distance_to_image_plane_0007.npy");
-//! assert!(files[0].bytes()?.starts_with(b"\x93NUMPY"));
-//! # Ok::<(), oaktwin_dataset::DatasetError>(())
+//! let mut output = OutputFiles::in_folder(folder)?;
+//! let mut writer = BasicWriter::new(Options::default());
+//! writer.write(&Shot::new(frame, 7), &mut output)?;
+//! writer.finish(&mut output)?;
+//! assert!(folder.join("distance_to_image_plane_0007.npy").exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod basic_writer;
@@ -23,6 +27,7 @@ mod boxes;
 mod camera_params;
 mod cloud;
 mod file;
+mod flat;
 mod json;
 mod listing;
 mod matrices;
@@ -30,8 +35,13 @@ mod normals;
 mod options;
 pub mod recording;
 mod segmentation;
+mod shot;
+mod writer;
 
 pub use basic_writer::BasicWriter;
 pub use camera_params::{CameraParams, View};
-pub use file::{DatasetError, DatasetFile};
-pub use options::{Extras, Options, Shot};
+pub use file::DatasetError;
+pub use flat::FlatWriter;
+pub use options::{Extras, Options};
+pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
+pub use writer::{LAYOUTS, Layout, WriteError, Writer};

@@ -1,150 +1,201 @@
-use oaktwin_image::annotation::{Annotator, Boxes2d, PointCloud};
-use oaktwin_image::{Image, exr, millimetres, npy, ply, png, preview};
+use std::collections::BTreeMap;
 
-use crate::file::{DatasetFile, Fault};
+use oaktwin_image::annotation::{
+    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, Segmentation, SemanticSegmentation,
+};
+use oaktwin_image::npy::Element;
+use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
+use serde::Serialize;
+
+use crate::file::{Array, Content, DatasetFile, Fault};
 use crate::segmentation::{self, Kind};
-use crate::{Options, Shot, boxes, cloud, json};
+use crate::{Extras, LayerData, Options, Shot, boxes, cloud, json, normals};
 
-/// The files of one shot, being listed.
-pub(crate) struct Files<'a> {
-    pub(crate) options: Options,
-    pub(crate) shot: Shot<'a>,
-    pub(crate) list: Vec<DatasetFile<'a>>,
+/// The files of a shot, in any layout.
+pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>> {
+    let mut files = Files {
+        extras: options.extras,
+        list: Vec::new(),
+    };
+    files.push_annotations(&shot.frame, options);
+    if let Some(params) = &shot.camera_params {
+        let name = Annotator::CameraParams.name();
+        files.push(name, name, "json", move || Ok(json::encode(params)));
+    }
+    for layer in &shot.layers {
+        let (folder, name) = (layer.folder, layer.name.as_str());
+        match &layer.data {
+            LayerData::Depth(metres) => files.push_depth(folder, name, metres),
+            LayerData::Float(image) => files.push_image(folder, name, image),
+            LayerData::Byte(image) => files.push_image(folder, name, image),
+            LayerData::Png(encode) => files.push(folder, name, "png", move || Ok(encode()?)),
+            LayerData::Cloud {
+                positions,
+                colors,
+                axes,
+            } => files.push(folder, name, "ply", move || {
+                let point = |point| axes.convert_usd(point);
+                Ok(ply::encode_measured(positions, colors.as_ref(), point)?)
+            }),
+        }
+    }
+    files.list
+}
+
+struct Files<'a> {
+    extras: Extras,
+    list: Vec<DatasetFile<'a>>,
 }
 
 impl<'a> Files<'a> {
-    pub(crate) fn push(
+    fn push(
         &mut self,
-        annotator: Annotator,
-        stem: &str,
-        extension: &str,
+        folder: &'static str,
+        name: &str,
+        extension: &'static str,
         encode: impl Fn() -> Result<Vec<u8>, Fault> + Send + Sync + 'a,
     ) {
-        let (number, padding) = (self.shot.number, self.options.frame_padding);
-        let file = format!("{stem}_{number:0padding$}.{extension}");
-        let path = match self.shot.render_product {
-            None => file,
-            Some(product) => format!("{}/{}/{file}", folder(product), annotator.name()),
-        };
-        self.list.push(DatasetFile::new(path, encode));
+        self.push_content(folder, name, extension, Content::Whole(Box::new(encode)));
     }
 
-    /// The array of a depth image, and what is asked for beside it.
-    pub(crate) fn push_depth(&mut self, annotator: Annotator, metres: &'a Image<f32>) {
-        let stem = annotator.name();
-        let extras = self.options.extras;
-        self.push(annotator, stem, "npy", move || {
-            let shape = [metres.height() as usize, metres.width() as usize];
-            Ok(npy::encode(&shape, metres.pixels())?)
+    fn push_content(
+        &mut self,
+        folder: &'static str,
+        name: &str,
+        extension: &'static str,
+        content: Content<'a>,
+    ) {
+        self.list.push(DatasetFile {
+            folder,
+            name: name.to_owned(),
+            extension,
+            content,
         });
+    }
+
+    fn push_image<T: Element + Sync>(&mut self, folder: &'static str, name: &str, image: &'a Image<T>) {
+        self.push_content(folder, name, "npy", Content::Array(Array::of_image(image)));
+    }
+
+    fn push_vectors<T: Element + Sync>(&mut self, name: &'static str, image: &'a Image<[T; 4]>) {
+        self.push_content(name, name, "npy", Content::Array(Array::of_vectors(image)));
+    }
+
+    /// The array of a depth image, and its extras.
+    fn push_depth(&mut self, folder: &'static str, name: &str, metres: &'a Image<f32>) {
+        let extras = self.extras;
+        self.push_image(folder, name, metres);
         if extras.millimetres {
-            self.push(annotator, &format!("{stem}_millimetres"), "png", move || {
+            self.push(folder, &format!("{name}_millimetres"), "png", move || {
                 Ok(png::encode(&millimetres::from_metres(metres))?)
             });
         }
         if extras.exr {
-            self.push(annotator, stem, "exr", move || Ok(exr::encode(metres)?));
+            self.push(folder, name, "exr", move || Ok(exr::encode(metres)?));
         }
         if extras.preview {
-            self.push(annotator, &format!("{stem}_preview"), "png", move || {
+            self.push(folder, &format!("{name}_preview"), "png", move || {
                 let picture = preview::depth(metres, &preview::Options::default());
                 Ok(png::encode(&picture)?)
             });
         }
     }
 
-    /// What a depth sensor reports.
-    pub(crate) fn push_depth_sensor(&mut self) {
-        let frame = self.shot.frame;
-        if let Some(distance) = &frame.depth_sensor_distance {
-            self.push_depth(Annotator::DepthSensorDistance, &distance.0);
-        }
-        let colors = frame.depth_sensor_point_cloud_color.as_ref();
-        if let Some(positions) = &frame.depth_sensor_point_cloud_position {
-            let annotator = Annotator::DepthSensorPointCloudPosition;
-            self.push(annotator, annotator.name(), "npy", move || {
-                cloud::organized(positions)
-            });
-            if self.options.extras.ply {
-                self.push(annotator, "depth_sensor_point_cloud", "ply", move || {
-                    Ok(ply::encode_measured(positions, colors, |point| point)?)
-                });
+    fn push_annotations(&mut self, frame: &'a Frame, options: &Options) {
+        for (annotator, data) in frame.annotations() {
+            let name = annotator.name();
+            match data {
+                AnnotationRef::Color(image) => {
+                    self.push(name, name, "png", move || Ok(png::encode(image)?));
+                }
+                AnnotationRef::ZDepth(depth) => self.push_depth(name, name, &depth.0),
+                AnnotationRef::RangeDepth(depth) => self.push_depth(name, name, &depth.0),
+                AnnotationRef::Normals(image) => self.push(name, name, "png", move || {
+                    Ok(png::encode(&normals::colorize(image))?)
+                }),
+                AnnotationRef::InstanceIds(Segmentation { ids, prim_paths }) => {
+                    let legend = &format!("{name}_mapping");
+                    let colorized = options.colorize_instance_id_segmentation;
+                    self.push_ids(name, legend, Kind::InstanceId, ids, prim_paths, colorized);
+                }
+                AnnotationRef::SemanticIds(SemanticSegmentation { ids, labels }) => {
+                    let legend = &format!("{name}_labels");
+                    let colorized = options.colorize_semantic_segmentation;
+                    self.push_ids(name, legend, Kind::Semantic, ids, labels, colorized);
+                }
+                AnnotationRef::Boxes(boxes) => self.push_boxes(name, boxes),
+                AnnotationRef::Points(cloud) => self.push_cloud(name, cloud),
+                AnnotationRef::PixelPoints(positions) => {
+                    self.push_vectors(name, positions);
+                    if self.extras.ply {
+                        let colors = frame.depth_sensor_point_cloud_color.as_ref();
+                        self.push(name, "depth_sensor_point_cloud", "ply", move || {
+                            Ok(ply::encode_measured(positions, colors, |point| point)?)
+                        });
+                    }
+                }
+                AnnotationRef::PixelColors(colors) => self.push_vectors(name, colors),
+                AnnotationRef::Scalar(image) => self.push_image(name, name, image),
             }
-        }
-        if let Some(colors) = colors {
-            let annotator = Annotator::DepthSensorPointCloudColor;
-            self.push(annotator, annotator.name(), "npy", move || {
-                cloud::organized(colors)
-            });
-        }
-        if let Some(imager) = &frame.depth_sensor_imager {
-            let annotator = Annotator::DepthSensorImager;
-            self.push(annotator, annotator.name(), "npy", move || {
-                let shape = [imager.height() as usize, imager.width() as usize];
-                Ok(npy::encode(&shape, imager.pixels())?)
-            });
-        }
-        if let Some(view) = &frame.depth_sensor_output_visualization {
-            let annotator = Annotator::DepthSensorOutputVisualization;
-            self.push(annotator, annotator.name(), "png", move || Ok(png::encode(view)?));
         }
     }
 
-    pub(crate) fn push_ids(
+    fn push_ids<T: Serialize + Sync>(
         &mut self,
-        annotator: Annotator,
+        name: &'static str,
+        legend: &str,
         kind: Kind,
         ids: &'a Image<u32>,
+        names: &'a BTreeMap<u32, T>,
         colorized: bool,
     ) {
-        self.push(annotator, annotator.name(), "png", move || {
+        self.push(name, name, "png", move || {
             Ok(if colorized {
                 png::encode(&segmentation::colorize(kind, ids))?
             } else {
                 png::encode(&segmentation::grey(ids)?)?
             })
         });
+        self.push(name, legend, "json", move || {
+            Ok(json::encode(&segmentation::legend(kind, names, colorized)))
+        });
     }
 
-    pub(crate) fn push_boxes(&mut self, annotator: Annotator, boxes: &'a Boxes2d) {
-        let stem = annotator.name();
-        self.push(annotator, stem, "npy", move || boxes::encode(boxes));
-        self.push(annotator, &format!("{stem}_labels"), "json", move || {
+    fn push_boxes(&mut self, name: &'static str, boxes: &'a Boxes2d) {
+        self.push(name, name, "npy", move || boxes::encode(boxes));
+        self.push(name, &format!("{name}_labels"), "json", move || {
             Ok(json::encode(&boxes.labels))
         });
-        self.push(annotator, &format!("{stem}_prim_paths"), "json", move || {
+        self.push(name, &format!("{name}_prim_paths"), "json", move || {
             Ok(json::encode(&boxes.prim_paths))
         });
     }
 
     /// The arrays of a cloud that are there: every one, where it has no points.
-    pub(crate) fn push_cloud(&mut self, cloud: &'a PointCloud) {
-        let annotator = Annotator::Pointcloud;
+    fn push_cloud(&mut self, name: &'static str, cloud: &'a PointCloud) {
         let all = cloud.points.is_empty();
         let given = move |length: usize| all || length > 0;
-        self.push(annotator, "pointcloud", "npy", move || {
-            cloud::points(&cloud.points)
-        });
+        self.push(name, "pointcloud", "npy", move || cloud::points(&cloud.points));
         if given(cloud.rgb.len()) {
-            self.push(annotator, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
+            self.push(name, "pointcloud_rgb", "npy", move || cloud::rgb(&cloud.rgb));
         }
         if given(cloud.normals.len()) {
-            self.push(annotator, "pointcloud_normals", "npy", move || {
+            self.push(name, "pointcloud_normals", "npy", move || {
                 cloud::normals(&cloud.normals)
             });
         }
         if given(cloud.semantic.len()) {
-            self.push(annotator, "pointcloud_semantic", "npy", move || {
+            self.push(name, "pointcloud_semantic", "npy", move || {
                 cloud::ids(&cloud.semantic)
             });
         }
         if given(cloud.instance.len()) {
-            self.push(annotator, "pointcloud_instance", "npy", move || {
+            self.push(name, "pointcloud_instance", "npy", move || {
                 cloud::ids(&cloud.instance)
             });
         }
-        if self.options.extras.ply {
-            self.push(annotator, "pointcloud", "ply", move || {
+        if self.extras.ply {
+            self.push(name, "pointcloud", "ply", move || {
                 Ok(ply::encode(&ply::Cloud {
                     points: &cloud.points,
                     normals: given(cloud.normals.len()).then_some(&cloud.normals),
@@ -152,29 +203,5 @@ impl<'a> Files<'a> {
                 })?)
             });
         }
-    }
-}
-
-/// A name as one folder's.
-fn folder(name: &str) -> String {
-    let kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
-    let name: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
-    // Neither this folder nor the one above, nor none at all.
-    if name.trim_matches('.').is_empty() {
-        return "_".repeat(name.len().max(1));
-    }
-    name
-}
-
-#[cfg(test)]
-mod tests {
-    use super::folder;
-
-    #[test]
-    fn names_of_folders() {
-        assert_eq!(
-            ["..", "", "a/../b", "C:\\x"].map(folder),
-            ["__", "_", "a_.._b", "C__x"]
-        );
     }
 }

@@ -1,19 +1,15 @@
-use oaktwin_image::annotation::Frame;
-
-use crate::CameraParams;
-
-/// The arguments of `BasicWriter` that matter here, and what is written beside its own files.
+/// The options of the writers of files. All but the extras are those of Replicator's `BasicWriter`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Digits of the frame's number.
+    /// The minimum number of digits of a frame number.
     pub frame_padding: usize,
-    /// Semantic segmentation as colours, or as ids in 16 bits.
+    /// Whether semantic segmentation is written as colours, or as 16-bit ids.
     pub colorize_semantic_segmentation: bool,
-    /// Instance id segmentation as colours, or as ids in 16 bits.
+    /// Whether instance id segmentation is written as colours, or as 16-bit ids.
     pub colorize_instance_id_segmentation: bool,
-    /// The seed that `metadata.txt` names; nothing here is random.
+    /// The seed in `metadata.txt`; the writer itself is not random.
     pub seed: u64,
-    /// What is written beside `BasicWriter`'s own files.
+    /// The additional files.
     pub extras: Extras,
 }
 
@@ -30,31 +26,16 @@ impl Default for Options {
     }
 }
 
-/// Files beside `BasicWriter`'s own: see [`BasicWriter`](crate::BasicWriter) for their names.
+/// Files that are written beside the layout's own; [`BasicWriter`](crate::BasicWriter) lists their names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a file")]
 pub struct Extras {
-    /// Depth as 16-bit PNG in millimetres.
+    /// Whether depth is also written as 16-bit PNG in millimetres.
     pub millimetres: bool,
-    /// Depth as `OpenEXR`.
+    /// Whether depth is also written as `OpenEXR`.
     pub exr: bool,
-    /// Depth as a picture for people.
+    /// Whether depth is also written as a colour-mapped PNG.
     pub preview: bool,
-    /// The point cloud as PLY.
+    /// Whether point clouds are also written as PLY.
     pub ply: bool,
-}
-
-/// One camera's frame, to be written.
-#[derive(Clone, Copy, Debug)]
-pub struct Shot<'a> {
-    /// The annotations; those that are there are written.
-    pub frame: &'a Frame,
-    /// The camera, where `camera_params` is asked for.
-    pub camera_params: Option<&'a CameraParams>,
-    /// The frame's number, from 0.
-    pub number: u64,
-    /// The render product's name where several cameras are written, each into a folder of its own; `None` for one
-    /// camera, whose files lie flat. It is one folder's name: other characters than letters, digits, `_`, `-` and `.`
-    /// become `_`.
-    pub render_product: Option<&'a str>,
 }

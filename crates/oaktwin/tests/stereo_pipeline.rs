@@ -144,7 +144,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
         ..accuracy::Options::default()
     };
     let (bench, _) = accuracy::Bench::new(&twin, &options).unwrap();
-    let measured = bench.measure(None, &|_, _| ControlFlow::Continue(())).unwrap();
+    let measured = bench.measure(None, &|_| ControlFlow::Continue(())).unwrap();
     let rows = &measured.report().distances;
     let errors: Vec<f64> = rows
         .iter()

@@ -6,10 +6,14 @@
 //! * [`sensor`] configures the depth sensor of a twin;
 //! * [`unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
 //! * [`input`] reads depth images from files and folders;
-//! * [`recording`] opens recordings for ROS 2, Foxglove and Rerun.
+//! * [`recording`] opens recordings for ROS 2, Foxglove and Rerun;
+//! * [`progress`] reports the progress of all of them, and interrupts them.
 
+mod geometry;
 pub mod input;
+mod limits;
 pub mod pair;
+pub mod progress;
 pub mod recording;
 pub mod render;
 pub mod report;
@@ -17,3 +21,4 @@ pub mod sense;
 pub mod sensor;
 pub mod stereo;
 pub mod unit;
+mod write;

@@ -1,6 +1,6 @@
-//! Recordings as files: `.mcap` for ROS 2, and `.rrd` for Rerun where the feature `rerun` is on.
+//! Recordings as files: `.mcap` for ROS 2, and `.rrd` for Rerun with the feature `rerun`.
 //!
-//! What they hold is described by [`dataset::recording`](oaktwin_dataset::recording), whose types are here too.
+//! [`dataset::recording`](oaktwin_dataset::recording) describes their contents.
 
 use std::ffi::OsStr;
 use std::io::BufWriter;
@@ -14,26 +14,26 @@ pub use oaktwin_dataset::recording::{
 use oaktwin_dataset::recording::{Mcap, Recorder, ros_lens_loss};
 
 use oaktwin_camera::LensModel;
-use oaktwin_files::{FileError, InParts};
+use oaktwin_files::{AtomicFile, FileError};
 use oaktwin_scene::Up;
 
-/// What a recording is written as.
+/// The format of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// MCAP of ROS 2's messages.
+    /// MCAP with ROS 2 messages.
     Mcap,
-    /// Rerun's.
+    /// Rerun's format.
     Rrd,
 }
 
-/// Whether `.rrd` can be written: the feature `rerun`.
+/// Whether `.rrd` can be written: with the feature `rerun`.
 pub const HAS_RRD: bool = cfg!(feature = "rerun");
 
 impl Format {
-    /// The format of a file's extension.
+    /// Returns the format of a file's extension.
     ///
     /// # Errors
-    /// There is none of that name, or this build has it not.
+    /// Returns an error if the extension is unknown or its format is not built in.
     pub fn of(path: &Path) -> Result<Self, FileError> {
         let extension = path.extension().map(OsStr::to_ascii_lowercase);
         let wrong = |message: &str, remedy: &str| Err(FileError::new(path, message, remedy));
@@ -44,30 +44,30 @@ impl Format {
                 "this build cannot write .rrd, which needs the feature `rerun`",
                 "name a .mcap file, or build with the feature `rerun`",
             ),
-            _ => wrong("is no recording's name", "name a .mcap or an .rrd file"),
+            _ => wrong("unknown recording format", "name a .mcap or an .rrd file"),
         }
     }
 
-    /// What a recording of this format cannot say of a lens; its images and clouds of points are right all the same.
+    /// Returns what a recording of this format does not store of a lens; its images and point clouds are correct nevertheless.
     #[must_use]
     pub fn lens_loss(self, lens: &LensModel) -> Option<&'static str> {
         match (self, lens) {
             (_, LensModel::Pinhole) => None,
             (Self::Mcap, lens) => ros_lens_loss(lens),
             (Self::Rrd, _) => {
-                Some("Rerun has pinholes only: the frustum is that of the lens without its distortion")
+                Some("Rerun supports pinholes only; the frustum is that of the lens without distortion")
             }
         }
     }
 }
 
-/// Why there is no recording: `FILE: what is wrong; what to do`.
+/// An error while a recording is written.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingFileError {
     /// The file cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// Something cannot be in it.
+    /// The contents are invalid.
     #[error("{}: {error}", path.display())]
     Recording {
         /// The file.
@@ -77,7 +77,7 @@ pub enum RecordingFileError {
     },
 }
 
-/// A recording on its way to a file, which is there whole after [`finish`](Self::finish), or not at all.
+/// A recording in progress. The file appears with [`finish`](Self::finish), or not at all.
 #[derive(Debug)]
 pub struct RecordingFile {
     path: PathBuf,
@@ -86,19 +86,19 @@ pub struct RecordingFile {
 
 #[derive(Debug)]
 enum Kind {
-    Mcap(Box<Mcap<BufWriter<InParts>>>),
+    Mcap(Box<Mcap<BufWriter<AtomicFile>>>),
     #[cfg(feature = "rerun")]
-    Rrd(Box<Rrd<BufWriter<InParts>>>),
+    Rrd(Box<Rrd<BufWriter<AtomicFile>>>),
 }
 
 impl RecordingFile {
-    /// Begins a recording in the format of the file's extension, of a world with this axis up.
+    /// Begins a recording in the format of the file's extension, of a world with this up axis.
     ///
     /// # Errors
-    /// The file cannot be written, or its extension is no format's.
+    /// Returns an error if the file cannot be written or its extension is unknown.
     pub fn create(path: &Path, up: Up) -> Result<Self, RecordingFileError> {
         let format = Format::of(path)?;
-        let output = BufWriter::new(InParts::create(path)?);
+        let output = BufWriter::new(AtomicFile::create(path)?);
         let recorder = match format {
             Format::Mcap => Mcap::new(output).map(|mcap| Kind::Mcap(Box::new(mcap))),
             #[cfg(feature = "rerun")]
@@ -106,7 +106,9 @@ impl RecordingFile {
             #[cfg(not(feature = "rerun"))]
             Format::Rrd => {
                 let _ = up;
-                Err(RecordingError::Format("the feature `rerun` is off".to_owned()))
+                Err(RecordingError::Format(
+                    "the feature `rerun` is disabled".to_owned(),
+                ))
             }
         };
         Ok(Self {
@@ -115,10 +117,10 @@ impl RecordingFile {
         })
     }
 
-    /// Adds a camera, any time before its first moment.
+    /// Adds a camera, before its first moment.
     ///
     /// # Errors
-    /// The file cannot be written, or the camera's images are too large for it.
+    /// Returns an error if the file cannot be written or the camera's images are too large.
     pub fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingFileError> {
         let added = match &mut self.recorder {
             Kind::Mcap(mcap) => mcap.add_camera(camera),
@@ -128,10 +130,10 @@ impl RecordingFile {
         added.map_err(|error| failed(&self.path, error))
     }
 
-    /// Records what there is of a camera at a moment.
+    /// Records a camera at a moment.
     ///
     /// # Errors
-    /// The file cannot be written, or an image is not of the camera.
+    /// Returns an error if the file cannot be written or an image does not fit the camera.
     pub fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingFileError> {
         let recorded = match &mut self.recorder {
             Kind::Mcap(mcap) => mcap.record(camera, moment),
@@ -141,10 +143,10 @@ impl RecordingFile {
         recorded.map_err(|error| failed(&self.path, error))
     }
 
-    /// Gives the file its name; its path and length.
+    /// Completes the file; returns its path and length.
     ///
     /// # Errors
-    /// What is left cannot be written.
+    /// Returns an error if the file cannot be written.
     pub fn finish(self) -> Result<(PathBuf, u64), RecordingFileError> {
         let output = match self.recorder {
             Kind::Mcap(mcap) => mcap.finish(),
@@ -200,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_is_whole_or_not_there() {
+    fn appears_when_finished() {
         let folder = tempfile::tempdir().unwrap();
         let formats = if HAS_RRD {
             &["a.mcap", "a.rrd"][..]
@@ -217,31 +219,34 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written() {
+    fn rejects_invalid_paths() {
         let folder = tempfile::tempdir().unwrap();
-        let said = |name: &str| {
+        let error_of = |name: &str| {
             let error = record(&folder.path().join(name), true).unwrap_err().to_string();
             error.replace(&folder.path().display().to_string(), "DIR")
         };
         assert_eq!(
-            said("no/a.mcap"),
+            error_of("no/a.mcap"),
             "DIR/no/a.mcap: its folder does not exist; make the folder first"
         );
         for name in ["a", "a.bag"] {
-            let expected = format!("DIR/{name}: is no recording's name; name a .mcap or an .rrd file");
-            assert_eq!(said(name), expected);
+            let expected = format!("DIR/{name}: unknown recording format; name a .mcap or an .rrd file");
+            assert_eq!(error_of(name), expected);
         }
         if !HAS_RRD {
-            assert!(said("a.rrd").contains("the feature `rerun`"));
+            assert!(error_of("a.rrd").contains("the feature `rerun`"));
         }
         std::fs::create_dir(folder.path().join("b.mcap")).unwrap();
-        assert_eq!(said("b.mcap"), "DIR/b.mcap: is a directory; name a file in it");
+        assert_eq!(
+            error_of("b.mcap"),
+            "DIR/b.mcap: is a directory; name a file in it"
+        );
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn a_full_disk_is_told() {
+    fn reports_full_disks() {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("a.mcap");
         std::os::unix::fs::symlink("/dev/full", &link).unwrap();

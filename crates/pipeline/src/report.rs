@@ -1,4 +1,4 @@
-//! Everything known about one device, as one value for people and machines: what `oaktwin show` prints.
+//! Everything known about one device: the output of `oaktwin show`.
 
 mod camera;
 mod depth;
@@ -18,52 +18,52 @@ pub use depth::{AtDistance, AttributeReport, DepthReport};
 /// Everything known about one device.
 #[derive(Clone, Debug, Serialize)]
 pub struct DeviceReport {
-    /// The catalog's id, which is the stem of the asset's file.
+    /// The catalog id, which is the stem of the asset's file.
     pub id: String,
-    /// What people call it.
+    /// The name.
     pub name: String,
     /// The prim below `/Root` in the asset.
     pub prim: String,
-    /// Who makes it.
+    /// The manufacturer.
     pub manufacturer: String,
     /// `RVC2` or `RVC4`.
     pub generation: String,
-    /// Its processor.
+    /// The processor.
     pub platform: String,
-    /// Lens and focus in a word or two.
+    /// The variant of lens and focus.
     pub variant: String,
-    /// What the camera numbers come from: `nominal`, or the calibration's product name and file.
+    /// The origin of the camera parameters: `nominal`, or the calibration's file and product name.
     pub origin: String,
-    /// Distance from the left to the right optical centre, mm: the catalog's.
+    /// The nominal baseline in mm.
     pub nominal_baseline_mm: f64,
-    /// The same of this twin, mm.
+    /// The baseline of this twin in mm.
     pub baseline_mm: f64,
     /// The body.
     pub body: Body,
     /// The inertial unit.
     pub imu: Imu,
-    /// The sensors in it.
+    /// The image sensors.
     pub sensors: Vec<Sensor>,
     /// The cameras.
     pub cameras: Vec<CameraReport>,
     /// The depth sensors.
     pub depth_sensors: Vec<DepthReport>,
-    /// Published accuracy, a table for each source.
+    /// The published accuracy, one table per source.
     pub accuracy: Vec<Accuracy>,
-    /// What other sources say about a value.
+    /// Other sources about a value.
     pub evidence: Vec<Evidence>,
-    /// What a reader of the numbers must know, conflicts among them.
+    /// Notes about the numbers, including conflicts of sources.
     pub notes: Vec<Note>,
-    /// What was odd in a calibration.
+    /// The findings about a calibration.
     pub findings: Vec<Finding>,
-    /// Where the device's own values come from.
+    /// The source of the device's own values.
     pub source: Source,
-    /// The keys that come from elsewhere.
+    /// The keys with another source.
     pub sources: Sources,
 }
 
 impl DeviceReport {
-    /// The report of a twin with the lens that an asset of it would have; `findings` are those of its calibration.
+    /// Creates the report of a twin with the lens of its asset; `findings` are those of its calibration.
     #[must_use]
     pub fn new(catalog: &Catalog, twin: &Twin, lens: LensChoice, findings: Vec<Finding>) -> Self {
         let device = &twin.device;
@@ -115,7 +115,7 @@ impl DeviceReport {
     }
 }
 
-/// The inertial unit where this twin has it: a calibration's place is no longer the catalog's.
+/// The inertial unit, with its pose from a calibration.
 fn imu(twin: &Twin) -> Imu {
     let mut imu = twin.device.imu.clone();
     let position_mm = twin.body_from_imu.translation * 1e3;
@@ -129,7 +129,7 @@ fn imu(twin: &Twin) -> Imu {
     imu
 }
 
-/// Distance from the left to the right optical centre, m; 0 for a device that lacks one.
+/// The baseline in metres; 0 without a stereo pair.
 fn baseline_m(twin: &Twin) -> f64 {
     let centre = |role| {
         twin.camera(role)

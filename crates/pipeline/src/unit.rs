@@ -1,4 +1,4 @@
-//! One unit's twin: a model of the catalog, and the calibration file of the device on one's desk.
+//! The twin of one unit: a model of the catalog with a calibration file.
 
 use std::path::{Path, PathBuf};
 
@@ -8,30 +8,30 @@ use oaktwin_catalog::{Catalog, Device, Twin};
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{self as files, FileError};
 
-/// Why there is no twin of a unit.
+/// An error that prevents a unit's twin from being created.
 #[derive(Debug, thiserror::Error)]
 pub enum UnitError {
-    /// The file could not be read.
+    /// The file cannot be read.
     #[error(transparent)]
     File(#[from] FileError),
-    /// It is no calibration.
+    /// The calibration is invalid.
     #[error(transparent)]
     Calibration(#[from] CalibrationError),
-    /// It does not fit the model.
+    /// The calibration does not fit the model.
     #[error("{}: {}: {}; {}", path.display(), finding.place, finding.message, finding.remedy)]
     Unfit {
         /// The file.
         path: PathBuf,
-        /// The first of the errors.
+        /// The first error.
         finding: Finding,
     },
 }
 
-/// Reads a calibration file: as written and checked. The findings are what is odd in it, errors that [`calibration::force`] makes warnings
-/// among them.
+/// Reads a calibration file: as written and checked. The findings include errors that [`calibration::force`] turns into
+/// warnings.
 ///
 /// # Errors
-/// The file cannot be read, or is no calibration.
+/// Returns an error if the file cannot be read or is not a calibration.
 pub fn read_calibration(path: &Path) -> Result<(Raw, Calibration, Vec<Finding>), UnitError> {
     let bytes = files::read(path, MAX_BYTES as u64, "a calibration")?;
     let raw = Raw::parse(&bytes, &path.display().to_string())?;
@@ -39,10 +39,10 @@ pub fn read_calibration(path: &Path) -> Result<(Raw, Calibration, Vec<Finding>),
     Ok((raw, calibration, findings))
 }
 
-/// The twin of the unit that a calibration file is of, taken as a device of `catalog`; the findings are what is odd.
+/// Returns the twin of the unit with a calibration file, and the findings.
 ///
 /// # Errors
-/// The file cannot be read, is no calibration, or does not fit the model; with `force` the last is a finding.
+/// Returns an error if the file cannot be read, is not a calibration, or does not fit the model; with `force` the last is a finding.
 pub fn open(
     catalog: &Catalog,
     device: &Device,
@@ -53,10 +53,10 @@ pub fn open(
     of_raw(catalog, device, &raw, path, force)
 }
 
-/// The twin of the unit that a calibration is of that has been read; `path` is the file that it was in.
+/// Returns the twin of the unit with a calibration that was read from `path`, and the findings.
 ///
 /// # Errors
-/// It is no calibration, or does not fit the model; with `force` the last is a finding.
+/// Returns an error if the calibration is invalid or does not fit the model; with `force` the last is a finding.
 pub fn of_raw(
     catalog: &Catalog,
     device: &Device,
@@ -74,10 +74,10 @@ pub fn of_raw(
     Ok((twin, findings))
 }
 
-/// Refuses errors, or makes warnings of those that a person may decide to live with.
+/// Rejects errors; `force` turns those that can be ignored into warnings.
 ///
 /// # Errors
-/// The first error that is left.
+/// Returns the first remaining error.
 pub fn accept(path: &Path, findings: &mut [Finding], force: bool) -> Result<(), UnitError> {
     if force {
         calibration::force(findings);

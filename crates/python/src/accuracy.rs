@@ -72,7 +72,7 @@ pub(crate) fn accuracy<'py>(
     let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
     finding::warn(py, &findings)?;
     let report = threads::interruptible(py, |stop| {
-        let watch = |_, _| {
+        let watch = |_| {
             if stop.load(Ordering::Relaxed) {
                 ControlFlow::Break(())
             } else {

@@ -13,7 +13,7 @@ def test_matches_the_program(program, device):
     assert got.report == json.loads(program(*said))
     same = oaktwin.accuracy(device, distances=[1, 2, 3, 4], devices=7, captures=3)
     assert same.report == got.report
-    assert [row["distance_m"] for row in got.rows] == [1, 2, 3, 4] and got.is_good
+    assert [row["distance_m"] for row in got.rows] == [1, 2, 3, 4] and got.passed
     assert repr(got) == "<oaktwin.Accuracy OAK4-D: 4 distances, within the published accuracy>"
     table = got.to_numpy()
     assert table.shape == (4,) and list(table["distance_m"]) == [1, 2, 3, 4]
@@ -42,7 +42,7 @@ def test_a_measured_unit_matches_the_program(program, tmp_path, device):
                            width_px=1280)
     said = ["accuracy", "OAK4-D", "--distances", "1,3", "--devices", "3", "--captures", "2", "--measured", curve, "--from", "1.5",
             "--focal-px", "790", "--stereo-width", "1280", "--json"]
-    assert got.report == json.loads(program(*said, code=0 if got.is_good else 1))
+    assert got.report == json.loads(program(*said, code=0 if got.passed else 1))
     assert got.report["measured"] and "measured" not in oaktwin.accuracy(device, distances=[1], devices=1, captures=1).report
     with pytest.raises(FileNotFoundError):
         oaktwin.accuracy(device, measured=tmp_path / "none.csv")

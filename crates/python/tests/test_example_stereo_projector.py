@@ -65,4 +65,4 @@ def test_light_drowns_the_dots(tmp_path):
 
 
 def test_a_model_without_a_projector(tmp_path):
-    assert "OAK4-D: projector: it has no dot projector" in run(tmp_path, "--model", "OAK4-D", code=1)
+    assert "OAK4-D: projector: the model has no dot projector" in run(tmp_path, "--model", "OAK4-D", code=1)

@@ -60,7 +60,7 @@ def compare(program, file, start, nominal, *options):
     for name, value, width, scale in zip(names, parameters, half, scales, strict=False):
         (ours,) = [one for one in report["parameters"] if one["name"] == name]
         assert ours["value"] == pytest.approx(value * scale, abs=0.01 * width * scale), name
-        low, high = ours["interval_95"]
+        low, high = ours["confidence_interval_95"]
         assert (high - low) / 2 == pytest.approx(width * scale, rel=0.02), name
     return report
 

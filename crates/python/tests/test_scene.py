@@ -95,8 +95,8 @@ def test_look_at():
     body = oaktwin.look_at(np.array([1.0, 2, 3]), (1, 7, 3), frame="body")
     assert np.allclose(body[:3, 0], [0, 1, 0]) and np.allclose(body[:3, 3], [1, 2, 3])
     for text, arguments in {
-        "the same place": ((1, 1, 1), (1, 1, 1)),
-        "along UP": ((0, 0, 0), (0, 0, 1)),
+        "EYE and TARGET are equal": ((1, 1, 1), (1, 1, 1)),
+        "parallel to UP": ((0, 0, 0), (0, 0, 1)),
         "finite": ((0, 0, float("inf")), (0, 0, 1)),
     }.items():
         with pytest.raises(oaktwin.Error, match=text):
@@ -128,7 +128,7 @@ def test_bad_scenes(tmp_path):
     with pytest.raises(IsADirectoryError):
         oaktwin.Scene.open(tmp_path)
     (tmp_path / "a.txt").write_text("")
-    with pytest.raises(oaktwin.Error, match=r"\.txt is not known; give a usd"):
+    with pytest.raises(oaktwin.Error, match=r"unknown scene format \.txt; give a usd"):
         oaktwin.Scene.open(tmp_path / "a.txt")
     (tmp_path / "a.usda").write_text("nonsense")
     with pytest.raises(oaktwin.Error):

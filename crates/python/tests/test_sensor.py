@@ -225,7 +225,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
     [
         ({"engine": "steroe-noise"}, "engine: there is no `steroe-noise`; did you mean stereo-noise?"),
         ({"engine": "stereo-noise", "sensor": "tof"}, "has no depth sensor 'tof'; expected one of stereo"),
-        ({"preset": "robotic"}, "did you mean ROBOTICS"),
+        ({"preset": "robotic"}, "did you mean 'ROBOTICS'"),
         ({"filters": ["medium"]}, "medium: unknown filter"),
         ({"parameters": {"windw": 7}}, "windw: stereo-noise has no such parameter; did you mean window"),
         ({"parameters": {"window": "wide"}}, "window"),

@@ -56,7 +56,7 @@ def written(folder, left, right):
 
 def by_program(program, folder, left, right, *options, code=0):
     out = folder / "out"
-    text = program("stereo", *written(folder, left, right), "-o", out, "--disparity", "--confidence", *options, code=code)
+    text = program("stereo", *written(folder, left, right), "-o", out, "--annotators", "disparity,confidence", *options, code=code)
     names = {"depth": "depth_sensor_distance", "disparity": "disparity", "confidence": "confidence"}
     return {name: np.load(out / f"{file}.npy") for name, file in names.items()}, text
 
@@ -176,7 +176,7 @@ def test_options_of_rendered_pairs(wall):
 def test_invalid_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     for call, said in [
-        (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: it has no dot projector"),
+        (lambda: wall.render_pair(oaktwin.Device("OAK4-D"), AHEAD, projector=1), "OAK4-D: projector: the model has no dot projector"),
         (lambda: wall.render_pair(device, AHEAD, projector=2), "projector: 2 is out of range; give 0 to 1"),
         (lambda: wall.render_pair(device, AHEAD, projector=float("nan")), "projector: NaN is out of range"),
         (lambda: wall.render_pair(device, AHEAD, ambient=-1), "ambient: -1 is out of range"),
@@ -256,8 +256,8 @@ def test_small_images(matcher):
         ({"fx": 300}, "camera of the images is unknown"),
         ({"baseline": 0.1}, "camera of the images is unknown"),
         ({"fx": 300, "hfov_deg": 60, "baseline": 0.1}, "fx, hfov_deg: only one of them"),
-        ({"fx": float("nan"), "baseline": 0.1}, "fx: NaN is no camera's"),
-        ({"fx": 0, "baseline": 0.1}, "fx: 0 is no camera's"),
+        ({"fx": float("nan"), "baseline": 0.1}, "fx: NaN is out of range"),
+        ({"fx": 0, "baseline": 0.1}, "fx: 0 is out of range"),
         ({"hfov_deg": 180, "baseline": 0.1}, "hfov"),
         ({"fx": 300, "baseline": 0}, "baseline"),
         ({"fx": 300, "baseline": float("inf")}, "baseline"),

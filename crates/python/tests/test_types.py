@@ -34,7 +34,7 @@ pair = scene.render_pair(device, np.eye(4), size=(64, 40))
 matched = oaktwin.StereoMatcher(device, preset="default")(pair["left"], pair["right"])
 assert_type(matched["depth"], npt.NDArray[np.float32])
 assert_type(matched["findings"], list[oaktwin.Finding])
-assert_type(oaktwin.accuracy(device, distances=[1.0]).is_good, bool)
+assert_type(oaktwin.accuracy(device, distances=[1.0]).passed, bool)
 '''
 
 WRONG = '''

@@ -4,15 +4,15 @@ use oaktwin::depth::imager;
 use super::sensor::assignment;
 use crate::context::Result;
 
-/// How the pair that stereo-matching matches is taken.
+/// The stereo pair of stereo-matching.
 #[derive(Args, Debug)]
-#[command(next_help_heading = "The pair of stereo-matching")]
+#[command(next_help_heading = "Stereo pair")]
 pub(crate) struct PairArgs {
-    /// The power of a Pro's dot projector, 0 to 1; off by default
+    /// IR dot projector intensity of Pro models, 0 to 1; default 0
     #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
     pub(crate) projector: Option<f64>,
 
-    /// The factor of the scene's own light: 1 by default, 0 is a dark room
+    /// Ambient light scale; 0 is a dark room; default 1
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     pub(crate) ambient: Option<f64>,
 
@@ -22,7 +22,7 @@ pub(crate) struct PairArgs {
 
     #[arg(
         long,
-        help = "What the two cameras record too, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG"
+        help = "Also write the images of the pair, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG"
     )]
     pub(crate) pair: bool,
 }

@@ -1,11 +1,13 @@
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum, ValueHint};
+use oaktwin::dataset::{LAYOUTS, Layout};
 use oaktwin::usd::optics;
 use oaktwin::{render, scene};
 
 use super::annotators::annotators;
-use super::{PairArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
     format!(
@@ -27,11 +29,18 @@ fn after_help() -> String {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The model of the errors: single-view, as Isaac Sim has it (the default), stereo-noise or time-of-flight, as an OAK errs, or \
-         stereo-matching, which matches what the two cameras of --model take"
+        "The error model: single-view (Isaac Sim's, the default), stereo-noise, time-of-flight, or stereo-matching of the \
+         stereo pair of --model"
     )),
     mut_arg("isaac", |arg| arg.help(
-        "The Isaac Sim whose defaults single-view has; by default the one that the scene's asset is written for"
+        "The Isaac Sim version of single-view's defaults; by default that of the scene's asset"
+    )),
+    mut_arg("annotators", |arg| arg.help(
+        "Comma-separated annotators to render; all is everything. Default: rgb, distance_to_image_plane and camera_params, \
+         and depth_sensor_distance if an option of the depth sensor is given"
+    )),
+    mut_arg("ply", |arg| arg.help(
+        "Also write point clouds as PLY: the depth sensor's if its positions are rendered, else the scene's"
     )),
     after_help = after_help()
 )]
@@ -40,34 +49,25 @@ pub(crate) struct RenderArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The folder to write into; by default oaktwin-render, or none where there is --record
+    /// The output folder; by default oaktwin-render, or none with --record
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Record the frames, the cameras and their poses: .mcap for ROS 2, or .rrd for Rerun where that is built in
+    /// Record the frames, cameras and poses: .mcap for ROS 2, or .rrd for Rerun if it is built in
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) record: Option<PathBuf>,
 
-    /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable. By
-    /// default every depth sensor, else every camera of the scene
+    /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable; by default
+    /// every depth sensor, else every camera of the scene
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
-    #[arg(
-        long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        help = "What to render, apart by commas; all is everything. By default rgb, distance_to_image_plane and camera_params, \
-        and depth_sensor_distance where an option of the depth sensor is given"
-    )]
-    pub(crate) annotators: Vec<String>,
-
-    /// The size of the images, 1280x800. A model's cameras are resized and cropped as DepthAI does, the scene's own
-    /// keep their aperture
+    /// The image size, such as 1280x800; a model's cameras are resized and cropped as by DepthAI, the scene's keep their
+    /// apertures
     #[arg(long, value_name = "WxH")]
     pub(crate) resolution: Option<String>,
 
-    /// How a scene camera's apertures are read: square pixels without offsets as Isaac Sim does, or as OpenUSD defines
+    /// The interpretation of a scene camera's apertures: Isaac Sim's (square pixels, no offsets) or OpenUSD's
     #[arg(long, value_enum, default_value_t = Projection::Isaac)]
     pub(crate) projection: Projection,
 
@@ -77,19 +77,19 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) pair: PairArgs,
 
-    /// Sense each frame once for each of these values of a parameter (or engine, preset, seed), and write one picture
-    /// of all; a second one makes a table
-    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "The depth sensor")]
+    /// Simulate the sensor with each of these values of a parameter (or engine, preset, seed) and write one comparison sheet;
+    /// a second --sweep makes a table
+    #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "Depth sensor")]
     pub(crate) sweep: Vec<String>,
 
-    /// Put this OAK into the scene instead of using its cameras
-    #[arg(long, help_heading = "An OAK of ours")]
+    /// Place this OAK in the scene instead of using its cameras
+    #[arg(long, help_heading = "OAK")]
     pub(crate) model: Option<String>,
 
-    #[command(flatten, next_help_heading = "An OAK of ours")]
+    #[command(flatten, next_help_heading = "OAK")]
     pub(crate) unit: UnitArgs,
 
-    /// Where the body's origin stands, metres, and its rotation as a quaternion
+    /// The position of the body in metres, and its rotation as a quaternion
     #[arg(
         long,
         num_args = 7,
@@ -100,8 +100,8 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) pose: Option<Vec<f64>>,
 
-    /// Where the body stands (EYE), what it looks at (TARGET) and, three numbers more, which way is UP (by default the
-    /// scene's up), metres
+    /// The position of the body (EYE), the point it faces (TARGET), and optionally the UP direction (by default the scene's), in
+    /// metres
     #[arg(
         long,
         num_args = 6..=9,
@@ -112,8 +112,8 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) look_at: Option<Vec<f64>>,
 
-    /// A frame for each pose of a file
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Scene and path")]
+    /// Render a frame for each pose of a file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Scene and trajectory")]
     pub(crate) trajectory: Option<PathBuf>,
 
     /// The time code of a USD stage
@@ -121,58 +121,54 @@ pub(crate) struct RenderArgs {
         long,
         value_name = "T",
         allow_negative_numbers = true,
-        help_heading = "Scene and path"
+        help_heading = "Scene and trajectory"
     )]
     pub(crate) time: Option<f64>,
 
-    /// Refine a USD stage's subdivision meshes so often; Isaac Sim does not
+    /// The subdivision level of a USD stage's meshes (Isaac Sim renders level 0)
     #[arg(
         long,
         value_name = "N",
         default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8),
-        help_heading = "Scene and path"
+        help_heading = "Scene and trajectory"
     )]
     pub(crate) subdivide: u32,
 
-    /// The axis of a glTF, OBJ, STL or PLY file that points up; by default what its format says
-    #[arg(long, value_enum, help_heading = "Scene and path")]
+    /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
+    #[arg(long, value_enum, help_heading = "Scene and trajectory")]
     pub(crate) up: Option<Up>,
 
-    /// Metres to a unit of a glTF, OBJ, STL or PLY file
-    #[arg(long, value_name = "METRES", help_heading = "Scene and path")]
+    /// Metres per unit of a glTF, OBJ, STL or PLY file
+    #[arg(long, value_name = "METRES", help_heading = "Scene and trajectory")]
     pub(crate) scale: Option<f64>,
 
-    /// Fail where something is missing or not supported, before anything is written
-    #[arg(long, help_heading = "Scene and path")]
+    /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
+    #[arg(long, help_heading = "Scene and trajectory")]
     pub(crate) strict: bool,
 
-    /// Depth also as 16-bit PNG in millimetres
-    #[arg(long, help_heading = "More files")]
-    pub(crate) png16: bool,
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
 
-    /// Depth also as EXR
-    #[arg(long, help_heading = "More files")]
-    pub(crate) exr: bool,
+    /// The layout of the data set
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = LAYOUTS[0].name,
+        value_parser = PossibleValuesParser::new(LAYOUTS.iter().map(layout)),
+        help_heading = "Outputs"
+    )]
+    pub(crate) writer: String,
 
-    /// Point clouds also as PLY: the depth sensor's where its positions are asked for, else the scene's (added to the
-    /// annotators)
-    #[arg(long, help_heading = "More files")]
-    pub(crate) ply: bool,
-
-    /// Each depth image also as a picture, coloured by distance
-    #[arg(long, help_heading = "More files")]
-    pub(crate) preview: bool,
-
-    /// How to find what a pixel sees: rasterize pinholes and cast rays for other lenses, or only one of them
-    #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "How")]
+    /// The visibility backend; auto rasterizes pinholes and casts rays for other lenses
+    #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "Execution")]
     pub(crate) backend: Backend,
 
-    #[command(flatten, next_help_heading = "How")]
+    #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print what was written as JSON
-    #[arg(long, help_heading = "How")]
+    /// Print the result as JSON
+    #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
 }
 
@@ -193,6 +189,10 @@ pub(crate) enum Backend {
     Auto,
     Raster,
     Ray,
+}
+
+fn layout(layout: &Layout) -> PossibleValue {
+    PossibleValue::new(layout.name).help(layout.help)
 }
 
 impl From<Projection> for optics::Projection {

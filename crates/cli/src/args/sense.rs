@@ -6,18 +6,19 @@ use oaktwin::depth::align;
 use oaktwin::sense;
 
 use super::annotators::sensor_outputs;
-use super::{DepthFileArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
+    mut_arg("annotators", |arg| arg.help(format!("Additional outputs of the sensor, comma-separated: {}", sensor_outputs()))),
     after_help = "DEPTH is NPY (float16, 32 or 64 in metres, uint16 in --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
-    16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. What is not \
-    finite and above 0 is no surface. The number at the end of a name is the frame: noise is new in each, and files whose \
-    names differ in it alone are a sequence.\n\n\
-    Written are depth_sensor_distance NPY, float32 metres, 0 where nothing was measured; a batch stays one. In a folder \
-    they lie beside the ground truth unless -o names another. From standard input without -o the distances go to standard \
-    output, or what --align makes of them."
+    16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. Values that are \
+    not finite and above 0 are invalid. The number at the end of a file name is the frame: each has its own noise, and \
+    files whose names differ in it only are a sequence.\n\n\
+    The output is depth_sensor_distance as NPY, float32 metres, 0 where nothing was measured; a batch stays a batch. For a \
+    folder it is written beside the ground truth unless -o names another. For standard input without -o the distances, or \
+    with --align the aligned ones, are written to standard output."
 )]
 pub(crate) struct SenseArgs {
     /// Depth images, folders of them, or - for standard input
@@ -28,107 +29,100 @@ pub(crate) struct SenseArgs {
     #[arg(long)]
     pub(crate) model: String,
 
-    /// The folder to write into; by default the folder that DEPTH is
+    /// The output folder; by default DEPTH if that is a folder
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// Which of a model's depth sensors; by default time of flight where it has it
+    /// The depth sensor of the model; by default time of flight if it has one
     #[arg(long, value_enum)]
     pub(crate) sensor: Option<SensorKind>,
 
-    /// The pictures of the same camera, one for each depth image, or an NPY array of as many; a folder's are found
-    #[arg(long, value_name = "IMAGE", num_args = 1.., value_hint = ValueHint::FilePath, help_heading = "The images")]
+    /// The colour images of the same camera, one per depth image or an NPY array of all; those of a folder are found
+    #[arg(long, value_name = "IMAGE", num_args = 1.., value_hint = ValueHint::FilePath, help_heading = "Images")]
     pub(crate) rgb: Vec<PathBuf>,
 
     #[arg(
         long,
         value_enum,
-        help = "What the numbers are: along the optical axis or from the camera. Needed where the file's name does \
-                not say it (distance_to_image_plane, depth: z; distance_to_camera: range)",
-        help_heading = "The images"
+        help = "The kind of depth: along the optical axis or from the optical centre; required unless the file's name \
+                tells it (distance_to_image_plane, depth: z; distance_to_camera: range)",
+        help_heading = "Images"
     )]
     pub(crate) input_kind: Option<InputKind>,
 
-    /// Metres to a unit of whole numbers
+    /// Metres per integer depth unit
     #[arg(
         long,
         value_name = "METRES",
         default_value_t = 0.001,
         allow_negative_numbers = true,
-        help_heading = "The images"
+        help_heading = "Images"
     )]
     pub(crate) depth_scale: f64,
 
     #[arg(
         long,
         value_name = "F",
-        help = "The images' focal length, px; by default what a folder's camera_params say, else the model's field of view",
+        help = "The focal length of the images, px; by default that of a folder's camera_params, else of the model's field of view",
         allow_negative_numbers = true,
         conflicts_with = "hfov",
-        help_heading = "The images"
+        help_heading = "Images"
     )]
     pub(crate) fx: Option<f64>,
 
-    /// The images' horizontal field of view, degrees
+    /// The horizontal field of view of the images, degrees
     #[arg(
         long,
         value_name = "D",
         allow_negative_numbers = true,
-        help_heading = "The images"
+        help_heading = "Images"
     )]
     pub(crate) hfov: Option<f64>,
 
-    /// Make images of another size or field of view the model's, by the nearest sample, instead of using them as they are
-    #[arg(long, help_heading = "The images")]
+    /// Resample images of another size or field of view to the model's (nearest samples)
+    #[arg(long, help_heading = "Images")]
     pub(crate) resample: bool,
 
-    /// The images of a batch are one after the other in time, not side by side
-    #[arg(long, help_heading = "The images")]
+    /// Treat the images of a batch as successive frames, not simultaneous ones
+    #[arg(long, help_heading = "Images")]
     pub(crate) sequence: bool,
 
-    #[command(flatten, next_help_heading = "The depth sensor")]
+    #[command(flatten, next_help_heading = "Depth sensor")]
     pub(crate) engine: SensorArgs,
 
-    /// Depth also as another camera of the model sees it, by its place and lens
-    #[arg(long, value_enum, value_name = "CAMERA", help_heading = "More files")]
+    /// Also write depth aligned to another camera of the model
+    #[arg(long, value_enum, value_name = "CAMERA", help_heading = "Outputs")]
     pub(crate) align: Option<AlignCamera>,
 
-    /// The size of aligned images, 1280x800, by DepthAI's rule; by default the camera's own
-    #[arg(long, value_name = "WxH", requires = "align", help_heading = "More files")]
+    /// The size of aligned images, such as 1280x800, resized by DepthAI's rule; by default the camera's own
+    #[arg(long, value_name = "WxH", requires = "align", help_heading = "Outputs")]
     pub(crate) align_size: Option<String>,
 
-    /// Which pixels a sample goes into: all that it covers, or the one that it falls into
-    #[arg(long, value_enum, default_value_t = AlignFill::Footprint, help_heading = "More files")]
+    /// The splatting of aligned samples: footprint (all covered pixels) or nearest
+    #[arg(long, value_enum, default_value_t = AlignFill::Footprint, help_heading = "Outputs")]
     pub(crate) align_fill: AlignFill,
 
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    /// The axes of the PLY: x right, y down, z forward, or ROS's x forward, y left, z up
     #[arg(
         long,
-        value_name = "NAMES",
-        help = format!("Additional outputs of the sensor, comma-separated: {}", sensor_outputs()),
-        value_delimiter = ',',
-        help_heading = "More files"
+        value_enum,
+        default_value_t = CloudFrame::Optical,
+        alias = "pointcloud-frame",
+        help_heading = "Outputs"
     )]
-    pub(crate) outputs: Vec<String>,
+    pub(crate) ply_frame: CloudFrame,
 
-    #[command(flatten, next_help_heading = "More files")]
-    pub(crate) depth_files: DepthFileArgs,
-
-    /// The measured points as PLY
-    #[arg(long, help_heading = "More files")]
-    pub(crate) pointcloud: bool,
-
-    /// The axes of the points: x right, y down, z forward, or ROS's x forward, y left, z up
-    #[arg(long, value_enum, default_value_t = CloudFrame::Optical, help_heading = "More files")]
-    pub(crate) pointcloud_frame: CloudFrame,
-
-    #[command(flatten, next_help_heading = "How")]
+    #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print what was written as JSON
-    #[arg(long, help_heading = "How")]
+    /// Print the result as JSON
+    #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
 }
 
@@ -202,7 +196,7 @@ impl From<AlignFill> for align::Fill {
     }
 }
 
-impl From<CloudFrame> for sense::CloudFrame {
+impl From<CloudFrame> for sense::CloudAxes {
     fn from(frame: CloudFrame) -> Self {
         match frame {
             CloudFrame::Optical => Self::Optical,

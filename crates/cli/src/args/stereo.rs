@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum, ValueHint};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 
-use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, SettingsArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -12,13 +12,17 @@ use super::{DepthFileArgs, SettingsArgs, ThreadArgs, UnitArgs};
     mut_arg("parameters", |arg| arg.help(
         "Set a parameter of the matcher, listed by `oaktwin params stereo-matching`; repeatable"
     )),
-    after_help = "Images are PNG, JPEG or NPY; grey of 8 bits, or of 16, which are those of a camera of 10; colours become \
-    grey. In two folders those with the same names but for the words left and right are a pair, and one folder may hold \
-    both; pairs whose names differ in their number alone are a sequence, seen in its order by filters that remember.\n\n\
-    Written are depth_sensor_distance NPY, float32 metres of the rectified left image, 0 where nothing was measured, and \
-    what else is asked for.\n\n\
-    Ends with 1 where something is wrong with the images: left and right swapped, a vertical offset, nothing to match, too \
-    bright, or narrower than the search."
+    mut_arg("annotators", |arg| arg.help(
+        "Comma-separated outputs beside depth_sensor_distance: disparity (px), confidence (255 = highest), rectified (both \
+         images), depth_sensor_point_cloud_position, depth_sensor_point_cloud_color"
+    )),
+    after_help = "Images are PNG, JPEG or NPY: 8-bit grey, 16-bit grey with 10-bit values, or colours, which become grey. In \
+    two folders, files whose names are equal except for the words left and right are a pair; one folder may contain both. \
+    Pairs whose names differ in their number only are a sequence, which temporal filters process in order.\n\n\
+    The output is depth_sensor_distance as NPY, float32 metres of the rectified left image, 0 where nothing was measured, \
+    and the outputs of --annotators.\n\n\
+    The exit code is 1 for unsuitable images: left and right swapped, a vertical offset, too little texture, saturated, or \
+    narrower than the disparity search."
 )]
 pub(crate) struct StereoArgs {
     /// The left image, or a folder of them
@@ -29,104 +33,97 @@ pub(crate) struct StereoArgs {
     #[arg(value_name = "RIGHT", value_hint = ValueHint::AnyPath)]
     pub(crate) right: PathBuf,
 
-    /// The folder to write into
+    /// The output folder
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-stereo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 
-    /// The model whose cameras they are; by default the one that the calibration's product name says
-    #[arg(long, help_heading = "The cameras")]
+    /// The model of the cameras; by default that of the calibration's product name
+    #[arg(long, help_heading = "Cameras")]
     pub(crate) model: Option<String>,
 
-    #[command(flatten, next_help_heading = "The cameras")]
+    #[command(flatten, next_help_heading = "Cameras")]
     pub(crate) unit: UnitArgs,
 
-    /// The images' focal length, px, of any rectified pair
+    /// The focal length of any rectified pair, px
     #[arg(
         long,
         value_name = "F",
         allow_negative_numbers = true,
         conflicts_with_all = ["hfov", "model", "calibration"],
         requires = "baseline",
-        help_heading = "The cameras"
+        help_heading = "Cameras"
     )]
     pub(crate) fx: Option<f64>,
 
-    /// The images' horizontal field of view, degrees, of any rectified pair
+    /// The horizontal field of view of any rectified pair, degrees
     #[arg(
         long,
         value_name = "D",
         allow_negative_numbers = true,
         conflicts_with_all = ["model", "calibration"],
         requires = "baseline",
-        help_heading = "The cameras"
+        help_heading = "Cameras"
     )]
     pub(crate) hfov: Option<f64>,
 
-    /// Between the two cameras, metres
+    /// The baseline of any rectified pair, metres
     #[arg(
         long,
         value_name = "METRES",
         allow_negative_numbers = true,
         conflicts_with_all = ["model", "calibration"],
-        help_heading = "The cameras"
+        help_heading = "Cameras"
     )]
     pub(crate) baseline: Option<f64>,
 
-    /// The images are as the cameras take them (the default with a calibration, or the fisheye lens)
-    #[arg(long, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "The cameras")]
+    /// Treat the images as raw (the default with a calibration or the fisheye lens)
+    #[arg(long, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
     pub(crate) raw: bool,
 
-    /// The images are rectified (the default without)
-    #[arg(long, help_heading = "The cameras")]
+    /// Treat the images as rectified (the default otherwise)
+    #[arg(long, help_heading = "Cameras")]
     pub(crate) rectified: bool,
 
-    /// How raw images are rectified; by default as the device does it
-    #[arg(long, value_enum, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "The cameras")]
+    /// The rectification of raw images; by default the device's
+    #[arg(long, value_enum, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
     pub(crate) rectify: Option<RectifyMethod>,
 
-    /// The processor whose defaults and presets hold; by default the device's, else RVC2
-    #[arg(long, value_enum, help_heading = "The depth sensor")]
+    /// The processor whose defaults and presets apply; by default the device's, else RVC2
+    #[arg(long, value_enum, help_heading = "Depth sensor")]
     pub(crate) platform: Option<StereoPlatform>,
 
     #[command(flatten)]
     pub(crate) settings: SettingsArgs,
 
-    /// Disparity too: NPY, float32 pixels, 0 where nothing was measured
-    #[arg(long, help_heading = "More files")]
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
+
+    #[arg(long, hide = true)]
     pub(crate) disparity: bool,
 
-    /// How sure the matcher is too: NPY, uint8, 255 is surest
-    #[arg(long, help_heading = "More files")]
+    #[arg(long, hide = true)]
     pub(crate) confidence: bool,
 
-    /// The rectified images too, PNG
-    #[arg(long, help_heading = "More files")]
+    #[arg(long, hide = true)]
     pub(crate) rectified_images: bool,
 
-    #[command(flatten, next_help_heading = "More files")]
-    pub(crate) depth_files: DepthFileArgs,
-
-    /// The measured points as PLY: x right, y down, z forward
-    #[arg(long, help_heading = "More files")]
-    pub(crate) ply: bool,
-
-    #[command(flatten, next_help_heading = "How")]
+    #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print what was written as JSON
-    #[arg(long, help_heading = "How")]
+    /// Print the result as JSON
+    #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RectifyMethod {
-    /// A homography up to 85° of view, a mesh above: RVC2
+    /// A homography up to 85° of field of view, a mesh above (RVC2)
     Auto,
-    /// A 3x3 matrix, which leaves the lens's distortion
+    /// A 3x3 matrix, which keeps lens distortion
     Homography,
-    /// A position every 16 pixels
+    /// A mesh with a node every 16 pixels
     Mesh,
-    /// A position for each pixel: RVC4
+    /// A map for each pixel (RVC4)
     Full,
 }
 

@@ -1,15 +1,13 @@
 mod text;
 
-use std::ops::ControlFlow;
 use std::path::Path;
 
-use oaktwin::accuracy::{self, Bench, Options, measured};
+use oaktwin::accuracy::{self, AccuracyError, Bench, Options, measured};
 
 use crate::args::AccuracyArgs;
 use crate::context::{Context, Exit, Result};
 use crate::plot::Plot;
-use crate::progress::SharedProgress;
-use crate::{destination, output};
+use crate::{destination, output, progress};
 
 pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
@@ -23,16 +21,21 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     args.threads.apply();
     let (bench, more) = Bench::new(&twin, &options)?;
     findings.extend(more);
-    let progress = SharedProgress::new();
-    let watch = |done: u64, of: u64| {
-        progress.at(done, of);
-        ControlFlow::Continue(())
+    let measured = progress::watched(|watch| {
+        let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), watch)?;
+        let figure = plot.is_some().then(|| measurement.figure(watch)).transpose()?;
+        Ok((measurement, figure))
+    })?;
+    let (measurement, figure) = match measured {
+        Err(error @ AccuracyError::Interrupted) => {
+            output::say(&error.to_string());
+            return Ok(Exit::Interrupted);
+        }
+        measured => measured?,
     };
-    let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), &watch)?;
-    if let Some(plot) = &plot {
-        plot.draw(&[measurement.figure(&watch)?])?;
+    if let (Some(plot), Some(figure)) = (&plot, figure) {
+        plot.draw(&[figure])?;
     }
-    drop(progress);
     let report = measurement.report();
     if args.json {
         output::print_json(report)?;
@@ -49,11 +52,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
     output::say_findings(about, &findings);
-    Ok(if report.is_good {
-        Exit::Good
-    } else {
-        Exit::Findings
-    })
+    Ok(if report.passed { Exit::Good } else { Exit::Findings })
 }
 
 fn options(args: &AccuracyArgs) -> Result<Options> {

@@ -1,16 +1,14 @@
 mod text;
 
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use oaktwin::files;
-use oaktwin::fit::{self, Options};
+use oaktwin::fit::{self, FitError, Options};
 
 use crate::args::{Also, FitArgs};
 use crate::context::{Context, Exit, Result};
 use crate::plot::Plot;
-use crate::progress::SharedProgress;
-use crate::{destination, output};
+use crate::{destination, output, progress};
 
 pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
@@ -31,13 +29,14 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         destination::spare_inputs(file, inputs.chain(others))?;
     }
     args.threads.apply();
-    let progress = SharedProgress::new();
-    let watch = |done: u64, of: u64| {
-        progress.at(done, of);
-        ControlFlow::Continue(())
+    let fitted = progress::watched(|watch| fit::fit(&twin, &args.recordings, &options, watch))?;
+    let (fit, more) = match fitted {
+        Err(error @ FitError::Interrupted) => {
+            output::say(&error.to_string());
+            return Ok(Exit::Interrupted);
+        }
+        fitted => fitted?,
     };
-    let (fit, more) = fit::fit(&twin, &args.recordings, &options, &watch)?;
-    drop(progress);
     findings.extend(more);
     let report = fit.report();
     if let Some(file) = &args.output {
@@ -61,9 +60,5 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
     output::say_findings(about, &findings);
-    Ok(if report.is_good {
-        Exit::Good
-    } else {
-        Exit::Findings
-    })
+    Ok(if report.passed { Exit::Good } else { Exit::Findings })
 }

@@ -3,19 +3,19 @@ mod report;
 mod sensors;
 
 use oaktwin::camera::ImageSize;
+use oaktwin::dataset::{self, LAYOUTS, Writer};
 use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::files::OutputFiles;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::trajectory::{self, TimedPose};
 use oaktwin::render::{
-    self, FrameOptions, OakOptions, OutputFolder, PlacedCamera, Renderer, SceneCameraOptions, SceneFile,
+    self, FrameOptions, OakOptions, PlacedCamera, Renderer, SceneCameraOptions, SceneFile,
 };
 use oaktwin::scene::Up;
 
 use crate::args::{Lens, RenderArgs};
 use crate::context::{Context, Exit, Result};
-use crate::interrupt;
-use crate::progress::Progress;
-use crate::size;
+use crate::{progress, size};
 use report::Report;
 use sensors::Sensors;
 
@@ -44,7 +44,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     });
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
-    interrupt::watch()?;
+    progress::handle_interrupts()?;
     let recorder = match &args.record {
         Some(file) => {
             let (up, is_alone) = (scene.scene.up, output.is_none());
@@ -62,9 +62,10 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         return Err(format!("{}: {finding}", args.scene.display()).into());
     }
     check_memory(&cameras, &annotators, &sensors, recorder.is_some())?;
-    let mut folder = output.as_deref().map(OutputFolder::prepare).transpose()?;
+    let mut files = output.as_deref().map(OutputFiles::in_folder).transpose()?;
+    let mut writer = writer(args)?;
     let outputs = render::Outputs {
-        folder: folder.as_mut(),
+        dataset: files.as_mut().map(|files| (&mut *writer as _, files)),
         recorder,
     };
     let renderer = Renderer::new(scene.scene);
@@ -74,19 +75,12 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         pair: pair.as_ref(),
         sweep: sensors.swept.as_ref(),
         backend: args.backend.into(),
-        extras: asked::extras(args),
         strict: args.strict,
         writes_pair: args.pair.pair,
-        list_files: args.json,
     };
-    let mut progress = Progress::new();
-    let mut watch = |done: render::Done| {
-        progress.at(done.images, done.of);
-        interrupt::flow()
-    };
-    let written = render::write_frames(&renderer, &cameras, &path, &options, outputs, &mut watch);
-    drop(progress);
-    let mut written = written?;
+    let mut written = progress::watched(|watch| {
+        render::write_frames(&renderer, &cameras, &path, &options, outputs, watch)
+    })??;
     findings.append(&mut written.findings);
 
     let calibration_findings = oak.map(|oak| oak.calibration_findings).unwrap_or_default();
@@ -95,7 +89,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         (args, output.as_deref()),
         &annotators,
         (&cameras, &sensors.own),
-        written,
+        (written, files.as_ref().map(|files| files.files().to_vec())),
         frames,
         findings,
         calibration_findings,
@@ -108,7 +102,17 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     })
 }
 
-/// The OAK that is put into the scene.
+/// The writer of the layout that is named.
+fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
+    let layout = LAYOUTS.iter().find(|layout| layout.name == args.writer);
+    let layout = layout.ok_or_else(|| format!("--writer: unknown layout '{}'", args.writer))?;
+    Ok((layout.writer)(dataset::Options {
+        extras: args.outputs.extras(),
+        ..dataset::Options::default()
+    }))
+}
+
+/// The OAK in the scene.
 struct Oak {
     twin: oaktwin::catalog::Twin,
     calibration_findings: Vec<Finding>,
@@ -117,7 +121,7 @@ struct Oak {
 impl Oak {
     fn new(context: &Context, args: &RenderArgs) -> Result<Option<Self>> {
         let Some(model) = &args.model else {
-            let needs = |option: &str| Err(format!("{option} is about an OAK: name it with --model").into());
+            let needs = |option: &str| Err(format!("{option} requires --model").into());
             return match &args.unit {
                 unit if unit.calibration.is_some() => needs("--calibration"),
                 unit if unit.lens == Lens::Fisheye => needs("--lens"),
@@ -126,7 +130,7 @@ impl Oak {
         };
         if args.pose.is_none() && args.look_at.is_none() && args.trajectory.is_none() {
             return Err(format!(
-                "--model {model} has no place: say --look-at EYE TARGET, --pose or --trajectory"
+                "--model {model} requires a pose: --look-at EYE TARGET, --pose or --trajectory"
             )
             .into());
         }
@@ -170,7 +174,7 @@ fn own_cameras(
     let (cameras, findings) = render::scene_cameras(scene, &options)?;
     if let ([first, second, ..], [_, ..]) = (&cameras[..], path) {
         return Err(format!(
-            "--trajectory moves one camera, and there are {} ({}, {}{}): choose one with --camera",
+            "--trajectory moves one camera, but there are {} ({}, {}{}); choose one with --camera",
             cameras.len(),
             first.path,
             second.path,
@@ -181,7 +185,7 @@ fn own_cameras(
     Ok((cameras, findings))
 }
 
-/// Refuses images that this machine has no memory for, where it says how much it has.
+/// Rejects images that need more memory than is available, if that is known.
 fn check_memory(
     cameras: &[PlacedCamera],
     annotators: &[Annotator],
@@ -205,7 +209,7 @@ fn check_memory(
     let needed = needs(&largest);
     match render::available_bytes() {
         Some(available) if needed > available => Err(format!(
-            "{}: images of {} need {} of memory, {} are free; choose a smaller --resolution or fewer --annotators",
+            "{}: images of {} need {} of memory, but {} are available; choose a smaller --resolution or fewer --annotators",
             largest.path,
             largest.camera.intrinsics.size,
             render::gib(needed),

@@ -3,12 +3,11 @@ mod report;
 
 use std::io::{self, IsTerminal};
 
-use oaktwin::sense::{self, Done, Output, SenseError};
+use oaktwin::sense::{self, Output, SenseError};
 
 use crate::args::SenseArgs;
 use crate::context::{Context, Exit, Result};
-use crate::progress::Progress;
-use crate::{interrupt, output};
+use crate::{output, progress};
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
@@ -19,28 +18,20 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let (twin, calibration_findings) = context.twin(&args.model, &args.unit)?;
     if is_stream && io::stdout().is_terminal() {
         return Err(
-            "standard output is a terminal, and the result an array: send it on, or say -o DIR".into(),
+            "standard output is a terminal, but the result is an array; redirect it, or set -o DIR".into(),
         );
     }
-    interrupt::watch()?;
-    let mut progress = Progress::new();
-    let mut watch = |done: Done| {
-        progress.at(done.images, done.of);
-        interrupt::flow()
-    };
-    let mut stdout = io::stdout().lock();
+    let mut stdout = io::stdout();
     let to = if is_stream {
         Output::Stream(&mut stdout)
     } else {
         Output::Files
     };
-    let sensed = sense::sense(&twin, &inputs, &options, to, &mut watch);
-    drop(progress);
-    drop(stdout);
+    let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch))?;
     let sensed = sensed.map_err(|error| match error {
         SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => Box::new(error).into(),
         SenseError::Stream(error) => {
-            let text = format!("standard output: cannot be written ({error}); send it elsewhere");
+            let text = format!("standard output: cannot be written ({error}); redirect it elsewhere");
             <Box<dyn std::error::Error>>::from(text)
         }
         error => error.into(),

@@ -3,15 +3,14 @@ mod report;
 use oaktwin::catalog::Twin;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, suggest};
 use oaktwin::sense::FieldOfView;
-use oaktwin::stereo::{self, PairOf, StereoOptions};
+use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
 use oaktwin::{sensor, unit};
 
 use crate::args::{Lens, StereoArgs};
 use crate::context::{Context, Exit, Result};
-use crate::interrupt;
-use crate::progress::Progress;
+use crate::progress;
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
@@ -21,22 +20,11 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     args.threads.apply();
     let options = StereoOptions {
         sensor: args.settings.options(),
-        disparity: args.disparity,
-        confidence: args.confidence,
-        rectified: args.rectified_images,
-        png16: args.depth_files.png16,
-        preview: args.depth_files.preview,
-        ply: args.ply,
+        outputs: outputs(args)?,
+        extras: args.outputs.extras(),
+        ply: args.outputs.ply,
     };
-    interrupt::watch()?;
-    let mut progress = Progress::new();
-    let all = pairs.len() as u64;
-    let mut watch = |done: u64| {
-        progress.at(done, all);
-        interrupt::flow()
-    };
-    let matched = stereo::stereo(&pairs, &of, &options, &args.output, &mut watch);
-    drop(progress);
+    let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch))?;
     let Some(matched) = matched? else {
         return Ok(Exit::Good);
     };
@@ -49,12 +37,35 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     Ok(exit)
 }
 
-/// The device, where one is named, and what is odd in its calibration.
+/// The outputs that are named, or chosen by their old flags.
+fn outputs(args: &StereoArgs) -> Result<Vec<StereoOutput>> {
+    let flags = [
+        (args.disparity, StereoOutput::Disparity),
+        (args.confidence, StereoOutput::Confidence),
+        (args.rectified_images, StereoOutput::Rectified),
+    ];
+    let mut outputs: Vec<StereoOutput> = flags
+        .into_iter()
+        .filter_map(|(is_given, output)| is_given.then_some(output))
+        .collect();
+    for name in &args.outputs.annotators {
+        let name = name.trim();
+        let known = StereoOutput::NAMES.iter().find(|(known, _)| *known == name);
+        let Some((_, output)) = known else {
+            let hint = suggest(name, StereoOutput::NAMES.map(|(name, _)| name));
+            return Err(format!("--annotators: unknown annotator '{name}'; {hint}").into());
+        };
+        outputs.push(*output);
+    }
+    Ok(outputs)
+}
+
+/// The device, if one is named, and the findings about its calibration.
 fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
     let model = match (&args.model, &args.unit.calibration) {
         (Some(model), _) => model.clone(),
         (None, None) if args.unit.lens == Lens::Fisheye => {
-            return Err("--lens is about an OAK: name it with --model".into());
+            return Err("--lens requires --model".into());
         }
         (None, None) => return Ok(None),
         (None, Some(file)) => {
@@ -62,15 +73,15 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
             let known = context.catalog.device(&product);
             known.map_err(|unknown| {
                 let names = if product.is_empty() {
-                    "the file names no model".to_owned()
+                    "no product name".to_owned()
                 } else {
-                    format!("no model is called {product:?}")
+                    format!("unknown model {product:?}")
                 };
                 let nearest = match &unknown.nearest[..] {
                     [] => &unknown.known,
                     nearest => nearest,
                 };
-                let remedy = format!("name one with --model: {}", nearest.join(" or "));
+                let remedy = format!("set --model: {}", nearest.join(" or "));
                 format!("{}: productName: {names}; {remedy}", file.display())
             })?;
             product
@@ -93,8 +104,8 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
         };
         let (Some(baseline_m), true) = (args.baseline, field_of_view != FieldOfView::Known) else {
             return Err(
-                "nothing says what took the images: give --calibration FILE, --model MODEL, or --fx F (or \
-                        --hfov D) and --baseline METRES of a rectified pair"
+                "the cameras are unknown; set --calibration FILE, --model MODEL, or --fx F (or --hfov D) and --baseline METRES \
+                        of a rectified pair"
                     .into(),
             );
         };

@@ -134,7 +134,7 @@ fn json_and_plots_beside_measurements() {
         "\"plane_fit_rms_mm\"",
         "\"compared_points\": 2",
         "\"r_squared\"",
-        "\"is_good\": true",
+        "\"passed\": true",
         "\"verdict\": \"inside\"",
     ] {
         assert!(json.contains(key), "{key}: {json}");

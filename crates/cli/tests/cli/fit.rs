@@ -73,9 +73,9 @@ fn a_recording() {
     let json = program.good(&[&arguments[..], &["--json", "--threads", "1"]].concat());
     for key in [
         "\"name\": \"pixelLocking\"",
-        "\"interval_95\"",
+        "\"confidence_interval_95\"",
         "\"r_squared\"",
-        "\"is_good\": true",
+        "\"passed\": true",
     ] {
         assert!(json.contains(key), "{key}: {json}");
     }

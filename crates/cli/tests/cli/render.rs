@@ -437,7 +437,7 @@ fn ctrl_c_leaves_whole_files_only() {
     assert_eq!(ended.code, 130, "{message}");
     let frames: usize = message
         .strip_prefix("interrupted: ")
-        .and_then(|rest| rest.split_once(" of 20000 frames are whole in out"))
+        .and_then(|rest| rest.split_once(" of 20000 frames are complete in out"))
         .map(|(frames, _)| frames.parse().unwrap())
         .unwrap();
     assert!(frames >= 4, "{message}");

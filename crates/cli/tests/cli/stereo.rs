@@ -240,7 +240,7 @@ fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
         .filter(|name| name.starts_with("out/"))
         .collect();
     assert!(
-        message.contains(&format!("interrupted: {} pairs are whole", written.len())),
+        message.contains(&format!("interrupted: {} pairs are complete", written.len())),
         "{message}"
     );
     for name in written {

@@ -11,11 +11,11 @@ use super::test_rig::{Effort, TestRig, Unit};
 use super::units::units;
 use super::vendor::differences;
 use super::{
-    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, Watch,
-    distances,
+    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, distances,
 };
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
+use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::sensor::{ParameterError, default_engine, depth_sensor};
 
 /// A twin's depth sensor, ready to be measured.
@@ -81,11 +81,11 @@ impl Bench {
             region_width_px: rig.region.columns.end - rig.region.columns.start,
             region_height_px: rig.region.rows.end - rig.region.rows.start,
             captures: options.captures,
-            not_the_vendors_method: differences(&rig, options, depth.spec.kind, own_width_px),
+            protocol_deviations: differences(&rig, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
-            is_good: false,
+            passed: false,
         };
         let bench = Self {
             report,
@@ -103,7 +103,7 @@ impl Bench {
     pub fn measure(
         mut self,
         measured: Option<(&Path, &Curve)>,
-        watch: Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
         let own: Vec<f64> = self.report.distances.iter().map(|row| row.distance_m).collect();
@@ -111,14 +111,22 @@ impl Bench {
             .map(|(_, curve)| curve.points.as_slice())
             .unwrap_or_default();
         let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
-        let (before, all) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let (before, total) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let from = |done: u64| {
+            move |progress: Progress| {
+                watch(Progress {
+                    done: done + progress.done,
+                    total,
+                })
+            }
+        };
         let captures = self.report.captures;
         let effort = |quality: bool| Effort { captures, quality };
-        self.report.distances = self.rows(&own, effort(true), &|done, _| watch(done, all))?;
-        let theirs = self.rows(&theirs, effort(false), &|done, _| watch(before + done, all))?;
+        self.report.distances = self.rows(&own, effort(true), &from(0))?;
+        let theirs = self.rows(&theirs, effort(false), &from(before))?;
         self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
         let verdicts = || self.report.distances.iter().map(|row| row.verdict);
-        self.report.is_good = verdicts().all(|verdict| verdict != Verdict::Outside)
+        self.report.passed = verdicts().all(|verdict| verdict != Verdict::Outside)
             && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
         Ok(Measurement { bench: self })
     }
@@ -127,16 +135,17 @@ impl Bench {
         &self,
         distances: &[f64],
         effort: Effort,
-        watch: Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Vec<Row>, AccuracyError> {
         let done = AtomicU64::new(0);
         distances
             .par_iter()
             .map(|&distance_m| {
-                let of = distances.len() as u64;
-                let wants_more = || watch(done.load(Ordering::Relaxed), of).is_continue();
+                let total = distances.len() as u64;
+                let progress = |done| Progress { done, total };
+                let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
                 let units = self.rig.measure(distance_m, effort, &wants_more)?;
-                if watch(done.fetch_add(1, Ordering::Relaxed) + 1, of).is_break() {
+                if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
                 let row = Row::new(distance_m, &units, self.report.published.as_ref());
@@ -171,7 +180,7 @@ impl Bench {
             r_squared: r_squared(&pairs),
             rms_difference_percent: (!pairs.is_empty()).then(|| (squares / pairs.len() as f64).sqrt()),
             compared_points: pairs.len(),
-            points_not_measured_by_the_twin: far().count() - pairs.len(),
+            unmeasured_points: far().count() - pairs.len(),
             points,
         }
     }

@@ -1,6 +1,7 @@
 use super::test_rig::Effort;
-use super::{AccuracyError, Bench, Devices, Report, Watch, plot};
+use super::{AccuracyError, Bench, Devices, Report, plot};
 use crate::figure::Figure;
+use oaktwin_pipeline::progress::Watch;
 
 /// Places along the curve of a plot.
 const CURVE_OF_ONE: u32 = 400;
@@ -24,7 +25,7 @@ impl Measurement {
     ///
     /// # Errors
     /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
-    pub fn figure(&self, watch: Watch<'_>) -> Result<Figure, AccuracyError> {
+    pub fn figure(&self, watch: &Watch<'_>) -> Result<Figure, AccuracyError> {
         let report = &self.bench.report;
         let points = report.measured.iter().flat_map(|measured| &measured.points);
         let places =

@@ -30,8 +30,6 @@ mod tests;
 mod units;
 mod vendor;
 
-use std::ops::ControlFlow;
-
 pub use bands::{Band, Bands};
 pub use bench::Bench;
 pub use distances::{FARTHEST_M, parse as parse_distances};
@@ -40,9 +38,6 @@ pub use measurement::Measurement;
 pub use optics::MeasuredOptics;
 pub use options::Options;
 pub use report::{ComparedPoint, Comparison, Devices, Reading, Report, Row, Verdict};
-
-/// Hears how many of how many distances are done, on any thread, before each device too; to break ends the measurement.
-pub type Watch<'a> = &'a (dyn Fn(u64, u64) -> ControlFlow<()> + Sync);
 
 /// As many devices as are measured by default.
 pub const DEVICES: u32 = 200;

@@ -119,12 +119,12 @@ fn names(report: &Report) -> [String; 2] {
 }
 
 fn subtitle(report: &Report) -> String {
-    let method = if report.not_the_vendors_method.is_empty() {
+    let method = if report.protocol_deviations.is_empty() {
         "the vendor's method".to_owned()
     } else {
         format!(
             "not the vendor's method: {}",
-            report.not_the_vendors_method.join(", ")
+            report.protocol_deviations.join(", ")
         )
     };
     format!(

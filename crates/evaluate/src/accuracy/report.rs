@@ -36,7 +36,7 @@ pub struct Report {
     /// Images of each board.
     pub captures: u32,
     /// What is not as the vendor measures; empty where all is.
-    pub not_the_vendors_method: Vec<String>,
+    pub protocol_deviations: Vec<String>,
     /// The published accuracy; `None` where there is none.
     pub published: Option<Bands>,
     /// What was measured, near to far.
@@ -45,7 +45,7 @@ pub struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Comparison>,
     /// Whether no distance lies outside its band and something was measured.
-    pub is_good: bool,
+    pub passed: bool,
 }
 
 impl Report {
@@ -167,7 +167,7 @@ pub struct Comparison {
     /// How many points count.
     pub compared_points: usize,
     /// How many of them were left out since the twin reports nothing there.
-    pub points_not_measured_by_the_twin: usize,
+    pub unmeasured_points: usize,
     /// All, in the file's order.
     pub points: Vec<ComparedPoint>,
 }

@@ -13,7 +13,7 @@ fn bench(model: &str, options: &Options) -> Bench {
 
 fn measured(model: &str, options: &Options) -> Report {
     bench(model, options)
-        .measure(None, &|_, _| ControlFlow::Continue(()))
+        .measure(None, &|_| ControlFlow::Continue(()))
         .unwrap()
         .report()
         .clone()
@@ -51,7 +51,7 @@ fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_
         ..Options::default()
     };
     let measurement = bench("oak-d-pro-poe", &options)
-        .measure(Some((&path, &curve)), &|_, _| ControlFlow::Continue(()))
+        .measure(Some((&path, &curve)), &|_| ControlFlow::Continue(()))
         .unwrap();
     let comparison = measurement.report().measured.clone().unwrap();
     assert_eq!(measurement.report().devices, Devices::AsGiven);
@@ -110,7 +110,7 @@ fn the_median_device_is_inside_the_bands() {
             let middle = row.reading.error_percent.unwrap();
             assert!(low <= middle && middle <= high);
         }
-        assert!(report.is_good);
+        assert!(report.passed);
         assert_eq!(
             report.published.unwrap().source == oaktwin_catalog::Source::Estimate,
             model == "oak4-d-wide"
@@ -137,7 +137,7 @@ fn a_bias_in_closed_form() {
         assert_eq!(row.reading.temporal_noise_mm, Some(0.0));
         assert_eq!(row.reading.precision_mm, Some(0.0));
     }
-    assert_eq!(report.not_the_vendors_method, ["2 captures instead of 10"]);
+    assert_eq!(report.protocol_deviations, ["2 captures instead of 10"]);
 }
 
 /// Jitter is found again as temporal noise and as plane-fit RMS in pixels.
@@ -200,7 +200,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
     let turned = measured("oak-d-tof", &recomputed);
     assert_eq!(turned.carries_depth, Some(false));
     assert_eq!(Some(&turned.distances[1].reading), far.other_reading.as_ref());
-    assert!(!turned.is_good);
+    assert!(!turned.passed);
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn time_of_flight_is_inside_its_bands() {
     for row in &report.distances {
         assert_eq!(row.verdict, Verdict::Inside, "{row:?}");
     }
-    assert!(report.is_good);
+    assert!(report.passed);
 }
 
 #[test]
@@ -281,7 +281,7 @@ fn nothing_is_measured_too_near() {
             .all(|row| row.verdict == Verdict::NothingMeasured)
     );
     assert!(report.distances.iter().all(|row| row.reading.fill_rate == 0.0));
-    assert!(!report.is_good);
+    assert!(!report.passed);
 }
 
 #[test]

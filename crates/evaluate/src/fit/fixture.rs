@@ -66,7 +66,7 @@ pub(super) fn fitted(
     options: &Options,
 ) -> Result<(Report, Vec<Finding>, ParameterFile), String> {
     let paths: Vec<PathBuf> = paths.iter().map(|path| path.to_path_buf()).collect();
-    let (fit, findings) = fit(&twin(model), &paths, options, &|_, _| ControlFlow::Continue(()))
+    let (fit, findings) = fit(&twin(model), &paths, options, &|_| ControlFlow::Continue(()))
         .map_err(|error| error.to_string())?;
     assert!(!crate::figure::svg(&fit.figures()).unwrap().contains("NaN"));
     let folder = tempfile::tempdir().unwrap();

@@ -48,7 +48,7 @@ use std::path::PathBuf;
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
 
-use crate::accuracy::{AccuracyError, MeasuredOptics, REGION, Watch};
+use crate::accuracy::{AccuracyError, MeasuredOptics, REGION};
 use crate::figure::Figure;
 use method::{Fitted, Method};
 use oaktwin_catalog::{DepthKind, Twin};
@@ -56,6 +56,7 @@ use oaktwin_depth::stereo_noise::StereoNoise;
 use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_diagnostic::{Finding, Level, Message, message};
 use oaktwin_files::FileError;
+use oaktwin_pipeline::progress::Watch;
 use oaktwin_pipeline::sensor::{
     ParameterError, SensorOptions, Technology, default_engine, depth_sensor, sensor,
 };
@@ -147,7 +148,7 @@ pub fn fit(
     twin: &Twin,
     recordings: &[PathBuf],
     options: &Options,
-    watch: Watch<'_>,
+    watch: &Watch<'_>,
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
     let mut twin = twin.clone();
@@ -200,7 +201,7 @@ pub fn fit(
         sources: recordings.iter().map(|path| path.display().to_string()).collect(),
         targets: Vec::new(),
         points: Vec::new(),
-        is_good: true,
+        passed: true,
     };
     let mut work = Work {
         report,
@@ -218,7 +219,7 @@ pub fn fit(
     let found = work.systematic(&points, method.as_ref());
     method.given(&mut work);
     findings.append(&mut work.findings);
-    work.report.is_good = !findings.iter().any(|finding| finding.level != Level::Note);
+    work.report.passed = !findings.iter().any(|finding| finding.level != Level::Note);
     let fit = Fit {
         report: work.report,
         found,

@@ -44,7 +44,7 @@ pub struct Report {
     /// Of each distance, or each step of disparity of a target that has many.
     pub points: Vec<FittedPoint>,
     /// Whether nothing was left out or odd.
-    pub is_good: bool,
+    pub passed: bool,
 }
 
 /// A fitted parameter.
@@ -55,10 +55,12 @@ pub struct Parameter {
     /// In its own unit.
     pub value: f64,
     /// Where it lies in 95 of 100 such recordings; `None` where too little was recorded to say.
+    #[serde(rename = "confidence_interval_95")]
     pub interval_95: Option<[f64; 2]>,
     /// Of the value.
     pub unit: &'static str,
     /// What it is.
+    #[serde(rename = "description")]
     pub what: &'static str,
     /// Whether it was measured, or given.
     pub is_fitted: bool,
@@ -70,6 +72,7 @@ pub struct NotFound {
     /// As `--param` takes it.
     pub name: &'static str,
     /// Why.
+    #[serde(rename = "reason")]
     pub why: String,
 }
 
@@ -86,6 +89,7 @@ pub struct Curve {
     pub r_squared: Option<f64>,
     /// The scatter of the points over that which their noise explains, 1 where it explains all; `None` where their noise is
     /// not known.
+    #[serde(rename = "reduced_chi")]
     pub scatter: Option<f64>,
 }
 
@@ -101,6 +105,7 @@ pub struct Target {
     /// The share of the region's pixels that have a value.
     pub fill_rate: f64,
     /// The share of those that are far from all others.
+    #[serde(rename = "outlier_rate")]
     pub mismatch_rate: f64,
     /// How far it is turned, by the plane through its points.
     pub tilt_deg: Option<f64>,
@@ -122,6 +127,7 @@ pub struct FittedPoint {
     /// The same in [`Report::unit`]: of disparity, below 0 it is too far.
     pub error: f64,
     /// The standard error.
+    #[serde(rename = "standard_error")]
     pub sigma: Option<f64>,
     /// The curve's.
     pub fitted_percent: Option<f64>,

@@ -13,8 +13,8 @@ use super::recording::Stand;
 use super::report::{Curve, FittedPoint, NotFound, Parameter, Report};
 use super::target::{self, Look, Seen};
 use super::{FitError, Options, findings};
-use crate::accuracy::Watch;
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_pipeline::progress::{Progress, Watch};
 
 /// What is being made.
 pub(super) struct Work<'a> {
@@ -29,7 +29,7 @@ impl Work<'_> {
         &mut self,
         stands: &[Stand],
         method: &mut dyn Method,
-        watch: Watch<'_>,
+        watch: &Watch<'_>,
     ) -> Result<Vec<OfTarget>, FitError> {
         let (focal_length_px, width_px) = method.focal_length_px();
         let look = Look {
@@ -40,10 +40,11 @@ impl Work<'_> {
             unit_m: self.options.depth_scale,
             is_truncated: method.is_truncated(),
         };
-        let (done, of) = (AtomicU64::new(0), stands.len() as u64);
+        let (done, total) = (AtomicU64::new(0), stands.len() as u64);
         let look_at = |stand| {
             let seen = target::look(stand, &look)?;
-            match watch(done.fetch_add(1, Ordering::Relaxed) + 1, of) {
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            match watch(Progress { done, total }) {
                 ControlFlow::Continue(()) => Ok(seen),
                 ControlFlow::Break(()) => Err(FitError::Interrupted),
             }

@@ -4,7 +4,7 @@ pub mod name;
 pub mod replicator;
 pub mod source;
 
-/// What the numbers of a depth image are.
+/// The kind of depth in an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
     /// Along the optical axis: `distance_to_image_plane`.

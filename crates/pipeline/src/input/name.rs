@@ -1,10 +1,10 @@
-//! What a depth file's name says: what its numbers are, the frame, and how its results are called.
+//! The name of a depth file: kind of depth, frame number, and the names of its results.
 
 use std::path::Path;
 
 use super::InputKind;
 
-/// Names of ground truth, whose place the sensor's take.
+/// The names of ground truth, which are replaced in the names of results.
 const GROUND_TRUTH: [&str; 3] = ["distance_to_image_plane", "distance_to_camera", "depth"];
 
 /// The parts of a file's name: `scene_depth_0012.npy` is `scene_depth` and frame 12.
@@ -16,7 +16,7 @@ pub struct Name {
     pub number: Option<u64>,
     /// The digits of the frame number, leading zeros included.
     pub digits: String,
-    /// The kind of depth, where the stem is an annotator's name.
+    /// The kind of depth, if the stem is the name of an annotator.
     pub kind: Option<InputKind>,
 }
 
@@ -24,20 +24,20 @@ impl Name {
     /// Parses the name of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        /// Every number of so few digits fits into a `u64`.
-        const MOST_DIGITS: usize = 18;
+        /// The maximum number of digits; they fit into a `u64`.
+        const MAX_DIGITS: usize = 18;
         let stem = path
             .file_stem()
             .map(|stem| stem.to_string_lossy().into_owned())
             .unwrap_or_default();
         let base = stem.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &stem[base.len()..];
-        // `frame0001` has a number, `f32` and `cam2` are names.
+        // `frame0001` has a number; `f32` and `cam2` do not.
         let is_apart = base.is_empty() || base.ends_with(['_', '-', '.']) || digits.len() > 2;
         let number = digits
             .parse()
             .ok()
-            .filter(|_| is_apart && digits.len() <= MOST_DIGITS);
+            .filter(|_| is_apart && digits.len() <= MAX_DIGITS);
         let (base, digits) = match number {
             Some(_) => (base.trim_end_matches(['_', '-', '.']), digits),
             None => (stem.as_str(), ""),
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_names_say() {
+    fn parses_names() {
         let of = |path: &str| {
             let name = Name::of(Path::new(path));
             (

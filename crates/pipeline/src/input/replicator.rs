@@ -1,5 +1,5 @@
-//! Folders in the layout of Replicator's `BasicWriter`: one camera's files flat, those of several in folders by camera
-//! and annotator.
+//! Folders in the layout of Replicator's `BasicWriter`: the files of one camera in the folder itself, those of several in folders
+//! by camera and annotator.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,20 +8,20 @@ use super::InputKind;
 use super::name::Name;
 use oaktwin_files::FileError;
 
-/// Depth annotators, the preferred first.
+/// The depth annotators in order of preference.
 const DEPTH: [(&str, InputKind); 2] = [
     ("distance_to_image_plane", InputKind::Z),
     ("distance_to_camera", InputKind::Range),
 ];
 
-/// One camera's frames.
+/// The frames of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraFolder {
-    /// Path below the opened folder; empty where the files lie directly in it.
+    /// The path below the opened folder; empty for the folder itself.
     pub name: PathBuf,
     /// Whether each annotator has a folder of its own.
     pub by_annotator: bool,
-    /// Ordered by frame number.
+    /// The frames, ordered by number.
     pub frames: Vec<FrameFiles>,
 }
 
@@ -38,10 +38,10 @@ pub struct FrameFiles {
     pub params: Option<PathBuf>,
 }
 
-/// The cameras whose depth images are in a folder, by name.
+/// Returns the cameras with depth images in a folder, ordered by name.
 ///
 /// # Errors
-/// The folder cannot be read, or has no depth images.
+/// Returns an error if the folder cannot be read or has no depth images.
 pub fn cameras(folder: &Path) -> Result<Vec<CameraFolder>, FileError> {
     let mut found = Vec::new();
     if let Some(frames) = frames(folder, folder, folder, false)? {
@@ -76,14 +76,14 @@ pub fn cameras(folder: &Path) -> Result<Vec<CameraFolder>, FileError> {
     if found.is_empty() {
         return Err(FileError::new(
             folder,
-            "holds no depth: no distance_to_image_plane_0000.npy or distance_to_camera_0000.npy, flat or by camera",
-            "name a folder that Replicator's BasicWriter or oaktwin render wrote, or the files themselves",
+            "contains no depth images: no distance_to_image_plane_0000.npy or distance_to_camera_0000.npy",
+            "name a folder of Replicator's BasicWriter or of oaktwin render, or the files themselves",
         ));
     }
     Ok(found)
 }
 
-/// The frames whose depth is in one folder; `None` where there is none.
+/// The frames with depth in one folder; `None` if there are none.
 fn frames(
     depth: &Path,
     rgb: &Path,
@@ -123,10 +123,10 @@ fn frames(
     Ok(None)
 }
 
-/// The sorted entries of a folder.
+/// Returns the sorted entries of a folder.
 ///
 /// # Errors
-/// The folder cannot be read.
+/// Returns an error if the folder cannot be read.
 pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let unreadable =
         |error: std::io::Error| FileError::new(folder, format!("cannot be read ({error})"), "check the path");
@@ -138,10 +138,10 @@ pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(paths)
 }
 
-/// The sorted files of a folder.
+/// Returns the sorted files of a folder.
 ///
 /// # Errors
-/// The folder cannot be read.
+/// Returns an error if the folder cannot be read.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(entries(folder)?
         .into_iter()
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_layouts() {
+    fn reads_both_layouts() {
         let root = tempfile::tempdir().unwrap();
         let put = |name: &str| {
             let path = root.path().join(name);
@@ -172,7 +172,7 @@ mod tests {
             cameras(root.path())
                 .unwrap_err()
                 .to_string()
-                .contains("holds no depth")
+                .contains("contains no depth")
         );
         put("flat/distance_to_image_plane_0002.npy");
         put("flat/distance_to_image_plane_0010.npy");

@@ -1,25 +1,25 @@
-//! Depth files, read image by image: so much memory as an image takes, whatever the size of the batch.
+//! Depth files, read image by image with the memory of one image.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
-use crate::render::check_size;
+use crate::limits::check_size;
 use oaktwin_camera::ImageSize;
 use oaktwin_diagnostic::{message, opt};
 use oaktwin_files::FileError;
 use oaktwin_image::npy::{self, Layout, Number, Values};
 use oaktwin_image::{CodecError, Image, exr, pfm, png};
 
-/// The largest file of a format that is read whole.
-const MOST_BYTES: u64 = 4 << 30;
+/// The maximum size of files that are read as a whole.
+const MAX_BYTES: u64 = 4 << 30;
 
-/// A depth file that holds one image or many.
+/// A depth file with one image or a batch.
 pub struct Source {
     path: PathBuf,
-    /// Number of images of a batch; `None` for a single image.
+    /// The number of images of a batch; `None` for a single image.
     pub batch: Option<usize>,
-    /// Size of each image.
+    /// The size of each image.
     pub size: ImageSize,
     data: Data,
 }
@@ -35,9 +35,9 @@ impl std::fmt::Debug for Source {
 }
 
 enum Data {
-    /// Decoded.
+    /// Decoded images.
     Images(std::vec::IntoIter<Image<f32>>),
-    /// Numbers still to be read, so many images of them.
+    /// The remaining images of an array.
     Numbers {
         reader: Box<dyn Read + Send>,
         layout: Layout,
@@ -50,7 +50,7 @@ impl Source {
     /// Opens a file. Integer pixels are multiplied by `scale` metres.
     ///
     /// # Errors
-    /// The file cannot be read or is not a depth image.
+    /// Returns an error if the file cannot be read or is not a depth image.
     pub fn open(path: &Path, scale: f64) -> Result<Self, FileError> {
         let unreadable = |error: std::io::Error| {
             if error.kind() == std::io::ErrorKind::NotFound {
@@ -70,10 +70,10 @@ impl Source {
         )
     }
 
-    /// Reads from a stream; `length` is its size in bytes, where known.
+    /// Reads from a stream; `length` is its size in bytes, if known.
     ///
     /// # Errors
-    /// The stream cannot be read or is not a depth image.
+    /// Returns an error if the stream cannot be read or is not a depth image.
     pub fn read(
         path: &Path,
         mut reader: Box<dyn Read + Send>,
@@ -86,9 +86,9 @@ impl Source {
             return Self::numpy(path, reader, beginning, length, scale);
         }
         let mut bytes = beginning;
-        take(path, &mut reader, MOST_BYTES, &mut bytes)?;
-        if bytes.len() as u64 > MOST_BYTES {
-            let message = format!("is larger than {} GiB", MOST_BYTES >> 30);
+        take(path, &mut reader, MAX_BYTES, &mut bytes)?;
+        if bytes.len() as u64 > MAX_BYTES {
+            let message = format!("is larger than {} GiB", MAX_BYTES >> 30);
             return Err(FileError::new(
                 path,
                 message,
@@ -98,7 +98,7 @@ impl Source {
         let codec = |error: CodecError| FileError::codec(path, &error);
         let image = if bytes.starts_with(b"\x89PNG") {
             let image = png::decode::<u16>(&bytes).map_err(|error| {
-                let remedy = "a depth image is grey of 16 bits, without alpha: save it so";
+                let remedy = "save depth as 16-bit grey without alpha";
                 FileError::new(
                     path,
                     format!("{}: {}: {}", error.format, error.place, error.problem),
@@ -114,7 +114,7 @@ impl Source {
             let message = if bytes.is_empty() {
                 "is empty"
             } else {
-                "is no depth image that is known"
+                "unknown depth image format"
             };
             return Err(FileError::new(path, message, "give an NPY, PNG, EXR or PFM file"));
         };
@@ -145,7 +145,7 @@ impl Source {
             [height, width] | [height, width, 1] => (None, height, width),
             [count, height, width] | [count, height, width, 1] => (Some(count), height, width),
             _ => {
-                let message = format!("{:?} is neither an image nor a batch of images", layout.shape);
+                let message = format!("unsupported array shape {:?}", layout.shape);
                 return Err(wrong(
                     message,
                     "give (H, W), (H, W, 1), (N, H, W) or (N, H, W, 1)",
@@ -154,8 +154,8 @@ impl Source {
         };
         if batch == Some(0) {
             return Err(wrong(
-                format!("{:?} is a batch of no images", layout.shape),
-                "give at least one",
+                format!("{:?} is an empty batch", layout.shape),
+                "give at least one image",
             ));
         }
         let axis = |length: usize| {
@@ -167,7 +167,7 @@ impl Source {
         if matches!(layout.number.values(&[]), Values::U8(_)) {
             return Err(FileError::new(
                 path,
-                "NPY: descr: whole numbers of 8 bits are no depth",
+                "NPY: descr: unsupported dtype uint8",
                 message!["give float metres, or uint16 with ", opt("depth-scale")],
             ));
         }
@@ -198,10 +198,10 @@ impl Source {
         })
     }
 
-    /// The next image, metres; `None` after the last.
+    /// Returns the next image in metres; `None` after the last.
     ///
     /// # Errors
-    /// The stream ends early or cannot be decoded.
+    /// Returns an error if the stream ends early or cannot be decoded.
     pub fn next_image(&mut self) -> Result<Option<Image<f32>>, FileError> {
         match &mut self.data {
             Data::Images(images) => Ok(images.next()),
@@ -225,13 +225,13 @@ impl Source {
                 *left -= 1;
                 image(layout.number, &bytes, self.size, *scale)
                     .map(Some)
-                    .ok_or_else(|| FileError::new(&self.path, "is no image", "save it again"))
+                    .ok_or_else(|| FileError::new(&self.path, "is not a valid image", "save it again"))
             }
         }
     }
 }
 
-/// How long a header says that it and what precedes it are.
+/// The length of the header and the magic string, as the header states it.
 fn header_bytes(beginning: &[u8]) -> usize {
     match *beginning {
         [_, _, _, _, _, _, 1, _, a, b, ..] => 10 + usize::from(u16::from_le_bytes([a, b])),
@@ -242,7 +242,7 @@ fn header_bytes(beginning: &[u8]) -> usize {
     }
 }
 
-/// All images of an array whose first axis is the fastest.
+/// All images of an array in Fortran order.
 fn fortran(
     path: &Path,
     reader: &mut dyn Read,
@@ -266,7 +266,7 @@ fn fortran(
         .into_iter()
         .map(|pixels| Image::new(size.width, size.height, pixels));
     let images: Option<Vec<_>> = images.collect();
-    images.ok_or_else(|| FileError::new(path, "is no image", "save it again"))
+    images.ok_or_else(|| FileError::new(path, "is not a valid image", "save it again"))
 }
 
 fn split<T>(values: &[T], pixels: usize, of: impl Fn(&T) -> f32) -> Vec<Vec<f32>> {
@@ -304,9 +304,9 @@ fn check(path: &Path, size: ImageSize) -> Result<(), FileError> {
     })
 }
 
-/// Appends up to so many bytes; memory grows with what comes, not with what was promised.
-fn take(path: &Path, reader: &mut dyn Read, most: u64, bytes: &mut Vec<u8>) -> Result<(), FileError> {
-    reader.take(most).read_to_end(bytes).map(|_| ()).map_err(|error| {
+/// Appends up to `max` bytes; memory grows with the bytes that arrive, not with the announced length.
+fn take(path: &Path, reader: &mut dyn Read, max: u64, bytes: &mut Vec<u8>) -> Result<(), FileError> {
+    reader.take(max).read_to_end(bytes).map(|_| ()).map_err(|error| {
         let message = match error.kind() {
             std::io::ErrorKind::IsADirectory => "is a directory".to_owned(),
             _ => format!("cannot be read ({error})"),

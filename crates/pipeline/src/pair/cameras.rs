@@ -1,7 +1,7 @@
-use oaktwin_render::{Beam, BeamPattern};
+use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
-use crate::render::{Backend, Clip, Renderer, View, check_size};
+use crate::limits::check_size;
 use crate::sensor::platform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
@@ -15,38 +15,38 @@ use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ImageView};
 
-/// Far more than a calibration is wrong, px.
-const MOST_BIAS_PX: f64 = 10.0;
+/// The maximum bias, far above any calibration error, px.
+const MAX_BIAS_PX: f64 = 10.0;
 
-/// The stereo pair of a twin, ready to look.
+/// The cameras of a twin's stereo pair.
 #[derive(Clone, Debug)]
 pub struct PairCameras {
-    left: Eye,
-    right: Eye,
+    left: StereoCamera,
+    right: StereoCamera,
     imager: Imager,
     rectify: StereoRectify,
-    projector: Option<Lamp>,
+    projector: Option<ActiveProjector>,
     ambient: f32,
 }
 
-/// One of the two.
+/// One camera of the pair.
 #[derive(Clone, Debug)]
-struct Eye {
+struct StereoCamera {
     camera: Camera,
     body_from_camera: RigidTransform,
     clip: Clip,
     random: Stream,
 }
 
-/// A projector that is on.
+/// An active dot projector.
 #[derive(Clone, Debug)]
-struct Lamp {
+struct ActiveProjector {
     body_from_projector: RigidTransform,
     dots: Dots,
     power: f32,
 }
 
-impl BeamPattern for Lamp {
+impl BeamPattern for ActiveProjector {
     fn luminance(&self, at: [f32; 2]) -> f32 {
         self.dots.luminance(at) * self.power
     }
@@ -57,18 +57,18 @@ impl BeamPattern for Lamp {
 }
 
 impl PairCameras {
-    /// Of a twin.
+    /// Creates the pair of a twin.
     ///
     /// # Errors
-    /// An option out of its range, a device without a pair or without the projector that is asked for, images that are
-    /// too large, or cameras that cannot be rectified.
+    /// Returns an error if an option is out of range, the device has no stereo pair or no projector, the images are too large, or the
+    /// cameras cannot be rectified.
     pub fn new(twin: &Twin, options: &PairOptions) -> Result<Self, PairError> {
         let left = eye(twin, Role::Left, "left", options)?;
         let mut right = eye(twin, Role::Right, "right", options)?;
-        let rectify = options.rectify.unwrap_or_else(|| as_the_device(twin));
+        let rectify = options.rectify.unwrap_or_else(|| device_rectification(twin));
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectify = StereoRectify::new(&left.camera, &right.camera, &right_from_left, &rectify);
-        // What the calibration does not know.
+        // The calibration error.
         right.camera.intrinsics = shifted(right.camera.intrinsics, -bias_px(twin, options)?);
         Ok(Self {
             imager: Imager::new(options.imager)?.scaled(scale(twin, options)),
@@ -76,33 +76,33 @@ impl PairCameras {
                 device: twin.device.name.clone(),
                 error,
             })?,
-            projector: lamp(twin, options)?,
+            projector: projector(twin, options)?,
             ambient: within("ambient", options.ambient, 1e6)?,
             left,
             right,
         })
     }
 
-    /// The cameras' intrinsics and lenses, left and right, as they are.
+    /// The left and right camera with their actual intrinsics and lenses.
     #[must_use]
     pub fn cameras(&self) -> [&Camera; 2] {
         [&self.left.camera, &self.right.camera]
     }
 
-    /// How their images are rectified.
+    /// The rectification.
     #[must_use]
     pub fn rectify(&self) -> &StereoRectify {
         &self.rectify
     }
 
-    /// Where the rectified left camera stands in the body, metres.
+    /// The pose of the rectified left camera in the body, metres.
     #[must_use]
     pub fn body_from_rectified_left(&self) -> RigidTransform {
         let left_from_rectified = self.rectify.geometry().rectified_from_left.transpose();
         self.left.body_from_camera * RigidTransform::new(left_from_rectified, DVec3::ZERO)
     }
 
-    /// What they see from where the body stands, metres. The frame's number makes the noise.
+    /// Renders a pair with the body at a pose in metres; the noise depends on the frame number.
     #[must_use]
     pub fn look(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
         let (left, mut findings) = self.light(&self.left, renderer, world_from_body);
@@ -117,7 +117,7 @@ impl PairCameras {
             (ImageView::from(&left), left_intrinsics),
             (ImageView::from(&right), right_intrinsics),
         ]);
-        let record = |eye: &Eye, light: &Image<f32>| {
+        let record = |eye: &StereoCamera, light: &Image<f32>| {
             let random = eye.random.plane(Stage::Exposure, frame, 0);
             (self.imager).record(light.into(), &eye.camera.intrinsics, exposure, &random)
         };
@@ -144,7 +144,7 @@ impl PairCameras {
 impl PairCameras {
     fn light(
         &self,
-        eye: &Eye,
+        eye: &StereoCamera,
         renderer: &Renderer,
         world_from_body: &RigidTransform,
     ) -> (Image<f32>, Vec<Finding>) {
@@ -174,7 +174,7 @@ impl PairCameras {
     }
 }
 
-/// Of an image of the camera's size; one of another stays as it is.
+/// Rectifies an image of the camera's size; others are unchanged.
 fn rectified(rectify: &Rectify, raw: &Recorded) -> Recorded {
     let found = match raw {
         Recorded::Eight(image) => rectify.rectify(image.into()).map(Recorded::Eight),
@@ -183,7 +183,12 @@ fn rectified(rectify: &Rectify, raw: &Recorded) -> Recorded {
     found.unwrap_or_else(|| raw.clone())
 }
 
-fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Result<Eye, PairError> {
+fn eye(
+    twin: &Twin,
+    role: Role,
+    name: &'static str,
+    options: &PairOptions,
+) -> Result<StereoCamera, PairError> {
     let device = || twin.device.name.clone();
     let Some(camera) = twin.camera(role) else {
         return Err(PairError::NoCamera {
@@ -200,7 +205,7 @@ fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Re
         optics.intrinsics = optics.intrinsics.resized(size, true);
     }
     let (near_m, far_m) = camera.spec.clipping_range_m;
-    Ok(Eye {
+    Ok(StereoCamera {
         camera: optics,
         body_from_camera: camera.body_from_camera,
         clip: Clip { near_m, far_m },
@@ -208,20 +213,20 @@ fn eye(twin: &Twin, role: Role, name: &'static str, options: &PairOptions) -> Re
     })
 }
 
-/// The calibration's error in pixels of the images.
+/// The calibration error in pixels of the images.
 fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
     let bias = options.bias_px;
-    if bias.is_nan() || bias.abs() > MOST_BIAS_PX {
+    if bias.is_nan() || bias.abs() > MAX_BIAS_PX {
         return Err(ParameterError {
             name: "bias".to_owned(),
             what: format!("{bias} is out of range"),
-            remedy: format!("give -{MOST_BIAS_PX} to {MOST_BIAS_PX} px"),
+            remedy: format!("give -{MAX_BIAS_PX} to {MAX_BIAS_PX} px"),
         });
     }
     Ok(bias * scale(twin, options))
 }
 
-/// A pixel of the cameras' own resolution, px of the images.
+/// The size of a pixel of the cameras' own resolution, px of the images.
 fn scale(twin: &Twin, options: &PairOptions) -> f64 {
     let own = twin
         .camera(Role::Right)
@@ -232,7 +237,7 @@ fn scale(twin: &Twin, options: &PairOptions) -> f64 {
     }
 }
 
-/// The intrinsics of the same camera with its image moved to the right by `by_px` pixels.
+/// Returns the intrinsics with the principal point moved to the right by `by_px` pixels.
 #[must_use]
 pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
     let centre = intrinsics.principal_point::<OpenCv>();
@@ -240,12 +245,12 @@ pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
     Intrinsics::new(intrinsics.size, intrinsics.fx, intrinsics.fy, moved)
 }
 
-/// As the device's processor does it; one that is not known, as `DepthAI` on a host.
-fn as_the_device(twin: &Twin) -> RectifyOptions {
+/// The rectification of the device's processor; for an unknown one that of `DepthAI` on a host.
+fn device_rectification(twin: &Twin) -> RectifyOptions {
     RectifyOptions::of(platform(twin).unwrap_or(Platform::Rvc4))
 }
 
-fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {
+fn projector(twin: &Twin, options: &PairOptions) -> Result<Option<ActiveProjector>, PairError> {
     let power = within("projector", options.projector, 1.0)?;
     if power <= 0.0 {
         return Ok(None);
@@ -255,7 +260,7 @@ fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {
             device: twin.device.name.clone(),
         });
     };
-    Ok(Some(Lamp {
+    Ok(Some(ActiveProjector {
         body_from_projector: RigidTransform::new(
             Axes::Ros.rotation_from(Axes::OpenCv),
             DVec3::from(place) * 1e-3,
@@ -265,7 +270,7 @@ fn lamp(twin: &Twin, options: &PairOptions) -> Result<Option<Lamp>, PairError> {
     }))
 }
 
-/// The dots of a projector of the catalog.
+/// The dot pattern of a projector.
 pub(super) fn dots(projector: &catalog::Projector) -> Dots {
     Dots::new(&Projector {
         model: projector.model.clone(),
@@ -276,15 +281,15 @@ pub(super) fn dots(projector: &catalog::Projector) -> Dots {
     })
 }
 
-/// An option from 0 to `most`.
+/// Checks that an option is from 0 to `max`.
 #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
-fn within(name: &str, value: f64, most: f64) -> Result<f32, ParameterError> {
-    if (0.0..=most).contains(&value) {
+fn within(name: &str, value: f64, max: f64) -> Result<f32, ParameterError> {
+    if (0.0..=max).contains(&value) {
         return Ok(value as f32);
     }
     Err(ParameterError {
         name: name.to_owned(),
         what: format!("{value} is out of range"),
-        remedy: format!("give 0 to {most}"),
+        remedy: format!("give 0 to {max}"),
     })
 }

@@ -1,28 +1,28 @@
-use crate::render::SizeError;
+use crate::limits::SizeError;
 use oaktwin_camera::RectifyError;
 use oaktwin_depth::ParameterError;
 
-/// Why there is no pair.
+/// An error that prevents a stereo pair from being rendered.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairError {
-    /// A device without a left or right camera.
-    #[error("{device}: it has no {role} camera; choose a device with a stereo pair")]
+    /// The device has no left or right camera.
+    #[error("{device}: no {role} camera; choose a device with a stereo pair")]
     NoCamera {
         /// The device.
         device: String,
         /// `left` or `right`.
         role: &'static str,
     },
-    /// The projector of a device that has none.
-    #[error("{device}: projector: it has no dot projector; leave it off, or choose a Pro model")]
+    /// The device has no projector.
+    #[error("{device}: projector: the model has no dot projector; turn it off, or choose a Pro model")]
     NoProjector {
         /// The device.
         device: String,
     },
-    /// An option out of its range.
+    /// An option is out of range.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// An image that cannot be.
+    /// The image size is invalid.
     #[error("{device}: {error}")]
     Size {
         /// The device.
@@ -30,7 +30,7 @@ pub enum PairError {
         /// What is wrong.
         error: SizeError,
     },
-    /// Cameras that cannot be rectified.
+    /// The cameras cannot be rectified.
     #[error("{device}: left and right camera: {error}")]
     Rectify {
         /// The device.

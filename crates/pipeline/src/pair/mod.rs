@@ -1,8 +1,8 @@
-//! What the two cameras of an OAK record of a scene, and the same rectified: what its stereo matches.
+//! The images of an OAK's stereo pair in a scene, raw and rectified.
 //!
-//! Each camera has its own intrinsics, lens and place, nominal or calibrated. It sees the scene's light ([`PairOptions::ambient`])
-//! and, if asked for, the dots of a Pro model's projector; an [image sensor](oaktwin_depth::imager) records it, and a
-//! [rectification](oaktwin_depth::rectify) turns both images so that rows meet.
+//! Each camera has its own intrinsics, lens and pose, nominal or calibrated. It sees the scene's light ([`PairOptions::ambient`])
+//! and optionally the dots of a Pro model's projector; an [image sensor](oaktwin_depth::imager) records it, and a
+//! [rectification](oaktwin_depth::rectify) aligns the rows of both images.
 //!
 //! ```
 //! use oaktwin_camera::math::{DAffine3, DVec3};
@@ -50,40 +50,40 @@ pub use cameras::shifted;
 pub use error::PairError;
 pub use options::PairOptions;
 
-use crate::render::Renderer;
 use oaktwin_camera::{Rectification, RigidTransform};
 use oaktwin_catalog::Twin;
 use oaktwin_depth::imager::{Exposure, Recorded};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
+use oaktwin_render::Renderer;
 
-/// What a stereo pair sees at one moment.
+/// A recorded stereo pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// As the left camera records it.
+    /// The raw left image.
     pub left: Recorded,
-    /// As the right camera records it.
+    /// The raw right image.
     pub right: Recorded,
-    /// The left image, rectified.
+    /// The rectified left image.
     pub rectified_left: Recorded,
-    /// The right image, rectified.
+    /// The rectified right image.
     pub rectified_right: Recorded,
-    /// The truth in the rectified left frame: metres along its optical axis, `+inf` for a miss. It is an ideal pinhole's:
-    /// after a homography the images still have their lens's distortion.
+    /// The ground truth of the rectified left camera: z-depth in metres, `+inf` for a miss. It is that of an ideal pinhole;
+    /// after a homography the images still have lens distortion.
     pub z: ZDepth,
-    /// How long both collected light.
+    /// The exposure of both cameras.
     pub exposure: Exposure,
-    /// The rectified cameras.
+    /// The geometry of the rectified cameras.
     pub geometry: Rectification,
-    /// What the pictures had to do without.
+    /// Findings about missing or unsupported appearance.
     pub findings: Vec<Finding>,
 }
 
-/// One pair of a twin whose body (x forward, y left, z up) stands at `world_from_body`, metres. For more than one make
+/// Renders one pair of a twin with its body (x forward, y left, z up) at `world_from_body`, metres. For several pairs create
 /// [`PairCameras`] once.
 ///
 /// # Errors
-/// Those of [`PairCameras::new`].
+/// Returns the errors of [`PairCameras::new`].
 pub fn pair(
     renderer: &Renderer,
     twin: &Twin,

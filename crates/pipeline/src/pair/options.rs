@@ -3,27 +3,27 @@ use oaktwin_depth::imager::Parameters;
 use oaktwin_depth::rectify::RectifyOptions;
 use oaktwin_usd::asset::LensChoice;
 
-/// How a pair is recorded.
+/// The options of recording a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairOptions {
-    /// The image sensors, their blur in px of the cameras' own resolution. Both are exposed alike.
+    /// The image sensors, with their blur in px of the cameras' own resolution. Both have the same exposure.
     pub imager: Parameters,
-    /// How the pair is rectified; by default as the device's processor does it.
+    /// The rectification; by default that of the device's processor.
     pub rectify: Option<RectifyOptions>,
-    /// The power of the dot projector, 0 to 1: `DepthAI`'s `setIrLaserDotProjectorIntensity`. 0, off, is the device's
-    /// default.
+    /// The intensity of the IR dot projector, 0 to 1: `DepthAI`'s `setIrLaserDotProjectorIntensity`. By default 0 (off), as on
+    /// the device.
     pub projector: f64,
-    /// The factor of the scene's own light. 1 by default: the cameras of Pro models let visible light through beside the
-    /// projector's 940 nm. 0 is a dark room, or a filter that blocks all else.
+    /// The ambient light scale. 1 by default: the cameras of Pro models pass visible light beside the projector's 940 nm. 0 is a
+    /// dark room, or a filter that passes the projector only.
     pub ambient: f64,
-    /// The lens of the wide models' nominal cameras. A calibration's own lens wins.
+    /// The lens of the wide models' nominal cameras. A calibration's own lens takes precedence.
     pub lens: LensChoice,
-    /// The size of the raw and rectified images, by `DepthAI`'s rule; by default the sensor's own.
+    /// The size of the raw and rectified images, resized by `DepthAI`'s rule; by default the sensor's own.
     pub size: Option<ImageSize>,
-    /// By how much the device's calibration makes disparities too large, px of the cameras' own resolution: what the right
-    /// camera sees lies so much farther left than its calibration says.
+    /// The bias of disparity from the device's calibration error, px of the cameras' own resolution: the right image is shifted left
+    /// by it relative to its calibration.
     pub bias_px: f64,
-    /// Of the noise.
+    /// The noise seed.
     pub seed: u64,
 }
 

@@ -432,7 +432,7 @@ fn what_makes_no_pair() {
     };
     assert_eq!(
         error("oak4-d", |o| o.projector = 1.0),
-        "OAK4-D: projector: it has no dot projector; leave it off, or choose a Pro model"
+        "OAK4-D: projector: the model has no dot projector; turn it off, or choose a Pro model"
     );
     assert_eq!(
         error("oak-d-pro-poe", |o| o.projector = 1.5),

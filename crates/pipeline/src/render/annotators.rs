@@ -1,6 +1,6 @@
 //! Names of annotators.
 
-use oaktwin_diagnostic::nearest;
+use oaktwin_diagnostic::{nearest, suggestion};
 use oaktwin_image::annotation::Annotator;
 
 /// The annotators that are rendered by default.
@@ -10,31 +10,24 @@ pub const DEFAULT_ANNOTATORS: [Annotator; 3] = [
     Annotator::CameraParams,
 ];
 
-/// An unknown annotator name.
+/// An unknown annotator.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown annotator `{name}`; {}", hint(nearest))]
+#[error("unknown annotator '{name}'; {}", suggestion(nearest, &all().collect::<Vec<_>>()))]
 pub struct UnknownAnnotator {
     /// The name.
     pub name: String,
-    /// The nearest valid names, best first.
+    /// The nearest names, best first.
     pub nearest: Vec<&'static str>,
-}
-
-fn hint(nearest: &[&str]) -> String {
-    match nearest {
-        [] => format!("expected one of {}", all().collect::<Vec<_>>().join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
 }
 
 fn all() -> impl Iterator<Item = &'static str> {
     Annotator::all().map(Annotator::name)
 }
 
-/// Returns the annotator of a name.
+/// Returns the annotator with Replicator's name.
 ///
 /// # Errors
-/// Returns an error with the nearest names if no annotator has this name.
+/// Returns an error with the nearest names if there is none.
 pub fn annotator(name: &str) -> Result<Annotator, UnknownAnnotator> {
     let found = Annotator::all().find(|annotator| annotator.name() == name);
     found.ok_or_else(|| UnknownAnnotator {
@@ -54,7 +47,7 @@ mod tests {
         }
         let error = annotator("distance_to_image").unwrap_err().to_string();
         assert!(
-            error.contains("did you mean distance_to_image_plane or"),
+            error.contains("did you mean 'distance_to_image_plane'"),
             "{error}"
         );
         let error = annotator("xyz").unwrap_err().to_string();

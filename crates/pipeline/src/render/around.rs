@@ -1,9 +1,9 @@
-//! Where to stand to see a scene that has no camera.
+//! A default view of a scene without cameras.
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
-/// `EYE TARGET`, as numbers, from where the whole scene is in view: from a corner of its bounding box, a little above.
+/// The numbers `EYE TARGET` of a view of the whole scene, from above a corner of its bounding box.
 pub(super) fn look_at(scene: &Scene) -> String {
     let Some((low, high)) = bounds(scene) else {
         return "0 0 0 1 0 0".to_owned();
@@ -21,7 +21,7 @@ pub(super) fn look_at(scene: &Scene) -> String {
         .join(" ")
 }
 
-/// The corners of the box around all instances, metres; `None` where there is nothing.
+/// The bounding box of all instances in metres; `None` for an empty scene.
 fn bounds(scene: &Scene) -> Option<(DVec3, DVec3)> {
     let boxes: Vec<Option<(DVec3, DVec3)>> = scene
         .meshes
@@ -52,7 +52,7 @@ fn grow(known: Option<(DVec3, DVec3)>, low: DVec3, high: DVec3) -> Option<(DVec3
     Some(known.map_or((low, high), |(l, h)| (l.min(low), h.max(high))))
 }
 
-/// To two digits or three of the scene's size.
+/// Rounds to two or three digits of the scene's size.
 fn brief(x: f64, reach: f64) -> String {
     let step = 10f64.powf((reach / 10.0).log10().floor());
     let decimals = (-step.log10().round()).clamp(0.0, 9.0);
@@ -77,7 +77,7 @@ mod tests {
     use oaktwin_scene::{Instance, Mesh, Up};
 
     #[test]
-    fn a_metre_is_looked_at_from_metres() {
+    fn views_the_scene_from_outside() {
         let mesh = Mesh {
             positions: vec![[-50.0, -50.0, 0.0], [50.0, 50.0, 0.0], [0.0, 0.0, 100.0]],
             triangles: vec![[0, 1, 2]],

@@ -1,53 +1,53 @@
-//! A camera that frames are rendered for, whatever it comes from.
+//! Cameras to render, from any source.
 
 use oaktwin_render::{Clip, View};
 
-use super::limits::SizeError;
+use crate::limits::SizeError;
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
-use oaktwin_diagnostic::Message;
+use oaktwin_diagnostic::{Message, suggestion};
 use oaktwin_usd::depth_sensor::DepthSensor;
 use oaktwin_usd::optics::OpticsError;
 
-/// A camera in a scene: what it sees, and where it stands unless a path of poses moves it.
+/// A camera in a scene, with its pose unless a trajectory moves it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedCamera {
-    /// What messages call it: a prim's path, or a model and its camera's prim.
+    /// The name in messages: a prim's path, or a model and its camera's prim.
     pub path: String,
-    /// Its folder, where several cameras have one each: see [`folder_names`](super::folder_names).
+    /// The folder if there are several cameras, from [`folder_names`](super::folder_names).
     pub folder: String,
-    /// Intrinsics and lens.
+    /// The intrinsics and lens.
     pub camera: Camera,
-    /// What is seen of the depth.
+    /// The clipping range.
     pub clip: Clip,
-    /// From the camera's optical frame to the frame that poses move, metres: the body of an OAK; nothing lies between
-    /// for a camera of the scene's own.
+    /// The pose of the camera's optical frame in the frame that a trajectory moves, metres: the body of an OAK; the identity for
+    /// a camera of the scene.
     pub mount_from_camera: RigidTransform,
-    /// Where that stands in the world, metres.
+    /// The pose of that frame in the world, metres.
     pub world_from_mount: RigidTransform,
-    /// What the camera's prim says, or would say.
+    /// The attributes of the camera's prim.
     pub attributes: CameraAttributes,
-    /// The depth sensor whose camera it is.
+    /// The depth sensor of the camera.
     pub depth_sensor: Option<DepthSensorSource>,
 }
 
-/// Where a depth sensor's parameters are.
+/// The source of a depth sensor's parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DepthSensorSource {
-    /// In the twin: the name of the sensor's prim.
+    /// A twin, with the name of the sensor's prim.
     Twin(String),
-    /// In the stage.
+    /// A stage.
     Stage {
         /// The name of the camera's prim.
         camera: String,
-        /// What the stage says.
+        /// The authored attributes.
         sensor: Box<DepthSensor>,
     },
 }
 
-/// The attributes of a camera prim that renderers pass on without using them.
+/// The attributes of a camera prim that are written but not rendered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraAttributes {
-    /// Focal length and apertures, in the numbers of the prim; millimetres for an OAK of ours.
+    /// The focal length and apertures in the units of the prim; millimetres for an OAK.
     pub optics: UsdOptics,
     /// `focusDistance`.
     pub focus_distance: f64,
@@ -56,7 +56,7 @@ pub struct CameraAttributes {
 }
 
 impl PlacedCamera {
-    /// What it sees from where its mount stands.
+    /// Returns the view with the mount at a pose.
     #[must_use]
     pub fn view(&self, world_from_mount: &RigidTransform) -> View {
         View {
@@ -67,23 +67,23 @@ impl PlacedCamera {
     }
 }
 
-/// Why there is no camera to render.
+/// An error that prevents a camera from being rendered.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CameraError {
-    /// A name that is no camera's.
-    #[error("{place}: there is no camera `{name}`; {}", hint(nearest, known))]
+    /// An unknown name.
+    #[error("{place}: unknown camera '{name}'; {}", suggestion(nearest, known))]
     Unknown {
         /// The file or the model.
         place: String,
         /// The name.
         name: String,
-        /// The nearest valid ones, best first.
+        /// The nearest names, best first.
         nearest: Vec<String>,
-        /// Some of all.
+        /// Valid names.
         known: Vec<String>,
     },
-    /// A name that several cameras have.
-    #[error("{place}: `{name}` is the name of {}; give a whole path", paths.join(" and "))]
+    /// An ambiguous name.
+    #[error("{place}: '{name}' is ambiguous: {}; give the whole path", paths.join(", "))]
     Ambiguous {
         /// The file.
         place: String,
@@ -92,7 +92,7 @@ pub enum CameraError {
         /// The cameras.
         paths: Vec<String>,
     },
-    /// The scene has none.
+    /// The scene has no camera.
     #[error("{file}: the scene has no camera; {remedy}")]
     NoCamera {
         /// The file.
@@ -100,7 +100,7 @@ pub enum CameraError {
         /// An OAK and a pose from which much of the scene is seen.
         remedy: Message,
     },
-    /// Its attributes make no camera.
+    /// The attributes are invalid.
     #[error("{file}: {error}")]
     Optics {
         /// The file.
@@ -108,7 +108,7 @@ pub enum CameraError {
         /// What is wrong.
         error: OpticsError,
     },
-    /// Its image cannot be.
+    /// The image size is invalid.
     #[error("{camera}: {error}")]
     Size {
         /// The camera.
@@ -116,11 +116,4 @@ pub enum CameraError {
         /// What is wrong.
         error: SizeError,
     },
-}
-
-fn hint(nearest: &[String], known: &[String]) -> String {
-    match nearest {
-        [] => format!("there are {}", known.join(", ")),
-        near => format!("did you mean {}?", near.join(" or ")),
-    }
 }

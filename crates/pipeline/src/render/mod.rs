@@ -1,7 +1,7 @@
-//! From a scene file to ground truth.
+//! From a scene file to ground truth and sensor outputs.
 //!
-//! A [`SceneFile`] is opened; its own cameras ([`scene_cameras`]), or those of an OAK that is put into it
-//! ([`oak_cameras`]), are [`PlacedCamera`]s; a [`Renderer`] answers what each sees, and [`write_frames`] writes that.
+//! A [`SceneFile`] has cameras of its own ([`scene_cameras`]), or an OAK is placed in it ([`oak_cameras`]); both are
+//! [`PlacedCamera`]s. A [`Renderer`] renders their views, and [`write_frames`] writes them.
 //!
 //! ```
 //! use oaktwin_camera::math::DVec3;
@@ -39,10 +39,8 @@ mod around;
 mod camera;
 mod depth_sensor;
 mod frames;
-mod limits;
 mod names;
 mod oak;
-mod output_folder;
 mod pair;
 mod pose;
 mod recorder;
@@ -51,27 +49,26 @@ mod scene_file;
 mod sweep;
 pub mod trajectory;
 
+pub use crate::limits::{
+    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
+};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
-pub use frames::{Done, FrameOptions, FramesError, Outputs, Written, write_frames};
-pub use limits::{
-    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
-};
+pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
-pub use output_folder::OutputFolder;
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
-pub use sweep::{Axis, MOST_VALUES, Sweep, SweepError, SweptSensors};
+pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};
 
-/// Renders with this many threads from now on. Without effect once something was rendered.
+/// Sets the number of threads. Without effect after something was rendered.
 pub fn use_threads(threads: usize) {
-    // An error says that the threads are there already.
+    // An error means that the threads already exist.
     let _ = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build_global();

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A folder name for each camera, in order: the last part of its path, or the whole path where that would leave two
-/// with one name, and a number where even that would. Letters, digits, `-`, `_` and `.` stay, all else becomes `_`;
-/// names that differ in case only count as one.
+/// Returns a unique folder name for each camera, in order: the last part of its path, or the whole path if that is ambiguous,
+/// with a number if even that is. Characters other than letters, digits, `-`, `_` and `.` become `_`; names are compared
+/// without case.
 #[must_use]
 pub fn folder_names<'a>(paths: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let paths: Vec<&str> = paths.into_iter().collect();
@@ -37,7 +37,7 @@ fn clean(name: &str) -> String {
     const LONGEST: usize = 100;
     let kept = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     let cleaned: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();
-    // The end of a path says more than its beginning; no name is hidden or a way up.
+    // The end of a path is more specific than its beginning; leading dots would hide the folder or leave its parent.
     let tail = cleaned
         .get(cleaned.len().saturating_sub(LONGEST)..)
         .unwrap_or(&cleaned);
@@ -55,7 +55,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn short_names_where_they_do() {
+    fn prefers_short_names() {
         assert_eq!(folder_names(["/World/Left", "/World/Right"]), ["Left", "Right"]);
         assert_eq!(
             folder_names(["/A/Camera", "/B/camera", "/B/Other"]),
@@ -67,7 +67,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn always_unique_and_harmless(paths in prop::collection::vec("(/[A-Za-z_ .é]{0,4}){1,3}", 0..12)) {
+        fn names_are_unique_and_safe(paths in prop::collection::vec("(/[A-Za-z_ .é]{0,4}){1,3}", 0..12)) {
             let names = folder_names(paths.iter().map(String::as_str));
             let mut folded: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
             folded.sort();

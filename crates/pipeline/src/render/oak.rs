@@ -1,27 +1,27 @@
-//! The cameras of an OAK of ours, put into any scene.
+//! The cameras of an OAK in a scene.
 
 use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 use super::folder_names;
-use super::limits::check_size;
+use crate::limits::check_size;
 use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};
 use oaktwin_usd::asset::{AssetError, render_product_name};
 
-/// The name that means every depth sensor.
+/// The name for every depth sensor.
 const DEPTH: &str = "depth";
 
-/// What to render of an OAK.
+/// The cameras of an OAK to render.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OakOptions<'a> {
     /// The cameras by role (`rgb`, `left`, `right`, `tof`), prim or depth sensor (`depth`, or `depth_stereo` and
-    /// `depth_tof`). None is every depth sensor's camera, as in a stage.
+    /// `depth_tof`). If empty, the camera of every depth sensor, as in a stage.
     pub cameras: &'a [String],
     /// The lens of the left and right cameras of the wide models.
     pub lens: LensChoice,
-    /// The image's size, by `DepthAI`'s rule; by default the sensor's own.
+    /// The image size, resized by `DepthAI`'s rule; by default the sensor's own.
     pub size: Option<ImageSize>,
 }
 
@@ -35,14 +35,13 @@ struct Candidate<'a> {
     focus_distance: f64,
 }
 
-/// The cameras of a twin whose body stands at `world_from_body` (x forward, y left, z up; metres), and what to know
-/// about them.
+/// Returns the cameras of a twin with its body (x forward, y left, z up) at `world_from_body` in metres, and the findings.
 ///
-/// A depth sensor's camera is the pinhole of the camera that it stands for, at its place, as in an asset: an OAK's
-/// depth is rectified.
+/// The camera of a depth sensor is the pinhole of its physical camera, at the same pose, as in an asset: an OAK's depth is
+/// rectified.
 ///
 /// # Errors
-/// A name that is no camera's, or an image that cannot be.
+/// Returns an error if a name is not that of a camera or an image size is invalid.
 pub fn oak_cameras(
     twin: &Twin,
     world_from_body: &RigidTransform,
@@ -84,10 +83,10 @@ pub fn oak_cameras(
     Ok((cameras, findings))
 }
 
-/// Refuses a fisheye for a model that has none.
+/// Checks that a model has the chosen lens.
 ///
 /// # Errors
-/// It has none.
+/// Returns an error if the lens is a fisheye and the model has none.
 pub fn check_lens(twin: &Twin, lens: LensChoice) -> Result<(), AssetError> {
     let is_wide = twin
         .cameras
@@ -177,7 +176,7 @@ fn place(
     } else {
         own.intrinsics.resized(size, true)
     };
-    // The focal length in millimetres is the lens's own, so pixels grow as the image shrinks.
+    // The focal length in millimetres is constant, so pixels grow as the image shrinks.
     let focal_length_um = candidate.camera.pixel_size_um * own.intrinsics.mean_focal_length();
     let pixel_size_um = focal_length_um / intrinsics.mean_focal_length();
     let (near_m, far_m) = candidate.clipping_range_m;
@@ -205,7 +204,7 @@ fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {
             "lens-from-calibration",
             Level::Note,
             &twin.device.name,
-            "the calibration has lens models of its own, which are used instead of the nominal fisheye",
+            "the lens models of the calibration are used instead of the nominal fisheye",
             "",
         ));
     }
@@ -217,7 +216,7 @@ fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {
             "no-fisheye-camera",
             Level::Note,
             &twin.device.name,
-            "none of the cameras that are rendered has the fisheye: depth is that of a pinhole",
+            "none of the rendered cameras has the fisheye lens; depth is that of a pinhole",
             "choose the left or the right camera",
         )
     })
@@ -245,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn every_depth_sensor_by_default() {
+    fn selects_all_depth_sensors_by_default() {
         let folders = |model| -> Vec<String> {
             let cameras = chosen(&twin(model), &[], OakOptions::default());
             cameras.into_iter().map(|camera| camera.folder).collect()
@@ -258,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn cameras_by_role_prim_and_sensor() {
+    fn selects_cameras_by_role_prim_and_sensor() {
         let twin = twin("OAK-D ToF");
         let paths = |names: &[&str]| -> Vec<String> {
             let cameras = chosen(&twin, names, OakOptions::default());
@@ -274,11 +273,11 @@ mod tests {
             ..OakOptions::default()
         };
         let error = oak_cameras(&twin, &RigidTransform::IDENTITY, &options).unwrap_err();
-        assert!(error.to_string().contains("did you mean left"), "{error}");
+        assert!(error.to_string().contains("did you mean 'left'"), "{error}");
     }
 
     #[test]
-    fn a_camera_stands_where_the_body_carries_it() {
+    fn places_cameras_relative_to_the_body() {
         let twin = twin("OAK-D Pro PoE");
         let left = &chosen(&twin, &["left"], OakOptions::default())[0];
         let body = crate::render::look_at(DVec3::new(0.0, 0.0, 1.0), DVec3::new(0.0, 5.0, 1.0), DVec3::Z);
@@ -290,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn resolutions_by_the_rule_of_calibrations() {
+    fn resizes_by_the_rule_of_calibrations() {
         let twin = twin("OAK-D Pro PoE");
         let size = ImageSize::new(640, 480);
         let left = &chosen(
@@ -305,7 +304,7 @@ mod tests {
         let c = left.camera.intrinsics.principal_point::<OpenCv>();
         assert!((left.camera.intrinsics.fx - full.fx / 2.0).abs() < 1e-9);
         assert_eq!(c, PixelPoint::new(319.75, 239.75));
-        // The attributes say the same camera.
+        // The attributes describe the same camera.
         let said = left.attributes.optics.openusd_intrinsics(size);
         assert!((said.fx - left.camera.intrinsics.fx).abs() < 1e-9);
         assert!((said.principal_point::<Usd>().x - 320.25).abs() < 1e-9);
@@ -314,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fisheye_is_the_stereo_cameras_own() {
+    fn only_stereo_cameras_have_a_fisheye() {
         let twin = twin("OAK-D Pro W PoE");
         let options = OakOptions {
             lens: LensChoice::Fisheye,
@@ -330,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_are_checked() {
+    fn rejects_empty_images() {
         let twin = twin("OAK4-D");
         let options = OakOptions {
             size: Some(ImageSize::new(0, 5)),

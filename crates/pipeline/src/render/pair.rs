@@ -1,4 +1,4 @@
-//! The stereo pair of a depth sensor that matches one.
+//! The stereo pair for stereo matching.
 
 use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::pair::{PairCameras, PairError, PairOptions};
@@ -7,15 +7,15 @@ use oaktwin_camera::{Camera, LensModel, UsdOptics};
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_diagnostic::{Finding, Level};
 
-/// Less than this nobody sees: a part of a pixel at the focal length of any of the cameras, and of a focal length, 1.
+/// The tolerance of rotations (rad) and focal lengths (relative), far below a pixel.
 const SAME: f64 = 1e-6;
 
-/// The stereo pair of a twin, for the engine that matches one. The camera of its stereo depth sensor becomes the rectified
-/// left one, whose depth that engine reports, and so do all that is rendered for it and its `camera_params`. For a nominal
-/// pinhole pair that is what it was; a finding says how far it is from there otherwise.
+/// Returns the stereo pair of a twin. The camera of its stereo depth sensor becomes the rectified left camera, whose depth
+/// stereo matching reports, also for ground truth and `camera_params`. For a nominal pinhole pair that changes nothing; otherwise a
+/// finding reports the difference.
 ///
 /// # Errors
-/// A device without a pair, or an option that cannot be.
+/// Returns an error if the device has no pair or an option is invalid.
 pub fn put_pair(
     twin: &Twin,
     cameras: &mut [PlacedCamera],
@@ -39,7 +39,7 @@ pub fn put_pair(
         let turned = turned.iter().fold(0.0f64, |most, entry| most.max(entry.abs()));
         if turned > SAME || (own.fx / before.0.fx - 1.0).abs() > SAME {
             let message = format!(
-                "it is the rectified left camera, whose depth is matched: turned by {:.2}°, focal length {:.2} px instead of {:.2}",
+                "replaced by the rectified left camera: rotated by {:.2}°, focal length {:.2} px instead of {:.2} px",
                 turned.asin().to_degrees(),
                 own.fx,
                 before.0.fx

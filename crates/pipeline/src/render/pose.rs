@@ -1,51 +1,51 @@
-//! Where things stand: the poses that people write.
+//! Poses from user input.
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 
-/// How far from 1 the length of a quaternion may be: files round to a few decimals.
+/// The tolerance of a quaternion's length, because files round to a few decimals.
 const QUATERNION_TOLERANCE: f64 = 1e-2;
 
-/// Numbers that are no pose.
+/// An invalid pose.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PoseError {
-    /// A NaN or an infinity.
-    #[error("{value} is no place; give finite numbers")]
+    /// A number is not finite.
+    #[error("{value} is not finite; give finite numbers")]
     NotFinite {
         /// The number.
         value: f64,
     },
-    /// Not a rotation.
+    /// A quaternion is not a rotation.
     #[error("the quaternion ({x}, {y}, {z}, {w}) has length {length}, not 1; the order is qx qy qz qw")]
     NotUnit {
-        /// Its first part.
+        /// The x component.
         x: f64,
-        /// Its second part.
+        /// The y component.
         y: f64,
-        /// Its third part.
+        /// The z component.
         z: f64,
-        /// Its real part.
+        /// The real part.
         w: f64,
-        /// Its length.
+        /// The length.
         length: f64,
     },
-    /// There is no direction to look in.
-    #[error("EYE and TARGET are the same place; look at something else")]
+    /// The direction of view is undefined.
+    #[error("EYE and TARGET are equal; give another TARGET")]
     NoDirection,
-    /// The view has no upright.
-    #[error("the direction of view is along UP; give another UP")]
+    /// The roll of the view is undefined.
+    #[error("the direction of view is parallel to UP; give another UP")]
     NoUpright,
 }
 
-/// The pose `x y z qx qy qz qw`: metres and a unit quaternion, whose last digits may be rounded.
+/// Returns the pose `x y z qx qy qz qw`: metres and a unit quaternion, which may be rounded.
 ///
 /// # Errors
-/// A number is not finite, or the quaternion is no rotation.
+/// Returns an error if a number is not finite or the quaternion is not a rotation.
 pub fn pose([x, y, z, qx, qy, qz, qw]: [f64; 7]) -> Result<RigidTransform, PoseError> {
     finite(&[x, y, z, qx, qy, qz, qw])?;
     let q = DQuat::from_xyzw(qx, qy, qz, qw);
     let length = q.length();
-    // A length that overflows is not close to 1 either.
+    // This also rejects a length that overflows.
     if (length - 1.0).abs() > QUATERNION_TOLERANCE {
         return Err(PoseError::NotUnit {
             x: qx,
@@ -61,11 +61,11 @@ pub fn pose([x, y, z, qx, qy, qz, qw]: [f64; 7]) -> Result<RigidTransform, PoseE
     ))
 }
 
-/// The pose at `eye` of a body (x forward, y left, z up) that looks at `target` with its z axis towards `up`, all in
-/// the world, metres.
+/// Returns the pose of a body (x forward, y left, z up) at `eye` that faces `target`, with its z axis towards `up`; world
+/// coordinates in metres.
 ///
 /// # Errors
-/// A number is not finite, `target` is `eye`, or `up` lies along the view.
+/// Returns an error if a number is not finite, `target` equals `eye`, or `up` is parallel to the view.
 pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> Result<RigidTransform, PoseError> {
     for point in [eye, target, up] {
         finite(&point.to_array())?;
@@ -73,7 +73,7 @@ pub fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> Result<RigidTransform, P
     let forward = (target - eye).try_normalize().ok_or(PoseError::NoDirection)?;
     let up = up.try_normalize().ok_or(PoseError::NoUpright)?;
     let left = up.cross(forward);
-    // The sine of the angle between them: a millionth of a radian leaves nothing to stand upright by.
+    // The sine of the angle between them; below a millionth of a radian the roll is undefined.
     if left.length() < 1e-6 {
         return Err(PoseError::NoUpright);
     }
@@ -97,20 +97,20 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn a_body_looks_along_its_x_axis() {
+    fn look_at_points_the_x_axis_at_the_target() {
         let world_from_body =
             look_at(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 5.0, 3.0), DVec3::Z).unwrap();
         assert_eq!(world_from_body.rotation * DVec3::X, DVec3::Y);
         assert_eq!(world_from_body.rotation * DVec3::Y, DVec3::NEG_X);
         assert_eq!(world_from_body.rotation * DVec3::Z, DVec3::Z);
         assert_eq!(world_from_body.translation, DVec3::new(1.0, 2.0, 3.0));
-        // In a world whose y axis is up.
+        // A world with y up.
         let world_from_body = look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y).unwrap();
         assert_eq!(world_from_body.rotation * DVec3::Z, DVec3::Y);
     }
 
     #[test]
-    fn what_is_no_pose() {
+    fn rejects_invalid_poses() {
         assert_eq!(look_at(DVec3::X, DVec3::X, DVec3::Z), Err(PoseError::NoDirection));
         assert_eq!(
             look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Z),
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn rounded_digits_are_made_good() {
+    fn normalizes_rounded_quaternions() {
         let half = 0.707;
         let pose = pose([1.0, 2.0, 3.0, 0.0, 0.0, half, half]).unwrap();
         assert!(pose.orthonormality_error() < 1e-14);

@@ -1,4 +1,4 @@
-//! Frames of a recording.
+//! Recordings of rendered frames.
 
 use std::path::{Path, PathBuf};
 
@@ -9,17 +9,20 @@ use crate::recording::{
     RecordingFileError, Time,
 };
 use oaktwin_camera::RigidTransform;
+use oaktwin_dataset::{Shot, WriteError, Writer};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
-use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_files::{OutputFiles, WrittenFile};
+use oaktwin_image::ZDepth;
+use oaktwin_image::annotation::Annotator;
 use oaktwin_scene::Up;
 
-/// Frames a second where a path does not say its times.
+/// The frame rate of trajectories without times.
 const FRAME_RATE: f64 = 30.0;
 
-/// What the body of an OAK is called.
+/// The name of an OAK's body.
 const BODY: &str = "oak";
 
-/// What is to be rendered so that these annotators can be recorded: a cloud is of a depth image.
+/// Returns the annotators that must be rendered to record these: a point cloud requires depth.
 #[must_use]
 pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
     let mut needed = annotators.to_vec();
@@ -32,23 +35,25 @@ pub fn record_annotators(annotators: &[Annotator]) -> Vec<Annotator> {
 }
 
 /// Writes frames into a recording: `rgb`, `distance_to_image_plane` as `depth`, `depth_sensor_distance` as `measured` with
-/// its cloud, and a cloud of the depth where `pointcloud` is asked for.
+/// its point cloud, and for `pointcloud` a point cloud of the depth.
 #[derive(Debug)]
 pub struct FrameRecorder {
-    file: RecordingFile,
+    /// Until it is complete.
+    file: Option<RecordingFile>,
     cameras: Vec<CameraId>,
     times: Vec<Time>,
     depth_points: bool,
+    written: Option<WrittenFile>,
 }
 
 impl FrameRecorder {
-    /// Begins a recording of what these cameras see along a path, or from where they stand if it is empty, and what to
-    /// know about it: what of `annotators` has no place in it, a warning unless files beside it have that.
+    /// Begins a recording of these cameras along a trajectory, or at their own poses if it is empty. Annotators that a
+    /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
-    /// Times are the path's where all its poses have one, else 30 frames a second from 0 on.
+    /// The times are those of the trajectory if all its poses have one, else 30 frames per second from 0.
     ///
     /// # Errors
-    /// The file cannot be written, or a time is none that a recording can say.
+    /// Returns an error if the file cannot be written or a time is out of range.
     pub fn create(
         path: &Path,
         up: Up,
@@ -63,7 +68,7 @@ impl FrameRecorder {
             error,
         };
         let (times, mut findings) = times(poses).map_err(in_file)?;
-        findings.extend(without_place(annotators, is_alone));
+        findings.extend(not_recorded(annotators, is_alone));
         let lost = cameras.iter().filter_map(|camera| {
             let loss = format.lens_loss(&camera.camera.lens)?;
             Some(Finding::new(
@@ -81,49 +86,61 @@ impl FrameRecorder {
             .map(|camera| file.add_camera(&recorded(camera)))
             .collect::<Result<_, _>>()?;
         let recorder = Self {
-            file,
+            file: Some(file),
             cameras,
             times,
             depth_points: annotators.contains(&Annotator::Pointcloud),
+            written: None,
         };
         Ok((recorder, findings))
     }
 
-    /// Records a camera's frame.
-    pub(super) fn record(
-        &mut self,
-        camera: usize,
-        number: usize,
-        world_from_mount: &RigidTransform,
-        frame: &Frame,
-    ) -> Result<(), RecordingFileError> {
-        let (Some(&camera), Some(&time)) = (self.cameras.get(camera), self.times.get(number)) else {
-            return Ok(());
-        };
-        let moment = Moment {
-            rgb: frame.rgb.as_ref().map(Into::into),
-            depth: frame
-                .distance_to_image_plane
-                .as_ref()
-                .map(|z| DepthView::Metres((&z.0).into())),
-            measured: frame
-                .depth_sensor_distance
-                .as_ref()
-                .map(|z| DepthView::Metres((&z.0).into())),
-            depth_points: self.depth_points,
-            measured_points: true,
-            ..Moment::new(time, *world_from_mount)
-        };
-        self.file.record(camera, &moment)
-    }
-
-    pub(super) fn finish(self) -> Result<(PathBuf, u64), RecordingFileError> {
-        self.file.finish()
+    /// The recording, if it is complete.
+    pub(super) fn into_written(self) -> Option<WrittenFile> {
+        self.written
     }
 }
 
+impl Writer for FrameRecorder {
+    fn write(&mut self, shot: &Shot, _output: &mut OutputFiles) -> Result<(), WriteError> {
+        let time = usize::try_from(shot.number)
+            .ok()
+            .and_then(|number| self.times.get(number));
+        let (Some(file), Some(&camera), Some(&time)) = (&mut self.file, self.cameras.get(shot.camera), time)
+        else {
+            return Ok(());
+        };
+        let frame = &shot.frame;
+        let moment = Moment {
+            rgb: frame.rgb.as_ref().map(Into::into),
+            depth: frame.distance_to_image_plane.as_ref().map(metres),
+            measured: frame.depth_sensor_distance.as_ref().map(metres),
+            depth_points: self.depth_points,
+            measured_points: true,
+            ..Moment::new(time, shot.world_from_mount)
+        };
+        file.record(camera, &moment).map_err(other)
+    }
+
+    fn finish(&mut self, _output: &mut OutputFiles) -> Result<(), WriteError> {
+        if let Some(file) = self.file.take() {
+            let (path, bytes) = file.finish().map_err(other)?;
+            self.written = Some(WrittenFile { path, bytes });
+        }
+        Ok(())
+    }
+}
+
+fn metres(z: &ZDepth) -> DepthView<'_> {
+    DepthView::Metres((&z.0).into())
+}
+
+fn other(error: RecordingFileError) -> WriteError {
+    WriteError::Other(Box::new(error))
+}
+
 fn recorded(placed: &PlacedCamera) -> RecordedCamera {
-    // A camera of the scene's own is moved itself.
+    // A camera of the scene is moved itself.
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
@@ -135,22 +152,22 @@ fn recorded(placed: &PlacedCamera) -> RecordedCamera {
     }
 }
 
-/// When each frame is.
+/// The time of each frame.
 fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingError> {
-    let said: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
+    let known: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
     let mut findings = Vec::new();
-    let mut told = |code, message: &str, remedy: &str| {
+    let mut warn = |code, message: &str, remedy: &str| {
         findings.push(Finding::new(code, Level::Warning, "trajectory", message, remedy));
     };
-    let times = match said {
+    let times = match known {
         Some(seconds) if !seconds.is_empty() => seconds
             .into_iter()
             .map(Time::from_seconds)
             .collect::<Result<Vec<Time>, _>>()?,
         _ => {
             if poses.iter().any(|pose| pose.time_s.is_some()) {
-                let message = "some of its poses have no time: the recording has 30 frames a second";
-                told("times-missing", message, "give all of them one");
+                let message = "some poses have no time; the recording has 30 frames per second";
+                warn("times-missing", message, "give every pose a time");
             }
             (0..poses.len().max(1) as u64)
                 .map(|frame| Time::of_frame(frame, FRAME_RATE))
@@ -158,13 +175,13 @@ fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingErro
         }
     };
     if !times.is_sorted_by(|a, b| a < b) {
-        let message = "its times do not increase: transforms at one time are ambiguous";
-        told("times-not-increasing", message, "sort its poses by time");
+        let message = "the times do not increase; transforms at the same time are ambiguous";
+        warn("times-not-increasing", message, "sort the poses by time");
     }
     Ok((times, findings))
 }
 
-fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
+fn not_recorded(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
     let has_place = |one: &&Annotator| {
         matches!(
             one,
@@ -191,7 +208,7 @@ fn without_place(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
     } else {
         (Level::Note, Message::default())
     };
-    let message = format!("has no place for {}: left out", left_out.join(", "));
+    let message = format!("not recorded: {}", left_out.join(", "));
     Some(Finding::new("not-recorded", level, "recording", message, remedy))
 }
 
@@ -208,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn when_frames_are() {
+    fn times_frames_by_the_trajectory() {
         let of = |said: &[Option<f64>]| {
             let (times, findings) = times(&path(said)).unwrap();
             let nanoseconds: Vec<u64> = times.into_iter().map(Time::nanoseconds).collect();
@@ -233,15 +250,12 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_is_told() {
+    fn reports_annotators_that_are_not_recorded() {
         use Annotator as A;
-        assert!(without_place(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
-        let found = without_place(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
+        assert!(not_recorded(&[A::Rgb, A::Pointcloud, A::CameraParams], true).is_none());
+        let found = not_recorded(&[A::Normals, A::Rgb, A::DistanceToCamera], true).unwrap();
         assert_eq!(found.level, Level::Warning);
-        assert_eq!(
-            found.message,
-            "has no place for normals, distance_to_camera: left out"
-        );
+        assert_eq!(found.message, "not recorded: normals, distance_to_camera");
         assert_eq!(
             record_annotators(&[A::Pointcloud]),
             [A::DistanceToImagePlane, A::Pointcloud]

@@ -1,38 +1,38 @@
-//! The cameras that a scene file has of its own.
+//! The cameras of a scene file.
 
 use std::path::Path;
 
 use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
-use super::limits::check_size;
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
+use crate::limits::check_size;
 use oaktwin_camera::{ImageSize, RigidTransform};
 use oaktwin_diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_usd::depth_sensor;
 use oaktwin_usd::optics::{self, OpticsError, Projection};
 use oaktwin_usd::stage::{RenderProduct, SceneCamera};
 
-/// What to render of a scene's own cameras.
+/// The cameras of a scene to render.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SceneCameraOptions<'a> {
-    /// The cameras by path or by a name that only one has; a render product's path or name means its camera. None is
+    /// The cameras by path or unique name; the path or name of a render product selects its camera. If empty, the camera of
     /// every depth sensor's product, else every camera.
     pub cameras: &'a [String],
-    /// The image's size, for every camera; by default its product's, else
-    /// [as its apertures say](optics::default_size).
+    /// The image size of every camera; by default that of its product, else
+    /// [that of its apertures](optics::default_size).
     pub size: Option<ImageSize>,
-    /// How apertures become intrinsics.
+    /// The interpretation of apertures.
     pub projection: Projection,
 }
 
-/// A camera by its own path, or by that of a render product that it is seen through.
+/// A camera, by its own path or that of its render product.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
     path: &'a str,
     camera: &'a SceneCamera,
-    /// Says the resolution.
+    /// The source of the resolution.
     product: Option<&'a RenderProduct>,
 }
 
@@ -41,7 +41,7 @@ impl<'a> Candidate<'a> {
         let shows_it = |product: &&RenderProduct| {
             camera_of(scene, product).is_some_and(|shown| shown.prim.path == camera.prim.path)
         };
-        // A depth sensor's rather than another.
+        // Prefers the product of a depth sensor.
         let shown_by = || scene.products.iter().filter(shows_it);
         Self {
             path: &camera.prim.path,
@@ -53,11 +53,11 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// The cameras of a scene's own, and what to know about them. One that cannot be rendered is left out, with a warning,
-/// where nobody asked for it.
+/// Returns the cameras of a scene and the findings. A camera that cannot be rendered is skipped with a warning unless it was
+/// selected by name.
 ///
 /// # Errors
-/// A name that is no camera's or several cameras', a scene without a camera, a camera that cannot be rendered.
+/// Returns an error if a name is unknown or ambiguous, the scene has no camera, or a selected camera cannot be rendered.
 pub fn scene_cameras(
     scene: &SceneFile,
     options: &SceneCameraOptions<'_>,
@@ -112,12 +112,12 @@ fn left_out(error: &OpticsError) -> Finding {
         "camera-left-out",
         Level::Warning,
         &error.prim,
-        format!("{}: the camera is left out", error.what),
+        format!("{}: the camera is skipped", error.what),
         error.remedy,
     )
 }
 
-/// Every depth sensor's product whose camera is there, else every camera.
+/// The products of depth sensors that have a camera, else every camera.
 fn all<'a>(scene: &'a SceneFile, findings: &mut Vec<Finding>) -> Vec<Candidate<'a>> {
     let mut chosen = Vec::new();
     for product in &scene.products {
@@ -135,8 +135,8 @@ fn all<'a>(scene: &'a SceneFile, findings: &mut Vec<Finding>) -> Vec<Candidate<'
                 "product-without-camera",
                 Level::Warning,
                 &product.prim.path,
-                "its `camera` relationship leads to no camera: the product is left out",
-                "give it exactly one target, a Camera",
+                "the `camera` relationship has no camera as its target; the product is skipped",
+                "set exactly one Camera as its target",
             )),
         }
     }
@@ -162,7 +162,7 @@ fn camera_of<'a>(scene: &'a SceneFile, product: &RenderProduct) -> Option<&'a Sc
         .find(|camera| camera.prim.path == target.path)
 }
 
-/// The cameras of these names, each once.
+/// The cameras with these names, without duplicates.
 fn named<'a>(scene: &'a SceneFile, names: &[String]) -> Result<Vec<Candidate<'a>>, CameraError> {
     let cameras = scene
         .cameras

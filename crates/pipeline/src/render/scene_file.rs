@@ -1,10 +1,10 @@
-//! Scene files of every kind.
+//! Scene files.
 
 use std::path::{Path, PathBuf};
 
 use oaktwin_render::Clip;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_diagnostic::{Finding, message, opt};
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use oaktwin_scene::{Scene, Up};
@@ -14,44 +14,44 @@ use oaktwin_usd::stage::{
 
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
 
-/// How to read a scene file.
+/// The options of reading a scene file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OpenOptions {
-    /// The time code of a USD stage; by default the default values, and the first samples.
+    /// The time code of a USD stage; by default its default values, else the first time samples.
     pub time: Option<f64>,
-    /// How often a USD stage's subdivision meshes are refined.
+    /// The subdivision level of a USD stage's meshes.
     pub subdivide: u32,
-    /// Which axis of a mesh file points up; by default what its format says. A USD stage says it itself.
+    /// The up axis of a mesh file; by default that of its format. A USD stage has its own.
     pub up: Option<Up>,
-    /// How many metres one unit of a mesh file is; by default 1. A USD stage says it itself.
+    /// The metres per unit of a mesh file; by default 1. A USD stage has its own.
     pub scale: Option<f64>,
 }
 
-/// What a scene file holds.
+/// The contents of a scene file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneFile {
     /// The file.
     pub path: PathBuf,
-    /// What is seen.
+    /// The geometry, materials and lights.
     pub scene: Scene,
-    /// Its cameras.
+    /// The cameras.
     pub cameras: Vec<SceneCamera>,
-    /// Its render products.
+    /// The render products.
     pub products: Vec<RenderProduct>,
-    /// What is missing or was left out.
+    /// Findings about missing or unsupported contents.
     pub findings: Vec<Finding>,
 }
 
-/// Why a scene file could not be opened.
+/// An error that prevents a scene file from being opened.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneFileError {
-    /// It is of no known kind, or an option does not go with its kind.
+    /// The kind of file is unknown, or an option does not apply to it.
     #[error(transparent)]
     File(#[from] FileError),
-    /// It is no USD stage.
+    /// The file is not a valid USD stage.
     #[error(transparent)]
     Stage(#[from] StageError),
-    /// It is no mesh file.
+    /// The file is not a valid mesh file.
     #[error(transparent)]
     Import(#[from] ImportError),
 }
@@ -60,8 +60,8 @@ impl SceneFile {
     /// Opens a USD stage (`usd`, `usda`, `usdc`, `usdz`), or a mesh file (`gltf`, `glb`, `obj`, `stl`, `ply`).
     ///
     /// # Errors
-    /// A file that cannot be read, of an unknown kind, or with an option that its kind does not have. What is missing
-    /// in it or not supported is no error but a finding.
+    /// Returns an error if the file cannot be read, its kind is unknown or an option does not apply to it. Missing or
+    /// unsupported contents are findings.
     pub fn open(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
         let extension = path
             .extension()
@@ -79,8 +79,8 @@ impl SceneFile {
     fn open_stage(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
         for (given, name) in [(options.up.is_some(), "up"), (options.scale.is_some(), "scale")] {
             if given {
-                let message = format!("is a USD stage, which says its {name} itself");
-                return Err(FileError::new(path, message, format!("leave --{name} out")).into());
+                let message = message![opt(name), " does not apply to a USD stage, which has its own"];
+                return Err(FileError::new(path, message, message!["remove ", opt(name)]).into());
             }
         }
         let stage = stage::open_scene(
@@ -105,8 +105,8 @@ impl SceneFile {
             (options.subdivide > 0, "subdivide"),
         ] {
             if given {
-                let message = format!("is no USD stage, and --{name} is for those");
-                return Err(FileError::new(path, message, format!("leave --{name} out")).into());
+                let message = message![opt(name), " requires a USD stage"];
+                return Err(FileError::new(path, message, message!["remove ", opt(name)]).into());
             }
         }
         let imported = import::open(
@@ -128,10 +128,10 @@ impl SceneFile {
     }
 }
 
-/// A mesh file's camera as a prim would say it: the vertical field of view by a focal length for an aperture 10 high.
+/// A mesh file's camera as the attributes of a prim: the vertical field of view as a focal length for an aperture 10 high.
 fn as_prim(camera: &ImportedCamera, meters_per_unit: f64) -> SceneCamera {
     const HEIGHT: f64 = 10.0;
-    // Where the file leaves it to the viewer: that of an OAK's stereo cameras.
+    // Without an aspect ratio in the file: that of an OAK's stereo cameras.
     let aspect = camera.aspect.unwrap_or(1.6);
     let clip = Clip::default();
     let attributes = [
@@ -170,9 +170,9 @@ fn unknown_kind(path: &Path, extension: &str) -> FileError {
         return FileError::new(path, "is a directory", "name a file in it");
     }
     let message = if extension.is_empty() {
-        "has no extension that says what it is".to_owned()
+        "has no extension".to_owned()
     } else {
-        format!("is no scene: .{extension} is not known")
+        format!("unknown scene format .{extension}")
     };
     FileError::new(
         path,

@@ -1,11 +1,11 @@
-//! Paths of poses from files.
+//! Trajectories from files.
 //!
-//! Two forms are read, told apart by the file's first character:
-//! * TUM, a line a pose: `t x y z qx qy qz qw`, apart by spaces; `#` starts a comment.
-//! * JSON, a list of poses: `[{"time": 0.0, "position": [x, y, z], "orientation": [qx, qy, qz, qw]}, …]`; `time` may
-//!   be left out.
+//! Two formats are supported and detected by the first character of the file:
+//! * TUM, one pose per line: `t x y z qx qy qz qw`, separated by spaces; `#` starts a comment.
+//! * JSON, a list of poses: `[{"time": 0.0, "position": [x, y, z], "orientation": [qx, qy, qz, qw]}, …]`; `time` is
+//!   optional.
 //!
-//! Times are seconds and only passed on, lengths metres, quaternions of length 1.
+//! Times are in seconds, lengths in metres; quaternions have length 1.
 
 use std::path::Path;
 
@@ -15,22 +15,22 @@ use super::pose::pose;
 use oaktwin_camera::RigidTransform;
 use oaktwin_files::{self as files, FileError};
 
-/// The largest file that is read: some million poses.
+/// The maximum file size: some million poses.
 const MAX_BYTES: u64 = 256 << 20;
 
-/// A pose of a path.
+/// A pose of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedPose {
-    /// Seconds, where the file says it.
+    /// The time in seconds, if the file has it.
     pub time_s: Option<f64>,
-    /// Where what moves stands in the world, metres.
+    /// The pose of the moving body or camera, metres.
     pub world_from_mount: RigidTransform,
 }
 
-/// Reads a file of poses.
+/// Reads a trajectory.
 ///
 /// # Errors
-/// It cannot be read, holds no pose, or something in it is none: the line or the number of the pose is named.
+/// Returns an error if the file cannot be read, has no poses or has an invalid pose, with its line or index.
 pub fn read(path: &Path) -> Result<Vec<TimedPose>, FileError> {
     let bytes = files::read(path, MAX_BYTES, "a trajectory")?;
     let wrong = |message: String, remedy: &str| FileError::new(path, message, remedy);
@@ -45,7 +45,7 @@ pub fn read(path: &Path) -> Result<Vec<TimedPose>, FileError> {
     let poses = poses.map_err(|Wrong { message, remedy }| wrong(message, remedy))?;
     if poses.is_empty() {
         return Err(wrong(
-            "holds no pose".to_owned(),
+            "has no poses".to_owned(),
             "give lines of `t x y z qx qy qz qw`, or a JSON list",
         ));
     }
@@ -76,7 +76,7 @@ fn from_tum(text: &str) -> Result<Vec<TimedPose>, Wrong> {
             .split_whitespace()
             .map(|word| {
                 word.parse::<f64>()
-                    .map_err(|_| wrong(format!("`{}` is no number", shortened(word))))
+                    .map_err(|_| wrong(format!("`{}` is not a number", shortened(word))))
             })
             .collect::<Result<Vec<f64>, Wrong>>()?;
         let [t, x, y, z, qx, qy, qz, qw] = numbers[..] else {
@@ -114,7 +114,7 @@ fn from_json(text: &str) -> Result<Vec<TimedPose>, Wrong> {
 
 fn timed(time_s: Option<f64>, numbers: [f64; 7]) -> Result<TimedPose, String> {
     if let Some(time) = time_s.filter(|time| !time.is_finite()) {
-        return Err(format!("{time} is no time"));
+        return Err(format!("the time {time} is not finite"));
     }
     Ok(TimedPose {
         time_s,
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_and_empty_lines_are_skipped() {
+    fn skips_comments_and_empty_lines() {
         let poses =
             of("\u{feff}# t x y z qx qy qz qw\n\n1.5 1 2 3 0 0 0 1 # here\r\n  2\t0 0 0 0 0 1 0\n").unwrap();
         assert_eq!(poses.len(), 2);
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn json_says_the_same() {
+    fn reads_json() {
         let poses = of(
             r#"[{"time": 1.5, "position": [1, 2, 3], "orientation": [0, 0, 0, 1]},
             {"position": [0, 0, 0], "orientation": [0, 0, 1, 0]}]"#,
@@ -169,15 +169,15 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_have_a_place() {
+    fn errors_name_the_line_or_pose() {
         for (text, expected) in [
-            ("", "holds no pose"),
-            ("# nothing\n\n", "holds no pose"),
-            ("[]", "holds no pose"),
+            ("", "has no poses"),
+            ("# nothing\n\n", "has no poses"),
+            ("[]", "has no poses"),
             ("0 0 0 0 0 0 0 1\n0 0 0\n", "line 2: 3 numbers instead of 8"),
-            ("0 0 0 x 0 0 0 1", "line 1: `x` is no number"),
-            ("0 0 0 nan 0 0 0 1", "line 1: NaN is no place"),
-            ("inf 0 0 0 0 0 0 1", "line 1: inf is no time"),
+            ("0 0 0 x 0 0 0 1", "line 1: `x` is not a number"),
+            ("0 0 0 nan 0 0 0 1", "line 1: NaN is not finite"),
+            ("inf 0 0 0 0 0 0 1", "line 1: the time inf is not finite"),
             (
                 "\n0 0 0 0 0 0 0 2",
                 "line 2: the quaternion (0, 0, 0, 2) has length 2",
@@ -195,7 +195,7 @@ mod tests {
                 "[{\"position\": [0, 0, 0], \"orientation\": [0, 0, 0, 1], \"at\": 1}]",
                 "unknown field `at`",
             ),
-            ("\u{0}\u{1}garbage", "is no number"),
+            ("\u{0}\u{1}garbage", "is not a number"),
         ] {
             let error = of(text).unwrap_err();
             assert!(error.contains(expected), "{text:?}: {error}");
@@ -228,7 +228,7 @@ mod tests {
         }
 
         #[test]
-        fn any_text_is_poses_or_a_sentence(text in "[-\\[\\]{}\" 0-9.,#a-z\n]{0,200}") {
+        fn any_text_is_read_or_rejected(text in "[-\\[\\]{}\" 0-9.,#a-z\n]{0,200}") {
             match of(&text) {
                 Ok(poses) => prop_assert!(!poses.is_empty()),
                 Err(error) => prop_assert!(error.contains("; ")),

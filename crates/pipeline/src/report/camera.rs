@@ -3,65 +3,65 @@ use serde::Serialize;
 use oaktwin_camera::{ApertureOffsets, ImageSize, OpenCv, PixelConvention, PixelPoint, Usd, UsdOptics};
 use oaktwin_catalog::{LegacyDistortion, LensChoice, Origin, Role, Source, Sources, Twin, TwinCamera};
 
-/// One camera: intrinsics, the calculation that they enter, USD parameters and the check of the field of view.
+/// One camera: intrinsics, their calculation, USD attributes and the check of the field of view.
 #[derive(Clone, Debug, Serialize)]
 pub struct CameraReport {
-    /// Which one.
+    /// The role.
     pub role: Role,
-    /// Its prim's name.
+    /// The name of the prim.
     pub prim: String,
-    /// Its sensor.
+    /// The image sensor.
     pub sensor: String,
-    /// The image that the intrinsics hold for.
+    /// The image size of the intrinsics.
     pub size: ImageSize,
     /// Pixel pitch, µm.
     pub pixel_size_um: f64,
     /// The catalog's horizontal field of view, degrees.
     pub nominal_hfov_deg: f64,
-    /// Focal length, px.
+    /// The horizontal focal length, px.
     pub fx: f64,
-    /// Focal length, px.
+    /// The vertical focal length, px.
     pub fy: f64,
     /// The principal point where the first pixel's centre is at 0.5 (OpenUSD; centred is W/2).
     pub principal_point_usd: PixelReport,
     /// The principal point where the first pixel's centre is at 0 (OpenCV, DepthAI, ROS).
     pub principal_point_opencv: PixelReport,
-    /// Field of view of the ideal pinhole, degrees: horizontal, vertical, diagonal.
+    /// The field of view of the ideal pinhole in degrees: horizontal, vertical, diagonal.
     pub fov_deg: [f64; 3],
     /// The attributes of the USD camera.
     pub usd: UsdReport,
-    /// `2 atan(horizontalAperture / (2 focalLength))`, degrees: what the USD numbers give back.
+    /// The field of view of the USD attributes in degrees, `2 atan(horizontalAperture / (2 focalLength))`.
     pub hfov_check_deg: f64,
-    /// The arithmetic, line by line.
+    /// The calculation, line by line.
     pub calculation: Vec<String>,
     /// `pinhole`, `opencv-pinhole`, `opencv-fisheye` or `f-theta`.
     pub lens: &'static str,
-    /// fx, fy, cx, cy of the lens, px (the first pixel's centre at 0): those above but for a nominal fisheye.
+    /// The fx, fy, cx, cy of the lens, px (the first pixel's centre at 0); they differ from those above for a nominal fisheye.
     pub lens_intrinsics: [f64; 4],
-    /// The lens's coefficients in its library's order.
+    /// The distortion coefficients in the order of the lens's library.
     pub distortion: Vec<f64>,
     /// The optical centre in the body frame (x forward, y left, z up), mm.
     pub position_mm: [f64; 3],
-    /// How far the optical axis is from straight ahead, degrees: yaw to the left, pitch up.
+    /// The direction of the optical axis in degrees: yaw to the left, pitch up.
     pub yaw_pitch_deg: [f64; 2],
     /// The parameter sheet's column of distortion values.
     pub legacy_distortion: LegacyDistortion,
-    /// Where the catalog's values come from.
+    /// The source of the catalog's values.
     pub source: Source,
-    /// The keys that come from elsewhere.
+    /// The keys with another source.
     pub sources: Sources,
 }
 
 /// A pixel position, px.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PixelReport {
-    /// To the right.
+    /// The column, to the right.
     pub x: f64,
-    /// Down.
+    /// The row, downwards.
     pub y: f64,
 }
 
-/// The attributes of a USD camera prim, lengths in millimetre numbers.
+/// The attributes of a USD camera prim, with lengths in millimetres.
 #[derive(Clone, Debug, Serialize)]
 pub struct UsdReport {
     /// `focalLength`.
@@ -70,7 +70,7 @@ pub struct UsdReport {
     pub horizontal_aperture: f64,
     /// `verticalAperture`.
     pub vertical_aperture: f64,
-    /// The offsets that move OpenUSD's window to the principal point: what assets have by default.
+    /// The offsets that move OpenUSD's window to the principal point; the default of assets.
     pub aperture_offsets_openusd: OffsetsReport,
     /// The offsets by the parameter sheet's formula.
     pub aperture_offsets_document: OffsetsReport,
@@ -105,7 +105,7 @@ impl CameraReport {
         let (spec, intrinsics) = (&camera.spec, &camera.intrinsics);
         let usd_with = |offsets| UsdOptics::from_intrinsics(intrinsics, camera.pixel_size_um, offsets);
         let usd = usd_with(ApertureOffsets::OpenUsd);
-        // The sheet's formula means the numbers of a calibration file; centred cameras have no offsets by it.
+        // The sheet's formula applies to calibrations; centred cameras have no offsets by it.
         let document = usd_with(if nominal {
             ApertureOffsets::Zero
         } else {
@@ -160,7 +160,7 @@ impl CameraReport {
     }
 }
 
-/// The arithmetic of the parameter sheet with this camera's numbers, to its digits.
+/// The calculation of the parameter sheet with this camera's numbers, in its precision.
 fn calculation(nominal: bool, camera: &TwinCamera, usd: &UsdOptics) -> Vec<String> {
     let (k, p) = (&camera.intrinsics, camera.pixel_size_um);
     let ImageSize { width, height } = k.size;
@@ -202,7 +202,7 @@ impl<C: PixelConvention> From<PixelPoint<C>> for PixelReport {
 
 impl From<UsdOptics> for OffsetsReport {
     fn from(optics: UsdOptics) -> Self {
-        // −0 and 0 are one number to a reader.
+        // Avoids −0.
         Self {
             horizontal: optics.horizontal_aperture_offset_mm + 0.0,
             vertical: optics.vertical_aperture_offset_mm + 0.0,

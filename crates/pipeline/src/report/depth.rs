@@ -5,31 +5,31 @@ use oaktwin_catalog::{DepthKind, Role, Source, Sources, Twin, TwinDepthSensor};
 use oaktwin_parameter::nvidia::Attributes;
 use oaktwin_parameter::{Kind, Table};
 
-/// One depth sensor: its attributes, and what follows from them.
+/// One depth sensor: its attributes and derived ranges.
 #[derive(Clone, Debug, Serialize)]
 pub struct DepthReport {
     /// The prim of its virtual camera.
     pub prim: String,
-    /// How the device measures.
+    /// The principle of measurement.
     pub kind: DepthKind,
-    /// The camera whose optics and place it has.
+    /// The camera whose optics and pose it has.
     pub camera: Role,
     /// The attributes of its render product: names without `omni:rtx:post:depthSensor:`.
     pub attributes: Vec<AttributeReport>,
     /// The nearest depth of the standard disparity range, `f b / maxDisparityPixel`, m.
     pub min_z_m: f64,
-    /// The same with extended disparity, m, where the device has it: twice the largest disparity, 190 of 191 levels.
+    /// The same with extended disparity, m, if the device has it: twice the maximum disparity, 190 of 191 levels.
     pub extended_min_z_m: Option<f64>,
     /// The farthest depth that a whole pixel of disparity resolves, by the vendor's formula
     /// `b/2 · tan(90° − HFOV / W)`, m.
     pub max_z_m: f64,
-    /// The range in which the vendor recommends it, m.
+    /// The vendor's recommended range, m.
     pub ideal_range_m: (f64, f64),
     /// Disparity and depth steps at some distances.
     pub at: Vec<AtDistance>,
-    /// Where the catalog's values come from.
+    /// The source of the catalog's values.
     pub source: Source,
-    /// The keys that come from elsewhere.
+    /// The keys with another source.
     pub sources: Sources,
 }
 
@@ -51,13 +51,13 @@ pub struct AtDistance {
     pub z_m: f64,
     /// `f b / z`, px.
     pub disparity_px: f64,
-    /// How much farther the next smaller whole-pixel disparity lies, m; absent beyond one pixel.
+    /// The depth step to the next smaller whole-pixel disparity, m; absent beyond one pixel.
     pub step_px_m: Option<f64>,
     /// The same for 1/32 px, the finest subpixel setting, m.
     pub step_subpixel_m: Option<f64>,
 }
 
-/// Where people want to know the depth step.
+/// The distances of the depth steps.
 const DISTANCES_M: [f64; 4] = [1.0, 4.0, 8.0, 12.0];
 
 impl DepthReport {

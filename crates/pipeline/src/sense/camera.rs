@@ -1,4 +1,4 @@
-//! The camera that depth images were taken with.
+//! The camera of depth images.
 
 use std::path::Path;
 
@@ -12,43 +12,43 @@ use oaktwin_camera::{
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{self as files, FileError};
 
-/// The largest `camera_params` file.
-const MOST_BYTES: u64 = 1 << 20;
+/// The maximum size of a `camera_params` file.
+const MAX_BYTES: u64 = 1 << 20;
 
-/// The camera of depth images of this size: as they say, else the sensor's `own` with its field of view.
+/// Returns the camera of depth images of a size: as given, else with the field of view of the sensor's `own` camera.
 ///
 /// # Errors
-/// No field of view.
+/// Returns an error if the field of view is invalid.
 pub fn image_camera(
     size: ImageSize,
-    asked: FieldOfView,
+    given: FieldOfView,
     own: Intrinsics,
 ) -> Result<(Camera, Vec<Finding>), SenseError> {
     let mut findings = Vec::new();
-    let images = of_images(size, asked, None, own, &mut findings)?;
+    let images = of_images(size, given, None, own, &mut findings)?;
     Ok((images.camera, findings))
 }
 
-/// The camera of images of this size: as options or `camera_params` say, else the sensor's own with its field of view.
+/// The camera of images of a size: from options or `camera_params`, else with the field of view of the sensor's own camera.
 pub(super) fn of_images(
     size: ImageSize,
-    asked: FieldOfView,
+    given: FieldOfView,
     params: Option<&Path>,
     own: Intrinsics,
     findings: &mut Vec<Finding>,
 ) -> Result<ImageCamera, SenseError> {
     let pinhole = |intrinsics| Camera::new(intrinsics, LensModel::Pinhole);
     let centre = PixelPoint::<Usd>::new(f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
-    let said = |camera: Camera| ImageCamera {
+    let known = |camera: Camera| ImageCamera {
         is_models: camera.lens == LensModel::Pinhole && is_same(&camera.intrinsics, &own),
         camera,
     };
-    match (asked, params) {
+    match (given, params) {
         (FieldOfView::Camera(camera), _) => {
             let own = camera.intrinsics.size;
             if own != size {
                 return Err(SenseError::option(format!(
-                    "camera: its images are {own}, and these {size}; give the camera at their size"
+                    "camera: its images are {own} instead of {size}; give a camera of the images' size"
                 )));
             }
             if camera.lens != LensModel::Pinhole {
@@ -57,7 +57,7 @@ pub(super) fn of_images(
                     "rectify them, and give the camera without the lens".into(),
                 ));
             }
-            Ok(said(camera))
+            Ok(known(camera))
         }
         (FieldOfView::FocalLength(fx), _) => {
             if !(fx.is_finite() && fx > 0.0) {
@@ -66,7 +66,7 @@ pub(super) fn of_images(
                     format!(": must be a finite number > 0 (got {fx}); give the focal length in pixels")
                 ]));
             }
-            Ok(said(pinhole(Intrinsics::new(size, fx, fx, centre))))
+            Ok(known(pinhole(Intrinsics::new(size, fx, fx, centre))))
         }
         (FieldOfView::Degrees(hfov), _) => {
             if !(hfov > 0.0 && hfov < 180.0) {
@@ -75,7 +75,7 @@ pub(super) fn of_images(
                     format!(": {hfov} is out of range; give degrees between 0 and 180")
                 ]));
             }
-            Ok(said(pinhole(Intrinsics::from_hfov(size, hfov.to_radians()))))
+            Ok(known(pinhole(Intrinsics::from_hfov(size, hfov.to_radians()))))
         }
         (FieldOfView::Known, Some(params)) => {
             let camera = read_params(params, size)?;
@@ -86,7 +86,7 @@ pub(super) fn of_images(
                     message!["add ", opt("resample"), " to rectify them"],
                 ));
             }
-            Ok(said(camera))
+            Ok(known(camera))
         }
         (FieldOfView::Known, None) if size == own.size => Ok(ImageCamera {
             camera: pinhole(own),
@@ -95,7 +95,7 @@ pub(super) fn of_images(
         (FieldOfView::Known, None) => {
             let scale = f64::from(size.width) / f64::from(own.size.width);
             let c = own.principal_point::<Usd>();
-            // By the width, as a focal length is; what is cut off or added in height is on both sides alike.
+            // Scaled by the width; the height is cropped or extended symmetrically.
             let cy = f64::from(size.height) / 2.0 + (c.y - f64::from(own.size.height) / 2.0) * scale;
             let centre = PixelPoint::<Usd>::new(c.x * scale, cy);
             findings.push(Finding::new(
@@ -103,7 +103,7 @@ pub(super) fn of_images(
                 Level::Note,
                 size.to_string(),
                 format!(
-                    "the model's images are {}: these are taken to have its horizontal field of view, {:.2}°",
+                    "not the model's image size of {}; assuming its horizontal field of view of {:.2}°",
                     own.size,
                     own.hfov().to_degrees()
                 ),
@@ -125,13 +125,13 @@ pub(super) fn of_images(
     }
 }
 
-/// That images are not as a depth sensor's.
+/// A warning about images with lens distortion.
 fn bent(place: &str, remedy: Message) -> Finding {
     Finding::new(
         "image-lens",
         Level::Warning,
         place,
-        "the images have a lens that bends rays, and a depth sensor's are rectified: they are used as they are",
+        "the images have lens distortion, but a depth sensor's are rectified; used without rectification",
         remedy,
     )
 }
@@ -151,7 +151,7 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
             message!["render the camera again, or set ", opt("fx")],
         )
     };
-    let bytes = files::read(path, MOST_BYTES, "camera_params")?;
+    let bytes = files::read(path, MAX_BYTES, "camera_params")?;
     let params: Value = serde_json::from_slice(&bytes).map_err(|error| wrong(error.to_string()))?;
     let numbers = |key: &str| -> Vec<f64> {
         let list = params[key].as_array().map(Vec::as_slice).unwrap_or_default();
@@ -161,7 +161,7 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
     let resolution = numbers("renderProductResolution");
     if resolution != [f64::from(size.width), f64::from(size.height)] {
         return Err(wrong(format!(
-            "renderProductResolution: {resolution:?}, and the depth image is {size}"
+            "renderProductResolution: {resolution:?} instead of the depth image's {size}"
         )));
     }
     let (width, height) = (f64::from(size.width), f64::from(size.height));
@@ -180,7 +180,7 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
     let camera = match model {
         "pinholeOpenCV" | "fisheyeOpenCV" => {
             let (Some(fx), Some(fy)) = (number("cameraOpenCVFx"), number("cameraOpenCVFy")) else {
-                return Err(wrong("cameraOpenCVFx, cameraOpenCVFy: not there".to_owned()));
+                return Err(wrong("cameraOpenCVFx, cameraOpenCVFy: missing".to_owned()));
             };
             let [cx, cy] = numbers("cameraFisheyeOpticalCentre")[..] else {
                 return Err(wrong("cameraFisheyeOpticalCentre: not two numbers".to_owned()));
@@ -214,13 +214,13 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
         }
         "pinhole" => Camera::new(pinhole, LensModel::Pinhole),
         other => {
-            return Err(wrong(format!("cameraModel: {other} is not read")));
+            return Err(wrong(format!("cameraModel: {other} is not supported")));
         }
     };
     let k = camera.intrinsics;
     if [k.fx, k.fy].iter().all(|f| f.is_finite() && *f > 0.0) {
         Ok(camera)
     } else {
-        Err(wrong(format!("the focal length {} is not above 0", k.fx)))
+        Err(wrong(format!("the focal length must be > 0 (got {})", k.fx)))
     }
 }

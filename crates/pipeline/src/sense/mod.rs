@@ -1,82 +1,98 @@
-//! The sensor on depth images from anywhere: arrays, PNG, EXR, PFM, folders of Replicator's, a stream.
+//! Simulation of the depth sensor on existing depth images: arrays, PNG, EXR, PFM, folders of Replicator, or a stream.
 //!
-//! [`sense`] reads images one after the other, shows them to the [sensor](crate::sensor) of a twin, and writes what that
-//! reports. What is not finite and above 0 in an image is no surface; 0 in a result was not measured.
+//! [`sense`] reads the images one by one, simulates the [sensor](crate::sensor) of a twin and writes its outputs. Values of an
+//! image that are not finite and above 0 are invalid; 0 in an output is no measurement.
 //!
 //! # Frames, sequences, batches
-//! The number at the end of a file's name is its frame, 0 where there is none: noise is new in every frame, and the same
-//! for the same frame, whatever else is given and in whichever order. Files whose names differ in that number alone are a
-//! sequence, seen in its order by filters that remember. The images of a batch `(N, H, W)` lie side by side in time, the
-//! environments of a simulator: each has its number as its item, and none remembers another; as a
-//! [sequence](SenseOptions::is_sequence) they are frames instead.
+//! The number at the end of a file's name is its frame, by default 0. Noise differs between frames and is the same for the same
+//! frame, independent of the other inputs and their order. Files whose names differ in that number only are a sequence, which
+//! temporal filters process in order. The images of a batch `(N, H, W)` are simultaneous, like the environments of a simulator: each
+//! has its index as its item and no history; as a [sequence](SenseOptions::is_sequence) they are frames instead.
 
 mod camera;
-mod geometry;
 mod options;
 mod picture;
 mod plan;
-mod product;
 mod rig;
 mod run;
-mod writer;
+mod shot;
+mod stream;
 
+use std::io;
 use std::path::PathBuf;
 
 pub use crate::input::InputKind;
 pub use camera::image_camera;
-pub(crate) use geometry::positions;
-pub use options::{AlignTo, CloudFrame, FieldOfView, SenseOptions};
+pub use oaktwin_dataset::CloudAxes;
+pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use plan::STANDARD_INPUT;
 pub use rig::align_to;
-pub use run::{Done, Output, Sensed, sense};
+pub use run::{Output, Sensed, sense};
 
 use crate::sensor::ParameterError;
+use oaktwin_dataset::{DatasetError, WriteError};
 use oaktwin_diagnostic::Message;
 use oaktwin_files::FileError;
 
-/// What a sensor is to see.
+/// An input of the depth sensor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     /// A folder in the layout of Replicator's `BasicWriter`.
     Folder {
         /// The folder.
         path: PathBuf,
-        /// Where the results go, in the same layout: the folder itself, say.
+        /// The folder for the results, in the same layout; it may be the input folder.
         output: PathBuf,
     },
-    /// A file of one image or of many.
+    /// A file with one image or a batch.
     File {
         /// The file.
         path: PathBuf,
         /// The folder for the results.
         output: PathBuf,
-        /// Its pictures: one an image, an array of as many, or none.
+        /// The colour images: one per depth image, an array of all, or none.
         rgb: Vec<PathBuf>,
     },
-    /// The program's standard input, one file of any of the formats.
+    /// Standard input, one file in any of the formats.
     StandardInput {
-        /// The folder for the results; nothing is written there where the results are asked for as a stream.
+        /// The folder for the results, unless they are written to a stream.
         output: PathBuf,
-        /// As of a file.
+        /// The colour images, as for a file.
         rgb: Vec<PathBuf>,
     },
 }
 
-/// Why depth images could not be sensed. The files before it are whole, and stay.
+/// An error while depth images are processed. Files that are complete are kept.
 #[derive(Debug, thiserror::Error)]
 pub enum SenseError {
-    /// A file that cannot be read, written or understood.
+    /// A file cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A sensor that cannot be.
+    /// A parameter of the sensor is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
     /// An invalid option: `OPTION: what is wrong; what to do`.
     #[error("{0}")]
     Option(Message),
+    /// A frame cannot be encoded.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
     /// The stream of results cannot be written.
     #[error(transparent)]
-    Stream(std::io::Error),
+    Stream(io::Error),
+}
+
+impl From<WriteError> for SenseError {
+    fn from(error: WriteError) -> Self {
+        match error {
+            WriteError::File(error) => error.into(),
+            WriteError::Dataset(error) => error.into(),
+            WriteError::Other(error) => Self::Stream(match error.downcast::<io::Error>() {
+                Ok(error) => *error,
+                Err(error) => io::Error::other(error),
+            }),
+        }
+    }
 }
 
 impl SenseError {

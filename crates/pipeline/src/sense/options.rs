@@ -2,6 +2,7 @@ use crate::input::InputKind;
 use crate::sensor::SensorOptions;
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_catalog::{DepthKind, Role};
+use oaktwin_dataset::{CloudAxes, Extras};
 use oaktwin_depth::align::Fill;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
@@ -9,66 +10,55 @@ use oaktwin_usd::asset::LensChoice;
 /// The field of view of the depth images.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum FieldOfView {
-    /// What a folder's `camera_params` say, else the model's.
+    /// That of a folder's `camera_params`, else the model's.
     #[default]
     Known,
-    /// A focal length at the images' width, px.
+    /// A focal length in pixels of the images.
     FocalLength(f64),
-    /// A horizontal angle, degrees.
+    /// A horizontal field of view in degrees.
     Degrees(f64),
-    /// That of their camera, with its principal point; it has their size.
+    /// A camera with the images' size.
     Camera(Camera),
 }
 
-/// The axes of a point cloud.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CloudFrame {
-    /// The camera's, OpenCV's: x right, y down, z forward.
-    Optical,
-    /// At the camera, ROS's of a body: x forward, y left, z up.
-    Ros,
-}
-
-/// Into which camera the depth is reprojected.
+/// The camera that depth is aligned to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AlignTo {
     /// The camera.
     pub camera: Role,
-    /// The size of its image, by `DepthAI`'s rule; by default the camera's own.
+    /// The size of its image, resized by `DepthAI`'s rule; by default the camera's own.
     pub size: Option<ImageSize>,
-    /// Which pixels a sample goes into.
+    /// The splatting mode.
     pub fill: Fill,
 }
 
-/// What a sensor is to do with depth images.
+/// The options of [`sense`](super::sense).
 #[derive(Clone, Debug, PartialEq)]
 pub struct SenseOptions {
-    /// The engine and its settings; the image and the name are filled in.
+    /// The engine and its settings; the image and the name are set for each input.
     pub sensor: SensorOptions,
-    /// Which of a device's depth sensors; by default time of flight where it has it.
+    /// The depth sensor; by default time of flight if the device has it.
     pub kind: Option<DepthKind>,
-    /// What the numbers are, where the files' names do not say it.
+    /// The kind of depth, if the files' names do not tell.
     pub input_kind: Option<InputKind>,
-    /// Metres to a unit of whole numbers.
+    /// The metres per integer depth unit.
     pub depth_scale: f64,
-    /// The images' field of view.
+    /// The field of view of the images.
     pub field_of_view: FieldOfView,
-    /// Whether images of another size or field of view become the model's, by the nearest sample.
+    /// Whether images of another size or field of view are resampled to the model's, by the nearest sample.
     pub resample: bool,
-    /// Whether the images of a batch are one after the other in time, instead of side by side.
+    /// Whether the images of a batch are successive frames, not simultaneous ones.
     pub is_sequence: bool,
     /// The lens of the left and right cameras of the wide models.
     pub lens: LensChoice,
-    /// Into another camera too.
+    /// The camera that depth is also aligned to.
     pub align: Option<AlignTo>,
-    /// What of the depth sensor's annotators; the distance is always there.
+    /// The depth sensor annotators to write; the distance is always written.
     pub annotators: Vec<Annotator>,
-    /// Depth as 16-bit PNG in millimetres too.
-    pub png16: bool,
-    /// Depth as a picture for people too.
-    pub preview: bool,
-    /// The points as PLY too.
-    pub cloud: Option<CloudFrame>,
+    /// The additional files of each depth image.
+    pub extras: Extras,
+    /// The axes of the point cloud that is also written, as PLY.
+    pub cloud: Option<CloudAxes>,
 }
 
 impl Default for SenseOptions {
@@ -84,17 +74,16 @@ impl Default for SenseOptions {
             lens: LensChoice::default(),
             align: None,
             annotators: Vec::new(),
-            png16: false,
-            preview: false,
+            extras: Extras::default(),
             cloud: None,
         }
     }
 }
 
-/// The camera that images were taken with, and whether anybody said so.
+/// The camera of images.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ImageCamera {
     pub(super) camera: Camera,
-    /// Whether it is the model's own, at its own size.
+    /// Whether it is the model's own camera at its own size.
     pub(super) is_models: bool,
 }

@@ -1,4 +1,4 @@
-//! The pictures that belong to depth images: one file each, or an array of many.
+//! The colour images of depth images: one file each, or an array.
 
 use std::path::{Path, PathBuf};
 
@@ -7,22 +7,22 @@ use oaktwin_files::{self as files, FileError};
 use oaktwin_image::npy::{self, Values};
 use oaktwin_image::{Image, texture};
 
-/// The largest picture file.
-const MOST_BYTES: u64 = 4 << 30;
+/// The maximum size of a file.
+const MAX_BYTES: u64 = 4 << 30;
 
-/// The pictures of one depth file, in the order of its images.
+/// The colour images of a depth file, in order.
 pub(super) struct Pictures {
     files: Vec<PathBuf>,
-    /// Of an array.
+    /// The images of an array.
     decoded: Vec<Image<[u8; 4]>>,
     next: usize,
 }
 
 impl Pictures {
-    /// Of the files that belong to a depth file of so many images.
+    /// Opens the colour images of a depth file with this number of images.
     ///
     /// # Errors
-    /// An array that cannot be read or is of no pictures; another number of pictures than of images.
+    /// Returns an error if an array cannot be read or the numbers of images differ.
     pub(super) fn open(files: &[PathBuf], depth: &Path, images: usize) -> Result<Option<Self>, FileError> {
         let decoded = match files {
             [] => return Ok(None),
@@ -36,10 +36,10 @@ impl Pictures {
         };
         if count != images {
             let message = format!(
-                "{count} pictures for the {images} depth images of {}",
+                "{count} colour images for the {images} depth images of {}",
                 depth.display()
             );
-            let remedy = "give one picture an image, or an array of as many";
+            let remedy = "give one colour image per depth image, or an array of all";
             return Err(FileError::new(&files[0], message, remedy));
         }
         Ok(Some(Self {
@@ -49,10 +49,10 @@ impl Pictures {
         }))
     }
 
-    /// The next picture, of the depth's size.
+    /// Reads the next colour image.
     ///
     /// # Errors
-    /// It cannot be read, or has another size.
+    /// Returns an error if it cannot be read or its size differs from the depth's.
     pub(super) fn next(&mut self, depth: &Path, size: ImageSize) -> Result<Image<[u8; 4]>, FileError> {
         let at = self.next;
         self.next += 1;
@@ -60,7 +60,7 @@ impl Pictures {
         let picture = match self.decoded.get_mut(at) {
             Some(picture) => std::mem::replace(picture, Image::filled(0, 0, [0; 4])),
             None => {
-                let bytes = files::read(&path, MOST_BYTES, "a picture")?;
+                let bytes = files::read(&path, MAX_BYTES, "a colour image")?;
                 let extension = path.extension().map(|extension| extension.to_string_lossy());
                 texture::decode_srgb(&bytes, extension.as_deref())
                     .map_err(|error| FileError::codec(&path, &error))?
@@ -68,12 +68,12 @@ impl Pictures {
         };
         if (picture.width(), picture.height()) != (size.width, size.height) {
             let message = format!(
-                "is {}x{}, and the depth {} is {size}",
+                "is {}x{}, but the depth {} is {size}",
                 picture.width(),
                 picture.height(),
                 depth.display()
             );
-            return Err(FileError::new(&path, message, "give both in one size"));
+            return Err(FileError::new(&path, message, "give images of the same size"));
         }
         Ok(picture)
     }
@@ -84,9 +84,9 @@ fn is_numpy(path: &Path) -> bool {
         .is_some_and(|extension| extension.eq_ignore_ascii_case("npy"))
 }
 
-/// The pictures of an array, `(H, W, C)` or `(N, H, W, C)` of `uint8`, three or four channels.
+/// The colour images of an array, `(H, W, C)` or `(N, H, W, C)` of `uint8` with three or four channels.
 fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
-    let bytes = files::read(path, MOST_BYTES, "an array of pictures")?;
+    let bytes = files::read(path, MAX_BYTES, "an array of colour images")?;
     let array = npy::decode(&bytes).map_err(|error| FileError::codec(path, &error))?;
     let wrong = |message: String| {
         FileError::new(
@@ -96,15 +96,21 @@ fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
         )
     };
     let [.., height, width, channels @ (3 | 4)] = array.shape[..] else {
-        return Err(wrong(format!("NPY: shape: {:?} is no pictures", array.shape)));
+        return Err(wrong(format!(
+            "NPY: shape: unsupported array shape {:?}",
+            array.shape
+        )));
     };
     let Values::U8(values) = array.values else {
-        return Err(wrong("NPY: descr: pictures are of uint8".to_owned()));
+        return Err(wrong("NPY: descr: unsupported dtype".to_owned()));
     };
     let size = u32::try_from(width).ok().zip(u32::try_from(height).ok());
     let pixels = height * width;
     if pixels == 0 {
-        return Err(wrong(format!("NPY: shape: {:?} is no pictures", array.shape)));
+        return Err(wrong(format!(
+            "NPY: shape: unsupported array shape {:?}",
+            array.shape
+        )));
     }
     let pictures = values.chunks_exact(pixels * channels).map(|picture| {
         let colors = picture.chunks_exact(channels).map(|pixel| match *pixel {

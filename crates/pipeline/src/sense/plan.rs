@@ -1,4 +1,4 @@
-//! Which files belong together, and what their results are called.
+//! Sequences of input files, and the names of their outputs.
 
 use crate::sensor::depth_sensor;
 use std::collections::BTreeMap;
@@ -8,13 +8,14 @@ use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
 use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_dataset::InputName;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
-/// What a program's standard input is called in messages.
+/// The name of standard input in messages.
 pub const STANDARD_INPUT: &str = "standard input";
 
-/// One depth file and what belongs to it.
+/// A depth file with its colour images and camera.
 #[derive(Clone, Debug)]
 pub(super) struct DepthFile {
     pub(super) path: PathBuf,
@@ -23,43 +24,21 @@ pub(super) struct DepthFile {
     pub(super) frame: u64,
     pub(super) rgb: Vec<PathBuf>,
     pub(super) params: Option<PathBuf>,
-    pub(super) results: Results,
+    pub(super) results: InputName,
 }
 
-/// Where the results of a file go.
-#[derive(Clone, Debug)]
-pub(super) struct Results {
-    folder: PathBuf,
-    by_annotator: bool,
-    prefix: String,
-    suffix: String,
-}
-
-impl Results {
-    /// The file of a result: of an annotator, in its own folder where that is the layout, and a name that begins with it.
-    pub(super) fn path(&self, annotator: &str, name: &str, item: Option<usize>, extension: &str) -> PathBuf {
-        let item = item.map(|item| format!("_{item:04}")).unwrap_or_default();
-        let file = format!("{}{name}{}{item}.{extension}", self.prefix, self.suffix);
-        if self.by_annotator {
-            self.folder.join(annotator).join(file)
-        } else {
-            self.folder.join(file)
-        }
-    }
-}
-
-/// Files of one camera in the order of their frames: a sensor sees one after the other.
+/// The files of one camera in the order of their frames, processed by one sensor.
 #[derive(Debug)]
 pub(super) struct Sequence<'a> {
     pub(super) sensor: &'a TwinDepthSensor,
-    /// Whether the files say that they are this sensor's.
+    /// Whether the files are named after this sensor.
     is_of_model: bool,
-    /// What keys the noise, where it is not the sensor's prim.
+    /// The key of the noise, if it is not the sensor's prim.
     pub(super) name: Option<String>,
     pub(super) files: Vec<DepthFile>,
 }
 
-/// Puts inputs in order.
+/// Groups inputs into sequences.
 pub(super) fn sequences<'a>(
     twin: &'a Twin,
     inputs: &[Input],
@@ -83,11 +62,12 @@ pub(super) fn sequences<'a>(
                     frame: name.number.unwrap_or(0),
                     rgb: rgb.clone(),
                     params: None,
-                    results: Results {
+                    results: InputName {
                         folder: output.clone(),
                         by_annotator: false,
                         prefix: name.prefix(),
                         suffix: name.suffix(),
+                        ..InputName::default()
                     },
                 };
                 let folder = path.parent().map(Path::to_owned).unwrap_or_default();
@@ -96,7 +76,7 @@ pub(super) fn sequences<'a>(
                     .unwrap_or_default()
                     .to_string_lossy()
                     .into_owned();
-                // Without a number there is no next one.
+                // A file without a number is a sequence of its own.
                 let base = if name.number.is_some() {
                     name.base
                 } else {
@@ -115,11 +95,9 @@ pub(super) fn sequences<'a>(
                     frame: 0,
                     rgb: rgb.clone(),
                     params: None,
-                    results: Results {
+                    results: InputName {
                         folder: output.clone(),
-                        by_annotator: false,
-                        prefix: String::new(),
-                        suffix: String::new(),
+                        ..InputName::default()
                     },
                 }],
             }),
@@ -144,7 +122,7 @@ pub(super) fn sequences<'a>(
             Level::Note,
             &twin.device.name,
             format!(
-                "of its depth sensors, {} ({}) is taken",
+                "several depth sensors; using {} ({})",
                 chosen.spec.prim, chosen.spec.kind
             ),
             message!["choose with ", opt("sensor")],
@@ -153,7 +131,7 @@ pub(super) fn sequences<'a>(
     Ok(sequences)
 }
 
-/// The cameras of a folder: those that are a depth sensor's of the model where there are such, else all.
+/// The cameras of a folder: those of the model's depth sensors if there are any, else all.
 fn folder<'a>(
     twin: &'a Twin,
     chosen: &'a TwinDepthSensor,
@@ -179,8 +157,8 @@ fn folder<'a>(
                 "camera-left-out",
                 Level::Note,
                 path.join(&camera.name).display().to_string(),
-                format!("is no depth sensor of {}: left out", twin.device.name),
-                "name its files to have it sensed",
+                format!("not a depth sensor of {}; skipped", twin.device.name),
+                "name its files to process them",
             ));
             continue;
         }
@@ -193,11 +171,11 @@ fn folder<'a>(
                 frame: name.number.unwrap_or(0),
                 rgb: frame.rgb.into_iter().collect(),
                 params: frame.params,
-                results: Results {
+                results: InputName {
                     folder: output.join(&camera.name),
                     by_annotator: camera.by_annotator,
-                    prefix: String::new(),
                     suffix: name.suffix(),
+                    ..InputName::default()
                 },
                 path: frame.depth,
             }
@@ -212,7 +190,7 @@ fn folder<'a>(
     Ok(())
 }
 
-/// What a file's numbers are: its name says it, or the options must.
+/// The kind of depth, from the options or the file's name.
 fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result<InputKind, SenseError> {
     match (options.input_kind, named) {
         (Some(kind), _) => Ok(kind),
@@ -231,23 +209,23 @@ fn kind(path: &Path, named: Option<InputKind>, options: &SenseOptions) -> Result
     }
 }
 
-/// No two files may have results of one name.
+/// Rejects inputs with outputs of the same name.
 fn one_result_each(sequences: &[Sequence<'_>]) -> Result<(), SenseError> {
     let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
     for file in sequences.iter().flat_map(|sequence| &sequence.files) {
         let result = file
             .results
-            .path("depth_sensor_distance", "depth_sensor_distance", None, "npy");
+            .path("depth_sensor_distance", "depth_sensor_distance", "npy");
         if let Some(other) = taken.insert(result.clone(), &file.path) {
             let message = format!(
-                "has the result {}, and so has {}",
-                result.display(),
-                other.display()
+                "output path collision: {} also writes {}",
+                other.display(),
+                result.display()
             );
             return Err(FileError::new(
                 &file.path,
                 message,
-                "give them one after the other, each its own -o",
+                "process them one by one, each with its own output folder",
             )
             .into());
         }

@@ -1,8 +1,8 @@
-//! Into another camera of the device.
+//! Alignment to another camera of the device.
 
-use super::product::reported;
+use super::shot::reported;
 use super::{AlignTo, SenseError};
-use crate::render::check_size;
+use crate::limits::check_size;
 use crate::sensor::Sensor;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
@@ -10,10 +10,10 @@ use oaktwin_catalog::{LensChoice, Twin, TwinDepthSensor};
 use oaktwin_depth::align::Align;
 use oaktwin_diagnostic::{message, opt};
 
-/// From the images that a sensor reports of those of a camera to the camera that is asked for.
+/// Returns the alignment of a sensor's depth images to another camera.
 ///
 /// # Errors
-/// The device has no such camera, or its image cannot be.
+/// Returns an error if the device has no such camera or its image size is invalid.
 pub fn align_to(
     twin: &Twin,
     sensor: &TwinDepthSensor,
@@ -35,7 +35,7 @@ pub fn align_to(
     )
 }
 
-/// From the image that a sensor reports to the camera that is asked for: as that camera sees, its lens included.
+/// The alignment of reported depth to a camera with its lens.
 pub(super) fn aligner(
     twin: &Twin,
     sensor: &TwinDepthSensor,

@@ -4,71 +4,65 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::geometry::{places, positions, resample, z_of_range};
 use super::options::ImageCamera;
 use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
-use super::product::{Look, Product, reported};
-use super::writer::{Place, Writer};
+use super::shot::{OutputContext, reported};
+use super::stream::StreamWriter;
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
+use crate::geometry::{places, positions, resample, z_of_range};
 use crate::input::source::Source;
-use crate::sensor::{Engine, EngineInput, Sensor, SensorOptions, Shot, needs_a_pair, sensor};
+use crate::progress::Watch;
+use crate::sensor::{self, Engine, EngineInput, Sensor, SensorOptions, needs_a_pair, sensor};
+use crate::write::{Producer, write_while};
 use oaktwin_camera::{Camera, ImageSize, LensModel};
 use oaktwin_catalog::Twin;
+use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, Writer};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
-use oaktwin_files::{FileError, WrittenFile};
+use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 
-/// Pixels that are worked on at once.
+/// The number of pixels that are processed at once.
 const PIXELS_AT_ONCE: usize = 1 << 24;
 
-/// Where results go.
+/// The destination of the results.
 #[expect(missing_debug_implementations, reason = "a stream has none")]
 pub enum Output<'a> {
-    /// To files in the folders that the inputs name.
+    /// Files in the folders that the inputs name.
     Files,
-    /// The distances, or what is aligned of them, as one NPY; for one input.
-    Stream(&'a mut dyn Write),
+    /// The distances of a single input, or the aligned ones, as one NPY array.
+    Stream(&'a mut (dyn Write + Send)),
 }
 
-/// How far it is: images that are written, of those that are known of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Done {
-    /// So many are written.
-    pub images: u64,
-    /// Of so many.
-    pub of: u64,
-}
-
-/// What was written.
+/// The result of sensing depth images.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sensed {
-    /// Images whose results are whole.
+    /// The number of images with complete results.
     pub images: u64,
-    /// Whole ones.
+    /// The complete files.
     pub files: Vec<WrittenFile>,
-    /// What is not as the model says, and what was chosen, each once.
+    /// The findings, without duplicates.
     pub findings: Vec<Finding>,
     /// The prims of the sensors, and the names of their engines.
     pub sensors: Vec<(String, &'static str)>,
-    /// Whether the caller asked to stop before the end.
+    /// Whether the task was interrupted.
     pub is_interrupted: bool,
 }
 
-/// Shows depth images to the sensor of a twin and writes what it reports. `watch` is asked before each part; where it
-/// breaks, the file that is being written is dropped.
+/// Simulates a twin's depth sensor on depth images and writes the results. If `watch` interrupts the task, the file in progress
+/// is discarded.
 ///
-/// Memory is that of some images, not of a batch, but for arrays whose first axis is the fastest, which are read whole.
+/// A few images are in memory at a time, not a whole batch, except for arrays in Fortran order.
 ///
 /// # Errors
-/// An input that cannot be read or understood, options that make no sensor, a file that cannot be written.
+/// Returns an error if an input cannot be read, an option is invalid or a file cannot be written.
 pub fn sense(
     twin: &Twin,
     inputs: &[Input],
     options: &SenseOptions,
     output: Output<'_>,
-    watch: &mut dyn FnMut(Done) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Sensed, SenseError> {
     if !(options.depth_scale.is_finite() && options.depth_scale > 0.0) {
         return Err(SenseError::option(message![
@@ -89,78 +83,74 @@ pub fn sense(
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
     let files = || sequences.iter().flat_map(|sequence| &sequence.files);
-    let pictures = files().flat_map(|file| &file.rgb);
-    let writer = Writer::new(
-        output,
-        files()
-            .map(|file| file.path.as_path())
-            .chain(pictures.map(PathBuf::as_path)),
-    );
-    let mut run = Run {
-        twin,
-        options,
-        writer,
-        watch,
-        images: 0,
-        whole: 0,
-        of: files().count() as u64,
-        findings: Vec::new(),
-        sensors: Vec::new(),
+    let mut output_files = OutputFiles::default();
+    output_files.protect(files().map(|file| file.path.as_path()));
+    output_files.protect(files().flat_map(|file| &file.rgb).map(PathBuf::as_path));
+    let mut writer: Box<dyn Writer + '_> = match output {
+        Output::Files => Box::new(FlatWriter::new(dataset::Options {
+            extras: Extras {
+                ply: false,
+                ..options.extras
+            },
+            ..dataset::Options::default()
+        })),
+        Output::Stream(stream) => Box::new(StreamWriter {
+            stream,
+            has_begun: false,
+        }),
     };
-    for sequence in &sequences {
-        match run.sequence(sequence) {
-            Ok(ControlFlow::Continue(())) => {}
-            Ok(ControlFlow::Break(())) => {
-                sensed.is_interrupted = true;
-                break;
+    let mut findings = Vec::new();
+    let total = files().count() as u64;
+    let written = write_while(&mut [&mut *writer], &mut output_files, total, watch, |producer| {
+        let mut run = Run {
+            twin,
+            options,
+            producer,
+            findings: &mut findings,
+            sensors: &mut sensed.sensors,
+        };
+        for sequence in &sequences {
+            if run.sequence(sequence)?.is_break() {
+                return Ok(ControlFlow::Break(()));
             }
-            Err(error) => return Err(error),
+        }
+        Ok::<_, SenseError>(ControlFlow::Continue(()))
+    })?;
+    for finding in findings {
+        if !sensed.findings.contains(&finding) {
+            sensed.findings.push(finding);
         }
     }
-    sensed.images = run.whole;
-    sensed.findings.append(&mut run.findings);
-    let mut seen = Vec::new();
-    sensed.findings.retain(|finding| {
-        let is_new = !seen.contains(finding);
-        if is_new {
-            seen.push(finding.clone());
-        }
-        is_new
-    });
-    sensed.sensors = run.sensors;
-    sensed.files = run.writer.files;
+    sensed.images = written.complete;
+    sensed.is_interrupted = written.is_interrupted;
+    sensed.files = output_files.files().to_vec();
     Ok(sensed)
 }
 
 struct Run<'a, 'b, 'c> {
     twin: &'a Twin,
     options: &'a SenseOptions,
-    writer: Writer<'b>,
-    watch: &'c mut dyn FnMut(Done) -> ControlFlow<()>,
-    images: u64,
-    /// Of files that are finished.
-    whole: u64,
-    of: u64,
-    findings: Vec<Finding>,
-    sensors: Vec<(String, &'static str)>,
+    producer: &'b mut Producer<'c>,
+    findings: &'b mut Vec<Finding>,
+    sensors: &'b mut Vec<(String, &'static str)>,
 }
 
-/// What does not change within a sequence.
-struct Eye<'a> {
+/// The state of a sequence that does not change from frame to frame.
+struct Session<'a> {
     /// The first file, and its size.
     first: PathBuf,
     size: ImageSize,
     image: Camera,
     /// Whether the image's camera was read from its file's `camera_params`.
     is_by_params: bool,
-    /// Of distances from the optical centre.
+    /// The factors from range to z-depth, for range images.
     z_of_range: Option<Vec<f32>>,
-    /// Where the model's pixels lie in the images.
+    /// The image pixel of each of the model's pixels, if the images are resampled.
     places: Option<Vec<Option<usize>>>,
-    look: Look<'a>,
+    output: OutputContext<'a>,
 }
 
-/// One image on its way.
+/// An input image.
 struct Given {
     z: Image<f32>,
     rgb: Option<Image<[u8; 4]>>,
@@ -170,7 +160,7 @@ struct Given {
 
 impl<'a> Run<'a, '_, '_> {
     fn sequence(&mut self, sequence: &Sequence<'a>) -> Result<ControlFlow<()>, SenseError> {
-        let mut seeing: Option<(Eye<'a>, Sensor)> = None;
+        let mut current: Option<(Session<'a>, Sensor)> = None;
         for file in &sequence.files {
             let scale = self.options.depth_scale;
             let source = if file.is_standard_input {
@@ -179,34 +169,34 @@ impl<'a> Run<'a, '_, '_> {
                 Source::open(&file.path, scale)?
             };
             let count = source.batch.unwrap_or(1);
-            self.of += count as u64 - 1;
+            self.producer.expect_more(count as u64 - 1);
             let pictures = Pictures::open(&file.rgb, &file.path, count)?;
-            let has_pictures = pictures.is_some();
-            let (eye, sensor) = match &mut seeing {
-                Some(seeing) => {
-                    seeing.0.check_same(file, source.size)?;
-                    seeing
+            let has_rgb = pictures.is_some();
+            let (session, sensor) = match &mut current {
+                Some(current) => {
+                    current.0.check_same(file, source.size)?;
+                    current
                 }
-                None => seeing.insert(self.eye(sequence, file, source.size)?),
+                None => current.insert(self.session(sequence, file, source.size)?),
             };
-            check_outputs(self.options, &**sensor.engine(), has_pictures, file)?;
-            if self.file(eye, sensor, file, source, pictures)?.is_break() {
+            check_outputs(self.options, &**sensor.engine(), has_rgb, file)?;
+            if self.file(session, sensor, file, source, pictures)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }
         Ok(ControlFlow::Continue(()))
     }
 
-    /// What a sequence of images of this size is looked at with, nothing being remembered yet.
-    fn eye(
+    /// Creates the session and the sensor of a sequence.
+    fn session(
         &mut self,
         sequence: &Sequence<'a>,
         file: &DepthFile,
         size: ImageSize,
-    ) -> Result<(Eye<'a>, Sensor), SenseError> {
+    ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
         let own = self.twin.camera(sequence.sensor.spec.camera).ok_or_else(|| {
-            SenseError::option(format!("the camera of {prim} is not known; choose another model"))
+            SenseError::option(format!("the camera of {prim} is unknown; choose another model"))
         })?;
         let ImageCamera {
             camera: image,
@@ -216,7 +206,7 @@ impl<'a> Run<'a, '_, '_> {
             options.field_of_view,
             file.params.as_deref(),
             own.intrinsics,
-            &mut self.findings,
+            self.findings,
         )?;
         let resampled = options.resample && !is_models;
         let looked = if resampled {
@@ -227,7 +217,7 @@ impl<'a> Run<'a, '_, '_> {
                 Level::Note,
                 prim,
                 format!(
-                    "images of {size}, focal length {:.2} px, become the model's of {}, {:.2} px: the nearest samples",
+                    "images of {size}, focal length {:.2} px, resampled to the model's {}, {:.2} px (nearest samples)",
                     image.intrinsics.fx, own.intrinsics.size, own.intrinsics.fx
                 ),
                 "",
@@ -257,27 +247,27 @@ impl<'a> Run<'a, '_, '_> {
             .as_ref()
             .map(|to| rig::aligner(self.twin, sequence.sensor, smaller, shift_m, to, options.lens))
             .transpose()?;
-        let eye = Eye {
+        let session = Session {
             first: file.path.clone(),
             size,
             image,
             is_by_params: options.field_of_view == FieldOfView::Known && file.params.is_some(),
             z_of_range: (file.kind == InputKind::Range).then(|| z_of_range(&image)),
             places: resampled.then(|| places(&image, &looked)),
-            look: Look {
+            output: OutputContext {
                 options,
                 camera: looked,
                 shift_m,
                 align,
             },
         };
-        Ok((eye, sensor))
+        Ok((session, sensor))
     }
 
-    /// Senses one file.
+    /// Processes one file.
     fn file(
         &mut self,
-        eye: &Eye<'a>,
+        session: &Session<'a>,
         sensor: &mut Sensor,
         file: &DepthFile,
         mut source: Source,
@@ -290,11 +280,9 @@ impl<'a> Run<'a, '_, '_> {
         } else {
             (PIXELS_AT_ONCE / pixels).clamp(1, 4096)
         };
-        let mut place = Place::new(&file.results, source.batch);
         let mut item = 0usize;
         loop {
-            let (images, of) = (self.images, self.of);
-            if (self.watch)(Done { images, of }).is_break() {
+            if self.producer.proceed().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
             let mut given = Vec::new();
@@ -313,30 +301,38 @@ impl<'a> Run<'a, '_, '_> {
                 given.push(Given { z, rgb, frame, item });
             }
             if given.is_empty() {
-                self.writer.finish(place)?;
-                self.whole = self.images;
-                return Ok(ControlFlow::Continue(()));
+                return Ok(self.producer.finish());
             }
-            let made: Vec<Result<Vec<Product>, SenseError>> = if is_sequence {
-                given.into_iter().map(|one| eye.see(sensor, one, file)).collect()
+            let input = |index: usize| InputName {
+                batch: source.batch,
+                item: item + index,
+                ..file.results.clone()
+            };
+            let shots: Vec<Result<Shot, SenseError>> = if is_sequence {
+                let shots = given.into_iter().enumerate();
+                shots
+                    .map(|(index, one)| session.capture(sensor, one, file, input(index)))
+                    .collect()
             } else {
                 let fresh = &*sensor;
                 given
                     .into_par_iter()
-                    .map(|one| eye.see(&mut fresh.clone(), one, file))
+                    .enumerate()
+                    .map(|(index, one)| session.capture(&mut fresh.clone(), one, file, input(index)))
                     .collect()
             };
-            for products in made {
-                self.writer.put(&mut place, item, products?)?;
+            for shot in shots {
+                if self.producer.write(shot?).is_break() {
+                    return Ok(ControlFlow::Break(()));
+                }
                 item += 1;
-                self.images += 1;
             }
         }
     }
 }
 
-impl Eye<'_> {
-    /// Refuses an image of another size or camera in a sequence.
+impl Session<'_> {
+    /// Rejects an image of another size or camera.
     fn check_same(&self, file: &DepthFile, size: ImageSize) -> Result<(), FileError> {
         let differs = |message: String| {
             Err(FileError::new(
@@ -347,20 +343,23 @@ impl Eye<'_> {
         };
         let first = self.first.display();
         if size != self.size {
-            return differs(format!("is {size}, and {first} before it is {}", self.size));
+            return differs(format!("is {size}, but {first} before it is {}", self.size));
         }
         match &file.params {
-            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => {
-                differs(format!(
-                    "is by another camera ({}) than {first} before it",
-                    params.display()
-                ))
-            }
+            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => differs(
+                format!("has another camera ({}) than {first} before it", params.display()),
+            ),
             _ => Ok(()),
         }
     }
 
-    fn see(&self, sensor: &mut Sensor, given: Given, file: &DepthFile) -> Result<Vec<Product>, SenseError> {
+    fn capture(
+        &self,
+        sensor: &mut Sensor,
+        given: Given,
+        file: &DepthFile,
+        input: InputName,
+    ) -> Result<Shot, SenseError> {
         let Given {
             mut z,
             mut rgb,
@@ -372,20 +371,20 @@ impl Eye<'_> {
                 *z *= factor;
             }
         }
-        let size = self.look.camera.intrinsics.size;
+        let size = self.output.camera.intrinsics.size;
         if let Some(places) = &self.places {
             z = resample(&z, places, size, f32::INFINITY);
             rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
         }
-        let request = self.look.request();
+        let request = self.output.request();
         let position = Annotator::DepthSensorPointCloudPosition;
         let needs_positions = request.contains(&position) && sensor.engine().outputs().contains(&position);
-        let seen = needs_positions.then(|| positions(&self.look.camera, &z));
-        let mut shot = Shot::new((&z).into());
+        let seen = needs_positions.then(|| positions(&self.output.camera, &z));
+        let mut shot = sensor::Shot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
         let of_one_size = |error: oaktwin_depth::ShotError| {
-            FileError::new(&file.path, error.to_string(), "give both in one size")
+            FileError::new(&file.path, error.to_string(), "give images of the same size")
         };
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into()).map_err(of_one_size)?;
@@ -394,32 +393,32 @@ impl Eye<'_> {
             shot = shot.with_positions(seen.into()).map_err(of_one_size)?;
         }
         let capture = sensor.capture(shot, &request)?;
-        let products = self.look.products(&**sensor.engine(), &capture, rgb.as_ref());
-        products.map_err(|error| FileError::codec(&file.path, &error).into())
+        let shot = self.output.shot(&**sensor.engine(), capture, rgb.as_ref(), input);
+        Ok(shot)
     }
 }
 
-/// Refuses what an engine does not make, or makes of a picture that is not there.
+/// Rejects annotators that the engine does not support, or that require a missing colour image.
 fn check_outputs(
     options: &SenseOptions,
     engine: &dyn Engine,
-    has_pictures: bool,
+    has_rgb: bool,
     file: &DepthFile,
 ) -> Result<(), SenseError> {
     for annotator in &options.annotators {
         let name = annotator.name();
-        let is_isaacs = matches!(
+        let is_isaac_only = matches!(
             annotator,
             Annotator::DepthSensorImager | Annotator::DepthSensorOutputVisualization
         );
-        if is_isaacs && !engine.outputs().contains(annotator) {
+        if is_isaac_only && !engine.outputs().contains(annotator) {
             return Err(SenseError::option(message![
                 opt("annotators").with(name),
                 format!(": not supported by {}; remove it, or set ", engine.kind()),
                 opt("engine").with("single-view")
             ]));
         }
-        if engine.needs_rgb(*annotator) && !has_pictures {
+        if engine.needs_rgb(*annotator) && !has_rgb {
             let remedy = message!["give it as ", opt("rgb"), ", or remove the annotator"];
             let message = format!("no colour image, which {name} requires");
             return Err(FileError::new(&file.path, message, remedy).into());

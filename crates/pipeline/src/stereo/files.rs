@@ -1,25 +1,26 @@
-//! Which files are a pair.
+//! Pairs of image files.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::input::name::Name;
+use oaktwin_dataset::InputName;
 use oaktwin_files::FileError;
 
-/// What images are called.
+/// The extensions of images.
 const EXTENSIONS: [&str; 4] = ["png", "jpg", "jpeg", "npy"];
 
-/// The images of one moment.
+/// A pair of image files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PairFiles {
-    /// Of the left camera.
+    /// The left image.
     pub left: PathBuf,
-    /// Of the right camera.
+    /// The right image.
     pub right: PathBuf,
-    /// What comes before the names of results.
+    /// The text before the name of a result.
     prefix: String,
-    /// What comes after them.
+    /// The text after the name of a result.
     suffix: String,
     number: Option<u64>,
 }
@@ -36,22 +37,26 @@ impl PairFiles {
         }
     }
 
-    /// The name of a result.
-    pub(super) fn result(&self, what: &str, extension: &str) -> String {
-        format!("{}{what}{}.{extension}", self.prefix, self.suffix)
+    /// The names of the results.
+    pub(super) fn results(&self) -> InputName {
+        InputName {
+            prefix: self.prefix.clone(),
+            suffix: self.suffix.clone(),
+            ..InputName::default()
+        }
     }
 
-    /// Whether another is of the same sequence.
+    /// Whether the pair continues the sequence of `before`.
     pub(super) fn goes_on(&self, before: &Self) -> bool {
         self.prefix == before.prefix && self.number.is_some() && before.number.is_some()
     }
 }
 
-/// The pairs of two files, or of two folders whose files have the same names but for the words `left` and `right`: in the
-/// order of the numbers in them. One folder may hold both.
+/// Returns the pair of two files, or the pairs of two folders, whose file names are equal except for the words `left` and `right`,
+/// in the order of the numbers in them. One folder may contain both.
 ///
 /// # Errors
-/// A folder that cannot be read, has no images, or one without its partner.
+/// Returns an error if a folder cannot be read or has no images, or an image has no partner.
 pub fn pairs(left: &Path, right: &Path) -> Result<Vec<PairFiles>, FileError> {
     match (left.is_dir(), right.is_dir()) {
         (false, false) => return Ok(vec![PairFiles::new(left.to_owned(), right.to_owned())]),
@@ -59,14 +64,14 @@ pub fn pairs(left: &Path, right: &Path) -> Result<Vec<PairFiles>, FileError> {
         (true, false) => {
             return Err(FileError::new(
                 right,
-                "is no folder, and the left is",
+                "is a file, but the left input is a folder",
                 "give two folders",
             ));
         }
         (false, true) => {
             return Err(FileError::new(
                 left,
-                "is no folder, and the right is",
+                "is a file, but the right input is a folder",
                 "give two folders",
             ));
         }
@@ -81,7 +86,7 @@ pub fn pairs(left: &Path, right: &Path) -> Result<Vec<PairFiles>, FileError> {
             return Err(FileError::new(
                 &left_file,
                 message,
-                "name the images of a moment alike",
+                "give the images of a pair the same name except for left and right",
             ));
         };
         pairs.push(PairFiles::new(left_file, right_file));
@@ -91,14 +96,14 @@ pub fn pairs(left: &Path, right: &Path) -> Result<Vec<PairFiles>, FileError> {
         return Err(FileError::new(
             &alone,
             message,
-            "name the images of a moment alike",
+            "give the images of a pair the same name except for left and right",
         ));
     }
     pairs.sort_by(|a, b| (&a.prefix, a.number, &a.suffix).cmp(&(&b.prefix, b.number, &b.suffix)));
     Ok(pairs)
 }
 
-/// The images of a folder, those with a word in their names if one is asked for, by what is the same in both.
+/// The images of a folder by their key; with `word`, those that have it in their names.
 fn images(folder: &Path, word: Option<&str>) -> Result<BTreeMap<String, PathBuf>, FileError> {
     let unreadable = |error: std::io::Error| {
         FileError::new(
@@ -118,15 +123,15 @@ fn images(folder: &Path, word: Option<&str>) -> Result<BTreeMap<String, PathBuf>
             continue;
         }
         if let Some(other) = found.insert(key(&path), path.clone()) {
-            let message = format!("is of the same moment as {}", other.display());
-            return Err(FileError::new(&path, message, "leave one out"));
+            let message = format!("has the same name as {}", other.display());
+            return Err(FileError::new(&path, message, "remove one of them"));
         }
     }
     if found.is_empty() {
         let of = word
             .map(|word| format!(" with {word} in its name"))
             .unwrap_or_default();
-        let message = format!("holds no image{of}");
+        let message = format!("contains no images{of}");
         return Err(FileError::new(
             folder,
             message,
@@ -146,7 +151,7 @@ fn has(path: &Path, side: &str) -> bool {
     words(path).iter().any(|word| word.eq_ignore_ascii_case(side))
 }
 
-/// What is the same in the names of both.
+/// The part of a name that is the same for both images of a pair.
 fn key(path: &Path) -> String {
     let is_side = |word: &String| {
         ["left", "right"]

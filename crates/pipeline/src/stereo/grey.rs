@@ -1,4 +1,4 @@
-//! Images of a camera from files: grey, 8 bits or 10.
+//! Grey images of 8 or 10 bits from files.
 
 use std::path::Path;
 
@@ -7,23 +7,23 @@ use oaktwin_files::{self as files, FileError};
 use oaktwin_image::npy::{self, Values};
 use oaktwin_image::{Image, png, texture};
 
-/// The largest image file.
-const MOST_BYTES: u64 = 1 << 30;
+/// The maximum size of a file.
+const MAX_BYTES: u64 = 1 << 30;
 
-/// The largest number of 10 bits.
+/// The maximum of 10 bits.
 const TEN_BITS: u16 = 1023;
 
-/// As a file has it.
+/// The image of a file.
 enum Grey {
     Eight(Image<u8>),
     Sixteen(Image<u16>),
 }
 
-/// The images of two files: PNG, JPEG or NPY. Numbers of 16 bits are those of a camera of 10, or, where one of the pair is
-/// larger, their upper 10 bits; colours become luma (Rec. 601, as `OpenCV` and `DepthAI` do it).
+/// Reads a pair of images: PNG, JPEG or NPY. 16-bit values are 10-bit ones, or, if one of the pair is larger, their upper 10 bits;
+/// colours become luma (Rec. 601, as in `OpenCV` and `DepthAI`).
 ///
 /// # Errors
-/// A file that cannot be read, or is no image.
+/// Returns an error if a file cannot be read or is not an image.
 pub fn read_pair(left: &Path, right: &Path) -> Result<[Recorded; 2], FileError> {
     let pair = [read(left)?, read(right)?];
     let is_full = pair.iter().any(|grey| match grey {
@@ -38,7 +38,7 @@ pub fn read_pair(left: &Path, right: &Path) -> Result<[Recorded; 2], FileError> 
 }
 
 fn read(path: &Path) -> Result<Grey, FileError> {
-    let bytes = files::read(path, MOST_BYTES, "an image")?;
+    let bytes = files::read(path, MAX_BYTES, "an image")?;
     let grey = if bytes.starts_with(b"\x93NUMPY") {
         array(path, &bytes)?
     } else if let Ok(image) = png::decode::<u8>(&bytes) {
@@ -47,9 +47,9 @@ fn read(path: &Path) -> Result<Grey, FileError> {
         Grey::Sixteen(image)
     } else {
         let extension = path.extension().map(|extension| extension.to_string_lossy());
-        let picture = texture::decode_srgb(&bytes, extension.as_deref());
+        let image = texture::decode_srgb(&bytes, extension.as_deref());
         Grey::Eight(
-            picture
+            image
                 .map_err(|error| FileError::codec(path, &error))?
                 .map(|&[r, g, b, _]| luma([r, g, b])),
         )
@@ -58,7 +58,7 @@ fn read(path: &Path) -> Result<Grey, FileError> {
         Grey::Eight(image) => (image.width(), image.height()),
         Grey::Sixteen(image) => (image.width(), image.height()),
     };
-    crate::render::check_size(oaktwin_camera::ImageSize::new(width, height))
+    crate::limits::check_size(oaktwin_camera::ImageSize::new(width, height))
         .map_err(|error| FileError::new(path, error.what(), error.remedy()))?;
     Ok(grey)
 }
@@ -77,9 +77,9 @@ fn array(path: &Path, bytes: &[u8]) -> Result<Grey, FileError> {
     let (height, width, channels) = match shape[..] {
         [height, width] => (height, width, 1),
         [height, width, channels @ (1 | 3 | 4)] => (height, width, channels),
-        _ => return Err(wrong(format!("NPY: shape: {shape:?} is no image"))),
+        _ => return Err(wrong(format!("NPY: shape: unsupported array shape {shape:?}"))),
     };
-    let no_image = || wrong(format!("NPY: shape: {shape:?} is no image"));
+    let no_image = || wrong(format!("NPY: shape: unsupported array shape {shape:?}"));
     let (Ok(width), Ok(height)) = (u32::try_from(width), u32::try_from(height)) else {
         return Err(no_image());
     };
@@ -94,12 +94,12 @@ fn array(path: &Path, bytes: &[u8]) -> Result<Grey, FileError> {
             });
             Image::new(width, height, grey.collect()).map(Grey::Eight)
         }
-        _ => return Err(wrong("NPY: descr: these numbers are no image's".to_owned())),
+        _ => return Err(wrong("NPY: descr: unsupported dtype".to_owned())),
     }
     .ok_or_else(no_image)
 }
 
-/// The grey of a colour (Rec. 601, as `OpenCV` and `DepthAI` do it).
+/// Returns the luma of a colour (Rec. 601, as in `OpenCV` and `DepthAI`).
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
 pub fn luma([r, g, b]: [u8; 3]) -> u8 {

@@ -1,4 +1,4 @@
-//! Two images to depth.
+//! From two images to depth.
 
 use rayon::prelude::*;
 
@@ -18,34 +18,34 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 
-/// What took a pair.
+/// The cameras of a pair.
 #[derive(Clone, Copy, Debug)]
 pub enum PairOf<'a> {
-    /// The cameras of a twin, one unit's or a nominal one.
+    /// The cameras of a twin.
     Twin {
         /// The device.
         twin: &'a Twin,
         /// The lens of the wide models' nominal cameras.
         lens: LensChoice,
-        /// Whether the images are as the cameras take them, and not rectified.
+        /// Whether the images are raw, not rectified.
         is_raw: bool,
-        /// How they are rectified; by default as the device's processor does it.
+        /// The rectification of raw images; by default that of the device's processor.
         rectify: Option<RectifyOptions>,
-        /// The processor whose defaults and presets hold; by default the device's.
+        /// The processor whose defaults and presets apply; by default the device's.
         platform: Option<Platform>,
     },
-    /// Anything; the images are rectified.
+    /// Any cameras with rectified images.
     Rectified {
-        /// Their field of view.
+        /// The field of view of the images.
         field_of_view: FieldOfView,
-        /// Between the two cameras, m.
+        /// The baseline in metres.
         baseline_m: f64,
-        /// The processor whose defaults and presets hold.
+        /// The processor whose defaults and presets apply.
         platform: Platform,
     },
 }
 
-/// A stereo pair's processor, ready to look. It remembers earlier frames where its filters do.
+/// Matches pairs of images. Its temporal filters depend on earlier frames.
 #[derive(Debug)]
 pub struct Matcher {
     size: ImageSize,
@@ -57,22 +57,22 @@ pub struct Matcher {
     findings: Vec<Finding>,
 }
 
-/// What is seen in a pair.
+/// The result of matching a pair.
 #[derive(Debug)]
 pub struct Seen {
-    /// Depth, disparity and confidence.
+    /// The depth, disparity and confidence.
     pub capture: Capture,
-    /// What was matched: left and right.
+    /// The rectified images, left and right.
     pub rectified: [Recorded; 2],
-    /// What is wrong with the pair.
+    /// Findings about the pair.
     pub findings: Vec<Finding>,
 }
 
 impl Matcher {
-    /// For images of this size.
+    /// Creates a matcher for images of a size.
     ///
     /// # Errors
-    /// Cameras that are no pair; an option that cannot be.
+    /// Returns an error if the cameras are not a stereo pair or an option is invalid.
     pub fn new(of: &PairOf<'_>, size: ImageSize, options: &SensorOptions) -> Result<Self, StereoError> {
         let (rectify, intrinsics, body_from_camera, stereo, platform, place) = match *of {
             PairOf::Twin {
@@ -127,7 +127,7 @@ impl Matcher {
         })
     }
 
-    /// What about it is to be known.
+    /// The findings about the cameras and options.
     #[must_use]
     pub fn findings(&self) -> &[Finding] {
         &self.findings
@@ -145,19 +145,19 @@ impl Matcher {
         Camera::new(self.intrinsics, LensModel::Pinhole)
     }
 
-    /// Where the rectified left camera stands in the device's body, metres; the identity of a pair that is no device's.
+    /// The pose of the rectified left camera in the device's body, metres; the identity for other pairs.
     #[must_use]
     pub fn body_from_camera(&self) -> RigidTransform {
         self.body_from_camera
     }
 
-    /// m
+    /// The baseline in metres.
     #[must_use]
     pub fn baseline_m(&self) -> f64 {
         self.baseline_m
     }
 
-    /// How images are rectified; `None` where they are.
+    /// The rectification method; `None` for rectified images.
     #[must_use]
     pub fn method(&self) -> Option<Method> {
         self.rectify.as_ref().map(StereoRectify::method)
@@ -174,21 +174,20 @@ impl Matcher {
         self.sensor.reset();
     }
 
-    /// Matches a pair of its size.
+    /// Matches a pair.
     ///
     /// # Errors
-    /// Images of another size, or of two kinds.
+    /// Returns an error if the images differ in size or bit depth, or have another size than the matcher.
     pub fn look(&mut self, left: Recorded, right: Recorded) -> Result<Seen, StereoError> {
         let rectified = self.rectified(left, right)?;
         see(&mut self.sensor, rectified)
     }
 
-    /// Matches pairs of one moment, left and right, those of many rigs: each as a matcher would that has seen none before,
-    /// and this one does not remember them. Threads match a pair each while there are enough, and share those that are
-    /// left; there are never more at work than threads. Findings say the pair's number, from `first` on.
+    /// Matches simultaneous pairs of many rigs: each independently, without history. Each thread matches one pair; the threads share
+    /// the last ones. Findings name the pair's number, counted from `first`.
     ///
     /// # Errors
-    /// As for [`Matcher::look`], of the first pair that has one.
+    /// Returns the error of the first pair that has one, as [`Matcher::look`] does.
     pub fn look_all(&self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
         let mut fresh = self.sensor.clone();
         fresh.reset();
@@ -216,7 +215,7 @@ impl Matcher {
     }
 
     fn rectified(&self, left: Recorded, right: Recorded) -> Result<[Recorded; 2], StereoError> {
-        // First, so that what is wrong is told of the images as they came.
+        // Checked first, so that errors are about the images as given.
         Pair::new(&left, &right)?;
         let rectified = match (&self.rectify, &left, &right) {
             (None, ..) => None,
@@ -231,8 +230,8 @@ impl Matcher {
         let size = ImageSize::new(left.width(), left.height());
         if size != self.size {
             return Err(stereo_matching::PairError {
-                what: format!("its images are {size}, those before {}", self.size),
-                remedy: "give images of one size",
+                what: format!("its images are {size}, but the first ones are {}", self.size),
+                remedy: "give images of the same size",
             }
             .into());
         }
@@ -256,7 +255,7 @@ fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoErro
 fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, ParameterError> {
     let wrong = |name: &str, value: f64, remedy: &str| ParameterError {
         name: name.to_owned(),
-        what: format!("{value} is no camera's"),
+        what: format!("{value} is out of range"),
         remedy: remedy.to_owned(),
     };
     match field_of_view {
@@ -273,12 +272,12 @@ fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, Para
         FieldOfView::Camera(camera) if camera.intrinsics.size == size => Ok(camera.intrinsics),
         FieldOfView::Camera(camera) => Err(ParameterError {
             name: "camera".to_owned(),
-            what: format!("its images are {}, and these {size}", camera.intrinsics.size),
-            remedy: "give the camera at their size".to_owned(),
+            what: format!("its images are {} instead of {size}", camera.intrinsics.size),
+            remedy: "give a camera of the images' size".to_owned(),
         }),
         FieldOfView::Known => Err(ParameterError {
             name: "fx".to_owned(),
-            what: "nothing says the images' field of view".to_owned(),
+            what: "the field of view is unknown".to_owned(),
             remedy: "give the focal length or the field of view".to_owned(),
         }),
     }

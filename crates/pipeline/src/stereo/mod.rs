@@ -1,8 +1,7 @@
-//! The stereo matcher on any pair of images: files to files ([`stereo`]), or images to images ([`Matcher`]).
+//! Stereo matching of any pair of images: from files to files ([`stereo`]), or from images to images ([`Matcher`]).
 //!
-//! Images are grey, 8 bits or 10; a picture of colours becomes its luma. They are as cameras take them ([`PairOf::Twin`] with
-//! `is_raw`), and are rectified as the device does it, or they are rectified. Depth is in the rectified left image, metres, 0
-//! where nothing was measured.
+//! Images are grey with 8 or 10 bits; colour images become luma. Raw images ([`PairOf::Twin`] with `is_raw`) are rectified as on
+//! the device. Depth is that of the rectified left image in metres, 0 where nothing was measured.
 
 mod files;
 mod grey;
@@ -12,37 +11,41 @@ mod run;
 pub use files::{PairFiles, pairs};
 pub use grey::{luma, read_pair};
 pub use matcher::{Matcher, PairOf, Seen};
-pub use run::{Matched, StereoOptions, stereo};
+pub use run::{Matched, StereoOptions, StereoOutput, stereo};
 
 use std::path::Path;
 
 use crate::pair::PairError;
 use crate::sensor::ParameterError;
+use oaktwin_dataset::WriteError;
 use oaktwin_depth::stereo_matching;
 use oaktwin_diagnostic::Finding;
 use oaktwin_files::FileError;
 
-/// Why a pair could not be matched. The files before it are whole, and stay.
+/// An error while pairs are matched. Files that are complete are kept.
 #[derive(Debug, thiserror::Error)]
 pub enum StereoError {
-    /// A file that cannot be read, written or understood.
+    /// A file cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A parameter of the matcher, or of the cameras.
+    /// A parameter of the matcher or the cameras is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// Cameras that are no pair.
+    /// The cameras are not a stereo pair.
     #[error(transparent)]
     Cameras(#[from] PairError),
-    /// Images that are no pair.
+    /// The images are not a pair.
     #[error(transparent)]
     Pair(#[from] stereo_matching::PairError),
+    /// A result cannot be encoded or written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
 }
 
-/// Refuses a calibration that does not say how its pair is placed; `findings` are what was said when it was read.
+/// Rejects a calibration without the extrinsics of the stereo pair; `findings` are those of reading it.
 ///
 /// # Errors
-/// It does not.
+/// Returns an error if the extrinsics are missing.
 pub fn check_calibration(path: &Path, findings: &[Finding]) -> Result<(), FileError> {
     match findings.iter().find(|finding| finding.code == "pair-nominal") {
         Some(finding) => Err(FileError::new(

@@ -1,4 +1,4 @@
-//! Pairs of files to files.
+//! From files of pairs to files of depth.
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -8,70 +8,94 @@ use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
-use crate::render::OutputFolder;
-use crate::sense::positions;
+use crate::geometry::{measured_only, positions};
+use crate::progress::Watch;
 use crate::sensor::{FixedDisparity, SensorOptions};
+use crate::write::write_while;
 use oaktwin_camera::{Camera, ImageSize};
+use oaktwin_dataset::{self as dataset, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot};
 use oaktwin_depth::rectify::Method;
 use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_files::{FileError, WrittenFile};
-use oaktwin_image::annotation::Annotator;
-use oaktwin_image::{CodecError, Image, ZDepth, millimetres, npy, ply, png, preview};
+use oaktwin_files::{FileError, OutputFiles, WrittenFile};
+use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::{Image, ZDepth};
 
-/// What to make of pairs.
+/// The outputs of stereo matching.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StereoOptions {
-    /// Preset, filters, parameters.
+    /// The preset, filters and parameters.
     pub sensor: SensorOptions,
-    /// Disparity too: `disparity` NPY, float32 px, 0 where nothing was measured.
-    pub disparity: bool,
-    /// How sure the matcher is: `confidence` NPY, uint8, higher is surer.
-    pub confidence: bool,
-    /// What was matched: `rectified_left` and `rectified_right` PNG.
-    pub rectified: bool,
-    /// Depth as 16-bit PNG in millimetres too.
-    pub png16: bool,
-    /// Depth as a picture for people too.
-    pub preview: bool,
-    /// The points as PLY too: x right, y down, z forward.
+    /// The outputs to write; the distance is always written.
+    pub outputs: Vec<StereoOutput>,
+    /// The additional files of each depth image.
+    pub extras: Extras,
+    /// Whether the point cloud is also written, as PLY: x right, y down, z forward.
     pub ply: bool,
 }
 
-/// What was matched and written.
+/// An output of stereo matching.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StereoOutput {
+    /// `depth_sensor_distance`: NPY, `float32` metres, 0 where nothing was measured.
+    Distance,
+    /// `depth_sensor_point_cloud_position`: NPY, `float32`, metres in the camera's frame with USD's axes, and 1.
+    Positions,
+    /// `depth_sensor_point_cloud_color`: NPY, `uint8` RGBA.
+    Colors,
+    /// `disparity`: NPY, `float32` px, 0 where nothing was measured.
+    Disparity,
+    /// `confidence`: NPY, `uint8`, 255 is the highest.
+    Confidence,
+    /// `rectified_left` and `rectified_right`: PNG.
+    Rectified,
+}
+
+impl StereoOutput {
+    /// The names of all outputs.
+    pub const NAMES: [(&'static str, Self); 6] = [
+        ("depth_sensor_distance", Self::Distance),
+        ("depth_sensor_point_cloud_position", Self::Positions),
+        ("depth_sensor_point_cloud_color", Self::Colors),
+        ("disparity", Self::Disparity),
+        ("confidence", Self::Confidence),
+        ("rectified", Self::Rectified),
+    ];
+}
+
+/// The result of stereo matching.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matched {
-    /// Whole ones.
+    /// The complete files.
     pub files: Vec<WrittenFile>,
-    /// Of each pair the share (0 to 1) of pixels that were measured.
+    /// The fill rate of each pair, 0 to 1.
     pub fill: Vec<f64>,
-    /// What is wrong with the images, and what was chosen; each kind once, of the first pair that has it.
+    /// The findings; of each code the first one.
     pub findings: Vec<Finding>,
     /// The rectified left camera.
     pub camera: Camera,
-    /// m
+    /// The baseline in metres.
     pub baseline_m: f64,
-    /// How the images were rectified: `homography`, `mesh` or `full`; `None` where they were.
+    /// The rectification method (`homography`, `mesh` or `full`); `None` for rectified images.
     pub method: Option<&'static str>,
-    /// Whether the caller asked to stop before the end.
+    /// Whether the task was interrupted.
     pub is_interrupted: bool,
 }
 
-/// Matches pairs of files, one after the other, and writes what is measured into a folder. `watch` is asked before each,
-/// with how many are done.
+/// Matches pairs of files and writes the results into a folder.
 ///
 /// # Errors
-/// A file that cannot be read or written, images that are no pair, options that make no matcher.
+/// Returns an error if a file cannot be read or written, the images are not a pair, or an option is invalid.
 pub fn stereo(
     pairs: &[PairFiles],
     of: &PairOf<'_>,
     options: &StereoOptions,
     output: &Path,
-    watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
+    watch: &Watch<'_>,
 ) -> Result<Option<Matched>, StereoError> {
     let Some(first) = pairs.first() else {
         return Ok(None);
     };
-    let mut writer = Writer::new(pairs, output)?;
+    let mut output = output_files(pairs, output)?;
     let images = read_pair(&first.left, &first.right)?;
     let size = ImageSize::new(images[0].width(), images[0].height());
     let mut matcher = Matcher::new(of, size, &options.sensor)?;
@@ -84,60 +108,98 @@ pub fn stereo(
         method: matcher.method().map(Method::name),
         is_interrupted: false,
     };
-    let mut given = Some(images);
-    let mut before = first;
-    for (pair, done) in pairs.iter().zip(0..) {
-        if watch(done).is_break() {
-            matched.is_interrupted = true;
-            break;
-        }
-        let [left, right] = match given.take() {
-            Some(images) => images,
-            None => read_pair(&pair.left, &pair.right)?,
-        };
-        if !pair.goes_on(before) {
-            matcher.reset();
-        }
-        before = pair;
-        let of_files = |error: StereoError| match error {
-            StereoError::Pair(error) => {
-                let message = format!("and {}: {}", pair.right.display(), error.what);
-                FileError::new(&pair.left, message, error.remedy).into()
+    let mut writer = FlatWriter::new(dataset::Options {
+        extras: Extras {
+            ply: false,
+            ..options.extras
+        },
+        ..dataset::Options::default()
+    });
+    let (mut given, mut before) = (Some(images), first);
+    let total = pairs.len() as u64;
+    let written = write_while(&mut [&mut writer], &mut output, total, watch, |producer| {
+        for pair in pairs {
+            if producer.proceed().is_break() {
+                return Ok(ControlFlow::Break(()));
             }
-            error => error,
-        };
-        let seen = matcher.look(left, right).map_err(of_files)?;
+            let [left, right] = match given.take() {
+                Some(images) => images,
+                None => read_pair(&pair.left, &pair.right)?,
+            };
+            if !pair.goes_on(before) {
+                matcher.reset();
+            }
+            before = pair;
+            let seen = matcher.look(left, right).map_err(|error| in_files(error, pair))?;
+            matched.add(&seen, pair);
+            let shot = shot(seen, &matcher.camera(), options, pair);
+            if producer.write(shot).is_break() || producer.finish().is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        Ok::<_, StereoError>(ControlFlow::Continue(()))
+    })?;
+    matched.is_interrupted = written.is_interrupted;
+    matched
+        .fill
+        .truncate(usize::try_from(written.frames).unwrap_or(usize::MAX));
+    matched.files = output.files().to_vec();
+    Ok(Some(matched))
+}
+
+/// The folder of the results, if no two pairs have results of one name.
+fn output_files(pairs: &[PairFiles], folder: &Path) -> Result<OutputFiles, FileError> {
+    let inputs = || pairs.iter().flat_map(|pair| [&pair.left, &pair.right]);
+    if let Some(path) = inputs().find(|path| !path.exists()) {
+        return Err(FileError::new(path, "there is no such file", "check the path"));
+    }
+    let mut names = BTreeSet::new();
+    for pair in pairs {
+        let path = pair.results().path("", "depth_sensor_distance", "npy");
+        if !names.insert(path.clone()) {
+            return Err(FileError::new(
+                &folder.join(path),
+                "is the result of several pairs",
+                "rename the images so that their names differ",
+            ));
+        }
+    }
+    let mut output = OutputFiles::in_folder(folder)?;
+    output.protect(inputs().map(PathBuf::as_path));
+    Ok(output)
+}
+
+/// An error about the images of a pair, with their paths.
+fn in_files(error: StereoError, pair: &PairFiles) -> StereoError {
+    match error {
+        StereoError::Pair(error) => {
+            let message = format!("and {}: {}", pair.right.display(), error.what);
+            FileError::new(&pair.left, message, error.remedy).into()
+        }
+        error => error,
+    }
+}
+
+impl Matched {
+    /// Adds the fill rate and the findings of a pair.
+    fn add(&mut self, seen: &Seen, pair: &PairFiles) {
         let ZDepth(metres) = &seen.capture.distance;
         let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
-        let is_strange = measured == 0 && seen.findings.is_empty();
-        for finding in seen
-            .findings
-            .iter()
-            .chain(is_strange.then_some(&nothing_measured()))
-        {
-            if !matched.findings.iter().any(|known| known.code == finding.code) {
+        self.fill
+            .push(measured as f64 / metres.pixels().len().max(1) as f64);
+        let nothing = (measured == 0 && seen.findings.is_empty()).then(nothing_measured);
+        for finding in seen.findings.iter().chain(&nothing) {
+            if !self.findings.iter().any(|known| known.code == finding.code) {
                 let place = format!("{}: {}", pair.left.display(), finding.place);
-                matched.findings.push(Finding {
+                self.findings.push(Finding {
                     place,
                     ..finding.clone()
                 });
             }
         }
-        matched
-            .fill
-            .push(measured as f64 / metres.pixels().len().max(1) as f64);
-        let products = products(&seen, &matcher.camera(), options);
-        for (what, extension, bytes) in products.map_err(|error| FileError::codec(&pair.left, &error))? {
-            matched
-                .files
-                .push(writer.put(&pair.result(what, extension), &bytes)?);
-        }
     }
-    Ok(Some(matched))
-}
 
-impl Matched {
-    /// Whether something is wrong with the images.
+    /// Whether there are warnings about the images.
     #[must_use]
     pub fn has_warnings(&self) -> bool {
         self.findings
@@ -151,105 +213,67 @@ fn nothing_measured() -> Finding {
         "nothing-measured",
         Level::Warning,
         "stereo pair",
-        "not one pixel was measured",
-        "check that the two are a rectified pair, or loosen confidenceThreshold, leftRightCheckThreshold and the filters",
+        "no pixel was measured",
+        "check that the images are a rectified pair, or relax confidenceThreshold, leftRightCheckThreshold and the filters",
     )
 }
 
-type Product = (&'static str, &'static str, Vec<u8>);
-
-fn products(seen: &Seen, camera: &Camera, options: &StereoOptions) -> Result<Vec<Product>, CodecError> {
-    let ZDepth(metres) = &seen.capture.distance;
-    let mut products = vec![("depth_sensor_distance", "npy", array(metres)?)];
-    if options.png16 {
-        let bytes = png::encode(&millimetres::from_metres(metres))?;
-        products.push(("depth_sensor_distance_millimetres", "png", bytes));
-    }
-    if options.preview {
-        let bytes = png::encode(&preview::depth(metres, &preview::Options::default()))?;
-        products.push(("depth_sensor_distance_preview", "png", bytes));
-    }
-    let disparity = seen.capture.extra::<FixedDisparity>(Annotator::Disparity);
-    if let Some(disparity) = disparity.filter(|_| options.disparity) {
-        products.push(("disparity", "npy", array(&disparity.to_px())?));
-    }
-    let confidence = seen.capture.extra::<Image<u8>>(Annotator::Confidence);
-    if let Some(confidence) = confidence.filter(|_| options.confidence) {
-        products.push(("confidence", "npy", array(confidence)?));
-    }
-    if options.rectified {
-        for (name, image) in ["rectified_left", "rectified_right"]
-            .into_iter()
-            .zip(&seen.rectified)
-        {
-            products.push((name, "png", image.to_png()?));
-        }
-    }
-    if options.ply {
-        products.push(("depth_sensor_point_cloud", "ply", points(seen, camera)?));
-    }
-    Ok(products)
-}
-
-fn array<T: npy::Element>(image: &Image<T>) -> Result<Vec<u8>, CodecError> {
-    npy::encode(&[image.height() as usize, image.width() as usize], image.pixels())
-}
-
-fn points(seen: &Seen, camera: &Camera) -> Result<Vec<u8>, CodecError> {
-    let ZDepth(metres) = &seen.capture.distance;
+/// The frame of a matched pair.
+fn shot(seen: Seen, camera: &Camera, options: &StereoOptions, pair: &PairFiles) -> Shot {
+    let wants = |output: StereoOutput| options.outputs.contains(&output);
+    let Seen {
+        capture, rectified, ..
+    } = seen;
+    let ZDepth(metres) = &capture.distance;
     let size = ImageSize::new(metres.width(), metres.height());
-    let camera = Camera::new(camera.intrinsics.resized(size, false), camera.lens);
-    let [left, _] = &seen.rectified;
-    let colors = (left.width() == size.width && left.height() == size.height)
-        .then(|| left.to_eight().map(|&grey| [grey, grey, grey, 255]));
-    ply::encode_measured(&positions(&camera, metres), colors.as_ref(), |[x, y, z]| {
-        [x, -y, -z]
-    })
-}
-
-/// Never over an input, and no result over another.
-struct Writer {
-    folder: OutputFolder,
-    /// Real paths.
-    inputs: BTreeSet<PathBuf>,
-    written: BTreeSet<String>,
-}
-
-impl Writer {
-    fn new(pairs: &[PairFiles], output: &Path) -> Result<Self, FileError> {
-        let inputs = pairs.iter().flat_map(|pair| [&pair.left, &pair.right]);
-        let mut real = BTreeSet::new();
-        for path in inputs {
-            if !path.exists() {
-                return Err(FileError::new(path, "there is no such file", "check the path"));
-            }
-            real.extend(path.canonicalize());
-        }
-        Ok(Self {
-            folder: OutputFolder::prepare(output)?,
-            inputs: real,
-            written: BTreeSet::new(),
-        })
+    let needs_cloud = options.ply || wants(StereoOutput::Positions) || wants(StereoOutput::Colors);
+    let cloud = needs_cloud.then(|| {
+        let camera = Camera::new(camera.intrinsics.resized(size, false), camera.lens);
+        let [left, _] = &rectified;
+        let colors = (left.width() == size.width && left.height() == size.height)
+            .then(|| left.to_eight().map(|&grey| [grey, grey, grey, 255]));
+        (positions(&camera, metres), colors)
+    });
+    let mut layers = Vec::new();
+    let mut add = |name: &'static str, data| {
+        layers.push(Layer {
+            folder: name,
+            name: name.to_owned(),
+            data,
+        });
+    };
+    let disparity = capture.extra::<FixedDisparity>(Annotator::Disparity);
+    if let Some(disparity) = disparity.filter(|_| wants(StereoOutput::Disparity)) {
+        add("disparity", LayerData::Float(disparity.to_px()));
     }
-
-    fn put(&mut self, name: &str, bytes: &[u8]) -> Result<WrittenFile, FileError> {
-        let path = self.folder.path().join(name);
-        if path.canonicalize().is_ok_and(|path| self.inputs.contains(&path)) {
-            return Err(FileError::new(
-                &path,
-                "is an input of this command",
-                "choose another place",
-            ));
+    let confidence = capture.extra::<Image<u8>>(Annotator::Confidence);
+    if let Some(confidence) = confidence.filter(|_| wants(StereoOutput::Confidence)) {
+        add("confidence", LayerData::Byte(confidence.clone()));
+    }
+    if wants(StereoOutput::Rectified) {
+        for (name, image) in ["rectified_left", "rectified_right"].into_iter().zip(rectified) {
+            add(name, LayerData::Png(Box::new(move || image.to_png())));
         }
-        if !self.written.insert(name.to_owned()) {
-            return Err(FileError::new(
-                &path,
-                "is the result of another pair too",
-                "give the images names that differ",
-            ));
+    }
+    let mut frame = Frame::default();
+    if let Some((positions, colors)) = cloud {
+        if options.ply {
+            let data = LayerData::Cloud {
+                positions: positions.clone(),
+                colors: colors.clone(),
+                axes: CloudAxes::Optical,
+            };
+            add("depth_sensor_point_cloud", data);
         }
-        let path = self.folder.write(Path::new(name), bytes)?;
-        let bytes = bytes.len() as u64;
-        Ok(WrittenFile { path, bytes })
+        frame.depth_sensor_point_cloud_color = colors
+            .filter(|_| wants(StereoOutput::Colors))
+            .map(|colors| measured_only(colors, metres));
+        frame.depth_sensor_point_cloud_position = Some(positions).filter(|_| wants(StereoOutput::Positions));
+    }
+    frame.depth_sensor_distance = Some(capture.distance);
+    Shot {
+        layers,
+        input: pair.results(),
+        ..Shot::new(frame, 0)
     }
 }

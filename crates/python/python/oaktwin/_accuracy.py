@@ -43,9 +43,9 @@ class Accuracy:
         return rows
 
     @property
-    def is_good(self) -> bool:
+    def passed(self) -> bool:
         """Whether no distance lies outside its band and something was measured."""
-        return bool(self.report["is_good"])
+        return bool(self.report["passed"])
 
     def to_numpy(self) -> npt.NDArray[Any]:
         """Returns a structured array with one row per distance: the numbers of `rows` as float64, NaN if nothing was measured."""
@@ -82,7 +82,7 @@ class Accuracy:
         return ax
 
     def __repr__(self) -> str:
-        verdict = "within the published accuracy" if self.is_good else "NOT within the published accuracy"
+        verdict = "within the published accuracy" if self.passed else "NOT within the published accuracy"
         return f"<oaktwin.Accuracy {self.report['model']}: {len(self.rows)} distances, {verdict}>"
 
     def _repr_html_(self) -> str:

@@ -29,12 +29,12 @@ fn heading(report: &Report) -> String {
         Devices::One { device_seed } => format!("the device of seed {device_seed}"),
         Devices::AsGiven => "one device".to_owned(),
     };
-    let method = if report.not_the_vendors_method.is_empty() {
+    let method = if report.protocol_deviations.is_empty() {
         "as the vendor measures".to_owned()
     } else {
         format!(
             "not as the vendor measures ({})",
-            report.not_the_vendors_method.join("; ")
+            report.protocol_deviations.join("; ")
         )
     };
     let published = match &report.published {
@@ -280,11 +280,11 @@ fn measured(comparison: &Comparison) -> String {
         comparison.file,
         count(comparison.compared_points, "point"),
     );
-    if comparison.points_not_measured_by_the_twin > 0 {
+    if comparison.unmeasured_points > 0 {
         let _ = writeln!(
             text,
             "  {} left out: the twin reports nothing there",
-            count(comparison.points_not_measured_by_the_twin, "point")
+            count(comparison.unmeasured_points, "point")
         );
     }
     text

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use oaktwin::catalog::{Device, Twin, TwinDepthSensor};
-use oaktwin::dataset::{BasicWriter, Extras, Options, Shot};
-use oaktwin::files;
+use oaktwin::dataset::{Extras, FlatWriter, InputName, Options, Shot, Writer};
+use oaktwin::files::{self, OutputFiles};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::contact_sheet::{Column, contact_sheet};
 use oaktwin::image::{Image, ZDepth, png};
@@ -44,13 +44,13 @@ pub(super) fn render(
     twins: &[Twin],
 ) -> Result<Vec<u8>> {
     let folder = output.join(FOLDER);
-    let writer = BasicWriter::new(Options {
+    let options = Options {
         extras: Extras {
             preview: true,
             ..Extras::default()
         },
         ..Options::default()
-    });
+    };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
         let sensor = sensor::depth_sensor(twin, None)?;
@@ -63,16 +63,16 @@ pub(super) fn render(
             depth_sensor_distance: Some(measured.clone()),
             ..Frame::default()
         };
-        let shot = Shot {
-            frame: &frame,
-            camera_params: None,
-            number: 0,
-            render_product: None,
+        let mut output = OutputFiles::in_folder(&folder.join(&device.id))?;
+        let input = InputName {
+            suffix: "_0000".to_owned(),
+            ..InputName::default()
         };
-        for file in writer.files(&shot) {
-            let path = destination::in_folder(&folder.join(&device.id), file.path())?;
-            files::write(&path, &file.bytes()?)?;
-        }
+        let shot = Shot {
+            input,
+            ..Shot::new(frame, 0)
+        };
+        FlatWriter::new(options).write(&shot, &mut output)?;
         columns.push(Column {
             title: device.name.clone(),
             rgb,

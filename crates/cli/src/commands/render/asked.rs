@@ -1,10 +1,9 @@
-//! From what was typed to what is meant.
+//! From arguments to options.
 
 use std::path::PathBuf;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::dataset::Extras;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, OpenOptions, Sweep};
@@ -13,46 +12,38 @@ use oaktwin::scene::Up;
 use crate::args::RenderArgs;
 use crate::context::Result;
 
-/// The folder, where one is to be written.
+/// The output folder, if there is one.
 pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
     if args.output.is_some() || args.record.is_none() {
         let folder = args.output.clone();
         return Ok(folder.or_else(|| Some(PathBuf::from("oaktwin-render"))));
     }
     let files = [
-        ("--png16", args.png16),
-        ("--exr", args.exr),
-        ("--ply", args.ply),
-        ("--preview", args.preview),
+        ("--png16", args.outputs.png16),
+        ("--exr", args.outputs.exr),
+        ("--ply", args.outputs.ply),
+        ("--preview", args.outputs.preview),
         ("--sweep", !args.sweep.is_empty()),
         ("--pair", args.pair.pair),
     ];
-    match files.iter().find(|(_, is_asked)| *is_asked) {
-        Some((option, _)) => Err(format!(
-            "{option} writes files, which --record has no place for: name a folder with -o"
-        )
-        .into()),
+    match files.iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => {
+            Err(format!("{option} writes files beside the recording; set an output folder with -o").into())
+        }
         None => Ok(None),
     }
 }
 
-/// What is rendered where nobody says what.
-const USUAL: [Annotator; 3] = [
-    Annotator::Rgb,
-    Annotator::DistanceToImagePlane,
-    Annotator::CameraParams,
-];
-
-/// Those that are named, and those that a file beside them is made from.
+/// The annotators that are named, and those that additional files require.
 pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
-    if args.annotators.is_empty() {
-        chosen.extend(USUAL);
+    if args.outputs.annotators.is_empty() {
+        chosen.extend(render::DEFAULT_ANNOTATORS);
     }
     if senses(args) {
         chosen.push(Annotator::DepthSensorDistance);
     }
-    for name in &args.annotators {
+    for name in &args.outputs.annotators {
         match name.trim() {
             "all" => chosen.extend(Annotator::all()),
             name => chosen.push(render::annotator(name)?),
@@ -64,13 +55,13 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
             Annotator::DistanceToImagePlane | Annotator::DistanceToCamera | Annotator::DepthSensorDistance
         )
     };
-    if (args.png16 || args.exr || args.preview) && !chosen.iter().any(is_depth) {
+    if (args.outputs.png16 || args.outputs.exr || args.outputs.preview) && !chosen.iter().any(is_depth) {
         chosen.push(Annotator::DistanceToImagePlane);
     }
     if args.record.is_some() {
         chosen = render::record_annotators(&chosen);
     }
-    if args.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
+    if args.outputs.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
         chosen.push(Annotator::Pointcloud);
     }
     chosen.sort_unstable();
@@ -78,13 +69,13 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     Ok(chosen)
 }
 
-/// Whether what a sensor reports is wanted although nobody named it. A sweep has a sheet of its own.
+/// Whether sensor outputs are implied by other options. A sweep has its own sheet.
 fn senses(args: &RenderArgs) -> bool {
-    let is_set = args.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
+    let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
     is_set || args.pair.pair
 }
 
-/// An option of the depth sensor of which nothing comes.
+/// A warning about a depth sensor option without effect.
 pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
     let option = args.sensor.given().filter(|_| args.sweep.is_empty())?;
     let is_used = annotators.iter().any(|one| one.is_depth_sensor());
@@ -93,25 +84,26 @@ pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Find
             "sensor-unused",
             Level::Warning,
             option,
-            "changes nothing: none of the annotators is what a depth sensor reports",
+            "has no effect: none of the annotators is a sensor output",
             "add depth_sensor_distance to --annotators",
         )
     })
 }
 
-/// Whether a depth sensor's annotators are wanted only where there is a sensor: nobody named one.
+/// Whether sensor outputs are optional, because none is named.
 pub(super) fn everything(args: &RenderArgs) -> bool {
     if senses(args) {
         return false;
     }
     let named = args
+        .outputs
         .annotators
         .iter()
         .filter_map(|name| render::annotator(name.trim()).ok());
     !named.into_iter().any(Annotator::is_depth_sensor)
 }
 
-/// The values that are tried; `None` where nobody asked for it.
+/// The sweep, if there is one.
 pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
     if args.sweep.is_empty() {
         return Ok(None);
@@ -122,10 +114,10 @@ pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
 
 pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
     if let Some(time) = args.time.filter(|time| !time.is_finite()) {
-        return Err(format!("--time {time} is no time; give a finite number").into());
+        return Err(format!("--time: must be a finite number (got {time})").into());
     }
     if let Some(scale) = args.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
-        return Err(format!("--scale {scale} is no scale; give a positive number").into());
+        return Err(format!("--scale: must be a finite number > 0 (got {scale})").into());
     }
     Ok(OpenOptions {
         time: args.time,
@@ -135,7 +127,7 @@ pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
     })
 }
 
-/// Where the body stands; the poses of a trajectory come later.
+/// The pose of the body, without a trajectory.
 pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
     if let Some(numbers) = &args.pose {
         let numbers: [f64; 7] = numbers[..].try_into().map_err(|_| "--pose takes 7 numbers")?;
@@ -150,19 +142,9 @@ pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
         ([eye, target, up], []) => (eye, target, DVec3::from(*up)),
         _ => {
             let count = numbers.len();
-            return Err(format!("--look-at has {count} numbers: EYE, TARGET and UP are three each").into());
+            return Err(format!("--look-at: {count} numbers; EYE, TARGET and UP have three each").into());
         }
     };
     render::look_at(DVec3::from(*eye), DVec3::from(*target), up)
         .map_err(|error| format!("--look-at: {error}").into())
-}
-
-/// The files beside `BasicWriter`'s own.
-pub(super) fn extras(args: &RenderArgs) -> Extras {
-    Extras {
-        millimetres: args.png16,
-        exr: args.exr,
-        preview: args.preview,
-        ply: args.ply,
-    }
 }

@@ -13,25 +13,26 @@ use crate::args::RenderArgs;
 use crate::context::Result;
 use crate::output;
 
-/// What was rendered and written.
+/// The result of the command.
 #[derive(Debug, Serialize)]
 pub(super) struct Report<'a> {
     scene: &'a Path,
-    /// The folder, where one is written.
+    /// The output folder, if there is one.
     output: Option<&'a Path>,
-    /// The recording, where it is whole.
+    /// The recording, if it is complete.
     recording: Option<WrittenFile>,
-    /// Whole ones.
+    /// The number of complete frames.
     frames: usize,
     #[serde(skip)]
     wanted_frames: usize,
+    #[serde(rename = "interrupted")]
     pub(super) is_interrupted: bool,
     annotators: Vec<&'static str>,
     cameras: Vec<CameraReport<'a>>,
     files: Vec<WrittenFile>,
-    /// About the scene, its cameras and the rendering.
+    /// The findings about the scene, its cameras and the rendering.
     findings: Vec<Finding>,
-    /// About the calibration that the twin was made from.
+    /// The findings about the calibration.
     calibration_findings: Vec<Finding>,
 }
 
@@ -42,11 +43,11 @@ struct CameraReport<'a> {
     resolution: [u32; 2],
     fx: f64,
     fy: f64,
-    /// In the convention of OpenUSD: the first pixel's centre is at 0.5.
+    /// The principal point in OpenUSD's convention: the first pixel's centre is at 0.5.
     cx: f64,
     cy: f64,
     lens: &'static str,
-    /// Where it is a depth sensor's camera, and the sensor was asked for something.
+    /// The depth sensor, if its outputs are rendered.
     #[serde(skip_serializing_if = "Option::is_none")]
     depth_sensor: Option<SensorReport>,
 }
@@ -54,7 +55,7 @@ struct CameraReport<'a> {
 #[derive(Debug, Serialize)]
 struct SensorReport {
     engine: &'static str,
-    /// As `--param` takes them.
+    /// The parameters by the names of `--param`.
     parameters: BTreeMap<&'static str, String>,
 }
 
@@ -63,7 +64,7 @@ impl<'a> Report<'a> {
         (args, output): (&'a RenderArgs, Option<&'a Path>),
         annotators: &[Annotator],
         (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
-        written: Written,
+        (written, files): (Written, Option<Vec<WrittenFile>>),
         wanted_frames: usize,
         findings: Vec<Finding>,
         calibration_findings: Vec<Finding>,
@@ -85,7 +86,7 @@ impl<'a> Report<'a> {
                     CameraReport::new(camera, sensor, output, is_flat)
                 })
                 .collect(),
-            files: written.files,
+            files: files.unwrap_or_default(),
             findings,
             calibration_findings,
         }
@@ -95,7 +96,7 @@ impl<'a> Report<'a> {
         if self.is_interrupted {
             if let Some(folder) = self.output {
                 output::say(&format!(
-                    "interrupted: {} of {} frames are whole in {}",
+                    "interrupted: {} of {} frames are complete in {}",
                     self.frames,
                     self.wanted_frames,
                     folder.display()

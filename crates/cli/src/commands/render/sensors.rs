@@ -11,7 +11,7 @@ use super::{Oak, asked};
 use crate::args::RenderArgs;
 use crate::context::Result;
 
-/// The sensors of the cameras, and those of a sweep.
+/// The depth sensors of the cameras and of a sweep.
 #[derive(Default)]
 pub(super) struct Sensors {
     pub(super) own: Vec<Option<Sensor>>,
@@ -20,7 +20,7 @@ pub(super) struct Sensors {
 }
 
 impl Sensors {
-    /// Those that the annotators or a sweep ask for; none where nothing does.
+    /// Creates the sensors that the annotators or a sweep require.
     pub(super) fn new(
         args: &RenderArgs,
         annotators: &[Annotator],
@@ -50,8 +50,7 @@ impl Sensors {
     }
 }
 
-/// What takes the pairs of the engine that matches them, where it is asked for; the cameras of its depth sensors are then
-/// its own.
+/// The stereo pair for stereo-matching, which also becomes the camera of its depth sensors.
 pub(super) fn pair(
     args: &RenderArgs,
     cameras: &mut [PlacedCamera],
@@ -67,23 +66,21 @@ pub(super) fn pair(
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
     if !engines.any(|engine| engine.is_some_and(|kind| kind.input == EngineInput::Pair)) {
         return match args.pair.given() {
-            Some(option) => Err(format!(
-                "{option} is about the pair of stereo-matching: say --engine stereo-matching too, or leave it out"
-            )
-            .into()),
+            Some(option) => Err(format!("{option} requires --engine stereo-matching").into()),
             None => Ok(None),
         };
     }
     let Some(oak) = oak else {
-        return Err("--engine stereo-matching needs the two cameras of an OAK, and a stage's render product has one: put one \
-                    into the scene with --model, or use stereo-noise"
-            .into());
+        return Err(
+            "--engine stereo-matching requires the stereo pair of an OAK; place one in the scene with --model, or use stereo-noise"
+                .into(),
+        );
     };
     let bias_px = options.calibration_error_px()?;
     for swept in &all {
         if swept.calibration_error_px()?.to_bits() != bias_px.to_bits() {
             return Err(
-                "--sweep bias: it is of the pair, which is rendered once; render with each --param bias="
+                "--sweep bias: not supported with stereo-matching, which renders the pair once; run with each --param bias="
                     .into(),
             );
         }
@@ -102,7 +99,7 @@ pub(super) fn pair(
     Ok(Some(render::put_pair(&oak.twin, cameras, &pair)?))
 }
 
-/// Cameras that are no depth sensor's although somebody asked for what one reports.
+/// Notes about cameras without a depth sensor; an error if none has one.
 fn without_sensor(
     args: &RenderArgs,
     cameras: &[PlacedCamera],
@@ -116,15 +113,15 @@ fn without_sensor(
         let remedy = if args.model.is_some() {
             "choose --camera depth"
         } else {
-            "choose a render product with OmniSensorDepthSensorSingleViewAPI, or put an OAK into the scene with --model"
+            "choose a render product with OmniSensorDepthSensorSingleViewAPI, or place an OAK in the scene with --model"
         };
         let more = if cameras.len() > 1 {
-            " and the others are"
+            " and the other cameras have"
         } else {
-            " is"
+            " has"
         };
         return Err(format!(
-            "{}: {}{more} no depth sensor's camera, which depth_sensor_* and --sweep need; {remedy}",
+            "{}: {}{more} no depth sensor, which depth_sensor_* and --sweep require; {remedy}",
             args.scene.display(),
             first.path
         )
@@ -136,7 +133,7 @@ fn without_sensor(
                 "no-depth-sensor",
                 Level::Note,
                 &camera.path,
-                "is no depth sensor's camera: what one reports is left out",
+                "has no depth sensor; its sensor outputs are skipped",
                 "",
             )
         })

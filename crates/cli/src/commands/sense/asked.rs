@@ -1,4 +1,4 @@
-//! From what was typed to what is meant.
+//! From arguments to options.
 
 use std::path::{Path, PathBuf};
 
@@ -31,19 +31,18 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
             fill: args.align_fill.into(),
         }),
         annotators: annotators(args)?,
-        png16: args.depth_files.png16,
-        preview: args.depth_files.preview,
-        cloud: args.pointcloud.then(|| args.pointcloud_frame.into()),
+        extras: args.outputs.extras(),
+        cloud: args.outputs.ply.then(|| args.ply_frame.into()),
     })
 }
 
 fn annotators(args: &SenseArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
-    for name in &args.outputs {
+    for name in &args.outputs.annotators {
         let annotator = render::annotator(name.trim())?;
         if !annotator.is_depth_sensor() {
             return Err(format!(
-                "--outputs {}: is ground truth, not what a depth sensor reports; leave it out",
+                "--annotators {}: is ground truth, not an output of a depth sensor; remove it",
                 annotator.name()
             )
             .into());
@@ -67,32 +66,33 @@ fn is_standard_input(path: &Path) -> bool {
 pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
     let from_pipe = args.depth.iter().filter(|path| is_standard_input(path)).count();
     if from_pipe > 1 {
-        return Err("- is standard input, which can be read once; name it once".into());
+        return Err("- is standard input, which can be read only once; name it once".into());
     }
     if is_stream(args) {
         if args.depth.len() > 1 {
-            return Err("- and other inputs: standard output takes one result; say -o DIR".into());
+            return Err("- with other inputs: standard output takes a single result; set -o DIR".into());
         }
         let writes_files = [
-            (args.depth_files.png16, "--png16"),
-            (args.depth_files.preview, "--preview"),
-            (args.pointcloud, "--pointcloud"),
-            (!args.outputs.is_empty(), "--outputs"),
+            (args.outputs.png16, "--png16"),
+            (args.outputs.exr, "--exr"),
+            (args.outputs.preview, "--preview"),
+            (args.outputs.ply, "--ply"),
+            (!args.outputs.annotators.is_empty(), "--annotators"),
             (args.json, "--json"),
         ];
         if let Some((_, option)) = writes_files.iter().find(|(given, _)| *given) {
-            return Err(format!("{option}: standard output takes the distances alone; say -o DIR").into());
+            return Err(format!("{option}: standard output takes only the distances; set -o DIR").into());
         }
     }
     let files = args.depth.iter().filter(|path| !path.is_dir()).count();
     if !args.rgb.is_empty() && files < args.depth.len() {
         return Err(
-            "--rgb: a folder's pictures are found beside its depth; leave it out, or name files".into(),
+            "--rgb: the colour images of a folder are found automatically; remove it, or name files".into(),
         );
     }
     if files > 1 && !args.rgb.is_empty() && args.rgb.len() != files {
         return Err(format!(
-            "--rgb: {} pictures for {files} depth files; give one for each",
+            "--rgb: {} colour images for {files} depth files; give one for each",
             args.rgb.len()
         )
         .into());
@@ -116,7 +116,7 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
             }
         } else {
             let output =
-                output.ok_or_else(|| format!("{}: its results need a folder; say -o DIR", path.display()))?;
+                output.ok_or_else(|| format!("{}: output directory required (-o DIR)", path.display()))?;
             Input::File {
                 path: path.clone(),
                 output,

@@ -9,16 +9,17 @@ use serde::Serialize;
 use crate::context::Result;
 use crate::output;
 
-/// What was sensed and written.
+/// The result of the command.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     model: String,
     sensors: Vec<SensorReport>,
     images: u64,
+    #[serde(rename = "interrupted")]
     is_interrupted: bool,
     files: Vec<WrittenFile>,
     findings: Vec<Finding>,
-    /// About the calibration that the twin was made from.
+    /// The findings about the calibration.
     calibration_findings: Vec<Finding>,
 }
 
@@ -45,10 +46,10 @@ impl Report {
         }
     }
 
-    /// On standard output, which a stream of results has for itself.
+    /// Prints to standard output, unless that is the stream of results.
     pub(super) fn print(&self, as_json: bool, is_stream: bool) -> Result<()> {
         if self.is_interrupted {
-            output::say(&format!("interrupted: {} images are whole", self.images));
+            output::say(&format!("interrupted: {} images are complete", self.images));
         }
         if as_json {
             return output::print_json(self);

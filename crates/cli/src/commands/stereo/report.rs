@@ -10,24 +10,25 @@ use crate::args::StereoArgs;
 use crate::context::Result;
 use crate::output;
 
-/// What was matched and written.
+/// The result of the command.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
-    /// Where the pair is of one that is named.
+    /// The model, if one is given.
     model: Option<String>,
     output: PathBuf,
     resolution: [u32; 2],
     focal_length_px: f64,
     baseline_m: f64,
-    /// How the images were rectified, where they came raw.
+    /// The rectification of raw images.
     rectification: Option<&'static str>,
     pairs: usize,
-    /// Of each pair the share (0 to 1) of pixels that were measured.
+    #[serde(rename = "fill_rates")]
     fill: Vec<f64>,
+    #[serde(rename = "interrupted")]
     is_interrupted: bool,
     files: Vec<WrittenFile>,
     findings: Vec<Finding>,
-    /// About the calibration.
+    /// The findings about the calibration.
     calibration_findings: Vec<Finding>,
 }
 
@@ -56,7 +57,7 @@ impl Report {
 
     pub(super) fn print(&self, args: &StereoArgs) -> Result<()> {
         if self.is_interrupted {
-            output::say(&format!("interrupted: {} pairs are whole", self.pairs));
+            output::say(&format!("interrupted: {} pairs are complete", self.pairs));
         }
         if args.json {
             return output::print_json(self);
@@ -75,7 +76,7 @@ impl Report {
         let pairs = if self.pairs == 1 { "pair" } else { "pairs" };
         let rectification = match self.rectification {
             Some(method) => format!("rectified ({method})"),
-            None => "as rectified".to_owned(),
+            None => "already rectified".to_owned(),
         };
         let fill = self.fill.iter().sum::<f64>() / self.fill.len().max(1) as f64;
         let mut text = format!(

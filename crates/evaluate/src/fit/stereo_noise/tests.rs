@@ -114,7 +114,7 @@ fn intervals_hold_what_was_put_in() {
             turned_deg: 0.0,
         };
         let (report, findings) = recorded.fitted(&options());
-        assert!(report.is_good, "{run}: {findings:?}");
+        assert!(report.passed, "{run}: {findings:?}");
         let truths = [
             ("bias", bias),
             ("pixelLocking", locking),
@@ -157,7 +157,7 @@ fn a_focal_length_is_found_and_a_wrong_one_is_told() {
         ..options()
     };
     let (report, findings) = recorded.fitted(&free);
-    assert!(report.is_good, "{findings:?}");
+    assert!(report.passed, "{findings:?}");
     for (name, value) in [("focalLength", 788.0), ("bias", -0.2), ("pixelLocking", 0.13)] {
         let parameter = report.parameter(name).unwrap();
         assert!(has(&report, name, value), "{parameter:?}");
@@ -166,7 +166,7 @@ fn a_focal_length_is_found_and_a_wrong_one_is_told() {
     assert!(focal[1] - focal[0] < 2.0, "{focal:?}");
     let (report, findings) = recorded.fitted(&options());
     assert!(codes(&findings).contains(&"other-focal-length"), "{findings:?}");
-    assert!(!report.is_good);
+    assert!(!report.passed);
 }
 
 #[test]
@@ -217,7 +217,7 @@ fn what_cannot_be_told_is_said() {
     let (one, findings) = of(&[2.0], 4, 0.05);
     assert_eq!(missing(&one), ["bias", "pixelLocking"]);
     assert!(
-        !one.is_good && findings[0].message.contains("one distance"),
+        !one.passed && findings[0].message.contains("one distance"),
         "{findings:?}"
     );
     assert!(has(&one, "jitter", 0.05));
@@ -308,7 +308,7 @@ fn ground_truth_beside_the_sensors_images() {
         put("depth_sensor_distance", frame, &engine.sense(&shot, &random).0);
     }
     let (report, findings) = fitted(&[folder.path()], &options()).unwrap();
-    assert!(report.is_good, "{findings:?}");
+    assert!(report.passed, "{findings:?}");
     // Each column has its truth.
     assert_eq!(report.points.len(), 96);
     for (name, value) in [("bias", -0.15), ("pixelLocking", 0.1), ("jitter", 0.05)] {

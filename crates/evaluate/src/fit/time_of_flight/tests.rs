@@ -130,7 +130,7 @@ fn intervals_hold_what_was_put_in() {
         // Whether frames share noise is seen.
         let (report, findings) = recorded.fitted(&options());
         assert_eq!(codes(&findings).contains(&"shared-noise"), p.enable_burst_mode);
-        assert!(report.is_good, "{run}: {findings:?}");
+        assert!(report.passed, "{run}: {findings:?}");
         let truths = [
             ("bias", p.bias_m),
             ("wigglingResidual", p.wiggling_residual),
@@ -170,7 +170,7 @@ fn wiggling_without_its_correction() {
         turned_deg: 0.0,
     };
     let (report, findings) = recorded.fitted(&with(options(), ("enableWiggleCorrection", "false")));
-    assert!(report.is_good, "{findings:?}");
+    assert!(report.passed, "{findings:?}");
     let wiggling = report.parameter("wiggling").unwrap();
     assert!((wiggling.value - 0.05).abs() < 0.004, "{wiggling:?}");
 }
@@ -198,7 +198,7 @@ fn what_cannot_be_told_is_said() {
         "{findings:?}"
     );
     assert!(
-        !one.is_good
+        !one.passed
             && findings
                 .iter()
                 .any(|finding| finding.message.contains("one distance"))
@@ -286,7 +286,7 @@ fn a_curve_of_errors() {
             ..options()
         };
         let (report, findings) = fitted(&file, &narrow).unwrap();
-        assert!(report.is_good, "{findings:?}");
+        assert!(report.passed, "{findings:?}");
         let value = |name: &str| report.parameter(name).unwrap().value;
         assert!((value("bias") - bias_m).abs() < 1e-5, "{:?}", report.parameters);
         assert!((value("wigglingResidual") - wiggling).abs() < 1e-4);

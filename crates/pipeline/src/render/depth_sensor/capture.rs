@@ -1,18 +1,18 @@
-//! What a depth sensor reports of a rendered frame.
+//! The depth sensor's outputs for a rendered frame.
 
+use crate::geometry::positions;
 use crate::pair::Pair;
-use crate::sense::positions;
 use crate::sensor::{EngineInput, Input, Sensor, Shot};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, ZDepth};
 
-/// What a depth sensor looks at, whatever of it is asked for: so the same is measured in every case.
+/// The inputs of a depth sensor, the same for every requested output, so that the measurement does not depend on it.
 const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
-/// What is to be rendered so that these annotations of a camera can be written: without those that a depth sensor makes,
-/// with what one looks at where the frame `is_sensed`.
+/// Returns the annotators to render for these outputs of a camera: without those of the depth sensor, but with its inputs if the frame
+/// `is_sensed`.
 #[must_use]
 pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annotator> {
     let mut needed = annotators.to_vec();
@@ -36,7 +36,7 @@ pub(in crate::render) fn input<'a>(
         EngineInput::Depth => shot(frame, number).map(Input::Depth),
         EngineInput::Pair => {
             let pair = pair?;
-            // Both were recorded alike.
+            // Both have the same bit depth.
             let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
             pair.ok().map(Input::Pair)
         }
@@ -49,15 +49,14 @@ fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
     let mut shot = Shot::new((&depth.0).into());
     shot.frame = number;
     match &frame.rgb {
-        // Both are of one camera, and so of one size.
+        // Both are of the same camera and size.
         Some(rgb) => shot.with_rgb(rgb.into()).ok(),
         None => Some(shot),
     }
 }
 
-/// Adds what is asked for of a sensor to a frame, of this number, that has depth, and the picture where there is one; `camera`
-/// is what both are of, and `pair` what the stereo pair took beside it, for engines that match one. Returns the annotators that
-/// cannot be produced.
+/// Adds the sensor outputs that are `asked` for to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
+/// pair for engines that match one. Returns the annotators that cannot be produced.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
@@ -67,13 +66,8 @@ pub fn sense_frame(
     frame: &mut Frame,
 ) -> Vec<Annotator> {
     fill(sensor, camera, number, pair, asked, frame);
-    let is_missing = |annotator: &Annotator| match annotator {
-        Annotator::DepthSensorDistance => frame.depth_sensor_distance.is_none(),
-        Annotator::DepthSensorPointCloudPosition => frame.depth_sensor_point_cloud_position.is_none(),
-        Annotator::DepthSensorPointCloudColor => frame.depth_sensor_point_cloud_color.is_none(),
-        Annotator::DepthSensorImager => frame.depth_sensor_imager.is_none(),
-        Annotator::DepthSensorOutputVisualization => frame.depth_sensor_output_visualization.is_none(),
-        _ => false,
+    let is_missing = |annotator: &Annotator| {
+        annotator.is_depth_sensor() && !frame.annotations().any(|(present, _)| present == *annotator)
     };
     asked.iter().copied().filter(is_missing).collect()
 }
@@ -126,7 +120,7 @@ fn fill(
     frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(capture.distance);
 }
 
-/// Colours where there is a depth.
+/// The colours of valid depth.
 fn measured(rgb: &Image<[u8; 4]>, distance: &ZDepth) -> Option<Image<[u8; 4]>> {
     let both = rgb.pixels().iter().zip(distance.0.pixels());
     let colors = both.map(|(&color, &z)| if z > 0.0 { color } else { [0; 4] });
@@ -138,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_rendered_for_a_sensor() {
+    fn renders_the_inputs_of_a_sensor() {
         use Annotator as A;
         let asked = [A::CameraParams, A::DepthSensorDistance];
         assert_eq!(scene_annotators(&asked, false), [A::CameraParams]);

@@ -1,4 +1,4 @@
-//! The depth sensors of cameras that are rendered: whose parameters they have, and what they report of a frame.
+//! The depth sensors of rendered cameras: their parameters and their outputs.
 
 mod capture;
 mod stage;
@@ -14,33 +14,32 @@ use oaktwin_catalog::Twin;
 use oaktwin_diagnostic::Finding;
 use oaktwin_usd::asset::IsaacVersion;
 
-/// How the depth sensors of cameras are to be.
+/// The options of the cameras' depth sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthSensorOptions<'a> {
-    /// The device, where the cameras are of an OAK of ours.
+    /// The device, if the cameras are those of an OAK.
     pub twin: Option<&'a Twin>,
-    /// The engine is [`SINGLE_VIEW`] unless it says another, for this is what Isaac Sim's annotators of these
-    /// names report; the image is the camera's own, the name its prim's unless it says another, and the Isaac Sim that of
-    /// `isaac`.
+    /// The sensor options. The default engine is [`SINGLE_VIEW`], because Isaac Sim's annotators of these names are its
+    /// outputs; the image is the camera's own, the default name its prim's, and the version of Isaac Sim is `isaac`.
     pub sensor: &'a SensorOptions,
-    /// The Isaac Sim whose defaults hold for what a stage does not say; by default the one that the stage is written for.
+    /// The version of Isaac Sim whose defaults apply to attributes that a stage does not author; by default that of the stage.
     pub isaac: Option<IsaacVersion>,
 }
 
-/// A depth sensor that cannot be: `CAMERA: PARAMETER: what is wrong; what to do`.
+/// An invalid depth sensor: `CAMERA: PARAMETER: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {error}")]
 pub struct DepthSensorError {
-    /// The prim that says the parameter, or the camera.
+    /// The prim with the parameter, or the camera.
     pub place: String,
     /// What is wrong.
     pub error: ParameterError,
 }
 
-/// The depth sensor of each camera that is one's, and what to know about them.
+/// Returns the depth sensor of each camera that has one, and the findings.
 ///
 /// # Errors
-/// A parameter that does not exist, has the wrong type or is out of its range.
+/// Returns an error if a parameter does not exist, has the wrong type or is out of range.
 pub fn depth_sensors(
     cameras: &[PlacedCamera],
     options: &DepthSensorOptions<'_>,
@@ -88,8 +87,8 @@ fn of_twin(
     Ok(Some(sensor))
 }
 
-/// What the noise of each camera's sensor is keyed by: the name of the camera's prim, or the path that it was chosen by
-/// where several sensors' cameras have that name, so that their noise differs.
+/// The noise key of each camera's sensor: the name of the camera's prim, or its path if several have that name, so that their
+/// noise differs.
 fn names(cameras: &[PlacedCamera]) -> Vec<String> {
     let name = |camera: &PlacedCamera| match &camera.depth_sensor {
         Some(DepthSensorSource::Stage { camera, .. }) => camera.clone(),
@@ -122,7 +121,7 @@ mod tests {
     use oaktwin_catalog::Catalog;
 
     #[test]
-    fn the_sensor_of_a_twin_is_isaacs_unless_asked_otherwise() {
+    fn single_view_is_the_default_engine() {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK-D ToF").unwrap());
         let names = ["left".to_owned(), "depth".to_owned()];
@@ -156,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn two_oaks_have_noise_of_their_own() {
+    fn two_oaks_have_different_noise() {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK4-D").unwrap());
         let (mut cameras, _) = oak_cameras(&twin, &RigidTransform::IDENTITY, &OakOptions::default()).unwrap();

@@ -1,4 +1,4 @@
-//! A stage's depth sensor: from its attributes to a sensor.
+//! The depth sensor of a stage, from its attributes.
 
 use super::DepthSensorError;
 use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
@@ -8,7 +8,7 @@ use oaktwin_usd::asset::IsaacVersion;
 use oaktwin_usd::depth_sensor::{DepthSensor, OUTLIER_REMOVAL, attribute_types};
 use oaktwin_usd::stage::{Attribute, Value};
 
-/// The schema's attributes that shape what the sensor reports, all but its switches, with the types they may have.
+/// The schema's attributes that affect the sensor's output, all but its switches, with their types.
 fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
     let shapes = attribute_types()
         .into_iter()
@@ -19,12 +19,12 @@ fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
     })
 }
 
-/// The names of these.
+/// The names of [`shaping`] attributes.
 fn shaping_names() -> impl Iterator<Item = &'static str> {
     shaping().map(|(name, _)| name)
 }
 
-/// The sensor that a stage describes, its noise keyed by `name`.
+/// The sensor of a stage, with `name` as its noise key.
 pub(super) fn sensor(
     stage: &DepthSensor,
     name: &str,
@@ -45,7 +45,7 @@ fn at(stage: &DepthSensor, error: ParameterError) -> DepthSensorError {
     }
 }
 
-/// What the stage says, and the schema's defaults for what it does not.
+/// The parameters of the stage, with the schema's defaults for attributes that are not authored.
 fn parameters(
     stage: &DepthSensor,
     isaac: Option<IsaacVersion>,
@@ -63,7 +63,7 @@ fn parameters(
             findings.extend(unknown(stage, name));
             continue;
         };
-        // Declared, or blocked.
+        // Declared without a value, or blocked.
         let Some(value) = &attribute.value else { continue };
         let wrong = |what: String, remedy: String| {
             let name = stage.full_name(name);
@@ -92,7 +92,7 @@ fn parameters(
             Level::Note,
             &stage.prim().path,
             format!(
-                "not authored, so the default of Isaac Sim {isaac_name}: {}",
+                "not authored, using the defaults of Isaac Sim {isaac_name}: {}",
                 missing.join(", ")
             ),
             "",
@@ -101,22 +101,22 @@ fn parameters(
     Ok((parameters, findings))
 }
 
-/// As a person would have typed it: single precision in as few digits as tell it apart, so that 0.1 is 0.1. `None` for
-/// another type than the attribute may have.
+/// The shortest text of a value: single precision in as few digits as identify it, so that 0.1 is 0.1. `None` for an
+/// unsupported type.
 fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
     match (name, value) {
         (OUTLIER_REMOVAL, Value::Bool(on)) => Some(u8::from(*on).to_string()),
         (OUTLIER_REMOVAL | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
         (OUTLIER_REMOVAL | "rgbDepthOutputMode", _) => None,
         (_, Value::Int(int)) => Some(int.to_string()),
-        #[expect(clippy::cast_possible_truncation, reason = "it was one")]
+        #[expect(clippy::cast_possible_truncation, reason = "it was a float")]
         (_, Value::Float(float)) if attribute.type_name == "float" => Some((*float as f32).to_string()),
         (_, Value::Float(float)) => Some(float.to_string()),
         _ => None,
     }
 }
 
-/// A finding, but for the schema's switches: whoever asks for the sensor's output has switched it on.
+/// A finding about an unknown attribute. The schema's switches are ignored: requesting the output enables the sensor.
 fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
     if Parameters::names().contains(&name) {
         return None;
@@ -129,10 +129,7 @@ fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
         "depth-attribute-unknown",
         Level::Warning,
         &stage.prim().path,
-        format!(
-            "{} is no attribute that is known, and has no effect",
-            stage.full_name(name)
-        ),
+        format!("unknown attribute {}, ignored", stage.full_name(name)),
         remedy,
     ))
 }
@@ -143,7 +140,7 @@ fn animated(stage: &DepthSensor, name: &str, text: &str) -> Finding {
         Level::Warning,
         &stage.prim().path,
         format!(
-            "{} has time samples: {text} holds for all frames",
+            "{} has time samples; using {text} for all frames",
             stage.full_name(name)
         ),
         "author one value",

@@ -133,17 +133,15 @@ fn a_camera_has_the_resolution_of_its_product() {
 }
 
 #[test]
-fn names_that_are_none_or_several() {
+fn rejects_unknown_and_ambiguous_names() {
     let file = stage();
     let error = |names: &[&str]| chosen(&file, names).unwrap_err().to_string();
     assert_eq!(
         error(&["Camera"]),
-        "room.usda: `Camera` is the name of /A/Camera and /B/Camera; give a whole path"
+        "room.usda: 'Camera' is ambiguous: /A/Camera, /B/Camera; give the whole path"
     );
-    assert!(
-        error(&["/B/Dept"]).starts_with("room.usda: there is no camera `/B/Dept`; did you mean /B/Depth")
-    );
-    assert!(error(&["xyz"]).contains("there are /A/Camera, /B/Camera"));
+    assert!(error(&["/B/Dept"]).starts_with("room.usda: unknown camera '/B/Dept'; did you mean '/B/Depth'"));
+    assert!(error(&["xyz"]).contains("expected one of /A/Camera, /B/Camera"));
     let empty = SceneFile {
         path: "empty.usda".into(),
         ..SceneFile::default()
@@ -151,14 +149,14 @@ fn names_that_are_none_or_several() {
     for names in [&[][..], &["Camera"]] {
         let error = chosen(&empty, names).unwrap_err().to_string();
         assert!(
-            error.contains("empty.usda: there is no camera in it; put an OAK into it"),
+            error.contains("empty.usda: the scene has no camera; add an OAK"),
             "{error}"
         );
     }
 }
 
 #[test]
-fn what_cannot_be_rendered_is_left_out_unless_asked_for() {
+fn skips_invalid_cameras_unless_selected() {
     let mut file = stage();
     file.products = vec![product("/Render/Lost", &[DEPTH_SCHEMA], "/Nowhere", None)];
     file.cameras[0] = camera("/A/Camera", 0.0);

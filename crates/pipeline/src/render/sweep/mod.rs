@@ -1,4 +1,4 @@
-//! One frame, sensed many times: what a sensor's parameters do, on one picture.
+//! Parameter sweeps: one frame with many sensors, on one sheet.
 
 mod sheet;
 mod thumbnail;
@@ -14,44 +14,44 @@ use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
 use thumbnail::Thumbnail;
 
-/// The most values of one parameter: more pictures than that could not be told apart.
-pub const MOST_VALUES: usize = 12;
+/// The maximum number of values of a parameter; more images would be too small.
+pub const MAX_VALUES: usize = 12;
 
-/// A parameter and the values that it takes: `maxDistance=2,4,8`. Beside an engine's parameters there are `engine`,
-/// `preset` and `seed`, of [`SensorOptions`].
+/// A parameter with its values: `maxDistance=2,4,8`. Beside an engine's parameters there are `engine`, `preset` and `seed` of
+/// [`SensorOptions`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// As the parameter takes them.
+    /// The values, as the parameter accepts them.
     pub values: Vec<String>,
 }
 
-/// One parameter's values, or those of two against each other.
+/// The values of one parameter, or all combinations of two.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sweep {
     columns: Axis,
     rows: Option<Axis>,
 }
 
-/// What is no sweep.
+/// An invalid sweep.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SweepError {
-    /// It is not written as one.
-    #[error("`{0}` is no sweep; write NAME=VALUE,VALUE,…, as maxDistance=2,4,8")]
+    /// The syntax is invalid.
+    #[error("invalid sweep '{0}'; write NAME=VALUE,VALUE,…, such as maxDistance=2,4,8")]
     Syntax(String),
     /// There are too many values.
-    #[error("{name} has {count} values; give it at most {MOST_VALUES}")]
+    #[error("{name} has {count} values; give it at most {MAX_VALUES}")]
     TooManyValues {
         /// The parameter.
         name: String,
-        /// So many.
+        /// The number of values.
         count: usize,
     },
-    /// There are more than two, or none.
+    /// There are more than two parameters, or none.
     #[error("{0} parameters do not fit on a sheet; sweep one or two")]
     NotOneOrTwo(usize),
-    /// One parameter is there twice.
+    /// A parameter is repeated.
     #[error("{0} is swept twice; give all its values at once")]
     Twice(String),
 }
@@ -67,7 +67,7 @@ impl std::str::FromStr for Axis {
         if name.is_empty() || values.iter().any(String::is_empty) {
             return Err(wrong());
         }
-        if values.len() > MOST_VALUES {
+        if values.len() > MAX_VALUES {
             let count = values.len();
             return Err(SweepError::TooManyValues { name, count });
         }
@@ -76,10 +76,10 @@ impl std::str::FromStr for Axis {
 }
 
 impl Sweep {
-    /// Of one parameter, whose values are the columns of the sheet, or of two, the second's values being its rows.
+    /// Creates a sweep of one parameter, whose values are the columns of the sheet, or of two, with the second's values as rows.
     ///
     /// # Errors
-    /// None or more than two; the same one twice.
+    /// Returns an error for none or more than two axes, or the same parameter twice.
     pub fn new(axes: Vec<Axis>) -> Result<Self, SweepError> {
         let count = axes.len();
         let names: BTreeSet<String> = axes.iter().map(|axis| fold_name(&axis.name)).collect();
@@ -93,19 +93,19 @@ impl Sweep {
         }
     }
 
-    /// Of axes as people write them.
+    /// Parses a sweep from the texts of its axes.
     ///
     /// # Errors
-    /// As [`Sweep::new`]; a text that is no axis.
+    /// Returns the errors of [`Sweep::new`], or an error if a text is invalid.
     pub fn parse<'a>(axes: impl IntoIterator<Item = &'a str>) -> Result<Self, SweepError> {
         let axes: Result<Vec<Axis>, SweepError> = axes.into_iter().map(str::parse).collect();
         Self::new(axes?)
     }
 
-    /// The options of each picture, row by row.
+    /// Returns the options of each cell, row by row.
     ///
     /// # Errors
-    /// A value that is none of the parameter's.
+    /// Returns an error if a value is invalid.
     pub fn options(&self, base: &SensorOptions) -> Result<Vec<SensorOptions>, ParameterError> {
         let mut all = Vec::new();
         let rows = self.rows.as_ref().map_or(1, |rows| rows.values.len());
@@ -127,11 +127,11 @@ impl Sweep {
     }
 }
 
-/// Sets what an axis names.
+/// Sets the parameter of an axis.
 fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), ParameterError> {
     let wrong = |remedy: &str| ParameterError {
         name: name.to_owned(),
-        what: format!("`{value}` is none of its values"),
+        what: format!("invalid value '{value}'"),
         remedy: remedy.to_owned(),
     };
     match fold_name(name).as_str() {
@@ -143,19 +143,19 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
     Ok(())
 }
 
-/// The sensors of a sweep: for each camera, and each picture of its sheet. They remember their own frames.
+/// The sensors of a sweep, for each camera and each cell of its sheet.
 #[derive(Clone, Debug)]
 pub struct SweptSensors {
     sweep: Sweep,
-    /// By picture, then by camera.
+    /// The sensors by cell, then by camera.
     sensors: Vec<Vec<Option<Sensor>>>,
 }
 
 impl SweptSensors {
-    /// Those of these cameras.
+    /// Creates the sensors of these cameras.
     ///
     /// # Errors
-    /// As [`depth_sensors`]: a parameter that does not exist, or a value that it cannot have.
+    /// Returns the errors of [`depth_sensors`].
     pub fn new(
         sweep: Sweep,
         cameras: &[PlacedCamera],
@@ -176,7 +176,7 @@ impl SweptSensors {
         Ok(Self { sweep, sensors })
     }
 
-    /// Whether one of this camera's matches a pair.
+    /// Whether one of this camera's sensors matches a pair.
     pub(super) fn matches(&self, camera: usize) -> bool {
         let mut own = self
             .sensors
@@ -185,13 +185,13 @@ impl SweptSensors {
         own.any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
     }
 
-    /// Whether this camera is a depth sensor's.
+    /// Whether this camera has a depth sensor.
     pub(super) fn has(&self, camera: usize) -> bool {
         let first = self.sensors.first().and_then(|sensors| sensors.get(camera));
         first.is_some_and(Option::is_some)
     }
 
-    /// The sheet of one camera's frame; `None` where the camera is no depth sensor's.
+    /// The sheet of a camera's frame; `None` if the camera has no depth sensor.
     pub(super) fn sheet(
         &mut self,
         camera: usize,
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn what_people_write() {
+    fn parses_sweeps() {
         let two = sweep(&["maxDistance = 2, 4", "confidenceThreshold=0.5"]).unwrap();
         let options = two.options(&SensorOptions::default()).unwrap();
         let set: Vec<Vec<(&str, &str)>> = options
@@ -255,15 +255,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_sweep() {
+    fn rejects_invalid_sweeps() {
         for (texts, part) in [
             (
                 &["maxDistance"][..],
-                "`maxDistance` is no sweep; write NAME=VALUE",
+                "invalid sweep 'maxDistance'; write NAME=VALUE",
             ),
-            (&["=1"], "no sweep"),
-            (&["a=1,,2"], "no sweep"),
-            (&["a="], "no sweep"),
+            (&["=1"], "invalid sweep"),
+            (&["a=1,,2"], "invalid sweep"),
+            (&["a="], "invalid sweep"),
             (&["a=1,2,3,4,5,6,7,8,9,10,11,12,13"], "a has 13 values"),
             (&["a=1", "a=2"], "a is swept twice"),
             (&["a=1", "b=1", "c=1"], "3 parameters"),

@@ -1,4 +1,4 @@
-//! The picture of a sweep.
+//! The sheet of a sweep.
 
 use super::thumbnail::{Thumbnail, averaged};
 use super::{Axis, Sweep};
@@ -8,15 +8,15 @@ use oaktwin_image::contact_sheet::{GAP, INK, PAPER, paste};
 use oaktwin_image::preview::{self, Marks};
 use oaktwin_image::text::{self, Style};
 
-/// All pictures of a row together, px, and the widest of them.
+/// The maximum width of a row and of a cell, px.
 const ROW: u32 = 1640;
 const WIDEST: u32 = 640;
-/// Height of capitals, px.
+/// The height of capitals, px.
 const TITLE: u32 = 14;
-/// From the top of a line of text to what it is about.
+/// The distance from the top of a label to its image, px.
 const LINE: u32 = TITLE + 10;
 
-/// How many pixels of an image so wide become one in each direction.
+/// The reduction factor of images of this width.
 pub(super) fn factor(sweep: &Sweep, width: u32) -> u32 {
     let columns = u32::try_from(sweep.columns.values.len()).unwrap_or(1);
     let in_a_row = match sweep.rows {
@@ -26,8 +26,8 @@ pub(super) fn factor(sweep: &Sweep, width: u32) -> u32 {
     width.div_ceil((ROW / in_a_row).clamp(1, WIDEST)).max(1)
 }
 
-/// The cells of a sweep, row by row, with the colour image and the depth that was sensed: above the one row of one
-/// parameter, beside the table of two. One depth scale for all.
+/// The cells of a sweep, row by row, with the colour image and the ground truth: above the single row of one parameter, beside the
+/// table of two. All share one depth scale.
 pub(super) fn sheet(sweep: &Sweep, frame: &Frame, factor: u32, cells: &[Thumbnail]) -> Image<[u8; 3]> {
     let truth = frame.distance_to_image_plane.as_ref();
     let truth = truth.map(|depth| Thumbnail::new(depth, factor));
@@ -96,14 +96,14 @@ fn label(axis: &Axis, value: &str) -> String {
     format!("{} = {value}", axis.name)
 }
 
-/// Where things are, px.
+/// The layout, px.
 struct Layout {
-    /// Size of a picture.
+    /// The size of a cell.
     cell: (u32, u32),
     size: (u32, u32),
-    /// Where the first cell is.
+    /// The position of the first cell.
     first: (u32, u32),
-    /// Whether the references are one above the other.
+    /// Whether the references are stacked.
     is_table: bool,
 }
 
@@ -152,7 +152,7 @@ impl Layout {
     }
 }
 
-/// The height of capitals at which a line is not longer than `length`.
+/// The height of capitals that fits a line into `length`.
 fn fitting(line: &str, length: u32) -> f32 {
     let full = TITLE as f32;
     full.min(full * length as f32 / text::width(line, full).max(1.0))
@@ -166,7 +166,7 @@ fn write(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32), length
     text::draw(sheet, line, (left as f32, top as f32), style);
 }
 
-/// A line from the bottom to the top, in the middle of `length` rows from `top` on.
+/// Draws a line upwards, centred in `length` rows from `top`.
 fn write_upwards(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32), length: u32) {
     let mut lying = Image::filled(length, LINE, PAPER);
     let height = fitting(line, length.saturating_sub(GAP));
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_for_each_value() {
+    fn draws_a_cell_for_each_value() {
         let picture = sheet(
             &sweep(&["maxDistance=1,2,3", "b=1,2"]),
             &frame(40, 20),
@@ -225,13 +225,13 @@ mod tests {
             }
         }
         assert_eq!(picture.get(GAP, GAP + LINE), Some(&[200, 100, 50]));
-        // What was sensed lies beyond the scale, and has the colour of its end.
+        // The depth is beyond the scale and has the colour of its end.
         assert_eq!(picture.get(GAP, GAP + 2 * LINE + 20 + GAP), Some(&color(6.0)));
         assert_eq!(picture.width(), left + 3 * (40 + GAP));
     }
 
     #[test]
-    fn one_parameter_is_a_row() {
+    fn one_parameter_makes_a_row() {
         let picture = sheet(&sweep(&["maxDistance=1"]), &frame(40, 20), 1, &cells(1, 40, 20));
         assert_eq!(picture.width(), GAP + 2 * (40 + GAP));
         assert_eq!(picture.get(GAP, GAP + LINE), Some(&[200, 100, 50]));
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_show() {
+    fn draws_empty_images() {
         for (width, height) in [(1, 1), (3, 200), (200, 1)] {
             let empty = Thumbnail::new(&ZDepth(Image::filled(width, height, 0.0)), 1);
             let picture = sheet(&sweep(&["a=1", "b=2"]), &Frame::default(), 1, &[empty]);

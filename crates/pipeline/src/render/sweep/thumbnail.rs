@@ -1,21 +1,21 @@
-//! Images made small enough to stand beside each other.
+//! Reduced images.
 
 use oaktwin_image::preview::{self, Marks};
 use oaktwin_image::{Image, ZDepth};
 
-/// A depth image of which each block of pixels became one: holes stay visible where they are smaller than that.
+/// A depth image reduced by blocks, which keeps small holes visible.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Thumbnail {
-    /// A depth of the block, 0 where it has none; never a mean, which would be of nothing.
+    /// A depth of each block, 0 without one; not a mean, which may lie on no surface.
     depth: Image<f32>,
-    /// The share of the block's pixels that have a value.
+    /// The fill rate of each block.
     share: Image<f32>,
-    /// That of all of the image's.
+    /// The fill rate of the image.
     pub(super) measured: f32,
 }
 
 impl Thumbnail {
-    /// Of blocks of `factor` × `factor` pixels; those at the right and lower edge may be smaller.
+    /// Reduces an image by blocks of `factor` × `factor` pixels; those at the right and lower edge may be smaller.
     pub(super) fn new(depth: &ZDepth, factor: u32) -> Self {
         let is_value = |z: f32| z > 0.0 && z < f32::INFINITY;
         let mut values = Vec::new();
@@ -35,12 +35,12 @@ impl Thumbnail {
         }
     }
 
-    /// The nearest and the farthest depth, but for outliers.
+    /// The minimum and maximum depth without outliers.
     pub(super) fn range(&self) -> Option<(f32, f32)> {
         preview::range(&self.depth)
     }
 
-    /// Coloured by distance, the greyer the more pixels have no value.
+    /// The depth as colours, greyer with a lower fill rate.
     pub(super) fn paint(&self, range: (f32, f32)) -> (Image<[u8; 3]>, Marks) {
         let (mut picture, mut marks) = preview::colors(&self.depth, range);
         for (pixel, &share) in picture.pixels_mut().iter_mut().zip(self.share.pixels()) {
@@ -54,7 +54,7 @@ impl Thumbnail {
     }
 }
 
-/// A colour image of which each block of pixels became their mean.
+/// A colour image reduced to the means of its blocks.
 pub(super) fn averaged(rgb: &Image<[u8; 4]>, factor: u32) -> Image<[u8; 3]> {
     blocks(rgb, factor, |block| {
         let mean = |channel: usize| {
@@ -66,7 +66,7 @@ pub(super) fn averaged(rgb: &Image<[u8; 4]>, factor: u32) -> Image<[u8; 3]> {
     .unwrap_or_else(|| Image::filled(0, 0, [0; 3]))
 }
 
-/// One value for each block of pixels, which `value` sees row by row.
+/// One value for each block of pixels, computed by `value` from its rows.
 fn blocks<T: Copy, U>(image: &Image<T>, factor: u32, mut value: impl FnMut(&[T]) -> U) -> Option<Image<U>> {
     let (width, height) = (image.width().div_ceil(factor), image.height().div_ceil(factor));
     let rows: Vec<&[T]> = image.rows().collect();
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn blocks_keep_their_holes() {
+    fn keeps_holes() {
         let depth = Image::new(3, 2, vec![1.0, 0.0, 3.0, f32::INFINITY, 1.0, 3.0]).unwrap();
         let small = Thumbnail::new(&ZDepth(depth), 2);
         assert_eq!(small.depth.pixels(), [1.0, 3.0]);
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_means() {
+    fn averages_colours() {
         let mut rgb = Image::filled(3, 1, [0, 0, 0, 255]);
         rgb.pixels_mut()[0] = [255, 4, 0, 255];
         assert_eq!(averaged(&rgb, 2).pixels(), [[128, 2, 0], [0, 0, 0]]);

@@ -1,18 +1,18 @@
-//! Images that are too large, told before they are made.
+//! Limits of image sizes and memory.
 
 use oaktwin_camera::ImageSize;
 use oaktwin_image::annotation::{AnnotationKind, Annotator};
 
-/// The most pixels of an image.
+/// The maximum number of pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 31;
 
-/// An image that cannot be rendered.
+/// An invalid image size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SizeError {
-    /// It has no pixel.
+    /// The image has no pixels.
     #[error("{}; {}", self.what(), self.remedy())]
     Empty(ImageSize),
-    /// It has more than [`MAX_PIXELS`].
+    /// The image has more than [`MAX_PIXELS`].
     #[error("{}; {}", self.what(), self.remedy())]
     TooLarge(ImageSize),
 }
@@ -22,7 +22,7 @@ impl SizeError {
     #[must_use]
     pub fn what(&self) -> String {
         match self {
-            Self::Empty(size) => format!("an image of {size} has no pixel"),
+            Self::Empty(size) => format!("an image of {size} has no pixels"),
             Self::TooLarge(size) => format!("an image of {size} has more than 2^31 pixels"),
         }
     }
@@ -31,16 +31,16 @@ impl SizeError {
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {
-            Self::Empty(_) => "give it at least one",
+            Self::Empty(_) => "give a larger resolution",
             Self::TooLarge(_) => "choose a smaller resolution",
         }
     }
 }
 
-/// Refuses images without pixels and those with more than [`MAX_PIXELS`].
+/// Checks an image size.
 ///
 /// # Errors
-/// It is one of them.
+/// Returns an error if the image has no pixels or more than [`MAX_PIXELS`].
 pub fn check_size(size: ImageSize) -> Result<(), SizeError> {
     match u64::from(size.width) * u64::from(size.height) {
         0 => Err(SizeError::Empty(size)),
@@ -49,21 +49,21 @@ pub fn check_size(size: ImageSize) -> Result<(), SizeError> {
     }
 }
 
-/// How much memory a frame takes on its way to a file, bytes: what is seen, its annotations, and their files, while
-/// the frame before it is still written.
+/// Returns the memory in bytes that a frame needs on its way to a file: visibility, annotations and encoded files, while the
+/// previous frame is still being written.
 #[must_use]
 pub fn frame_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     let pixels = u64::from(size.width) * u64::from(size.height);
     12 * pixels + 4 * annotation_bytes(size, annotators)
 }
 
-/// How much memory a recording takes for a frame, bytes: its rays, its largest message, and what that is compressed to.
+/// Returns the memory in bytes that recording a frame needs: rays, the largest message and its compressed form.
 #[must_use]
 pub fn record_bytes(size: ImageSize) -> u64 {
     40 * u64::from(size.width) * u64::from(size.height)
 }
 
-/// Returns the memory of a frame's annotations, bytes.
+/// Returns the memory in bytes of a frame's annotations.
 #[must_use]
 pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     let kinds = annotators.iter().filter_map(|annotator| annotator.kind());
@@ -71,7 +71,7 @@ pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     u64::from(size.width) * u64::from(size.height) * per_pixel
 }
 
-/// The memory that this machine could give now, bytes; `None` where it does not say.
+/// Returns the available memory in bytes; `None` if it is unknown.
 #[must_use]
 pub fn available_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes() {
+    fn checks_sizes() {
         assert!(check_size(ImageSize::new(1 << 16, 1 << 15)).is_ok());
         assert!(check_size(ImageSize::new((1 << 16) + 1, 1 << 15)).is_err());
         assert!(check_size(ImageSize::new(u32::MAX, u32::MAX)).is_err());
@@ -106,7 +106,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn linux_says_its_memory() {
+    fn available_memory_is_known_on_linux() {
         assert!(available_bytes().unwrap() > 1 << 20);
     }
 }

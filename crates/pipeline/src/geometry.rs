@@ -1,19 +1,18 @@
-//! Images and the rays of their pixels: range to z, other cameras' pixels, points.
+//! Pixel rays: range to z-depth, resampling, point clouds.
 
 use rayon::prelude::*;
 
 use oaktwin_camera::{Camera, ImageSize, PixelPoint, Usd};
 use oaktwin_image::Image;
 
-/// The middle of a pixel.
+/// The centre of a pixel.
 fn centre(x: usize, y: usize) -> PixelPoint<Usd> {
     PixelPoint::new(x as f64 + 0.5, y as f64 + 0.5)
 }
 
-/// What distances from the optical centre are to be multiplied with to be z, pixel by pixel; NaN where the lens sees
-/// nothing.
+/// The factors from range to z-depth, pixel by pixel; NaN outside the lens's field of view.
 #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
-pub(super) fn z_of_range(camera: &Camera) -> Vec<f32> {
+pub(crate) fn z_of_range(camera: &Camera) -> Vec<f32> {
     let size = camera.intrinsics.size;
     (0..size.height as usize)
         .into_par_iter()
@@ -27,14 +26,14 @@ pub(super) fn z_of_range(camera: &Camera) -> Vec<f32> {
         .collect()
 }
 
-/// Where each pixel of one camera lies in the image of another that stands at the same place: the index of the pixel
-/// there, `None` outside of it.
+/// For each pixel of `to` the index of the pixel of `from` on the same ray, for cameras at the same position; `None` outside
+/// its image.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "within the image"
 )]
-pub(super) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
+pub(crate) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
     let (size, own) = (to.intrinsics.size, from.intrinsics.size);
     let place = |x: usize, y: usize| {
         let seen = from.project(to.unproject(centre(x, y))?)?.to::<Usd>();
@@ -48,8 +47,8 @@ pub(super) fn places(from: &Camera, to: &Camera) -> Vec<Option<usize>> {
         .collect()
 }
 
-/// The nearest samples at such places.
-pub(super) fn resample<T: Copy>(
+/// The samples at these indices.
+pub(crate) fn resample<T: Copy>(
     image: &Image<T>,
     places: &[Option<usize>],
     size: ImageSize,
@@ -68,8 +67,8 @@ pub(super) fn resample<T: Copy>(
         .unwrap_or_else(|| Image::filled(size.width, size.height, outside))
 }
 
-/// The point that each pixel sees, in the camera's frame with USD's axes (x right, y up, z backward), metres, and 1; all
-/// 0 where there is none.
+/// The point of each pixel in the camera's frame with USD's axes (x right, y up, z backward), metres, and 1; all 0 for
+/// invalid depth.
 #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
 pub(crate) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
     let mut positions = Image::filled(z.width(), z.height(), [0f32; 4]);
@@ -92,6 +91,16 @@ pub(crate) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
     positions
 }
 
+/// The colours of valid depth, and 0 elsewhere.
+pub(crate) fn measured_only(mut colors: Image<[u8; 4]>, z: &Image<f32>) -> Image<[u8; 4]> {
+    for (color, z) in colors.pixels_mut().iter_mut().zip(z.pixels()) {
+        if *z <= 0.0 {
+            *color = [0; 4];
+        }
+    }
+    colors
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sphere_around_the_camera_has_the_z_of_its_rays() {
+    fn converts_range_to_z() {
         let camera = pinhole(4, 2, 90.0);
         let factors = z_of_range(&camera);
         // The ray of the first pixel is (−1.5, −0.5, 2).
@@ -115,9 +124,9 @@ mod tests {
     }
 
     #[test]
-    fn a_narrower_camera_sees_the_middle() {
+    fn resamples_a_narrower_view() {
         let image = Image::new(4, 2, (0..8).collect()).unwrap();
-        // The middle half of the view, in as many pixels: each sample twice.
+        // The middle half of the view at the same resolution: each sample twice.
         let narrow = pinhole(4, 2, 2.0 * 0.5f64.atan().to_degrees());
         let places = places(&pinhole(4, 2, 90.0), &narrow);
         let seen = resample(&image, &places, ImageSize::new(4, 2), -1);

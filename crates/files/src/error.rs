@@ -1,0 +1,66 @@
+use std::io;
+use std::path::{Path, PathBuf};
+
+use oaktwin_diagnostic::Message;
+use oaktwin_image::CodecError;
+
+/// A file that cannot be read or written: `FILE: what is wrong; what to do`.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {message}; {remedy}", path.display())]
+pub struct FileError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong.
+    pub message: Message,
+    /// What to do.
+    pub remedy: Message,
+}
+
+impl FileError {
+    /// Creates an error about `path`.
+    pub fn new(path: &Path, message: impl Into<Message>, remedy: impl Into<Message>) -> Self {
+        Self {
+            path: path.to_owned(),
+            message: message.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// Returns the error for a file whose contents cannot be decoded or encoded.
+    #[must_use]
+    pub fn codec(path: &Path, error: &CodecError) -> Self {
+        let message = format!("{}: {}: {}", error.format, error.place, error.problem);
+        Self::new(path, message, error.remedy)
+    }
+
+    pub(crate) fn reading(path: &Path, error: &io::Error) -> Self {
+        let (message, remedy) = match error.kind() {
+            io::ErrorKind::NotFound => ("there is no such file", "check the path"),
+            io::ErrorKind::PermissionDenied => ("permission denied", "check its permissions"),
+            io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
+            _ => return Self::new(path, format!("cannot be read ({error})"), "check the path"),
+        };
+        Self::new(path, message, remedy)
+    }
+
+    /// Returns the error for a failed write to `path`.
+    #[must_use]
+    pub fn writing(path: &Path, error: &io::Error) -> Self {
+        let (message, remedy) = match error.kind() {
+            io::ErrorKind::NotFound => ("its folder does not exist", "make the folder first"),
+            io::ErrorKind::PermissionDenied => ("permission denied", "choose another place"),
+            io::ErrorKind::ReadOnlyFilesystem => ("is on a read-only file system", "choose another place"),
+            io::ErrorKind::StorageFull => ("there is no space left", "free some, or choose another place"),
+            io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
+            io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
+            _ => {
+                return Self::new(
+                    path,
+                    format!("cannot be written ({error})"),
+                    "choose another place",
+                );
+            }
+        };
+        Self::new(path, message, remedy)
+    }
+}

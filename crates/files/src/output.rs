@@ -1,0 +1,176 @@
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::{AtomicFile, FileError, WrittenFile, make_folder, write};
+
+/// The files that a command writes: never over one of its inputs, and in folders that are created when they are needed.
+/// Folders that were created and stay empty are removed when this value is dropped.
+#[derive(Debug, Default)]
+pub struct OutputFiles {
+    root: PathBuf,
+    /// Canonical paths.
+    inputs: BTreeSet<PathBuf>,
+    checked: BTreeSet<PathBuf>,
+    /// Outermost first.
+    created: Vec<PathBuf>,
+    files: Vec<WrittenFile>,
+}
+
+impl OutputFiles {
+    /// Files in a folder, which is created and checked to be writable.
+    ///
+    /// # Errors
+    /// Returns an error if the folder cannot be created or written to, or if it is a file.
+    pub fn in_folder(root: &Path) -> Result<Self, FileError> {
+        let mut files = Self::default();
+        root.clone_into(&mut files.root);
+        files.check_folder(root)?;
+        Ok(files)
+    }
+
+    /// Protects these files, if they exist, from being overwritten.
+    pub fn protect<'a>(&mut self, inputs: impl IntoIterator<Item = &'a Path>) {
+        self.inputs
+            .extend(inputs.into_iter().filter_map(|path| path.canonicalize().ok()));
+    }
+
+    /// The folder that paths are relative to; empty for the current directory.
+    #[must_use]
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The files that are complete, in the order of their completion.
+    #[must_use]
+    pub fn files(&self) -> &[WrittenFile] {
+        &self.files
+    }
+
+    /// Writes a whole file, relative to the root.
+    ///
+    /// # Errors
+    /// Returns an error if the file is an input or cannot be written; nothing of it is left behind.
+    pub fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+        let path = self.prepare(path)?;
+        write(&path, bytes)?;
+        let bytes = bytes.len() as u64;
+        self.files.push(WrittenFile { path, bytes });
+        Ok(())
+    }
+
+    /// Begins a file, relative to the root, that is written in parts and completed by [`finish`](Self::finish).
+    ///
+    /// # Errors
+    /// Returns an error if the file is an input or cannot be written.
+    pub fn create(&mut self, path: &Path) -> Result<AtomicFile, FileError> {
+        let path = self.prepare(path)?;
+        AtomicFile::create(&path)
+    }
+
+    /// Completes a file.
+    ///
+    /// # Errors
+    /// Returns an error if it cannot be written.
+    pub fn finish(&mut self, file: AtomicFile) -> Result<(), FileError> {
+        let (path, bytes) = file.finish()?;
+        self.files.push(WrittenFile { path, bytes });
+        Ok(())
+    }
+
+    fn prepare(&mut self, path: &Path) -> Result<PathBuf, FileError> {
+        let path = self.root.join(path);
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        if !self.checked.contains(folder) {
+            self.check_folder(folder)?;
+        }
+        let is_input = path.canonicalize().is_ok_and(|path| self.inputs.contains(&path));
+        if is_input {
+            return Err(FileError::new(
+                &path,
+                "is an input of this command",
+                "choose another place",
+            ));
+        }
+        Ok(path)
+    }
+
+    fn check_folder(&mut self, folder: &Path) -> Result<(), FileError> {
+        let missing = folder
+            .ancestors()
+            .take_while(|folder| !folder.as_os_str().is_empty() && fs::symlink_metadata(folder).is_err());
+        let mut missing: Vec<PathBuf> = missing.map(Path::to_owned).collect();
+        missing.reverse();
+        self.created.append(&mut missing);
+        make_folder(folder)?;
+        tempfile::Builder::new()
+            .prefix(".oaktwin.")
+            .suffix(".part")
+            .tempfile_in(folder)
+            .map_err(|error| {
+                let message = format!("is not writable ({})", error.kind());
+                FileError::new(folder, message, "choose another place")
+            })?;
+        self.checked.insert(folder.to_owned());
+        Ok(())
+    }
+}
+
+impl Drop for OutputFiles {
+    fn drop(&mut self) {
+        for folder in self.created.iter().rev() {
+            // Fails if the folder is not empty, as intended.
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn removes_created_folders_that_stay_empty() {
+        let root = tempfile::tempdir().unwrap();
+        let at = |name: &str| root.path().join(name);
+        drop(OutputFiles::in_folder(&at("a/b")).unwrap());
+        assert!(!at("a").exists());
+        fs::create_dir(at("mine")).unwrap();
+        drop(OutputFiles::in_folder(&at("mine")).unwrap());
+        assert!(at("mine").is_dir());
+        let mut files = OutputFiles::in_folder(&at("c/d")).unwrap();
+        files.write(Path::new("left/x.npy"), b"x").unwrap();
+        assert_eq!(files.files()[0].path, at("c/d/left/x.npy"));
+        drop(files);
+        assert_eq!(fs::read(at("c/d/left/x.npy")).unwrap(), b"x");
+    }
+
+    #[test]
+    fn rejects_files_as_folders() {
+        let root = tempfile::tempdir().unwrap();
+        fs::write(root.path().join("file"), "kept").unwrap();
+        for name in ["file", "file/below"] {
+            assert!(OutputFiles::in_folder(&root.path().join(name)).is_err(), "{name}");
+        }
+        assert_eq!(fs::read(root.path().join("file")).unwrap(), b"kept");
+    }
+
+    #[test]
+    fn protects_inputs() {
+        let root = tempfile::tempdir().unwrap();
+        let input = root.path().join("a.npy");
+        fs::write(&input, "kept").unwrap();
+        let mut files = OutputFiles::in_folder(root.path()).unwrap();
+        files.protect([input.as_path()]);
+        for error in [
+            files.write(Path::new("a.npy"), b"x").unwrap_err(),
+            files.create(Path::new("a.npy")).unwrap_err(),
+        ] {
+            assert_eq!(&*error.message, "is an input of this command");
+        }
+        assert_eq!(fs::read(&input).unwrap(), b"kept");
+    }
+}
