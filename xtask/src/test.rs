@@ -16,11 +16,14 @@ const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Formatter, clippy and the Rust tests only: under 3 minutes from a warm target
-    #[arg(long, conflicts_with_all = ["all", "peers"])]
+    #[arg(long, conflicts_with_all = ["all", "peers", "portable"])]
     fast: bool,
-    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers and `PyTorch`
+    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers, --portable and `PyTorch`
     #[arg(long)]
     all: bool,
+    /// Also run the Rust tests without vector instructions, as on processors other than x86-64
+    #[arg(long)]
+    portable: bool,
     /// Also test the Python package beside its large peers: Ray, Rerun, Open3D
     #[arg(long)]
     peers: bool,
@@ -87,11 +90,11 @@ fn rust_steps(report: &mut Report, args: &Args) {
             no_tests,
         );
     }
-    report.command("Rust tests", &mut rust_tests(args), counts::of_cargo_test);
-    if !args.fast {
+    report.command("Rust tests", &mut rust_tests(args, &[]), counts::of_cargo_test);
+    if args.all || args.portable {
         report.command(
             "Rust tests without vector instructions",
-            &mut portable_tests(args),
+            &mut rust_tests(args, &["--features", "oaktwin-simd/portable"]),
             counts::of_cargo_test,
         );
     }
@@ -112,41 +115,16 @@ fn rust_steps(report: &mut Report, args: &Args) {
 
 /// Returns the command for all Rust tests but the slow ones. Tests that need the public test data run, and have to find
 /// it, if [`TEST_DATA`] is set; otherwise they count as skipped.
-fn rust_tests(args: &Args) -> Command {
+fn rust_tests(args: &Args, features: &[&str]) -> Command {
     let mut test = workspace::cargo();
     test.args(["test", "--workspace", "--no-fail-fast"]);
+    test.args(features);
     if args.fast {
         // Each documentation test is a program of its own to compile.
         test.arg("--tests");
     }
     if std::env::var_os(TEST_DATA).is_some() {
         test.args(["--", "--include-ignored", "--skip", "slow_"]);
-    }
-    test
-}
-
-/// Returns the command for the tests of the crates with pixel loops, or of all crates with `--all`, on the path of
-/// processors other than x86-64.
-fn portable_tests(args: &Args) -> Command {
-    let mut test = workspace::cargo();
-    test.args([
-        "test",
-        "--no-fail-fast",
-        "--tests",
-        "--features",
-        "oaktwin-simd/portable",
-    ]);
-    if args.all {
-        test.arg("--workspace");
-    } else {
-        test.args([
-            "-p",
-            "oaktwin-simd",
-            "-p",
-            "oaktwin-depth",
-            "-p",
-            "oaktwin-render",
-        ]);
     }
     test
 }
