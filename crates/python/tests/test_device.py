@@ -51,7 +51,7 @@ def test_resized_and_cropped(device):
     for bad in [(0, 4), (4, 0), (1 << 16, 1 << 16)]:
         with pytest.raises(oaktwin.Error, match="an image of"):
             left.resized(*bad)
-    with pytest.raises(oaktwin.Error, match="no place"):
+    with pytest.raises(oaktwin.Error, match="is not finite"):
         left.cropped(float("nan"), 0, 3, 3)
     with pytest.raises(OverflowError):
         left.resized(-1, 3)
@@ -157,7 +157,7 @@ def test_overrides(program, tmp_path, calibration):
     assert text == (tmp_path / "theirs.usda").read_text() and "./vendor/oak.usda" in text
     for error, said, over in [
         (FileNotFoundError, "none.usd", tmp_path / "none.usd"),
-        (oaktwin.Error, "is the asset itself", tmp_path / "ours.usda"),
+        (oaktwin.Error, "is the asset to override", tmp_path / "ours.usda"),
     ]:
         with pytest.raises(error, match=said):
             device.write_usd(tmp_path / "ours.usda", over=over)

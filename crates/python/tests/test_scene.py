@@ -148,7 +148,7 @@ def test_mesh_files(tmp_path, device):
 def test_bad_renderings(wall):
     camera = oaktwin.Camera((4, 4), hfov_deg=20)
     for text, arguments, options in [
-        ("did you mean normals", (camera, EYE), dict(annotators=["normal"])),
+        ("did you mean 'normals'", (camera, EYE), dict(annotators=["normal"])),
         ("is not an image; use the camera", (camera, EYE), dict(annotators=["camera_params"])),
         ("DepthSensor", (camera, EYE), dict(annotators=["depth_sensor_distance"])),
         ("backend: there is no", (camera, EYE), dict(backend="gpu")),

@@ -112,7 +112,7 @@ def test_invalid_annotators_of_a_sensor(device, room):
     for text, call in [
         ("depth_sensor_imager: is not made", lambda: sensor.annotate(depth, rgb, annotators=["depth_sensor_imager"])),
         ("give rgb=", lambda: sensor.annotate(depth, annotators=["depth_sensor_point_cloud_color"])),
-        ("no annotator of a depth sensor", lambda: sensor.annotate(depth, annotators=["rgb"])),
+        ("is not an annotator of a depth sensor", lambda: sensor.annotate(depth, annotators=["rgb"])),
         ("did you mean", lambda: sensor.annotate(depth, annotators=["depth_sensor_distanc"])),
         ("is a batch", lambda: sensor.annotate(depth[None], annotators=["depth_sensor_distance"])),
     ]:

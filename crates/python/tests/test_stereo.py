@@ -267,7 +267,7 @@ def test_small_images(matcher):
         ({"fx": 300, "baseline": 0.1, "preset": "robotic"}, "robotic"),
         ({"fx": 300, "baseline": 0.1, "filters": ["medium"]}, "median"),
         ({"fx": 300, "baseline": 0.1, "parameters": {"path": 3}}, "paths"),
-        ({"fx": 300, "baseline": 0.1, "parameters": {"bias": 1}}, "the error of its own calibration"),
+        ({"fx": 300, "baseline": 0.1, "parameters": {"bias": 1}}, "the error of their own calibration"),
         ({"device": PRO, "fx": 300}, "device: conflicts with fx, hfov_deg and baseline; omit fx"),
         ({"device": PRO, "raw": False, "rectify": "full"}, "rectify: raw=False means"),
         ({"device": PRO, "rectify": "ful"}, "rectify: there is no `ful`; did you mean full"),
