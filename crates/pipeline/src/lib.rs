@@ -4,7 +4,7 @@
 //! * [`sense`] runs a depth sensor on existing depth images;
 //! * [`stereo`] matches existing pairs of images, and [`pair`] renders such pairs;
 //! * [`sensor`] configures the depth sensor of a twin;
-//! * [`unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
+//! * [`mod@unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
 //! * [`input`] reads depth images from files and folders;
 //! * [`recording`] opens recordings for ROS 2, Foxglove and Rerun;
 //! * [`progress`] reports the progress of all of them, and interrupts them.

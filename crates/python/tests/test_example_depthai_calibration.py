@@ -97,7 +97,7 @@ def test_real_exports(tmp_path):
             # DepthAI rejects the first, oaktwin the second, whose right camera is on the left.
             done = run(path, "--model", "OAK-D Pro PoE")
             assert done.returncode == 1 and "Traceback" not in done.stderr
-            assert "cameraType" in done.stderr or "not on its left" in done.stderr
+            assert "cameraType" in done.stderr or "not to its left" in done.stderr
             continue
         compared(path, "OAK-D Pro PoE", tmp_path)
         compared_files += 1

@@ -241,8 +241,8 @@ def test_invalid_calls_are_rejected(tmp_path, seen):
             (dict(depth=depth), "pass an image of the camera"),
             (dict(measured=depth[0, 1:]), "measured: has shape"),
             (dict(rgb=rgb[0, 1:]), "rgb: has shape"),
-            (dict(time=-1.0), "no time of a recording"),
-            (dict(time=float("nan")), "no time of a recording"),
+            (dict(time=-1.0), "out of range"),
+            (dict(time=float("nan")), "out of range"),
         ]:
             with pytest.raises(oaktwin.Error, match=message):
                 recording.log(camera, poses[0], **wrong)

@@ -25,6 +25,7 @@ __all__ = [
     "_read_from",
     "accuracy",
     "align",
+    "annotators",
     "look_at",
     "main",
     "models",
