@@ -1,7 +1,7 @@
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};
 
-/// What a sensor reports of one input.
+/// The output of a sensor for one input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capture {
     /// Metres along the optical axis, 0 where nothing was measured. Filters that decimate make it smaller than the
@@ -16,13 +16,13 @@ pub struct Capture {
 /// An output besides the distance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
-    /// Whole levels.
+    /// One byte per pixel, such as confidence.
     Bytes(Image<u8>),
-    /// Real numbers.
+    /// One number per pixel, such as luminance.
     Floats(Image<f32>),
     /// sRGB with alpha.
     Colors(Image<[u8; 4]>),
-    /// Points in metres and 1.
+    /// Homogeneous points: x, y and z in metres, and 1.
     Points(Image<[f32; 4]>),
     /// Fixed-point disparity.
     Disparity(FixedDisparity),

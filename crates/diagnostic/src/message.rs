@@ -87,8 +87,8 @@ impl fmt::Display for Opt {
 ///
 /// The text is complete with each option in its neutral spelling (see [`Opt`]), so a message can be used like a `str`.
 /// The positions of the options are kept beside it: [`with_style`] replaces these and nothing else, whatever a path
-/// or a name in the text may look like. [`message!`](crate::message) builds one from its parts. An error keeps a message
-/// as it is in its fields; formatted into a string, its options stay neutral.
+/// or a name in the text may look like. [`message!`](crate::message) builds one from its parts. An error stores
+/// its message as a `Message`: formatting it into a string would fix the options in their neutral spelling.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Message {
     text: String,

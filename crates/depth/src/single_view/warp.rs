@@ -186,7 +186,7 @@ fn quantize(plan: &Plan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
     }
 }
 
-/// Computes depth from disparity; without a disparity there is no sample.
+/// Computes depth from disparity. Lanes without a valid disparity get an infinite one, which marks them as invalid.
 #[inline(always)]
 fn recompute(plan: &Plan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
     for (d, out) in disparity.iter_mut().zip(out) {

@@ -11,7 +11,7 @@ const LARGEST_PX: f32 = 8192.0;
 /// 2²³: from here to 2²⁴, `float32` represents exactly the integers, in its lowest bits. Adding it rounds, halves to even.
 const ONE_A_STEP: f32 = 8_388_608.0;
 
-/// Converts depth to disparity in place; 0 where there is no surface.
+/// Converts depth to disparity in place. Invalid depth becomes a disparity of 0.
 pub(super) struct Disparities<'a> {
     pub(super) px_m: f32,
     pub(super) depth: &'a mut [f32],
@@ -78,7 +78,7 @@ impl Kernel for Textured<'_> {
     }
 }
 
-/// Turns disparities into measured ones: systematic error, jitter, quantization and range. Disparity 0 is no surface.
+/// Applies systematic error, jitter, quantization and range to disparities. A disparity of 0 is invalid.
 pub(super) struct Measure<'a> {
     pub(super) scale: &'a Scale,
     /// Image pixels per matcher pixel if the left band is invalid, else 0.
