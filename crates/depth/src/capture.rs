@@ -7,8 +7,8 @@ pub struct Capture {
     /// Metres along the optical axis, 0 where nothing was measured. Filters that decimate make it smaller than the
     /// input: [`Chain::size`](crate::filter::Chain::size).
     pub distance: ZDepth,
-    /// Whether filters of depth changed the distance. [`Capture::extras`] show it unfiltered.
-    pub is_filtered: bool,
+    /// The distance before filters of depth, if some ran. [`Capture::extras`] show it unfiltered.
+    pub unfiltered: Option<ZDepth>,
     /// The requested outputs that the engine could make of the input.
     pub extras: Vec<(Annotator, Layer)>,
 }
@@ -29,6 +29,14 @@ pub enum Layer {
 }
 
 impl Capture {
+    /// Whether filters of depth changed the distance.
+    #[must_use]
+    pub fn is_filtered(&self) -> bool {
+        self.unfiltered
+            .as_ref()
+            .is_some_and(|unfiltered| *unfiltered != self.distance)
+    }
+
     /// Returns an extra output, or `None` if it was not made or has another type.
     #[must_use]
     pub fn extra<T>(&self, annotator: Annotator) -> Option<&T>

@@ -94,7 +94,7 @@ impl OutputContext<'_> {
         let positions = wants(Annotator::DepthSensorPointCloudPosition).then(|| {
             let moved = capture.extra::<Image<[f32; 4]>>(Annotator::DepthSensorPointCloudPosition);
             // Filters may have changed the depth; then the points are computed from it.
-            match moved.filter(|_| !capture.is_filtered) {
+            match moved.filter(|_| !capture.is_filtered()) {
                 Some(positions) => positions.clone(),
                 None => self.seen(metres),
             }

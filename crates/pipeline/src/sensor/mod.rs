@@ -2,6 +2,7 @@
 
 mod choose;
 mod matching;
+mod option;
 mod options;
 mod parameter_file;
 mod parameters;
@@ -21,6 +22,7 @@ pub use oaktwin_depth::{
 pub use choose::depth_sensor;
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
+pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};
 pub use options::{SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
