@@ -22,10 +22,15 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
 
 fn decode_checked(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
     let unsupported = |problem: &str| {
-        CodecError::new("KTX2", "header", problem.to_string(), "convert the texture to PNG or JPEG")
+        CodecError::new(
+            "KTX2",
+            "header",
+            problem.to_string(),
+            "convert the texture to PNG or JPEG",
+        )
     };
-    let texture = Transcoder::new(bytes)
-        .map_err(|_| unsupported("is damaged or not compressed by Basis Universal"))?;
+    let texture =
+        Transcoder::new(bytes).map_err(|_| unsupported("is damaged or not compressed by Basis Universal"))?;
     if !texture.supports(TargetFormat::Rgba32) {
         return Err(unsupported("has a high dynamic range, which is not supported"));
     }

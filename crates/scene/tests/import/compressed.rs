@@ -15,7 +15,13 @@ macro_rules! files {
     ($($name:literal),*) => { [$(($name, include_bytes!(concat!("compressed/", $name, ".glb")).as_slice())),*] };
 }
 
-const MESHES: [(&str, &[u8]); 5] = files!("draco", "draco_sequential", "meshopt", "meshopt_filters", "meshopt_khr");
+const MESHES: [(&str, &[u8]); 5] = files!(
+    "draco",
+    "draco_sequential",
+    "meshopt",
+    "meshopt_filters",
+    "meshopt_khr"
+);
 const TEXTURES: [(&str, &[u8]); 2] = files!("ktx2_etc1s", "ktx2_uastc");
 
 fn plain() -> Imported {
@@ -42,7 +48,9 @@ fn corners(imported: &Imported) -> Vec<[Corner; 3]> {
         let c = mesh.colors.as_ref().unwrap().corners(i, triangle).unwrap()[k];
         [p.x, p.y, p.z, n[0], n[1], n[2], u, v, c[0], c[1], c[2]]
     };
-    (0..mesh.triangles.len()).map(|i| [0, 1, 2].map(|k| corner(i, k))).collect()
+    (0..mesh.triangles.len())
+        .map(|i| [0, 1, 2].map(|k| corner(i, k)))
+        .collect()
 }
 
 /// The position of a point in the grid, by which triangles are compared: encoders reorder them and turn their corners.
@@ -74,7 +82,10 @@ fn decoded_meshes_equal_the_plain_one() {
         for (found, expected) in found.iter().zip(&expected) {
             assert_eq!(key(found), key(expected), "{name}");
             for corner in found {
-                let twin = expected.iter().find(|twin| (0..2).all(|i| (twin[i] - corner[i]).abs() < 0.01)).unwrap();
+                let twin = expected
+                    .iter()
+                    .find(|twin| (0..2).all(|i| (twin[i] - corner[i]).abs() < 0.01))
+                    .unwrap();
                 for (i, (a, b)) in corner.iter().zip(twin).enumerate() {
                     assert!((a - b).abs() <= tolerance(i), "{name}: {i}: {a} instead of {b}");
                 }

@@ -286,10 +286,9 @@ fn inconsistent_numbers_are_errors() {
     );
     assert!(with(r#""type":"VEC3""#, r#""type":"VEC9""#).contains("accessors[0]: has an unknown type"));
     assert!(with(r#""mesh":0"#, r#""mesh":4"#).contains("nodes[0].mesh: does not exist"));
-    assert!(
-        with(r#""version":"2.0""#, r#""version":"1.0""#)
-            .contains("asset.version: is glTF 1.0; only glTF 2.0 is supported; convert it to glTF 2.0, for example")
-    );
+    assert!(with(r#""version":"2.0""#, r#""version":"1.0""#).contains(
+        "asset.version: is glTF 1.0; only glTF 2.0 is supported; convert it to glTF 2.0, for example"
+    ));
     assert!(
         error("a.gltf", r#"{"meshes":{"it":{}},"nodes":{}}"#)
             .contains("asset.version: is glTF 1.0; only glTF 2.0 is supported; convert")
@@ -336,13 +335,21 @@ fn slips_of_older_exporters_are_repaired() {
         .replace(r#""count":4"#, r#""count":4.0,"max":[NaN,-Infinity]"#)
         .replace(r#""nodes":[{"mesh":0,"#, r#""nodes":[{"mesh":0,"camera":1,"skin":-1,"#)
         .replace(r#""byteLength":48"#, r#""byteLength":48,"byteStride":0"#);
-    assert!(text.contains(r#""byteStride":0"#) && text.contains("Infinity") && text.contains(r#""camera":1"#));
+    assert!(
+        text.contains(r#""byteStride":0"#) && text.contains("Infinity") && text.contains(r#""camera":1"#)
+    );
     // A scene without nodes displays nothing; without a scene, all roots are displayed.
-    let imported = open("a.gltf", text.replace(r#""scenes":[{"extras":{"units":"in"}}],"#, ""));
+    let imported = open(
+        "a.gltf",
+        text.replace(r#""scenes":[{"extras":{"units":"in"}}],"#, ""),
+    );
     assert_eq!(imported.scene.meshes, plain.scene.meshes);
     assert_eq!(imported.scene.instances, plain.scene.instances);
     assert_eq!(imported.scene.materials[0].base_color, Some([1.0, 0.0, 0.0]));
-    assert_eq!((imported.cameras[0].vfov, imported.cameras[0].path.as_str()), (1.0, "/it_2"));
+    assert_eq!(
+        (imported.cameras[0].vfov, imported.cameras[0].path.as_str()),
+        (1.0, "/it_2")
+    );
     assert_eq!(messages(&imported), ["animations: not supported: 1 skipped"]);
     assert!(error("a.gltf", text).contains("contains no triangles"));
     // The length in the header may be wrong.

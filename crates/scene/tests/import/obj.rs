@@ -171,9 +171,15 @@ fn all_encodings_and_line_ends_are_equivalent() {
     }
     let materials = "newmtl red\nKd 1 0 0\n".encode_utf16().flat_map(u16::to_le_bytes);
     let files = Files::new()
-        .with("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl red\nf 1 2 3")
+        .with(
+            "a.obj",
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl red\nf 1 2 3",
+        )
         .with("a.mtl", materials.collect::<Vec<u8>>());
-    assert_eq!(files.open("a.obj").scene.materials[0].base_color, Some([1.0, 0.0, 0.0]));
+    assert_eq!(
+        files.open("a.obj").scene.materials[0].base_color,
+        Some([1.0, 0.0, 0.0])
+    );
 }
 
 #[test]

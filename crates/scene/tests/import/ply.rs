@@ -105,13 +105,18 @@ fn unknown_elements_and_properties_are_skipped() {
 #[test]
 fn surplus_values_of_a_row_are_ignored() {
     let plain = open("a.ply", text()).scene;
-    let surplus = text().replace("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1\n").replace(" 255 255 ", " 255 255 0 ");
+    let surplus = text()
+        .replace("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1\n")
+        .replace(" 255 255 ", " 255 255 0 ");
     // The vertex rows now have one value too many at their end.
     let imported = open("a.ply", &surplus.replace("4 0 1 2 3\n", "4 0 1 2 3 255 0 0"));
     assert_eq!(imported.scene.meshes[0].triangles, plain.meshes[0].triangles);
     assert_eq!(imported.scene.meshes[0].positions, plain.meshes[0].positions);
     // Rows need not be on lines of their own.
-    let (header, body) = text().split_once("end_header\n").map(|(h, b)| (h.to_string(), b.to_string())).unwrap();
+    let (header, body) = text()
+        .split_once("end_header\n")
+        .map(|(h, b)| (h.to_string(), b.to_string()))
+        .unwrap();
     let joined = format!("{header}end_header\n{}", body.replace('\n', " "));
     assert_eq!(open("a.ply", joined).scene, plain);
     let split = format!("{header}end_header\n{}", body.replace(' ', "\n"));
@@ -120,7 +125,9 @@ fn surplus_values_of_a_row_are_ignored() {
 
 #[test]
 fn header_lines_without_a_keyword_are_ignored() {
-    let text = text().replace("comment made", "made").replace("element face", "by hand\nelement face");
+    let text = text()
+        .replace("comment made", "made")
+        .replace("element face", "by hand\nelement face");
     assert_eq!(
         messages(&open("a.ply", text)),
         ["line 3: unknown header line; ignored: made by a test"]

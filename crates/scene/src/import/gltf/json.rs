@@ -28,7 +28,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
         Some(Value::String(version)) => Some(version.clone()),
         Some(Value::Number(number)) => Some(number.to_string()),
         // The lists of glTF 1.0 are objects, and its first files have no version.
-        _ if ["meshes", "nodes", "accessors"].iter().any(|&list| members.get(list).is_some_and(Value::is_object)) => {
+        _ if ["meshes", "nodes", "accessors"]
+            .iter()
+            .any(|&list| members.get(list).is_some_and(Value::is_object)) =>
+        {
             Some("1.0".into())
         }
         _ => None,
@@ -94,7 +97,15 @@ fn tidy(value: &mut Value) {
 /// Whether a member is a negative index, by which some exporters mean that there is none.
 fn is_absent_index(name: &str, value: &Value) -> bool {
     const INDICES: [&str; 9] = [
-        "bufferView", "camera", "indices", "material", "mesh", "sampler", "scene", "skin", "source",
+        "bufferView",
+        "camera",
+        "indices",
+        "material",
+        "mesh",
+        "sampler",
+        "scene",
+        "skin",
+        "source",
     ];
     INDICES.contains(&name) && value.as_f64().is_some_and(|index| index < 0.0)
 }
@@ -104,7 +115,10 @@ fn repair(root: &mut Value) {
     for camera in objects(root, "cameras") {
         for (kind, defaults) in [
             ("perspective", &[("yfov", 0.0), ("znear", 0.01)][..]),
-            ("orthographic", &[("xmag", 1.0), ("ymag", 1.0), ("zfar", 100.0), ("znear", 0.0)]),
+            (
+                "orthographic",
+                &[("xmag", 1.0), ("ymag", 1.0), ("zfar", 100.0), ("znear", 0.0)],
+            ),
         ] {
             let Some(lens) = camera.get_mut(kind).and_then(Value::as_object_mut) else {
                 continue;
@@ -151,7 +165,10 @@ fn repair(root: &mut Value) {
 }
 
 /// The objects in a list of the root.
-pub(super) fn objects<'a>(root: &'a mut Value, list: &str) -> impl Iterator<Item = &'a mut Map<String, Value>> {
+pub(super) fn objects<'a>(
+    root: &'a mut Value,
+    list: &str,
+) -> impl Iterator<Item = &'a mut Map<String, Value>> {
     let list = root.get_mut(list).and_then(Value::as_array_mut);
     list.into_iter().flatten().filter_map(Value::as_object_mut)
 }

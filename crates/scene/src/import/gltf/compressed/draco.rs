@@ -26,7 +26,10 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
             }
             let place = format!("meshes[{mesh}].primitives[{primitive}]");
             let fault = |message: &str| {
-                Fault::damaged(&place, format!("its data compressed by Draco is invalid: {message}"))
+                Fault::damaged(
+                    &place,
+                    format!("its data compressed by Draco is invalid: {message}"),
+                )
             };
             let view = number(&extension, "bufferView").and_then(|view| root.get("bufferViews")?.get(view));
             let bytes = view
@@ -72,7 +75,9 @@ fn replace(
     extension: &Value,
     decoded: &Mesh,
 ) {
-    let attributes = root["meshes"][mesh]["primitives"][primitive].get("attributes").cloned();
+    let attributes = root["meshes"][mesh]["primitives"][primitive]
+        .get("attributes")
+        .cloned();
     let ids = extension.get("attributes").and_then(Value::as_object);
     for (semantic, id) in ids.into_iter().flatten() {
         let id = id.as_u64().and_then(|id| u32::try_from(id).ok());
@@ -89,7 +94,11 @@ fn replace(
         }
     }
     let points = decoded.faces().iter().flatten();
-    let view = push_bytes(root, buffers, points.flat_map(|point| point.0.to_le_bytes()).collect());
+    let view = push_bytes(
+        root,
+        buffers,
+        points.flat_map(|point| point.0.to_le_bytes()).collect(),
+    );
     let indices = json!({
         "bufferView": view, "componentType": 5125, "count": 3 * decoded.num_faces(), "type": "SCALAR",
     });
@@ -102,7 +111,11 @@ fn replace(
 }
 
 /// Encodes values in the component type of an accessor.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "integers of that type")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "integers of that type"
+)]
 fn encoded(kind: Option<u64>, values: &[f32]) -> Vec<u8> {
     match kind {
         Some(5120) => values.iter().flat_map(|&x| (x as i8).to_le_bytes()).collect(),

@@ -21,7 +21,9 @@ pub(super) fn is_fallback(buffer: &Value) -> bool {
 
 /// Whether any buffer view is compressed by meshopt.
 pub(super) fn has_compressed_views(root: &Value) -> bool {
-    list(root, "bufferViews").iter().any(|view| meshopt_extension(view).is_some())
+    list(root, "bufferViews")
+        .iter()
+        .any(|view| meshopt_extension(view).is_some())
 }
 
 /// Decodes everything into new buffers and changes the JSON to refer to them.
@@ -61,5 +63,7 @@ fn number(value: &Value, name: &str) -> Option<usize> {
 }
 
 fn list<'a>(root: &'a Value, name: &str) -> &'a [Value] {
-    root.get(name).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+    root.get(name)
+        .and_then(Value::as_array)
+        .map_or(&[], Vec::as_slice)
 }

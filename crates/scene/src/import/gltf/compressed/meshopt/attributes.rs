@@ -58,7 +58,9 @@ fn apply(mode: u8, last: [u8; 4], delta: [u8; 4]) -> Option<[u8; 4]> {
     let short = |i: usize| {
         let delta = u16::from_le_bytes([delta[i], delta[i + 1]]);
         let difference = delta >> 1 ^ (delta & 1).wrapping_neg();
-        u16::from_le_bytes([last[i], last[i + 1]]).wrapping_add(difference).to_le_bytes()
+        u16::from_le_bytes([last[i], last[i + 1]])
+            .wrapping_add(difference)
+            .to_le_bytes()
     };
     Some(match (mode & 15, mode >> 4) {
         (0, 0) => [byte(0), byte(1), byte(2), byte(3)],

@@ -22,23 +22,36 @@ pub(super) fn apply(name: &str, bytes: &mut [u8], stride: usize) -> Option<()> {
     Some(())
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the low bits are the value")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the low bits are the value"
+)]
 fn signed_bytes(bytes: &mut [u8], filter: impl Fn([i32; 4]) -> [i32; 4]) {
     for element in bytes.as_chunks_mut::<4>().0 {
         *element = filter(element.map(|byte| byte.cast_signed().into())).map(|value| value as u8);
     }
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the low bits are the value")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the low bits are the value"
+)]
 fn signed_shorts(bytes: &mut [u8], filter: impl Fn([i32; 4]) -> [i32; 4]) {
     for element in bytes.as_chunks_mut::<8>().0 {
         let value = |i: usize| i32::from(i16::from_le_bytes([element[i], element[i + 1]]));
-        let [a, b, c, d] = filter([value(0), value(2), value(4), value(6)]).map(|value| (value as u16).to_le_bytes());
+        let [a, b, c, d] =
+            filter([value(0), value(2), value(4), value(6)]).map(|value| (value as u16).to_le_bytes());
         *element = [a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]];
     }
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "16 bits")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "16 bits"
+)]
 fn octahedral([x, y, one, rest]: [i32; 4], max: f32) -> [i32; 4] {
     let one = one as f32;
     let (mut x, mut y) = (x as f32 / one, y as f32 / one);
@@ -52,7 +65,11 @@ fn octahedral([x, y, one, rest]: [i32; 4], max: f32) -> [i32; 4] {
     [x, y, z, rest]
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "16 bits")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "16 bits"
+)]
 fn quaternion([x, y, z, last]: [i32; 4]) -> [i32; 4] {
     let one = (last | 3) as f32;
     let [x, y, z] = [x, y, z].map(|value| value as f32 / one * FRAC_1_SQRT_2);
@@ -71,7 +88,11 @@ fn exponential(value: i32) -> f32 {
     mantissa * f32::from_bits(bits)
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "16 bits")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "16 bits"
+)]
 fn color([luma, co, cg, alpha]: [i32; 4], max: i32) -> [i32; 4] {
     let (luma, alpha) = (luma & max, alpha & max);
     // The highest bit of alpha tells the number of bits.

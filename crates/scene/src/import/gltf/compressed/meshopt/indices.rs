@@ -75,7 +75,10 @@ struct Recent<T> {
 
 impl<T: Copy> Recent<T> {
     fn new(value: T) -> Self {
-        Self { values: [value; 16], next: 0 }
+        Self {
+            values: [value; 16],
+            next: 0,
+        }
     }
 
     fn push(&mut self, value: T) {

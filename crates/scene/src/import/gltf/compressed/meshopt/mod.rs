@@ -27,7 +27,10 @@ pub(super) fn decode(bytes: &[u8], extension: &Value) -> Option<Vec<u8>> {
 fn packed(indices: &[u32], stride: usize) -> Option<Vec<u8>> {
     Some(match stride {
         #[allow(clippy::cast_possible_truncation, reason = "the format wraps around")]
-        2 => indices.iter().flat_map(|&index| (index as u16).to_le_bytes()).collect(),
+        2 => indices
+            .iter()
+            .flat_map(|&index| (index as u16).to_le_bytes())
+            .collect(),
         4 => indices.iter().flat_map(|index| index.to_le_bytes()).collect(),
         _ => return None,
     })
