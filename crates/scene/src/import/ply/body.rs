@@ -20,7 +20,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Skips values that the header does not declare: MeshLab writes some after a row.
+    /// Skips values that the header does not declare: `MeshLab` writes some after a row.
     pub(super) fn end_row(&mut self) {
         if self.has_line_per_row {
             let end = self.rest.iter().position(|&byte| byte == b'\n');

@@ -27,7 +27,7 @@ pub(super) fn decode(bytes: &[u8], count: usize, stride: usize) -> Option<Vec<u8
     let (baseline, modes) = bytes[bytes.len() - tail..].split_at(stride);
     let mut decoded = vec![0; size];
     let mut previous = baseline.to_vec();
-    let per_block = (8192 / stride & !(GROUP - 1)).min(256);
+    let per_block = ((8192 / stride) & !(GROUP - 1)).min(256);
     for block in decoded.chunks_mut(per_block * stride) {
         let control = if is_newer { reader.take(channels)? } else { &[] };
         for channel in 0..channels {

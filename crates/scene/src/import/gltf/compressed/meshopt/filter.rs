@@ -75,12 +75,12 @@ fn quaternion([x, y, z, last]: [i32; 4]) -> [i32; 4] {
     let [x, y, z] = [x, y, z].map(|value| value as f32 / one * FRAC_1_SQRT_2);
     let w = (1.0 - x * x - y * y - z * z).max(0.0).sqrt();
     let mut turned = [w, x, y, z].map(|value| (value * 32767.0).round() as i32);
-    turned.rotate_right((last & 3) as usize);
+    turned.rotate_right(usize::try_from(last & 3).unwrap_or(0));
     turned
 }
 
 fn exponential(value: i32) -> f32 {
-    let (exponent, mantissa) = (value >> 24, value << 8 >> 8);
+    let (exponent, mantissa) = (value >> 24, (value << 8) >> 8);
     #[allow(clippy::cast_precision_loss, reason = "24 bits")]
     let mantissa = mantissa as f32;
     // Exponents are from −100 to 100 and the scale is therefore a normal number.
@@ -97,8 +97,8 @@ fn color([luma, co, cg, alpha]: [i32; 4], max: i32) -> [i32; 4] {
     let (luma, alpha) = (luma & max, alpha & max);
     // The highest bit of alpha tells the number of bits.
     let scale = (1 << (32 - alpha.leading_zeros())) - 1;
-    let alpha = alpha & scale >> 1;
+    let alpha = alpha & (scale >> 1);
     let factor = max as f32 / (scale.max(1)) as f32;
-    let expanded = alpha << 1 | alpha & 1;
+    let expanded = (alpha << 1) | (alpha & 1);
     [luma + co - cg, luma + cg, luma - co - cg, expanded].map(|value| (value as f32 * factor).round() as i32)
 }
