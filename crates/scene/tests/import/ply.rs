@@ -109,7 +109,7 @@ fn surplus_values_of_a_row_are_ignored() {
         .replace("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1\n")
         .replace(" 255 255 ", " 255 255 0 ");
     // The vertex rows now have one value too many at their end.
-    let imported = open("a.ply", &surplus.replace("4 0 1 2 3\n", "4 0 1 2 3 255 0 0"));
+    let imported = open("a.ply", surplus.replace("4 0 1 2 3\n", "4 0 1 2 3 255 0 0"));
     assert_eq!(imported.scene.meshes[0].triangles, plain.meshes[0].triangles);
     assert_eq!(imported.scene.meshes[0].positions, plain.meshes[0].positions);
     // Rows need not be on lines of their own.
