@@ -141,23 +141,39 @@ mod tests {
 
         let mut scene = Scene::default();
         for z in [2.0, 3.0, 4.0] {
-            fixture::placed(&mut scene, "/Part", fixture::rectangle([-0.3 * z, 0.1], [-0.5, 0.5], z));
+            fixture::placed(
+                &mut scene,
+                "/Part",
+                fixture::rectangle([-0.3 * z, 0.1], [-0.5, 0.5], z),
+            );
         }
         let view = fixture::view();
-        let all = [Annotator::DistanceToImagePlane, Annotator::Rgb, Annotator::Normals, Annotator::InstanceIdSegmentation];
+        let all = [
+            Annotator::DistanceToImagePlane,
+            Annotator::Rgb,
+            Annotator::Normals,
+            Annotator::InstanceIdSegmentation,
+        ];
         let render = |renderer: &Renderer, backend| {
-            format!("{:?}", renderer.annotate(&view, &all, backend, &AnnotateOptions::default()))
+            format!(
+                "{:?}",
+                renderer.annotate(&view, &all, backend, &AnnotateOptions::default())
+            )
         };
         let mut moving = Renderer::new(scene.clone());
         let before = render(&moving, Backend::Ray);
         for step in 1..4_u32 {
             let turn = DQuat::from_rotation_z(0.3 * f64::from(step));
-            let pose = DAffine3::from_rotation_translation(turn, DVec3::new(0.2, 0.1, -0.4 * f64::from(step)));
+            let pose =
+                DAffine3::from_rotation_translation(turn, DVec3::new(0.2, 0.1, -0.4 * f64::from(step)));
             moving.set_poses([(1, pose), (7, pose)]);
             scene.instances[1].world_from_mesh = pose;
             for backend in [Backend::Ray, Backend::Raster] {
                 let after = render(&moving, backend);
-                assert!(after == render(&Renderer::new(scene.clone()), backend), "{backend:?}");
+                assert!(
+                    after == render(&Renderer::new(scene.clone()), backend),
+                    "{backend:?}"
+                );
                 assert_ne!(after, before);
             }
         }
