@@ -6,7 +6,8 @@ use oaktwin::camera;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::ImageView;
 use oaktwin::recording::{
-    CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError, Time,
+    CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError,
+    Time,
 };
 use oaktwin::scene::Up;
 use pyo3::prelude::*;

@@ -55,7 +55,9 @@ pub(super) fn colors(
     rgb: ImageView<'_, [u8; 4]>,
 ) -> Image<[u8; 4]> {
     let color = |point: [f32; 3]| {
-        let point = measured.camera_from_measured.apply(DVec3::from(point.map(f64::from)));
+        let point = measured
+            .camera_from_measured
+            .apply(DVec3::from(point.map(f64::from)));
         let at = point.is_finite().then(|| camera.project(point))??.to::<Usd>();
         let (x, y) = (at.x.floor(), at.y.floor());
         let is_inside = x >= 0.0 && y >= 0.0 && x < f64::from(rgb.width()) && y < f64::from(rgb.height());

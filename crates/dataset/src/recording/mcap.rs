@@ -222,7 +222,10 @@ impl<W: Write> Mcap<W> {
             message::rgb(&mut self.cdr, head, rgb);
             self.put(&topic("rgb"), Schema::Image, time)?;
         }
-        let images = [("depth", moment.depth, head), ("measured", moment.measured, measured_head)];
+        let images = [
+            ("depth", moment.depth, head),
+            ("measured", moment.measured, measured_head),
+        ];
         for (name, depth, head) in images {
             if let Some(depth) = depth {
                 message::depth(&mut self.cdr, head, depth);

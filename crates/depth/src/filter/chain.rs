@@ -52,8 +52,9 @@ impl<P: Pixel> Chain<P> {
     /// The intrinsics of a filtered image, which [decimation](super::Decimation) changes.
     #[must_use]
     pub fn intrinsics(&self, intrinsics: &Intrinsics) -> Intrinsics {
-        self.decimations()
-            .fold(*intrinsics, |intrinsics, decimation| decimation.intrinsics(&intrinsics))
+        self.decimations().fold(*intrinsics, |intrinsics, decimation| {
+            decimation.intrinsics(&intrinsics)
+        })
     }
 
     /// Reduces an image that belongs to the unfiltered one, such as its colours, to the size of the filtered one.

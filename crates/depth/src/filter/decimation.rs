@@ -65,7 +65,10 @@ impl Decimation {
         let mut pixels = Vec::with_capacity(width as usize * height as usize);
         for rows in rows.chunks(factor).take(height as usize) {
             for x in (0..).step_by(factor).take(width as usize) {
-                let block = rows.iter().flat_map(|row| row.iter().skip(x).take(factor)).copied();
+                let block = rows
+                    .iter()
+                    .flat_map(|row| row.iter().skip(x).take(factor))
+                    .copied();
                 let side = if is_mean { usize::MAX } else { 1 };
                 pixels.push(T::mean(block.take(side)));
             }

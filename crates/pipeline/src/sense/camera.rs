@@ -150,13 +150,13 @@ pub(super) fn read_pose(path: &Path) -> Option<(RigidTransform, f64)> {
     let params: Value = serde_json::from_slice(&bytes).ok()?;
     let list = params["cameraViewTransform"].as_array()?;
     let numbers: Vec<f64> = list.iter().filter_map(Value::as_f64).collect();
-    let meters_per_unit = params["metersPerSceneUnit"].as_f64().filter(|scale| *scale > 0.0)?;
+    let meters_per_unit = params["metersPerSceneUnit"]
+        .as_f64()
+        .filter(|scale| *scale > 0.0)?;
     // The four rows for points as rows are the columns for points as columns.
     let view = DMat4::from_cols_array(&numbers.try_into().ok()?);
-    let usd_from_world = RigidTransform::new(
-        DMat3::from_mat4(view),
-        view.w_axis.truncate() * meters_per_unit,
-    );
+    let usd_from_world =
+        RigidTransform::new(DMat3::from_mat4(view), view.w_axis.truncate() * meters_per_unit);
     let opencv_from_usd = RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Usd), DVec3::ZERO);
     let pose = (opencv_from_usd * usd_from_world).inverse();
     (pose.orthonormality_error() < 1e-3 && pose.translation.is_finite()).then_some((pose, meters_per_unit))

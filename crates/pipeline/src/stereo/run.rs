@@ -228,10 +228,20 @@ fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles
     } = seen;
     let request = [
         (true, Annotator::DepthSensorDistance),
-        (options.ply || wants(StereoOutput::Positions), Annotator::DepthSensorPointCloudPosition),
-        (options.ply || wants(StereoOutput::Colors), Annotator::DepthSensorPointCloudColor),
+        (
+            options.ply || wants(StereoOutput::Positions),
+            Annotator::DepthSensorPointCloudPosition,
+        ),
+        (
+            options.ply || wants(StereoOutput::Colors),
+            Annotator::DepthSensorPointCloudColor,
+        ),
     ];
-    let request: Vec<Annotator> = request.into_iter().filter(|(wanted, _)| *wanted).map(|(_, one)| one).collect();
+    let request: Vec<Annotator> = request
+        .into_iter()
+        .filter(|(wanted, _)| *wanted)
+        .map(|(_, one)| one)
+        .collect();
     let mut layers = Vec::new();
     let mut add = |name: &'static str, data| {
         layers.push(Layer {
@@ -253,7 +263,11 @@ fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles
     let grey = grey.as_ref().map(Into::into);
     let camera = matcher.rectified_camera();
     let mut frame = frame(matcher.sensor(), &camera, capture, grey, &request);
-    if let Some(positions) = frame.depth_sensor_point_cloud_position.as_ref().filter(|_| options.ply) {
+    if let Some(positions) = frame
+        .depth_sensor_point_cloud_position
+        .as_ref()
+        .filter(|_| options.ply)
+    {
         let data = LayerData::Cloud {
             positions: positions.clone(),
             colors: frame.depth_sensor_point_cloud_color.clone(),

@@ -333,7 +333,10 @@ impl DepthSensor {
         let eye = self.now(py, None)?;
         let output = eye.sensor.output_camera(&eye.camera);
         let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
-        let mut own = Camera::rectified(output.camera, self.body_from_images()? * output.input_from_output());
+        let mut own = Camera::rectified(
+            output.camera,
+            self.body_from_images()? * output.input_from_output(),
+        );
         own.clip = match &self.camera {
             Some(camera) => camera.clip,
             None => Clip { near_m, far_m },
