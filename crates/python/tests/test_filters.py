@@ -99,7 +99,7 @@ def test_invalid_outputs(image):
         (oaktwin.Error, "out: has shape", np.zeros((1, *image.shape), np.uint16)),
         (TypeError, "pass the image's dtype, uint16", np.zeros(image.shape, np.float32)),
         (TypeError, "pass the image's dtype, uint16", np.zeros(image.shape, ">u2")),
-        (TypeError, "list is not an array", [[0]]),
+        (TypeError, "int64", [[0]]),
         (oaktwin.Error, "C-contiguous", np.zeros(image.shape, np.uint16, order="F")),
         (oaktwin.Error, "read-only", frozen),
         (oaktwin.Error, "pass a separate array", image),
