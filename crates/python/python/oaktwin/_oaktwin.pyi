@@ -130,7 +130,7 @@ class Rectification:
         left: Camera,
         right: Camera,
         *,
-        intrinsics: Literal["zero-disparity", "free-disparity", "left-camera"] = "zero-disparity",
+        intrinsics: Literal["zero-disparity", "free-disparity", "left-camera", "right-camera"] = "zero-disparity",
     ) -> Rectification: ...
     def __getnewargs_ex__(self) -> tuple[tuple[Camera, Camera], dict[str, Any]]: ...
     @property
@@ -175,7 +175,7 @@ class Device:
     def depth_sensors(self) -> dict[str, dict[str, Any]]: ...
     def extrinsics(self, source: _Part, target: _Part) -> _Float64: ...
     def rectification(
-        self, *, intrinsics: Literal["zero-disparity", "free-disparity", "left-camera"] = "zero-disparity"
+        self, *, intrinsics: Literal["zero-disparity", "free-disparity", "left-camera", "right-camera"] = "zero-disparity"
     ) -> Rectification: ...
     def write_usd(
         self,
