@@ -18,10 +18,6 @@ const HOST_MEMORY: [i32; 3] = [1, 3, 11];
 pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let numpy = object.py().import("numpy")?;
     if let Ok(array) = object.cast::<PyUntypedArray>() {
-        // A masked pixel is invalid.
-        if !object.get_type().is(PyUntypedArray::type_object(object.py())) && object.hasattr("filled")? {
-            return Ok(object.call_method1("filled", (0,))?.cast_into()?);
-        }
         return Ok(array.clone());
     }
     if object.hasattr("__dlpack__")? && object.hasattr("__dlpack_device__")? {
@@ -47,15 +43,6 @@ pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Boun
         numpy.call_method1("asarray", (memory,))?
     } else if object.hasattr("__array_interface__")? || object.hasattr("__array__")? {
         numpy.call_method1("asarray", (object,))?
-    } else if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
-        let array = numpy.call_method1("asarray", (object,));
-        array.map_err(|cause| {
-            wrong(
-                name,
-                format_args!("is not an array ({cause})"),
-                "pass rows of equal length",
-            )
-        })?
     } else {
         return Err(PyTypeError::new_err(format!(
             "{name}: {} is not an array; pass a NumPy array, or an object with the buffer protocol or DLPack",
@@ -74,6 +61,25 @@ pub(crate) fn is_of<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
 pub(crate) fn is_like<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
     let (own, wanted) = (array.dtype(), T::get_dtype(array.py()));
     own.kind() == wanted.kind() && own.itemsize() == wanted.itemsize()
+}
+
+/// Converts an object to a NumPy array for reading: what [`view`] takes, nested sequences, and masked arrays, whose masked
+/// values become 0, which is invalid.
+pub(crate) fn readable<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
+        let numpy = object.py().import("numpy")?;
+        let array = numpy.call_method1("asarray", (object,)).map_err(|cause| {
+            let is = format!("is not an array ({cause})");
+            wrong(name, is, "pass rows of equal length")
+        })?;
+        return Ok(array.cast_into()?);
+    }
+    let array = view(name, object)?;
+    let is_plain = object.get_type().is(PyUntypedArray::type_object(object.py()));
+    if !is_plain && array.hasattr("filled")? {
+        return Ok(array.call_method1("filled", (0,))?.cast_into()?);
+    }
+    Ok(array)
 }
 
 /// Whether an array has floating-point numbers of any precision.
@@ -147,7 +153,7 @@ pub(crate) fn triples<T: Element + Copy>(
     object: &Bound<'_, PyAny>,
     dtype: &str,
 ) -> PyResult<Vec<[T; 3]>> {
-    let array = view(name, object)?;
+    let array = readable(name, object)?;
     let kind = array.getattr("dtype")?.getattr("kind")?.extract::<String>()?;
     let fits = if dtype.starts_with("int") { "iu" } else { "fiu" };
     if !fits.contains(&kind) || array.ndim() != 2 || array.shape().last() != Some(&3) {

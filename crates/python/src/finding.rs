@@ -3,6 +3,7 @@ use std::sync::{Mutex, PoisonError};
 
 use oaktwin::diagnostic::{self, Level};
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::error::{FindingWarning, text};
 
@@ -31,7 +32,7 @@ pub(crate) struct Finding {
 
 #[pymethods]
 impl Finding {
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, [&str; 6])> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let restore = py.import("oaktwin._oaktwin")?.getattr("_finding")?;
         let state = [
             &self.code[..],
@@ -41,7 +42,7 @@ impl Finding {
             &self.remedy,
             &self.line,
         ];
-        Ok((restore, state))
+        Ok((restore, PyTuple::new(py, state)?))
     }
 
     fn __str__(&self) -> &str {

@@ -12,7 +12,7 @@ use oaktwin::render::check_size;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::{contiguous, is_float, is_like, is_of, view, writable, zeros};
+use crate::array::{contiguous, is_float, is_like, is_of, readable, view, writable, zeros};
 use crate::error::{error, wrong};
 
 /// The shape of an image, or of a batch of images.
@@ -93,7 +93,7 @@ pub(crate) enum DepthSlice<'a> {
 impl<'py> Depth<'py> {
     /// Reads floating-point metres, or uint16 millimetres.
     pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
-        let array = view(name, object)?;
+        let array = readable(name, object)?;
         let depth = if is_float(&array) {
             Self::Metres(contiguous(name, &array)?)
         } else if is_like::<u16>(&array) {
@@ -184,7 +184,7 @@ pub(crate) enum NumbersSlice<'a> {
 
 impl<'py> Numbers<'py> {
     pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
-        let array = view(name, object)?;
+        let array = readable(name, object)?;
         let numbers = if is_like::<u16>(&array) {
             Self::U16(contiguous(name, &array)?)
         } else if is_like::<u8>(&array) {
@@ -387,7 +387,7 @@ pub(crate) struct Pictures<'py> {
 
 impl<'py> Pictures<'py> {
     pub(crate) fn read(object: &Bound<'py, PyAny>, shape: Shape) -> PyResult<Self> {
-        let array: Bound<'py, PyUntypedArray> = view("rgb", object)?;
+        let array: Bound<'py, PyUntypedArray> = readable("rgb", object)?;
         if !is_like::<u8>(&array) {
             return Err(PyTypeError::new_err(format!(
                 "rgb: unsupported dtype {}; pass uint8, sRGB",

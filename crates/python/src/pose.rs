@@ -98,12 +98,10 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     let off = pose.orthonormality_error();
     if off > TOLERANCE || pose.rotation.determinant() < 0.0 {
         let determinant = pose.rotation.determinant();
-        let is = if off > TOLERANCE {
-            format!(
-                "the 3x3 part is not a rotation (not orthonormal by {off:.2}, determinant {determinant:.3})"
-            )
+        let is = if determinant < 0.0 {
+            format!("the 3x3 part is a reflection, not a rotation (determinant {determinant:.3})")
         } else {
-            "the 3x3 part is a reflection, not a rotation (determinant -1)".to_owned()
+            format!("the 3x3 part is not a rotation (error {off:.2}, determinant {determinant:.3})")
         };
         return Err(wrong(
             name,
