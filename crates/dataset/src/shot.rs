@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use oaktwin_camera::RigidTransform;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
+use oaktwin_parameter::choice;
 
 use crate::CameraParams;
 
@@ -16,6 +17,8 @@ pub struct Shot {
     pub layers: Vec<Layer>,
     /// The camera's parameters, if they are to be written.
     pub camera_params: Option<CameraParams>,
+    /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
+    pub sensor_params: Option<CameraParams>,
     /// The index of the camera.
     pub camera: usize,
     /// The frame number, from 0.
@@ -37,6 +40,7 @@ impl Shot {
             frame,
             layers: Vec::new(),
             camera_params: None,
+            sensor_params: None,
             camera: 0,
             number,
             world_from_mount: RigidTransform::IDENTITY,
@@ -123,14 +127,14 @@ pub enum LayerData {
     },
 }
 
-/// The axes of a point cloud in a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CloudAxes {
-    /// `OpenCV`'s camera: x right, y down, z forward.
-    #[default]
-    Optical,
-    /// ROS's body, at the camera: x forward, y left, z up.
-    Ros,
+choice! {
+    /// The axes of a point cloud in a file.
+    CloudAxes {
+        /// `OpenCV`'s camera: x right, y down, z forward.
+        Optical = "optical",
+        /// ROS's body, at the camera: x forward, y left, z up.
+        Ros = "ros",
+    }
 }
 
 impl CloudAxes {

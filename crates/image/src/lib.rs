@@ -3,6 +3,7 @@
 //! Rows run from top to bottom, pixels from left to right. Codecs convert between bytes and images; they open no files.
 
 pub mod annotation;
+mod basis;
 mod bytes;
 pub mod colormap;
 pub mod contact_sheet;

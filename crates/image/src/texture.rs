@@ -1,4 +1,4 @@
-//! Textures in common formats: JPEG, PNG, BMP, TGA, WebP, Radiance HDR and `OpenEXR`.
+//! Textures in common formats: JPEG, PNG, BMP, TGA, WebP, KTX2 (Basis Universal), Radiance HDR and `OpenEXR`.
 //!
 //! Embedded colour profiles and orientations are not applied, as in USD and glTF.
 
@@ -7,7 +7,7 @@ use std::io::Cursor;
 use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::{CodecError, Image, exr, limits};
+use crate::{CodecError, Image, basis, exr, limits};
 
 /// A decoded image in its own colour space.
 enum Decoded {
@@ -51,6 +51,9 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
     if bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) {
         return exr::decode_rgb(bytes).map(Decoded::Linear);
     }
+    if basis::is_basis(bytes) {
+        return basis::decode(bytes).map(Decoded::Srgb);
+    }
     let format = ::image::guess_format(bytes)
         .ok()
         .or_else(|| ImageFormat::from_extension(extension?))
@@ -60,7 +63,7 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
                 "image",
                 "byte 0",
                 "unsupported format",
-                "convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR",
+                "convert it to PNG, JPEG, BMP, TGA, WebP, KTX2, HDR or EXR",
             )
         })?;
     let name = match format {
@@ -167,7 +170,7 @@ mod tests {
         let says = |bytes: &[u8], extension| decode_srgb(bytes, extension).unwrap_err().to_string();
         assert_eq!(
             says(b"GIF89a", None),
-            "image: byte 0: unsupported format; convert it to PNG, JPEG, BMP, TGA, WebP, HDR or EXR"
+            "image: byte 0: unsupported format; convert it to PNG, JPEG, BMP, TGA, WebP, KTX2, HDR or EXR"
         );
         assert!(says(b"", Some("tga")).starts_with("TGA: header: "));
         assert!(says(&picture(ImageFormat::Jpeg)[..60], None).starts_with("JPEG: "));

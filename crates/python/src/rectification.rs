@@ -5,22 +5,16 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::{choose, named};
 use crate::error::wrong;
 use crate::pose::matrix;
 use crate::threads;
-
-const INTRINSICS: [(&str, RectifiedIntrinsics); 3] = [
-    ("zero-disparity", RectifiedIntrinsics::ZeroDisparity),
-    ("free-disparity", RectifiedIntrinsics::FreeDisparity),
-    ("left-camera", RectifiedIntrinsics::LeftCamera),
-];
 
 /// The rectification of a stereo pair: the matrices of cv2.stereoRectify, and the maps for cv2.remap.
 ///
 /// left, right: the cameras, with their poses on the device. `Device.rectification` returns that of a device.
 /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
-///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
+///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
 ///
 /// Raises oaktwin.Error if the cameras cannot be rectified.
 #[pyclass(frozen, module = "oaktwin")]
@@ -34,18 +28,17 @@ pub(crate) struct Rectification {
 
 impl Rectification {
     pub(crate) fn of(left: Camera, right: Camera, intrinsics: &str) -> PyResult<Self> {
-        let choice = choose("intrinsics", intrinsics, &INTRINSICS)?;
+        let choice: RectifiedIntrinsics = named("intrinsics", intrinsics)?;
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectification = stereo_rectify_to(&left.camera, &right.camera, &right_from_left, choice);
         let rectification = rectification.map_err(|error| {
             let pair = format!("{}, {}", left.name, right.name);
             wrong(pair, error, "calibrate the stereo pair again")
         })?;
-        let name = INTRINSICS.iter().find(|(_, known)| *known == choice);
         Ok(Self {
             left,
             right,
-            intrinsics: name.map_or("zero-disparity", |(name, _)| *name),
+            intrinsics: choice.name(),
             rectification,
         })
     }
@@ -128,6 +121,10 @@ impl Rectification {
         let map = threads::run(py, || {
             undistort_rectify_map(camera, rotation, rectified).collect::<Vec<_>>()
         })?;
+        if let Some(at) = map.iter().flatten().position(|position| position.is_infinite()) {
+            let is = format!("the lens model has no finite position for pixel {}", at / 2);
+            return Err(wrong("distortion", is, "calibrate the camera again"));
+        }
         let shape = [rectified.size.height as usize, rectified.size.width as usize, 2];
         PyArray1::from_vec(py, map.into_flattened()).reshape(shape)
     }

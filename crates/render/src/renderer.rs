@@ -1,12 +1,13 @@
 use std::sync::OnceLock;
 
+use oaktwin_camera::math::DAffine3;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::Scene;
 
 use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
-use crate::shade::Shader;
+use crate::shade::{Shader, ShaderAssets};
 use crate::{Backend, Hit, Ray, View, Visibility};
 
 /// A scene that can be rendered any number of times, from any number of threads.
@@ -18,6 +19,7 @@ pub struct Renderer {
     rasterizer: OnceLock<Rasterizer>,
     ray_caster: OnceLock<RayCaster>,
     semantics: OnceLock<Semantics>,
+    shader_assets: OnceLock<ShaderAssets>,
     shader: OnceLock<Shader>,
 }
 
@@ -30,6 +32,7 @@ impl Renderer {
             rasterizer: OnceLock::new(),
             ray_caster: OnceLock::new(),
             semantics: OnceLock::new(),
+            shader_assets: OnceLock::new(),
             shader: OnceLock::new(),
         }
     }
@@ -38,6 +41,22 @@ impl Renderer {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Moves instances: sets `world_from_mesh` of those with the given indices. Indices out of range are ignored.
+    ///
+    /// Only the hierarchy over the instances is built again. The lighting, whose exposure depends on what the lamps illuminate, is
+    /// computed again when colour is next rendered.
+    pub fn set_poses(&mut self, poses: impl IntoIterator<Item = (usize, DAffine3)>) {
+        for (index, world_from_mesh) in poses {
+            if let Some(instance) = self.scene.instances.get_mut(index) {
+                instance.world_from_mesh = world_from_mesh;
+            }
+        }
+        if let Some(caster) = self.ray_caster.get_mut() {
+            caster.place(&self.scene);
+        }
+        self.shader.take();
     }
 
     /// Renders the z-depth of each pixel in metres; `+inf` for a miss.
@@ -82,8 +101,9 @@ impl Renderer {
     }
 
     pub(crate) fn shader(&self) -> &Shader {
+        let assets = self.shader_assets.get_or_init(|| ShaderAssets::new(&self.scene));
         self.shader
-            .get_or_init(|| in_own_pool(|| Shader::new(&self.scene, self.ray_caster())))
+            .get_or_init(|| in_own_pool(|| Shader::new(&self.scene, self.ray_caster(), assets.clone())))
     }
 
     pub(crate) fn semantics(&self) -> &Semantics {
@@ -112,7 +132,52 @@ mod tests {
     use rayon::prelude::*;
 
     use super::*;
-    use crate::fixture;
+    use crate::{AnnotateOptions, fixture};
+
+    #[test]
+    fn moved_instances_look_as_if_they_had_always_been_there() {
+        use oaktwin_camera::math::{DQuat, DVec3};
+        use oaktwin_image::annotation::Annotator;
+
+        let mut scene = Scene::default();
+        for z in [2.0, 3.0, 4.0] {
+            fixture::placed(
+                &mut scene,
+                "/Part",
+                fixture::rectangle([-0.3 * z, 0.1], [-0.5, 0.5], z),
+            );
+        }
+        let view = fixture::view();
+        let all = [
+            Annotator::DistanceToImagePlane,
+            Annotator::Rgb,
+            Annotator::Normals,
+            Annotator::InstanceIdSegmentation,
+        ];
+        let render = |renderer: &Renderer, backend| {
+            format!(
+                "{:?}",
+                renderer.annotate(&view, &all, backend, &AnnotateOptions::default())
+            )
+        };
+        let mut moving = Renderer::new(scene.clone());
+        let before = render(&moving, Backend::Ray);
+        for step in 1..4_u32 {
+            let turn = DQuat::from_rotation_z(0.3 * f64::from(step));
+            let pose =
+                DAffine3::from_rotation_translation(turn, DVec3::new(0.2, 0.1, -0.4 * f64::from(step)));
+            moving.set_poses([(1, pose), (7, pose)]);
+            scene.instances[1].world_from_mesh = pose;
+            for backend in [Backend::Ray, Backend::Raster] {
+                let after = render(&moving, backend);
+                assert!(
+                    after == render(&Renderer::new(scene.clone()), backend),
+                    "{backend:?}"
+                );
+                assert_ne!(after, before);
+            }
+        }
+    }
 
     #[test]
     fn many_views_at_once_wait_for_one_preparation() {

@@ -97,6 +97,11 @@ impl RayCaster {
         }
     }
 
+    /// Places the instances of a scene with the same meshes.
+    pub(crate) fn place(&mut self, scene: &Scene) {
+        self.instances = Instances::new(scene, &self.trees);
+    }
+
     fn prepared<'a>(&'a self, scene: &'a Scene) -> Prepared<'a> {
         Prepared {
             scene,

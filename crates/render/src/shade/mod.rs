@@ -22,6 +22,8 @@ mod tests;
 mod textures;
 mod tone;
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::Finding;
@@ -49,9 +51,24 @@ use crate::{Hit, View, Visibility};
 /// The data that shading needs of a scene beside its triangles.
 #[derive(Debug)]
 pub(crate) struct Shader {
-    textures: Textures,
+    assets: ShaderAssets,
     rig: LightRig,
-    pattern: Pattern,
+}
+
+/// The part of that data that does not depend on poses.
+#[derive(Clone, Debug)]
+pub(crate) struct ShaderAssets {
+    textures: Arc<Textures>,
+    pattern: Arc<Pattern>,
+}
+
+impl ShaderAssets {
+    pub(crate) fn new(scene: &Scene) -> Self {
+        Self {
+            textures: Arc::new(Textures::new(scene)),
+            pattern: Arc::new(Pattern::new()),
+        }
+    }
 }
 
 /// The data that all pixels of an image are shaded with.
@@ -83,12 +100,10 @@ pub(crate) struct LuminanceParts {
 }
 
 impl Shader {
-    pub(crate) fn new(scene: &Scene, caster: &RayCaster) -> Self {
-        let pattern = Pattern::new();
+    pub(crate) fn new(scene: &Scene, caster: &RayCaster, assets: ShaderAssets) -> Self {
         Self {
-            textures: Textures::new(scene),
-            rig: LightRig::new(scene, caster, &pattern),
-            pattern,
+            rig: LightRig::new(scene, caster, &assets.pattern),
+            assets,
         }
     }
 
@@ -176,7 +191,7 @@ impl Shader {
             caster,
             rig: &self.rig,
             emitters: &emitters,
-            pattern: &self.pattern,
+            pattern: &self.assets.pattern,
             eye: view.world_from_camera.translation,
         };
         let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
@@ -185,7 +200,7 @@ impl Shader {
             view,
             rig: &self.rig,
             level: Level::detect(),
-            paints: paints(scene, &self.textures),
+            paints: paints(scene, &self.assets.textures),
             occlusion,
             coarse,
             film,
@@ -218,7 +233,7 @@ impl Shader {
         let missing: Vec<Option<Finding>> = wanted
             .into_par_iter()
             .map(|texture| {
-                let decoded = self.textures.get(scene, texture)?;
+                let decoded = self.assets.textures.get(scene, texture)?;
                 decoded.as_ref().err().map(textures::Missing::finding)
             })
             .collect();

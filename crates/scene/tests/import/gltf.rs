@@ -208,13 +208,12 @@ fn trees_may_be_deep_and_cyclic() {
 fn unsupported_features_are_reported() {
     let mut b = Builder::new();
     let (positions, indices) = b.square();
-    let empty = b.accessor(r#""componentType":5126,"count":4,"type":"VEC3""#);
     let imported = open(
         "a.gltf",
         b.member(&format!(
-            r#""extensionsUsed":["KHR_draco_mesh_compression"],"extensionsRequired":["KHR_draco_mesh_compression"],
+            r#""extensionsUsed":["KHR_animation_pointer"],"extensionsRequired":["KHR_animation_pointer"],
             "meshes":[{{"primitives":[{{"attributes":{{"POSITION":{positions}}},"indices":{indices},"targets":[{{}}]}},
-                {{"attributes":{{"POSITION":{empty}}}}},{{"attributes":{{"POSITION":{positions}}},"mode":0}},
+                {{"attributes":{{"POSITION":{positions}}},"mode":0}},
                 {{"attributes":{{"POSITION":{positions}}},"mode":17}}]}}]"#
         ))
         .member(r#""skins":[{"joints":[0]}],"animations":[{"channels":[],"samplers":[]}]"#)
@@ -224,12 +223,11 @@ fn unsupported_features_are_reported() {
     assert_eq!(
         messages(&imported),
         [
-            "KHR_draco_mesh_compression: the file requires this extension, which is not supported; the result may be incomplete or wrong",
+            "KHR_animation_pointer: the file requires this extension, which is not supported; the result may be incomplete or wrong",
             "scenes: only scene 0 of 2 is rendered",
             "/node_0: its skin is ignored: it is rendered in its rest pose",
             "meshes[0].primitives[0]: its morph targets are ignored",
             "meshes[0]: points are not supported: 1 skipped",
-            "meshes[0]: primitives compressed by Draco are not supported: 1 skipped",
             "meshes[0]: primitives with an unknown mode are not supported: 1 skipped",
             "animations: not supported: 1 skipped",
         ]
@@ -288,10 +286,18 @@ fn inconsistent_numbers_are_errors() {
     );
     assert!(with(r#""type":"VEC3""#, r#""type":"VEC9""#).contains("accessors[0]: has an unknown type"));
     assert!(with(r#""mesh":0"#, r#""mesh":4"#).contains("nodes[0].mesh: does not exist"));
+    assert!(with(r#""version":"2.0""#, r#""version":"1.0""#).contains(
+        "asset.version: is glTF 1.0; only glTF 2.0 is supported; convert it to glTF 2.0, for example"
+    ));
     assert!(
-        with(r#""version":"2.0""#, r#""version":"1.0""#)
-            .contains("asset.version: has version 1.0; convert it to glTF 2.0")
+        error("a.gltf", r#"{"meshes":{"it":{}},"nodes":{}}"#)
+            .contains("asset.version: is glTF 1.0; only glTF 2.0 is supported; convert")
     );
+    assert!(
+        error("a.glb", b"glTF\x01\0\0\0\x20\0\0\0\x02\0\0\0\0\0\0\0{}")
+            .contains("header: is glTF 1.0; only glTF 2.0 is supported; convert")
+    );
+    assert!(error("a.gltf", "[]").contains("JSON: is not an object"));
     assert!(error("a.gltf", "{").contains("JSON: "));
     assert!(error("a.glb", "{}").contains("is not a binary glTF file"));
     assert!(error("a.glb", &Builder::simple().binary()[..40]).contains("the file ends too early"));
@@ -315,4 +321,39 @@ fn inconsistent_numbers_are_errors() {
         "{}",
         files.error("a.gltf")
     );
+}
+
+#[test]
+fn slips_of_older_exporters_are_repaired() {
+    let plain = open("a.gltf", Builder::simple().embedded());
+    let text = Builder::simple()
+        .member(r#""cameras":[{"name":7,"perspective":{"yfov":0.8}},{"type":"perspective","perspective":{"aspectRatio":1.5,"yfov":1,"zfar":NaN}}]"#)
+        .member(r#""scenes":[{"extras":{"units":"in"}}],"scene":-1,"animations":[{"name":"turn"}],"skins":[{}]"#)
+        .member(r#""materials":[{"name":null,"emissiveFactor":[0,0,0,1],"pbrMetallicRoughness":{"baseColorFactor":[1,0,0]}}]"#)
+        .embedded()
+        .replace(r#""asset":{"version":"2.0"}"#, r#""asset":{"version":2.0,"generator":null}"#)
+        .replace(r#""count":4"#, r#""count":4.0,"max":[NaN,-Infinity]"#)
+        .replace(r#""nodes":[{"mesh":0,"#, r#""nodes":[{"mesh":0,"camera":1,"skin":-1,"#)
+        .replace(r#""byteLength":48"#, r#""byteLength":48,"byteStride":0"#);
+    assert!(
+        text.contains(r#""byteStride":0"#) && text.contains("Infinity") && text.contains(r#""camera":1"#)
+    );
+    // A scene without nodes displays nothing; without a scene, all roots are displayed.
+    let imported = open(
+        "a.gltf",
+        text.replace(r#""scenes":[{"extras":{"units":"in"}}],"#, ""),
+    );
+    assert_eq!(imported.scene.meshes, plain.scene.meshes);
+    assert_eq!(imported.scene.instances, plain.scene.instances);
+    assert_eq!(imported.scene.materials[0].base_color, Some([1.0, 0.0, 0.0]));
+    assert_eq!(
+        (imported.cameras[0].vfov, imported.cameras[0].path.as_str()),
+        (1.0, "/it_2")
+    );
+    assert_eq!(messages(&imported), ["animations: not supported: 1 skipped"]);
+    assert!(error("a.gltf", text).contains("contains no triangles"));
+    // The length in the header may be wrong.
+    let mut long = Builder::simple().binary();
+    long[8] += 1;
+    assert_eq!(open("a.glb", long).scene, plain.scene);
 }

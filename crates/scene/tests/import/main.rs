@@ -8,6 +8,7 @@
 )]
 
 mod bad;
+mod compressed;
 mod gltf;
 mod gltf_builder;
 mod obj;

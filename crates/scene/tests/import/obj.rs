@@ -151,6 +151,38 @@ fn unsupported_statements_are_counted() {
 }
 
 #[test]
+fn all_encodings_and_line_ends_are_equivalent() {
+    let text = "# C:\\folder\\\nv 0 0 0\nv 1 0 \\\n 0\nv 1 1 0\nv 0 1 0\no Würfel\nf 1 2 \\ \n3 \\\n4\n";
+    let plain = open("a.obj", text);
+    assert_eq!(plain.scene.instances[0].path, "/Würfel");
+    assert_eq!(plain.scene.meshes[0].triangles, [[0, 1, 2], [0, 2, 3]]);
+    let utf16 = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<u8>>();
+    let (little, big) = (utf16(u16::to_le_bytes), utf16(u16::to_be_bytes));
+    for bytes in [
+        [b"\xff\xfe", &little[..]].concat(),
+        [b"\xfe\xff", &big[..]].concat(),
+        little,
+        big,
+        [b"\xef\xbb\xbf", text.as_bytes()].concat(),
+        text.replace('\n', "\r\n").into_bytes(),
+        text.replace('\n', "\r").into_bytes(),
+    ] {
+        assert_eq!(open("a.obj", &bytes).scene, plain.scene, "{:?}", &bytes[..8]);
+    }
+    let materials = "newmtl red\nKd 1 0 0\n".encode_utf16().flat_map(u16::to_le_bytes);
+    let files = Files::new()
+        .with(
+            "a.obj",
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl red\nf 1 2 3",
+        )
+        .with("a.mtl", materials.collect::<Vec<u8>>());
+    assert_eq!(
+        files.open("a.obj").scene.materials[0].base_color,
+        Some([1.0, 0.0, 0.0])
+    );
+}
+
+#[test]
 fn invalid_lines_are_rejected() {
     assert_eq!(
         error("a.obj", "v 0 0 0\nv 1 zero 0\n"),

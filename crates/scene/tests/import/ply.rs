@@ -103,6 +103,38 @@ fn unknown_elements_and_properties_are_skipped() {
 }
 
 #[test]
+fn surplus_values_of_a_row_are_ignored() {
+    let plain = open("a.ply", text()).scene;
+    let surplus = text()
+        .replace("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1\n")
+        .replace(" 255 255 ", " 255 255 0 ");
+    // The vertex rows now have one value too many at their end.
+    let imported = open("a.ply", surplus.replace("4 0 1 2 3\n", "4 0 1 2 3 255 0 0"));
+    assert_eq!(imported.scene.meshes[0].triangles, plain.meshes[0].triangles);
+    assert_eq!(imported.scene.meshes[0].positions, plain.meshes[0].positions);
+    // Rows need not be on lines of their own.
+    let (header, body) = text()
+        .split_once("end_header\n")
+        .map(|(h, b)| (h.to_string(), b.to_string()))
+        .unwrap();
+    let joined = format!("{header}end_header\n{}", body.replace('\n', " "));
+    assert_eq!(open("a.ply", joined).scene, plain);
+    let split = format!("{header}end_header\n{}", body.replace(' ', "\n"));
+    assert_eq!(open("a.ply", split).scene, plain);
+}
+
+#[test]
+fn header_lines_without_a_keyword_are_ignored() {
+    let text = text()
+        .replace("comment made", "made")
+        .replace("element face", "by hand\nelement face");
+    assert_eq!(
+        messages(&open("a.ply", text)),
+        ["line 3: unknown header line; ignored: made by a test"]
+    );
+}
+
+#[test]
 fn rejects_point_clouds() {
     let cloud = text().replace("element face 2", "element face 0");
     assert_eq!(
@@ -144,7 +176,7 @@ fn rejects_incomplete_files() {
     assert!(broken("ply\n", "").contains("line 1: is not a PLY file"));
     assert!(broken("format ascii 1.0\n", "").contains("the format is missing"));
     assert!(broken("format ascii", "format morse").contains("line 2: unknown format"));
-    assert!(broken("end_header", "").contains("unknown header line"));
+    assert!(broken("end_header", "").contains("end_header is missing"));
     assert!(broken("property float z\n", "property float w\n").contains("x, y and z are missing"));
     assert!(broken("vertex_indices", "others").contains("the list vertex_indices is missing"));
     assert!(broken("4 0 1 2 3", "4 0 1 2").contains("the file ends before its last element"));

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use oaktwin::files::FileError;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render;
 use oaktwin::sense::{AlignTo, FieldOfView, Input, SenseOptions};
@@ -14,8 +15,8 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
     let size = size::parse("--align-size", args.align_size.as_deref())?;
     Ok(SenseOptions {
         sensor: args.engine.options()?,
-        kind: args.sensor.map(Into::into),
-        input_kind: args.input_kind.map(Into::into),
+        kind: args.sensor,
+        input_kind: args.input_kind,
         depth_scale: args.depth_scale,
         field_of_view: match (args.fx, args.hfov) {
             (Some(fx), _) => FieldOfView::FocalLength(fx),
@@ -24,15 +25,15 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
         },
         resample: args.resample,
         is_sequence: args.sequence,
-        lens: args.unit.lens.into(),
+        lens: args.unit.lens,
         align: args.align.map(|camera| AlignTo {
-            camera: camera.into(),
+            camera,
             size,
-            fill: args.align_fill.into(),
+            fill: args.align_fill,
         }),
         annotators: annotators(args)?,
         extras: args.outputs.extras(),
-        cloud: args.outputs.ply.then(|| args.ply_frame.into()),
+        cloud: args.outputs.ply.then_some(args.ply_frame),
     })
 }
 
@@ -115,6 +116,7 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
                 output: output.unwrap_or_else(|| path.clone()),
             }
         } else {
+            std::fs::metadata(path).map_err(|error| FileError::reading(path, &error))?;
             let output =
                 output.ok_or_else(|| format!("{}: output directory required (-o DIR)", path.display()))?;
             Input::File {

@@ -2,32 +2,31 @@ use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ::gltf::json;
+use ::gltf::json::{Root, deserialize};
+use serde_json::Value;
 
 use super::uri::{self, Target};
+use super::{compressed, glb, json};
 use crate::import::error::Fault;
 
 /// A glTF file with its buffers.
 pub(super) struct Document {
-    pub(super) root: json::Root,
+    pub(super) root: Root,
     buffers: Vec<Vec<u8>>,
     pub(super) folder: PathBuf,
     /// The number of values that may still be read.
     allowance: Cell<u64>,
 }
 
-const MAGIC: &[u8] = b"glTF";
-const JSON: &[u8] = b"JSON";
-const BINARY: &[u8] = b"BIN\0";
 /// Meshes may share data; this limit on reads per byte prevents a small file from filling the memory.
 const MAX_READS_PER_BYTE: u64 = 256;
 
 impl Document {
     pub(super) fn open(mut bytes: Vec<u8>, path: &Path) -> Result<Self, Fault> {
         let size = bytes.len() as u64;
-        let (root, binary) = if bytes.starts_with(MAGIC) {
-            let (json, binary) = chunks(&bytes)?;
-            let root = parse(json)?;
+        let (mut root, binary) = if bytes.starts_with(glb::MAGIC) {
+            let (json, binary) = glb::chunks(&bytes)?;
+            let root = json::parse(&bytes[json])?;
             // Reuses the file's memory for the buffer.
             let binary = binary.map(|range| {
                 bytes.truncate(range.end);
@@ -45,65 +44,21 @@ impl Document {
                     "is not a binary glTF file: it does not start with `glTF`",
                 ));
             }
-            (parse(&bytes)?, None)
+            (json::parse(&bytes)?, None)
         };
-        if !root.asset.version.starts_with("2.") {
-            return Err(Fault::new(
-                "asset.version",
-                format!("has version {}", root.asset.version),
-                "convert it to glTF 2.0",
-            ));
-        }
-        let mut document = Self {
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let mut buffers = load_buffers(&root, &folder, binary)?;
+        compressed::decode(&mut root, &mut buffers)?;
+        let all: u64 = buffers.iter().map(|buffer| buffer.len() as u64).sum();
+        let allowance = (size + all).saturating_mul(MAX_READS_PER_BYTE).max(1 << 20);
+        let root =
+            deserialize::from_value(root).map_err(|error| Fault::damaged("JSON", error.to_string()))?;
+        Ok(Self {
             root,
-            buffers: Vec::new(),
-            folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
-            allowance: Cell::new(0),
-        };
-        document.load_buffers(binary)?;
-        let all: u64 = document.buffers.iter().map(|buffer| buffer.len() as u64).sum();
-        document
-            .allowance
-            .set((size + all).saturating_mul(MAX_READS_PER_BYTE).max(1 << 20));
-        Ok(document)
-    }
-
-    fn load_buffers(&mut self, mut binary: Option<Vec<u8>>) -> Result<(), Fault> {
-        for (i, buffer) in self.root.buffers.iter().enumerate() {
-            let place = format!("buffers[{i}]");
-            let bytes = match &buffer.uri {
-                Some(uri) => match uri::resolve(uri, &self.folder) {
-                    Target::Data(bytes) => bytes,
-                    Target::File(file) => read_file(&file, &place)?,
-                    Target::Unsupported(why) => {
-                        return Err(Fault::new(place, why, "export it together with its buffers"));
-                    }
-                },
-                None if i == 0 => binary.take().unwrap_or_default(),
-                None => Vec::new(),
-            };
-            if (bytes.len() as u64) < buffer.byte_length.0 {
-                if self.uses("EXT_meshopt_compression") {
-                    return Err(Fault::new(
-                        place,
-                        "is compressed by meshopt",
-                        "export it without compression",
-                    ));
-                }
-                let message = format!(
-                    "{} bytes required, {} available",
-                    buffer.byte_length.0,
-                    bytes.len()
-                );
-                return Err(Fault::damaged(place, message));
-            }
-            self.buffers.push(bytes);
-        }
-        Ok(())
-    }
-
-    pub(super) fn uses(&self, extension: &str) -> bool {
-        self.root.extensions_used.iter().any(|used| used == extension)
+            buffers,
+            folder,
+            allowance: Cell::new(allowance),
+        })
     }
 
     /// The bytes of a buffer view, and its stride if it has one.
@@ -132,10 +87,36 @@ impl Document {
     }
 }
 
-fn parse(json: &[u8]) -> Result<json::Root, Fault> {
-    // Some exporters write a byte-order mark.
-    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    json::Root::from_slice(json).map_err(|error| Fault::damaged("JSON", error.to_string()))
+fn load_buffers(root: &Value, folder: &Path, mut binary: Option<Vec<u8>>) -> Result<Vec<Vec<u8>>, Fault> {
+    let list = root.get("buffers").and_then(Value::as_array);
+    let mut buffers = Vec::new();
+    for (i, buffer) in list.into_iter().flatten().enumerate() {
+        let place = format!("buffers[{i}]");
+        if compressed::is_fallback(buffer) {
+            buffers.push(Vec::new());
+            continue;
+        }
+        let bytes = match buffer.get("uri").and_then(Value::as_str) {
+            Some(uri) => match uri::resolve(uri, folder) {
+                Target::Data(bytes) => bytes,
+                Target::File(file) => read_file(&file, &place)?,
+                Target::Unsupported(why) => {
+                    return Err(Fault::new(place, why, "export it together with its buffers"));
+                }
+            },
+            None if i == 0 => binary.take().unwrap_or_default(),
+            None => Vec::new(),
+        };
+        let required = buffer.get("byteLength").and_then(Value::as_u64).unwrap_or(0);
+        // Without data, the buffer reserves room for decoded data.
+        let is_placeholder = i > 0 && bytes.is_empty() && compressed::has_compressed_views(root);
+        if (bytes.len() as u64) < required && !is_placeholder {
+            let message = format!("{required} bytes required, {} available", bytes.len());
+            return Err(Fault::damaged(place, message));
+        }
+        buffers.push(bytes);
+    }
+    Ok(buffers)
 }
 
 fn read_file(file: &Path, place: &str) -> Result<Vec<u8>, Fault> {
@@ -149,33 +130,4 @@ fn read_file(file: &Path, place: &str) -> Result<Vec<u8>, Fault> {
         ));
     }
     fs::read(file).map_err(fault)
-}
-
-/// The JSON chunk of a binary file, and the range of its binary chunk.
-fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<std::ops::Range<usize>>), Fault> {
-    let word = |at: usize| {
-        let word = bytes.get(at..at.checked_add(4)?)?.first_chunk()?;
-        usize::try_from(u32::from_le_bytes(*word)).ok()
-    };
-    let short = || Fault::damaged("header", "the file ends too early");
-    if word(4).ok_or_else(short)? != 2 {
-        return Err(Fault::new("header", "is not version 2", "convert it to glTF 2.0"));
-    }
-    if word(8).ok_or_else(short)? > bytes.len() {
-        return Err(short());
-    }
-    let chunk = |at: usize| {
-        let start = at.checked_add(8)?;
-        let end = start.checked_add(word(at)?)?;
-        bytes.get(start..end)?;
-        Some((bytes.get(at + 4..start)?, start..end))
-    };
-    let (kind, json) = chunk(12).ok_or_else(short)?;
-    if kind != JSON {
-        return Err(Fault::damaged("header", "the first chunk is not JSON"));
-    }
-    let binary = chunk(json.end.next_multiple_of(4))
-        .filter(|(kind, _)| *kind == BINARY)
-        .map(|(_, range)| range);
-    Ok((&bytes[json], binary))
 }

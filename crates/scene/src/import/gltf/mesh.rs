@@ -42,10 +42,6 @@ pub(super) fn read(
             Mode::Points => *unsupported.entry("points").or_default() += 1,
             Mode::Lines | Mode::LineLoop | Mode::LineStrip => *unsupported.entry("lines").or_default() += 1,
             Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
-                if is_compressed(document, primitive) {
-                    *unsupported.entry("primitives compressed by Draco").or_default() += 1;
-                    continue;
-                }
                 let material = primitive
                     .material
                     .and_then(|material| materials.get(material.value()));
@@ -63,14 +59,6 @@ pub(super) fn read(
         );
     }
     Ok(merge::merge(parts))
-}
-
-/// Whether the data of a primitive is compressed by Draco, so that its accessors have no data.
-fn is_compressed(document: &Document, primitive: &json::mesh::Primitive) -> bool {
-    let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
-    let accessor = positions.and_then(|index| document.root.accessors.get(index.value()));
-    document.uses("KHR_draco_mesh_compression")
-        && accessor.is_some_and(|accessor| accessor.buffer_view.is_none() && accessor.sparse.is_none())
 }
 
 /// The triangles of a primitive.

@@ -1,12 +1,15 @@
 //! Imports glTF 2.0, `.gltf` and `.glb`, from the raw JSON, without trusting its contents.
 //!
 //! Supported: nodes, meshes of triangles, strips and fans, sparse and quantized accessors, base colour with its texture and
-//! `KHR_texture_transform`, vertex colours, cameras, `KHR_lights_punctual`. Skins, morph targets, points, lines and
-//! compressed meshes are reported as findings.
+//! `KHR_texture_transform`, vertex colours, cameras, `KHR_lights_punctual`, meshes compressed by Draco and meshopt, and
+//! textures compressed by Basis Universal. Skins, morph targets, points and lines are reported as findings.
 
 mod accessor;
 mod camera;
+mod compressed;
 mod document;
+mod glb;
+mod json;
 mod light;
 mod material;
 mod mesh;
@@ -20,20 +23,23 @@ use super::builder::Builder;
 use super::error::Fault;
 
 /// The supported extensions that a file may require.
-const KNOWN_EXTENSIONS: [&str; 7] = [
+const KNOWN_EXTENSIONS: [&str; 9] = [
+    "EXT_texture_webp",
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_unlit",
     "KHR_materials_variants",
     "KHR_mesh_quantization",
+    "KHR_texture_basisu",
     "KHR_texture_transform",
 ];
 
 pub(super) fn read(bytes: Vec<u8>, path: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let document = Document::open(bytes, path)?;
     for extension in &document.root.extensions_required {
-        if !KNOWN_EXTENSIONS.contains(&extension.as_str()) {
+        let extension = extension.as_str();
+        if !KNOWN_EXTENSIONS.contains(&extension) && !compressed::EXTENSIONS.contains(&extension) {
             builder.warn(
                 "gltf-extension",
                 extension,

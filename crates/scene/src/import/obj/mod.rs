@@ -30,8 +30,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(
         bad_corners: 0,
     };
     let mut known = 0_usize;
-    for (number, line) in text::lines(bytes) {
-        known += usize::from(reader.line(line, number)?);
+    for (number, line) in text::continued_lines(&text::decoded(bytes)) {
+        known += usize::from(reader.line(&line, number)?);
     }
     if known == 0 {
         return Err(Fault::new(
@@ -89,7 +89,8 @@ impl Reader<'_> {
                 Some(normal) => self.pool.normals.push(normal),
                 None => return bad("expected three numbers of a normal"),
             },
-            b"f" => {
+            // `fo` is the name of faces in version 2.11 of the format.
+            b"f" | b"fo" => {
                 if self.face(&mut words).is_none() {
                     return bad("invalid index of a corner");
                 }

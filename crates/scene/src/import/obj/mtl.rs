@@ -62,7 +62,7 @@ impl Library {
     fn read(&mut self, bytes: &[u8], file: &Path, builder: &mut Builder) {
         let folder = file.parent().unwrap_or(Path::new(""));
         let mut current: Option<Material> = None;
-        for (_, line) in text::lines(bytes) {
+        for (_, line) in text::lines(&text::decoded(bytes)) {
             let line = line.trim_ascii();
             let mut words = text::words(line);
             let word = words.next().unwrap_or_default();

@@ -1,4 +1,4 @@
-use super::header::{Encoding, Kind};
+use super::header::{Encoding, Header, Kind};
 use crate::import::error::Fault;
 use crate::import::text;
 
@@ -7,11 +7,25 @@ pub(super) struct Body<'a> {
     rest: &'a [u8],
     encoding: Encoding,
     line: usize,
+    has_line_per_row: bool,
 }
 
 impl<'a> Body<'a> {
-    pub(super) fn new(rest: &'a [u8], encoding: Encoding, line: usize) -> Self {
-        Self { rest, encoding, line }
+    pub(super) fn new(rest: &'a [u8], header: &Header) -> Self {
+        Self {
+            rest,
+            encoding: header.encoding,
+            line: header.lines,
+            has_line_per_row: header.has_line_per_row(rest),
+        }
+    }
+
+    /// Skips values that the header does not declare: `MeshLab` writes some after a row.
+    pub(super) fn end_row(&mut self) {
+        if self.has_line_per_row {
+            let end = self.rest.iter().position(|&byte| byte == b'\n');
+            self.rest = &self.rest[end.unwrap_or(self.rest.len())..];
+        }
     }
 
     /// The number of bytes left.

@@ -88,15 +88,29 @@ pub(super) struct Header {
     pub(super) length: usize,
     /// The line number at which the body starts.
     pub(super) lines: usize,
+    /// The first line with an unknown keyword, with its number.
+    pub(super) unknown: Option<(usize, String)>,
 }
 
 impl Header {
+    /// Whether the rows of a text file are on lines of their own, so that surplus values can be recognized.
+    pub(super) fn has_line_per_row(&self, body: &[u8]) -> bool {
+        let rows = self
+            .elements
+            .iter()
+            .filter(|element| !element.properties.is_empty())
+            .fold(0_usize, |rows, element| rows.saturating_add(element.count));
+        let lines = text::lines(body).filter(|(_, line)| !line.trim_ascii().is_empty());
+        self.encoding == Encoding::Text && lines.take(rows).count() == rows
+    }
+
     pub(super) fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let mut header = Self {
             encoding: Encoding::Text,
             elements: Vec::new(),
             length: 0,
             lines: 0,
+            unknown: None,
         };
         let mut format = None;
         for (number, line) in text::lines(bytes) {
@@ -144,7 +158,10 @@ impl Header {
                     return Ok(header);
                 }
                 (_, None | Some(b"comment" | b"obj_info")) => {}
-                _ => return fault("unknown header line"),
+                // Some programs write comments without the keyword.
+                _ => {
+                    header.unknown.get_or_insert_with(|| (number, text::shown(line)));
+                }
             }
         }
         Err(Fault::damaged("header", "end_header is missing"))

@@ -16,7 +16,11 @@ use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let header = Header::read(bytes)?;
-    let mut body = Body::new(&bytes[header.length..], header.encoding, header.lines);
+    if let Some((line, text)) = &header.unknown {
+        let message = format!("unknown header line; ignored: {text}");
+        builder.warn("ply-header", format!("line {line}"), message);
+    }
+    let mut body = Body::new(&bytes[header.length..], &header);
     let mut mesh = PolygonMesh::default();
     for element in &header.elements {
         check_size(element, header.encoding, &body)?;
@@ -76,6 +80,7 @@ fn skip(element: &Element, body: &mut Body<'_>) -> Result<(), Fault> {
         for property in &element.properties {
             skip_property(property, body)?;
         }
+        body.end_row();
     }
     Ok(())
 }
@@ -162,6 +167,7 @@ fn read_vertices(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh)
                 Column::Other => {}
             }
         }
+        body.end_row();
         points.push(point);
         if has_normals {
             normals.push(normal);
@@ -204,6 +210,7 @@ fn read_faces(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) ->
             mesh.face_vertex_counts
                 .push(i32::try_from(count).unwrap_or(i32::MAX));
         }
+        body.end_row();
     }
     Ok(())
 }

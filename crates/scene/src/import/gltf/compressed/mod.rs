@@ -1,0 +1,69 @@
+//! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer sees none of it.
+
+mod draco;
+mod meshopt;
+
+use serde_json::{Value, json};
+
+use crate::import::error::Fault;
+
+/// The names of meshopt's extension: the ratified one, and the vendor's with the same bitstream in its first version.
+const MESHOPT: [&str; 2] = ["KHR_meshopt_compression", "EXT_meshopt_compression"];
+const DRACO: &str = "KHR_draco_mesh_compression";
+
+/// The extensions that this module implements.
+pub(super) const EXTENSIONS: [&str; 3] = [MESHOPT[0], MESHOPT[1], DRACO];
+
+/// Whether a buffer has only data for readers without meshopt.
+pub(super) fn is_fallback(buffer: &Value) -> bool {
+    meshopt_extension(buffer).is_some_and(|extension| extension.get("fallback") == Some(&json!(true)))
+}
+
+/// Whether any buffer view is compressed by meshopt.
+pub(super) fn has_compressed_views(root: &Value) -> bool {
+    list(root, "bufferViews")
+        .iter()
+        .any(|view| meshopt_extension(view).is_some())
+}
+
+/// Decodes everything into new buffers and changes the JSON to refer to them.
+pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(), Fault> {
+    for view in 0..list(root, "bufferViews").len() {
+        let place = || format!("bufferViews[{view}]");
+        let Some(extension) = meshopt_extension(&root["bufferViews"][view]).cloned() else {
+            continue;
+        };
+        let decoded = bytes_of(&extension, buffers)
+            .and_then(|bytes| meshopt::decode(bytes, &extension))
+            .ok_or_else(|| Fault::damaged(place(), "its data compressed by meshopt is invalid"))?;
+        let Some(members) = root["bufferViews"][view].as_object_mut() else {
+            continue;
+        };
+        members.insert("buffer".into(), json!(buffers.len()));
+        members.insert("byteOffset".into(), json!(0));
+        members.insert("byteLength".into(), json!(decoded.len()));
+        buffers.push(decoded);
+    }
+    draco::decode(root, buffers)
+}
+
+fn meshopt_extension(value: &Value) -> Option<&Value> {
+    MESHOPT.iter().find_map(|name| value.get("extensions")?.get(name))
+}
+
+/// The bytes that a buffer view or a similar object refers to.
+fn bytes_of<'a>(view: &Value, buffers: &'a [Vec<u8>]) -> Option<&'a [u8]> {
+    let start = number(view, "byteOffset").unwrap_or(0);
+    let end = start.checked_add(number(view, "byteLength")?)?;
+    buffers.get(number(view, "buffer").unwrap_or(0))?.get(start..end)
+}
+
+fn number(value: &Value, name: &str) -> Option<usize> {
+    usize::try_from(value.get(name)?.as_u64()?).ok()
+}
+
+fn list<'a>(root: &'a Value, name: &str) -> &'a [Value] {
+    root.get(name)
+        .and_then(Value::as_array)
+        .map_or(&[], Vec::as_slice)
+}
