@@ -249,7 +249,7 @@ def test_invalid_calls_are_rejected(tmp_path, seen):
         with pytest.raises(oaktwin.Error, match="contains several poses"):
             recording.log(camera, poses)
         with pytest.raises(TypeError):
-            recording.log(camera, poses[0], depth=depth[0].astype(np.float64))
+            recording.log(camera, poses[0], depth=depth[0].astype(np.int32))
         recording.log(camera, poses[0], depth=depth[0])
         with pytest.raises(oaktwin.Error, match="is already the name"):
             recording.log(other, poses[0])
