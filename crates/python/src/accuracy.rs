@@ -17,7 +17,7 @@ use crate::threads;
 /// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, captures = CAPTURES,
-    region = REGION, engine = None, preset = None, filters = Vec::new(), parameters = None, seed = 0,
+    region = REGION, engine = None, preset = None, filters = Vec::new(), parameters = None, params = None, seed = 0,
     device_seed = None, extended_disparity = false, isaac = "5.1", measured = None, measured_from = 0.0,
     focal_px = None, width_px = None))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
@@ -34,6 +34,7 @@ pub(crate) fn accuracy<'py>(
     preset: Option<String>,
     filters: Vec<String>,
     parameters: Option<Bound<'py, PyAny>>,
+    params: Option<PathBuf>,
     seed: u64,
     device_seed: Option<u64>,
     extended_disparity: bool,
@@ -48,6 +49,7 @@ pub(crate) fn accuracy<'py>(
         preset,
         filters,
         parameters,
+        params,
         extended_disparity,
         isaac,
         seed,

@@ -1,13 +1,15 @@
 //! Conversion of Python arguments to sensor options.
 
+use std::path::PathBuf;
+
 use oaktwin::catalog::DepthKind;
-use oaktwin::sensor::{ENGINES, SensorOptions};
+use oaktwin::sensor::{ENGINES, ParameterFile, SensorOptions};
 use oaktwin::usd::asset::IsaacVersion;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
 
 use crate::choice::choose;
-use crate::error::wrong;
+use crate::error::{error, reading, wrong};
 
 pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
 
@@ -23,6 +25,7 @@ pub(crate) struct Settings<'py> {
     pub(crate) preset: Option<String>,
     pub(crate) filters: Vec<String>,
     pub(crate) parameters: Option<Bound<'py, PyAny>>,
+    pub(crate) params: Option<PathBuf>,
     pub(crate) extended_disparity: bool,
     pub(crate) isaac: &'py str,
     pub(crate) seed: u64,
@@ -32,7 +35,7 @@ pub(crate) struct Settings<'py> {
 
 impl Settings<'_> {
     pub(crate) fn options(self) -> PyResult<SensorOptions> {
-        Ok(SensorOptions {
+        let mut options = SensorOptions {
             engine: self
                 .engine
                 .map(|name| choose("engine", name, &ENGINES.map(|kind| (kind.name, kind))))
@@ -49,7 +52,13 @@ impl Settings<'_> {
             name: self.name,
             seed: self.seed,
             device_seed: self.device_seed,
-        })
+        };
+        if let Some(path) = &self.params {
+            let file = ParameterFile::read(path).map_err(|error| reading(path, &error))?;
+            let applied = file.apply(&mut options);
+            applied.map_err(|found| error(format!("{}: {found}", path.display())))?;
+        }
+        Ok(options)
     }
 }
 

@@ -22,6 +22,7 @@ use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
+use crate::parameters::by_name;
 use crate::settings::Settings;
 use crate::threads;
 use source::{METHODS, Source};
@@ -193,6 +194,7 @@ impl StereoMatcher {
             preset,
             filters,
             parameters,
+            params: None,
             extended_disparity,
             isaac: "5.1",
             seed: 0,
@@ -340,11 +342,11 @@ impl StereoMatcher {
         self.ask(py, |matcher| matcher.method().map(Method::name))
     }
 
-    /// The matcher's parameters by name, in the format of `parameters=`, for the most recent image size.
+    /// The matcher's parameters by name, with values of their types, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.ask(py, |matcher| matcher.sensor().engine().parameters())
-            .into_py_dict(py)
+        let values = self.ask(py, |matcher| matcher.sensor().engine().parameters());
+        by_name(py, "stereo-matching", values)
     }
 
     /// The filters, in the format of `filters=`.

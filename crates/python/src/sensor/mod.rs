@@ -3,6 +3,7 @@ mod eye;
 mod image_camera;
 mod sense;
 
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
@@ -26,6 +27,7 @@ use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::images::{Depth, Out, Pictures};
+use crate::parameters::by_name;
 use crate::settings::{Settings, isaac_name, kind};
 use crate::threads;
 
@@ -39,6 +41,7 @@ use crate::threads;
 ///     the filters.
 /// filters: the filters as text, in order, such as "spatial:alpha=0.5,delta=20"; they replace the preset's filters.
 /// parameters: a mapping of the engine's parameters by name; overrides all other settings.
+/// params: a TOML file of the engine's parameters, as `fit` and `oaktwin fit` write it; `parameters` override it.
 /// seed: the noise seed: equal seeds, names, frames and items give equal noise.
 /// device_seed: the seed of the unit's calibration error; None disables it.
 /// extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
@@ -89,10 +92,10 @@ pub(crate) struct DepthSensor {
 impl DepthSensor {
     #[new]
     #[pyo3(signature = (device, *, sensor = None, engine = None, preset = None, filters = Vec::new(), parameters = None,
-        seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, camera = None,
+        params = None, seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, camera = None,
         name = None))]
     #[pyo3(
-        text_signature = "(device, *, sensor=None, engine=None, preset=None, filters=(), parameters=None, seed=0, \
+        text_signature = "(device, *, sensor=None, engine=None, preset=None, filters=(), parameters=None, params=None, seed=0, \
         device_seed=None, extended_disparity=False, isaac='5.1', fx=None, hfov_deg=None, camera=None, name=None)"
     )]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
@@ -103,6 +106,7 @@ impl DepthSensor {
         preset: Option<String>,
         filters: Vec<String>,
         parameters: Option<Bound<'_, PyAny>>,
+        params: Option<PathBuf>,
         seed: u64,
         device_seed: Option<u64>,
         extended_disparity: bool,
@@ -117,6 +121,7 @@ impl DepthSensor {
             preset,
             filters,
             parameters,
+            params,
             extended_disparity,
             isaac,
             seed,
@@ -331,16 +336,13 @@ impl DepthSensor {
         Ok(self.now(py, None)?.sensor.engine().kind().name)
     }
 
-    /// The engine's parameters by name, in the format of `parameters=`, for the most recent image size.
+    /// The engine's parameters by name, with values of their types, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let parameters = PyDict::new(py);
         let sensor = self.now(py, None)?.sensor;
         let engine = sensor.engine();
-        for (name, value) in engine.parameters().into_iter().chain(engine.assumptions()) {
-            parameters.set_item(name, value)?;
-        }
-        Ok(parameters)
+        let values = engine.parameters().into_iter().chain(engine.assumptions());
+        by_name(py, engine.kind().name, values)
     }
 
     /// The filters, in the format of `filters=`.
