@@ -1,7 +1,8 @@
-"""Adds the depth that an OAK would measure to a Replicator data set, in place.
+r"""Adds the depth that an OAK would measure to a Replicator data set, in place.
 
     pip install pillow               # to read rgb_*.png; without it, or with --no-rgb, every surface counts as textured
-    python -m oaktwin render scene.usd --model OAK4-D --annotators distance_to_image_plane,rgb,camera_params -o frames/
+    python -m oaktwin render scene.usd --model OAK4-D --look-at 2 -1 1.2  0 0 0.5 \
+        --annotators distance_to_image_plane,rgb,camera_params -o frames/
     python examples/python/replicator_folder.py frames/ --model OAK4-D
 
 Walks a folder written by Replicator's BasicWriter or `oaktwin render`: the files of one camera, or of several in folders by camera,

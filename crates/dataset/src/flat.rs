@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use oaktwin_files::{AtomicFile, OutputFiles};
 
 use crate::file::{Content, write_all};
-use crate::listing::list;
+use crate::listing::{SENSOR_PARAMS, list};
 use crate::{Options, Shot, WriteError, Writer};
 
 /// Names files after the [input](crate::InputName) that a frame was made from. The arrays of a batch become one file with a
@@ -33,8 +33,14 @@ impl Writer for FlatWriter {
         let mut whole = Vec::new();
         for file in list(shot, &self.options) {
             let Some((count, Content::Array(array))) = input.batch.map(|count| (count, &file.content)) else {
-                let path = input.item_path(file.folder, &file.name, file.extension);
-                whole.push((path, file));
+                let is_of_batch = file.folder == SENSOR_PARAMS;
+                let path = match is_of_batch {
+                    true => input.path(file.folder, &file.name, file.extension),
+                    false => input.item_path(file.folder, &file.name, file.extension),
+                };
+                if input.item == 0 || !is_of_batch {
+                    whole.push((path, file));
+                }
                 continue;
             };
             let path = input.path(file.folder, &file.name, file.extension);

@@ -11,6 +11,9 @@ use crate::file::{Array, Content, DatasetFile, Fault};
 use crate::segmentation::{self, Kind};
 use crate::{Extras, LayerData, Options, Shot, boxes, cloud, json, normals};
 
+/// The name of the parameters of the depth sensor's camera.
+pub(crate) const SENSOR_PARAMS: &str = "depth_sensor_camera_params";
+
 /// The files of a shot, in any layout.
 pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>> {
     let mut files = Files {
@@ -21,6 +24,11 @@ pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>
     if let Some(params) = &shot.camera_params {
         let name = Annotator::CameraParams.name();
         files.push(name, name, "json", move || Ok(json::encode(params)));
+    }
+    if let Some(params) = &shot.sensor_params {
+        files.push(SENSOR_PARAMS, SENSOR_PARAMS, "json", move || {
+            Ok(json::encode(params))
+        });
     }
     for layer in &shot.layers {
         let (folder, name) = (layer.folder, layer.name.as_str());

@@ -16,6 +16,8 @@ pub struct Shot {
     pub layers: Vec<Layer>,
     /// The camera's parameters, if they are to be written.
     pub camera_params: Option<CameraParams>,
+    /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
+    pub sensor_params: Option<CameraParams>,
     /// The index of the camera.
     pub camera: usize,
     /// The frame number, from 0.
@@ -37,6 +39,7 @@ impl Shot {
             frame,
             layers: Vec::new(),
             camera_params: None,
+            sensor_params: None,
             camera: 0,
             number,
             world_from_mount: RigidTransform::IDENTITY,

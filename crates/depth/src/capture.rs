@@ -1,13 +1,17 @@
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};
 
-/// The output of a sensor for one input.
+use crate::filter::Chain;
+
+/// The output of a sensor for one input. All images have one size, and show what the
+/// [output camera](crate::Sensor::output_camera) sees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capture {
     /// Metres along the optical axis, 0 where nothing was measured. Filters that decimate make it smaller than the
     /// input: [`Chain::size`](crate::filter::Chain::size).
     pub distance: ZDepth,
-    /// Whether filters of depth changed the distance. [`Capture::extras`] show it unfiltered.
+    /// Whether filters of depth changed the distance. Then [`Capture::extras`] have no points, because those would be the
+    /// unfiltered ones.
     pub is_filtered: bool,
     /// The requested outputs that the engine could make of the input.
     pub extras: Vec<(Annotator, Layer)>,
@@ -43,6 +47,23 @@ impl Capture {
     pub fn take<T: TryFrom<Layer>>(&mut self, annotator: Annotator) -> Option<T> {
         let place = self.extras.iter().position(|(own, _)| *own == annotator)?;
         self.extras.swap_remove(place).1.try_into().ok()
+    }
+
+    /// Brings the extra outputs to the size of the filtered distance.
+    pub(crate) fn follow(&mut self, filters: &Chain) {
+        if self.is_filtered {
+            self.extras
+                .retain(|(_, layer)| !matches!(layer, Layer::Points(_)));
+        }
+        for (_, layer) in &mut self.extras {
+            *layer = match std::mem::replace(layer, Layer::Bytes(Image::filled(0, 0, 0))) {
+                Layer::Bytes(image) => Layer::Bytes(filters.companion(image)),
+                Layer::Floats(image) => Layer::Floats(filters.companion(image)),
+                Layer::Colors(image) => Layer::Colors(filters.companion(image)),
+                // Disparity is filtered itself.
+                layer @ (Layer::Points(_) | Layer::Disparity(_)) => layer,
+            };
+        }
     }
 
     /// Adds an extra output if there is one.

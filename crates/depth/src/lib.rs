@@ -38,6 +38,6 @@ mod turns;
 pub use capture::{Capture, FixedDisparity, Layer};
 pub use engine::{Comparable, Engine, EngineInput, EngineKind, Input, Technology};
 pub use error::{BatchError, ParameterError, ShotError};
-pub use sensor::Sensor;
+pub use sensor::{OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};
 pub use shot::Shot;

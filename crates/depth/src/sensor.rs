@@ -2,6 +2,8 @@ mod batch;
 
 use std::sync::Arc;
 
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{Camera, RigidTransform};
 use oaktwin_image::annotation::Annotator;
 
 use crate::filter::{Chain, Filter};
@@ -59,8 +61,18 @@ impl Sensor {
         self.filters.reset();
     }
 
+    /// Returns the camera that the outputs are images of, for inputs of a camera: [decimation](crate::filter::Decimation)
+    /// makes its image smaller, and Isaac Sim's sensor [moves](Engine::lateral_shift_m) it.
+    #[must_use]
+    pub fn output_camera(&self, input: &Camera) -> OutputCamera {
+        OutputCamera {
+            camera: Camera::new(self.filters.intrinsics(&input.intrinsics), input.lens),
+            shift_m: self.engine.lateral_shift_m(&input.intrinsics),
+        }
+    }
+
     /// Measures the next input. Of the outputs besides the distance, those in `request` are made if the input suffices;
-    /// they are not filtered.
+    /// of the filters, only decimation affects them.
     ///
     /// # Errors
     /// Returns an error if the engine requires another kind of input.
@@ -69,8 +81,29 @@ impl Sensor {
         input: impl Into<Input<'a>>,
         request: &[Annotator],
     ) -> Result<Capture, ParameterError> {
-        self.engine
-            .capture(&input.into(), &self.random, request, &mut self.filters)
+        let input = input.into();
+        let mut capture = self
+            .engine
+            .capture(&input, &self.random, request, &mut self.filters)?;
+        capture.follow(&self.filters);
+        Ok(capture)
+    }
+}
+
+/// The camera that a sensor's outputs are images of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutputCamera {
+    /// The intrinsics and the lens.
+    pub camera: Camera,
+    /// The distance in metres by which it lies to the left of the camera of the input.
+    pub shift_m: f64,
+}
+
+impl OutputCamera {
+    /// Returns the transform from the frame of this camera to that of the input's camera, metres.
+    #[must_use]
+    pub fn input_from_output(&self) -> RigidTransform {
+        RigidTransform::new(DMat3::IDENTITY, DVec3::new(-self.shift_m, 0.0, 0.0))
     }
 }
 

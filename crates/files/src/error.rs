@@ -33,7 +33,9 @@ impl FileError {
         Self::new(path, message, error.remedy)
     }
 
-    pub(crate) fn reading(path: &Path, error: &io::Error) -> Self {
+    /// Returns the error for a failed read of `path`.
+    #[must_use]
+    pub fn reading(path: &Path, error: &io::Error) -> Self {
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("there is no such file", "check the path"),
             io::ErrorKind::PermissionDenied => ("permission denied", "check its permissions"),

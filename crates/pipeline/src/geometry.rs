@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use oaktwin_camera::{Camera, ImageSize, PixelPoint, Usd};
-use oaktwin_image::Image;
+use oaktwin_image::{Image, ImageView};
 
 /// The centre of a pixel.
 fn centre(x: usize, y: usize) -> PixelPoint<Usd> {
@@ -70,7 +70,7 @@ pub(crate) fn resample<T: Copy>(
 /// The point of each pixel in the camera's frame with USD's axes (x right, y up, z backward), metres, and 1; all 0 for
 /// invalid depth.
 #[expect(clippy::cast_possible_truncation, reason = "points are float32")]
-pub(crate) fn positions(camera: &Camera, z: &Image<f32>) -> Image<[f32; 4]> {
+pub(crate) fn positions(camera: &Camera, z: ImageView<'_, f32>) -> Image<[f32; 4]> {
     let mut positions = Image::filled(z.width(), z.height(), [0f32; 4]);
     let columns = (z.width() as usize).max(1);
     let rows = positions.pixels_mut().par_chunks_mut(columns);

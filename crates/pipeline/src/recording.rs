@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "rerun")]
 use oaktwin_dataset::recording::Rrd;
 pub use oaktwin_dataset::recording::{
-    Body, CameraId, DepthView, Moment, RecordedCamera, RecordingError, Time,
+    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingError, Time,
 };
 use oaktwin_dataset::recording::{Mcap, Recorder, ros_lens_loss};
 
@@ -183,6 +183,7 @@ mod tests {
         let id = file.add_camera(&RecordedCamera {
             name: "left".to_owned(),
             camera: Camera::new(intrinsics, LensModel::Pinhole),
+            measured: None,
             body: None,
         })?;
         let depth = Image::filled(64, 48, 1.5f32);

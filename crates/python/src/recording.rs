@@ -6,7 +6,8 @@ use oaktwin::camera;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::ImageView;
 use oaktwin::recording::{
-    CameraId, DepthView, Format, Moment, RecordedCamera, RecordingFile, RecordingFileError, Time,
+    CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError,
+    Time,
 };
 use oaktwin::scene::Up;
 use pyo3::prelude::*;
@@ -43,9 +44,12 @@ pub(crate) struct Recording {
 struct State {
     file: RecordingFile,
     /// The cameras by name.
-    cameras: BTreeMap<String, (CameraId, camera::Camera)>,
+    cameras: BTreeMap<String, (CameraId, Known)>,
     moments: usize,
 }
+
+/// A camera, and that of its measured images if it is another one.
+type Known = (camera::Camera, Option<MeasuredCamera>);
 
 #[pymethods]
 impl Recording {
@@ -76,14 +80,16 @@ impl Recording {
     /// frame: the frame number, used if time is None.
     /// depth: ground-truth depth, (H, W) float32 metres or uint16 millimetres.
     /// measured: the depth sensor's output, in the same format.
+    /// measured_camera: the camera of the depth sensor's output, `DepthSensor.camera`, if it is not the camera itself: a
+    ///     filter decimates, or the engine is "single-view". Its topic is /NAME/measured_camera_info.
     /// rgb: the colour image, (H, W, 3) or (H, W, 4) uint8, sRGB.
     /// points: whether to record a point cloud, too: of measured depth, or otherwise of ground-truth depth.
     /// name: the name of the camera; by default its own. Characters other than letters, digits and _ are replaced by _.
     ///
     /// Raises oaktwin.Error for images whose size differs from the camera's, a different camera with the same name, an invalid
     /// time, or a closed recording; OSError if the file cannot be written.
-    #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = 0, depth = None, measured = None, rgb = None,
-        points = true, name = None))]
+    #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = 0, depth = None, measured = None,
+        measured_camera = None, rgb = None, points = true, name = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn log(
         &self,
@@ -94,6 +100,7 @@ impl Recording {
         frame: u64,
         depth: Option<Bound<'_, PyAny>>,
         measured: Option<Bound<'_, PyAny>>,
+        measured_camera: Option<Bound<'_, Camera>>,
         rgb: Option<Bound<'_, PyAny>>,
         points: bool,
         name: Option<String>,
@@ -106,9 +113,15 @@ impl Recording {
         };
         let time = time.map_err(error)?;
         let depth = depth.map(|depth| image("depth", &depth, camera)).transpose()?;
+        let measured_camera = measured_camera.map(|camera| camera.get().clone());
+        let of_measured = measured_camera.as_ref().unwrap_or(camera);
         let measured = measured
-            .map(|depth| image("measured", &depth, camera))
+            .map(|depth| image("measured", &depth, of_measured))
             .transpose()?;
+        let measured_shape = Shape {
+            batch: None,
+            size: of_measured.camera.intrinsics.size,
+        };
         let shape = Shape {
             batch: None,
             size: camera.camera.intrinsics.size,
@@ -120,13 +133,16 @@ impl Recording {
                 .as_deref()
                 .and_then(|pixels| ImageView::new(shape.size.width, shape.size.height, pixels)),
             depth: depth.as_ref().map(|depth| view(depth, shape)).transpose()?,
-            measured: measured.as_ref().map(|depth| view(depth, shape)).transpose()?,
+            measured: measured
+                .as_ref()
+                .map(|depth| view(depth, measured_shape))
+                .transpose()?,
             depth_points: points && measured.is_none(),
             measured_points: points,
             ..Moment::new(time, world_from_mount)
         };
         let name = name.unwrap_or_else(|| camera.name.clone());
-        let is_new = py.detach(|| self.record(camera, name.clone(), &moment))?;
+        let is_new = py.detach(|| self.record(camera, measured_camera.as_ref(), name.clone(), &moment))?;
         let loss = self.format.lens_loss(&camera.camera.lens).filter(|_| is_new);
         let finding = loss.map(|loss| Finding::new("lens-not-recorded", Level::Warning, name, loss, ""));
         finding::warn(py, finding.as_slice())
@@ -197,31 +213,43 @@ impl Recording {
     }
 
     /// Returns whether the camera is new.
-    fn record(&self, camera: &Camera, name: String, moment: &Moment<'_>) -> PyResult<bool> {
+    fn record(
+        &self,
+        camera: &Camera,
+        measured: Option<&Camera>,
+        name: String,
+        moment: &Moment<'_>,
+    ) -> PyResult<bool> {
+        let measured = measured.map(|measured| MeasuredCamera {
+            camera: measured.camera,
+            camera_from_measured: camera.body_from_camera.inverse() * measured.body_from_camera,
+        });
+        let own: Known = (camera.camera, measured);
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(state) = &mut *state else {
             return Err(wrong(self.path.display(), "is closed", "create a new recording"));
         };
         let (id, is_new) = match state.cameras.get(&name) {
-            Some((id, known)) if *known == camera.camera => (*id, false),
+            Some((id, known)) if *known == own => (*id, false),
             Some(_) => {
                 return Err(wrong(
                     name,
                     "is already the name of a different camera in this recording",
-                    "use a unique name for each camera",
+                    "use a unique name for each camera, and the same measured_camera in all calls",
                 ));
             }
             None => {
                 let recorded = RecordedCamera {
                     name: name.clone(),
                     camera: camera.camera,
+                    measured,
                     body: None,
                 };
                 let id = state
                     .file
                     .add_camera(&recorded)
                     .map_err(|error| self.exception(&error))?;
-                state.cameras.insert(name, (id, camera.camera));
+                state.cameras.insert(name, (id, own));
                 (id, true)
             }
         };
@@ -240,8 +268,12 @@ fn image<'py>(name: &str, object: &Bound<'py, PyAny>, camera: &Camera) -> PyResu
     let size = camera.camera.intrinsics.size;
     if shape.batch.is_some() || shape.size != size {
         let is = format!("has shape {:?}", shape.dims());
+        let or = match name {
+            "measured" => ", or its camera as measured_camera",
+            _ => "",
+        };
         let remedy = format!(
-            "pass an image of the camera's size, ({}, {})",
+            "pass an image of the camera's size, ({}, {}){or}",
             size.height, size.width
         );
         return Err(wrong(name, is, remedy));

@@ -55,9 +55,9 @@ const PLATFORMS: [(&str, Platform); 2] = [("rvc2", Platform::Rvc2), ("rvc4", Pla
 ///     uint8, which are converted to luma. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array
 ///     interface in CPU memory.
 ///
-/// Returns a dictionary. "depth": (H, W) float32 metres along the optical axis of the rectified left camera, 0 where invalid;
-/// smaller if a filter decimates. "disparity": (H, W) float32 px, 0 where invalid. "confidence": (H, W) uint8, 255 is the
-/// highest. "rectified_left" and "rectified_right": the matched images. "findings": the problems of the images, a list of
+/// Returns a dictionary. "depth": (H, W) float32 metres along the optical axis of the rectified left camera, 0 where invalid.
+/// "disparity": (H, W) float32 px of the images, 0 where invalid. "confidence": (H, W) uint8, 255 is the highest. These three
+/// are images of `camera`, and smaller than the images if a filter decimates. "rectified_left" and "rectified_right": the matched images. "findings": the problems of the images, a list of
 /// Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image", "same-image", "unrelated".
 /// For a batch, each array has a leading dimension N, and a finding's place begins with the index of its pair; the pairs are
 /// matched in parallel, independently of earlier calls.
@@ -113,7 +113,7 @@ impl StereoMatcher {
             Ok(matcher.sensor().filters().size(size.width, size.height))
         })?;
         let (mut depth, mut disparity) = (Stack::new(smaller), Stack::new(smaller));
-        let mut confidence = Stack::new(own);
+        let mut confidence = Stack::new(smaller);
         let mut eight = [Stack::new(own), Stack::new(own)];
         let mut ten = [Stack::new(own), Stack::new(own)];
         let mut findings = Vec::new();
@@ -321,12 +321,13 @@ impl StereoMatcher {
         self.ask(py, Matcher::reset);
     }
 
-    /// The rectified left camera, in whose frame depth is measured, for the most recent image size; initially for the device's
-    /// own size, or 1280 x 800 without a device.
+    /// The camera that depth, disparity and confidence are images of, for the most recent image size; initially for the
+    /// device's own size, or 1280 x 800 without a device. It is the rectified left camera, whose image is made smaller by a
+    /// filter that decimates.
     #[getter]
     fn camera(&self, py: Python<'_>) -> Camera {
         self.ask(py, |matcher| {
-            Camera::rectified(matcher.camera(), matcher.body_from_camera())
+            Camera::rectified(matcher.camera().camera, matcher.body_from_camera())
         })
     }
 
@@ -369,7 +370,7 @@ impl StereoMatcher {
             Source::Device { device, .. } => device.get().twin.device.name.clone(),
             Source::Rectified { .. } => "any pair".to_owned(),
         };
-        let camera = self.ask(py, |matcher| matcher.camera());
+        let camera = self.ask(py, |matcher| matcher.rectified_camera());
         let rectify = self.rectify(py).unwrap_or("rectified");
         let filters = self.filters(py);
         let filters = if filters.is_empty() {

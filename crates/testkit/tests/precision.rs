@@ -1,4 +1,4 @@
-//! Tests the precision of depth against double precision: 4 ulp up to 75° between ray and normal, 1e-6 up to 85°.
+//! Tests the precision of depth against double precision: 4 ulp up to 75° between ray and normal, 1e-6 up to 85°, 1e-4 beyond.
 
 #![allow(clippy::print_stdout, reason = "a test")]
 
@@ -13,13 +13,13 @@ use oaktwin_testkit::reference::{Crossing, Reference};
 const SIZE: ImageSize = ImageSize::new(61, 43);
 
 #[test]
-fn depth_is_exact_to_float32() {
+fn depth_is_precise() {
     check_seeds(0..150);
 }
 
 #[test]
 #[ignore = "slow: many more surfaces"]
-fn slow_depth_is_exact_to_float32_on_many_surfaces() {
+fn slow_depth_is_precise_on_many_surfaces() {
     check_seeds(150..6000);
 }
 
@@ -41,7 +41,7 @@ fn check_seeds(seeds: std::ops::Range<u64>) {
     for (backend, worst) in worst {
         println!("{backend:?}: {worst:?}");
         assert!(
-            worst.pixels_up_to_75 > 10_000 && worst.pixels_up_to_85 > 1_000,
+            worst.pixels_up_to_75 > 10_000 && worst.pixels_up_to_85 > 1_000 && worst.pixels_beyond_85 > 1_000,
             "{worst:?}"
         );
     }
@@ -53,13 +53,16 @@ fn check_seeds(seeds: std::ops::Range<u64>) {
 struct Worst {
     ulp_up_to_75: f64,
     relative_up_to_85: f64,
+    ulp_beyond_85: f64,
+    relative_beyond_85: f64,
     pixels_up_to_75: usize,
     pixels_up_to_85: usize,
+    pixels_beyond_85: usize,
 }
 
 impl Worst {
     fn is_too_large(&self) -> bool {
-        self.ulp_up_to_75 > 4.0 || self.relative_up_to_85 > 1e-6
+        self.ulp_up_to_75 > 4.0 || self.relative_up_to_85 > 1e-6 || self.relative_beyond_85 > 1e-4
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "the next float32")]
@@ -82,6 +85,10 @@ impl Worst {
             } else if degrees <= 85.0 {
                 self.pixels_up_to_85 += 1;
                 self.relative_up_to_85 = self.relative_up_to_85.max(error / truth.z);
+            } else {
+                self.pixels_beyond_85 += 1;
+                self.ulp_beyond_85 = self.ulp_beyond_85.max(error / ulp);
+                self.relative_beyond_85 = self.relative_beyond_85.max(error / truth.z);
             }
         }
     }

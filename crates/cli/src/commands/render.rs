@@ -48,8 +48,15 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let recorder = match &args.record {
         Some(file) => {
             let (up, is_alone) = (scene.scene.up, output.is_none());
-            let (recorder, more) =
-                render::FrameRecorder::create(file, up, &cameras, &path, &annotators, is_alone)?;
+            let (recorder, more) = render::FrameRecorder::create(
+                file,
+                up,
+                &cameras,
+                &sensors.own,
+                &path,
+                &annotators,
+                is_alone,
+            )?;
             findings.extend(more);
             Some(recorder)
         }

@@ -18,9 +18,8 @@ fn unsupported_sensor_outputs_are_a_warning() {
     };
     for (annotators, more) in [
         ("depth_sensor_imager", "-o engine"),
-        // The reduced image has no colours.
         (
-            "depth_sensor_point_cloud_color",
+            "depth_sensor_output_visualization",
             "-o filters --filter decimation:decimationFactor=2",
         ),
     ] {

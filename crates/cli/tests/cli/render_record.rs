@@ -66,6 +66,8 @@ fn a_trajectory_of_an_oak() {
         ("/Camera_pseudo_depth/depth", 2),
         ("/Camera_pseudo_depth/depth_points", 2),
         ("/Camera_pseudo_depth/measured", 2),
+        // Isaac Sim's sensor sees from its left imager.
+        ("/Camera_pseudo_depth/measured_camera_info", 2),
         ("/Camera_pseudo_depth/measured_points", 2),
         ("/Camera_pseudo_depth/rgb", 2),
         ("/tf", 2),

@@ -1,9 +1,10 @@
 //! Conversion of depth to points.
 
+use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, PixelPoint, Usd};
-use oaktwin_image::Image;
+use oaktwin_image::{Image, ImageView};
 
-use super::DepthView;
+use super::{DepthView, MeasuredCamera};
 
 /// Returns the intersection of the ray at each pixel centre with the plane z = 1; NaN if there is none.
 pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
@@ -38,6 +39,34 @@ pub(super) fn points<'a>(
             _ => [f32::NAN; 3],
         }
     })
+}
+
+/// Returns the colour of each measured point in the image of another camera; 0 where that does not see it.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "within the image"
+)]
+pub(super) fn colors(
+    rays: &Image<[f32; 2]>,
+    depth: DepthView<'_>,
+    measured: &MeasuredCamera,
+    camera: &Camera,
+    rgb: ImageView<'_, [u8; 4]>,
+) -> Image<[u8; 4]> {
+    let color = |point: [f32; 3]| {
+        let point = measured
+            .camera_from_measured
+            .apply(DVec3::from(point.map(f64::from)));
+        let at = point.is_finite().then(|| camera.project(point))??.to::<Usd>();
+        let (x, y) = (at.x.floor(), at.y.floor());
+        let is_inside = x >= 0.0 && y >= 0.0 && x < f64::from(rgb.width()) && y < f64::from(rgb.height());
+        let index = is_inside.then(|| y as usize * rgb.width() as usize + x as usize)?;
+        rgb.pixels().get(index).copied()
+    };
+    let colors = points(rays, depth).map(|point| color(point).unwrap_or_default());
+    Image::new(rays.width(), rays.height(), colors.collect())
+        .unwrap_or_else(|| Image::filled(rays.width(), rays.height(), [0; 4]))
 }
 
 #[cfg(test)]

@@ -33,11 +33,13 @@ const WORLD: &str = "world";
 /// | `/NAME/rgb` | `sensor_msgs/msg/Image`, `rgb8` |
 /// | `/NAME/depth`, `/NAME/measured` | `sensor_msgs/msg/Image`, `32FC1` metres or `16UC1` millimetres |
 /// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
+/// | `/NAME/measured_camera_info` | `sensor_msgs/msg/CameraInfo` of the depth sensor's output, if it is an image of another camera |
 /// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
-/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A camera without a body
-/// has `world` → `NAME`. Chunks are compressed with zstd, on one thread.
+/// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A depth
+/// sensor's output that is seen from elsewhere has the frame `NAME_measured_optical_frame`. A camera without a body has
+/// `world` → `NAME`. Chunks are compressed with zstd, on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
     /// The current message, whose memory is reused.
@@ -54,12 +56,14 @@ pub struct Mcap<W: Write> {
 struct Station {
     camera: RecordedCamera,
     optical_frame: String,
+    /// The frame of measured images.
+    measured_frame: String,
     /// The name of the camera's frame.
     frame: String,
     /// The index of its body; `None` if it has none.
     carrier: Option<usize>,
-    /// The rays of the pixels, computed for the first point cloud.
-    rays: Option<Image<[f32; 2]>>,
+    /// The rays of the pixels of exact and measured depth, computed for the first point cloud.
+    rays: [Option<Image<[f32; 2]>>; 2],
     last: Option<(Time, RigidTransform)>,
 }
 
@@ -150,6 +154,13 @@ impl<W: Write> Mcap<W> {
                 child: &station.optical_frame,
                 parent_from_child: optical_from_camera().inverse(),
             });
+            if station.measured_frame != station.optical_frame {
+                all.push(Transform {
+                    header: header(&station.optical_frame),
+                    child: &station.measured_frame,
+                    parent_from_child: station.camera.measured().camera_from_measured,
+                });
+            }
         }
         message::transforms(&mut self.cdr, all.into_iter());
         self.put("/tf_static", Schema::Tf, time)
@@ -193,29 +204,49 @@ impl<W: Write> Mcap<W> {
             message::camera_info(&mut self.cdr, head, &camera.intrinsics, &distortion);
             self.put(&topic("camera_info"), Schema::CameraInfo, time)?;
         }
+        let measured = station.camera.measured();
+        let measured_head = Header {
+            time,
+            frame: &station.measured_frame,
+        };
+        let is_other = station.camera.measured.is_some();
+        if is_other
+            && moment.measured.is_some()
+            && let Some(distortion) = distortion(&measured.camera.lens)
+        {
+            let intrinsics = &measured.camera.intrinsics;
+            message::camera_info(&mut self.cdr, measured_head, intrinsics, &distortion);
+            self.put(&topic("measured_camera_info"), Schema::CameraInfo, time)?;
+        }
         if let Some(rgb) = moment.rgb {
             message::rgb(&mut self.cdr, head, rgb);
             self.put(&topic("rgb"), Schema::Image, time)?;
         }
-        for (name, depth) in [("depth", moment.depth), ("measured", moment.measured)] {
+        let images = [
+            ("depth", moment.depth, head),
+            ("measured", moment.measured, measured_head),
+        ];
+        for (name, depth, head) in images {
             if let Some(depth) = depth {
                 message::depth(&mut self.cdr, head, depth);
                 self.put(&topic(name), Schema::Image, time)?;
             }
         }
-        let clouds = [
-            ("depth_points", moment.depth.filter(|_| moment.depth_points)),
-            (
-                "measured_points",
-                moment.measured.filter(|_| moment.measured_points),
-            ),
-        ];
-        for (name, depth) in clouds {
-            if let Some(depth) = depth {
-                let rays = station.rays.get_or_insert_with(|| cloud::rays(camera));
-                message::points(&mut self.cdr, head, rays, depth, moment.rgb);
-                self.put(&topic(name), Schema::PointCloud2, time)?;
-            }
+        let [rays, measured_rays] = &mut station.rays;
+        if let Some(depth) = moment.depth.filter(|_| moment.depth_points) {
+            let rays = rays.get_or_insert_with(|| cloud::rays(camera));
+            message::points(&mut self.cdr, head, rays, depth, moment.rgb);
+            self.put(&topic("depth_points"), Schema::PointCloud2, time)?;
+        }
+        if let Some(depth) = moment.measured.filter(|_| moment.measured_points) {
+            let rays = measured_rays.get_or_insert_with(|| cloud::rays(&measured.camera));
+            let colors = moment
+                .rgb
+                .filter(|_| is_other)
+                .map(|rgb| cloud::colors(rays, depth, &measured, camera, rgb));
+            let rgb = colors.as_ref().map(Into::into).or(moment.rgb);
+            message::points(&mut self.cdr, measured_head, rays, depth, rgb);
+            self.put(&topic("measured_points"), Schema::PointCloud2, time)?;
         }
         Ok(())
     }
@@ -238,12 +269,18 @@ impl<W: Write> Recorder for Mcap<W> {
             })
         });
         let frame = names::unique(&camera.name, &mut self.names);
+        let optical_frame = names::unique(&format!("{frame}_optical_frame"), &mut self.names);
+        let is_moved = camera.measured().camera_from_measured != RigidTransform::IDENTITY;
         self.cameras.push(Station {
             camera: camera.clone(),
-            optical_frame: names::unique(&format!("{frame}_optical_frame"), &mut self.names),
+            measured_frame: match is_moved {
+                true => names::unique(&format!("{frame}_measured_optical_frame"), &mut self.names),
+                false => optical_frame.clone(),
+            },
+            optical_frame,
             frame,
             carrier,
-            rays: None,
+            rays: [None, None],
             last: None,
         });
         self.statics_are_due = true;

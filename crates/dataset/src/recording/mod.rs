@@ -28,6 +28,7 @@
 //! let camera = recorder.add_camera(&RecordedCamera {
 //!     name: "left".to_owned(),
 //!     camera: Camera::new(intrinsics, LensModel::Pinhole),
+//!     measured: None,
 //!     body: None,
 //! })?;
 //! let depth = Image::filled(4, 3, 1.5f32);
@@ -98,8 +99,29 @@ pub struct RecordedCamera {
     pub name: String,
     /// The intrinsics and the lens.
     pub camera: Camera,
+    /// The camera that the depth sensor's outputs are images of, if it is another one.
+    pub measured: Option<MeasuredCamera>,
     /// The body that carries the camera, if any.
     pub body: Option<Body>,
+}
+
+/// The camera that a depth sensor's outputs are images of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredCamera {
+    /// The intrinsics and the lens.
+    pub camera: Camera,
+    /// The transform from its optical frame to that of the recorded camera, metres.
+    pub camera_from_measured: RigidTransform,
+}
+
+impl RecordedCamera {
+    /// The camera of measured images.
+    fn measured(&self) -> MeasuredCamera {
+        self.measured.unwrap_or(MeasuredCamera {
+            camera: self.camera,
+            camera_from_measured: RigidTransform::IDENTITY,
+        })
+    }
 }
 
 /// A moving body that carries cameras.
@@ -111,7 +133,7 @@ pub struct Body {
     pub body_from_camera: RigidTransform,
 }
 
-/// The data of a camera at one time. Images have the camera's size.
+/// The data of a camera at one time. Images have the camera's size; measured ones that of their own camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
     /// The time.
@@ -219,22 +241,23 @@ fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
     Ok(())
 }
 
-/// Rejects images of other sizes than the camera's.
+/// Rejects images of other sizes than their camera's.
 fn check_moment(camera: &RecordedCamera, moment: &Moment<'_>) -> Result<(), RecordingError> {
     let expected = camera.camera.intrinsics.size;
     let rgb = moment
         .rgb
         .map(|image| ImageSize::new(image.width(), image.height()));
+    let of_measured = camera.measured().camera.intrinsics.size;
     let images = [
-        ("rgb", rgb),
-        ("depth", moment.depth.map(|depth| depth.size())),
-        ("measured", moment.measured.map(|depth| depth.size())),
+        ("rgb", rgb, expected),
+        ("depth", moment.depth.map(|depth| depth.size()), expected),
+        ("measured", moment.measured.map(|depth| depth.size()), of_measured),
     ];
     match images
         .into_iter()
-        .find(|(_, found)| found.is_some_and(|found| found != expected))
+        .find(|(_, found, expected)| found.is_some_and(|found| found != *expected))
     {
-        Some((image, Some(found))) => Err(RecordingError::Size {
+        Some((image, Some(found), expected)) => Err(RecordingError::Size {
             camera: camera.name.clone(),
             image,
             found,

@@ -5,8 +5,9 @@ use std::fmt;
 use std::io::Write;
 use std::time::Duration;
 
-use oaktwin_camera::{OpenCv, RigidTransform};
-use oaktwin_image::Image;
+use oaktwin_camera::math::DVec3;
+use oaktwin_camera::{Camera, OpenCv, RigidTransform};
+use oaktwin_image::{Image, ImageView};
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::sink::MemorySinkStorage;
 use rerun::{RecordingStream, RecordingStreamBuilder};
@@ -30,7 +31,8 @@ const TIMELINE: &str = "time";
 /// | `world/BODY/NAME/image/depth`, `…/measured` | `DepthImage`, with its `meter` |
 /// | `world/BODY/NAME/depth_points`, `…/measured_points` | `Points3D` |
 ///
-/// A camera without a body is `world/NAME`. Time is the timeline `time`, a duration. Depth is not changed: the viewer
+/// A depth sensor's output that is an image of another camera is in `measured_image` beside `image`. A camera without a body
+/// is `world/NAME`. Time is the timeline `time`, a duration. Depth is not changed: the viewer
 /// ignores 0 and infinity. The file contains ids and clock times of Rerun, so that its bytes are not reproducible.
 pub struct Rrd<W: Write> {
     stream: RecordingStream,
@@ -48,8 +50,8 @@ struct Station {
     entity: String,
     /// The entity that moves.
     mount: String,
-    /// The rays of the pixels, computed for the first point cloud.
-    rays: Option<Image<[f32; 2]>>,
+    /// The rays of the pixels of exact and measured depth, computed for the first point cloud.
+    rays: [Option<Image<[f32; 2]>>; 2],
 }
 
 impl<W: Write> Rrd<W> {
@@ -109,8 +111,16 @@ impl<W: Write> Recorder for Rrd<W> {
                 .map_err(failed)?;
         }
         self.stream
-            .log_static(format!("{entity}/image"), &pinhole(camera))
+            .log_static(format!("{entity}/image"), &pinhole(&camera.camera))
             .map_err(failed)?;
+        if let Some(measured) = &camera.measured {
+            let entity = format!("{entity}/measured_image");
+            let pose = transform(&measured.camera_from_measured);
+            self.stream.log_static(entity.as_str(), &pose).map_err(failed)?;
+            self.stream
+                .log_static(entity, &pinhole(&measured.camera))
+                .map_err(failed)?;
+        }
         let mount = if camera.body.is_some() {
             parent
         } else {
@@ -120,7 +130,7 @@ impl<W: Write> Recorder for Rrd<W> {
             camera: camera.clone(),
             entity,
             mount,
-            rays: None,
+            rays: [None, None],
         });
         self.write()?;
         Ok(CameraId(self.cameras.len() - 1))
@@ -145,21 +155,36 @@ impl<W: Write> Recorder for Rrd<W> {
                 .log(format!("{entity}/image/rgb"), &image)
                 .map_err(failed)?;
         }
-        let depths = [
-            ("depth", moment.depth, moment.depth_points),
-            ("measured", moment.measured, moment.measured_points),
-        ];
-        for (name, depth, has_points) in depths {
-            let Some(depth) = depth else { continue };
+        let (camera, measured) = (&station.camera.camera, station.camera.measured());
+        let is_other = station.camera.measured.is_some();
+        let image = if is_other { "measured_image" } else { "image" };
+        let [rays, measured_rays] = &mut station.rays;
+        if let Some(depth) = moment.depth {
             stream
-                .log(format!("{entity}/image/{name}"), &depth_image(depth, size))
+                .log(format!("{entity}/image/depth"), &depth_image(depth))
                 .map_err(failed)?;
-            if has_points {
-                let rays = station
-                    .rays
-                    .get_or_insert_with(|| cloud::rays(&station.camera.camera));
+            if moment.depth_points {
+                let rays = rays.get_or_insert_with(|| cloud::rays(camera));
+                let points = points(rays, depth, &RigidTransform::IDENTITY, moment.rgb);
                 stream
-                    .log(format!("{entity}/{name}_points"), &points(rays, depth, moment))
+                    .log(format!("{entity}/depth_points"), &points)
+                    .map_err(failed)?;
+            }
+        }
+        if let Some(depth) = moment.measured {
+            stream
+                .log(format!("{entity}/{image}/measured"), &depth_image(depth))
+                .map_err(failed)?;
+            if moment.measured_points {
+                let rays = measured_rays.get_or_insert_with(|| cloud::rays(&measured.camera));
+                let colors = moment
+                    .rgb
+                    .filter(|_| is_other)
+                    .map(|rgb| cloud::colors(rays, depth, &measured, camera, rgb));
+                let rgb = colors.as_ref().map(Into::into).or(moment.rgb);
+                let points = points(rays, depth, &measured.camera_from_measured, rgb);
+                stream
+                    .log(format!("{entity}/measured_points"), &points)
                     .map_err(failed)?;
             }
         }
@@ -198,8 +223,8 @@ fn transform(parent_from_child: &RigidTransform) -> rerun::Transform3D {
     clippy::cast_possible_truncation,
     reason = "Rerun's numbers are in single precision"
 )]
-fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
-    let intrinsics = camera.camera.intrinsics;
+fn pinhole(camera: &Camera) -> rerun::Pinhole {
+    let intrinsics = camera.intrinsics;
     let centre = intrinsics.principal_point::<OpenCv>();
     rerun::Pinhole::from_focal_length_and_resolution(
         [intrinsics.fx as f32, intrinsics.fy as f32],
@@ -208,7 +233,8 @@ fn pinhole(camera: &RecordedCamera) -> rerun::Pinhole {
     .with_principal_point([centre.x as f32, centre.y as f32])
 }
 
-fn depth_image(depth: DepthView<'_>, size: [u32; 2]) -> rerun::DepthImage {
+fn depth_image(depth: DepthView<'_>) -> rerun::DepthImage {
+    let size = depth.size();
     let (bytes, kind, meter): (Vec<u8>, _, f32) = match depth {
         DepthView::Metres(image) => (
             image.pixels().iter().flat_map(|z| z.to_le_bytes()).collect(),
@@ -221,15 +247,23 @@ fn depth_image(depth: DepthView<'_>, size: [u32; 2]) -> rerun::DepthImage {
             1000.0,
         ),
     };
-    rerun::DepthImage::from_data_type_and_bytes(bytes, size, kind).with_meter(meter)
+    rerun::DepthImage::from_data_type_and_bytes(bytes, [size.width, size.height], kind).with_meter(meter)
 }
 
-fn points(rays: &Image<[f32; 2]>, depth: DepthView<'_>, moment: &Moment<'_>) -> rerun::Points3D {
+/// The points in the frame of the recorded camera.
+#[expect(clippy::cast_possible_truncation, reason = "points are float32")]
+fn points(
+    rays: &Image<[f32; 2]>,
+    depth: DepthView<'_>,
+    camera_from_depth: &RigidTransform,
+    rgb: Option<ImageView<'_, [u8; 4]>>,
+) -> rerun::Points3D {
     let all = cloud::points(rays, depth);
-    let colors = moment.rgb.map(|rgb| rgb.pixels());
+    let colors = rgb.map(|rgb| rgb.pixels());
     let (mut places, mut painted) = (Vec::new(), Vec::new());
     for (at, point) in all.enumerate().filter(|(_, point)| !point[2].is_nan()) {
-        places.push(point);
+        let point = camera_from_depth.apply(DVec3::from(point.map(f64::from)));
+        places.push(point.to_array().map(|part| part as f32));
         if let Some(&[r, g, b, _]) = colors.and_then(|colors| colors.get(at)) {
             painted.push(rerun::Color::from_rgb(r, g, b));
         }
@@ -257,7 +291,7 @@ fn not_written(error: EncodeError) -> RecordingError {
 mod tests {
     use super::*;
     use crate::recording::{Body, Time};
-    use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel};
+    use oaktwin_camera::{ImageSize, Intrinsics, LensModel};
 
     fn recorded<W: Write>(output: W) -> Result<W, RecordingError> {
         let mut recorder = Rrd::new(output, true)?;
@@ -267,6 +301,7 @@ mod tests {
                 Intrinsics::from_hfov(ImageSize::new(4, 3), 1.2),
                 LensModel::Pinhole,
             ),
+            measured: None,
             body: Some(Body {
                 name: "OAK".to_owned(),
                 body_from_camera: RigidTransform::IDENTITY,

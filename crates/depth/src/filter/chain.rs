@@ -1,8 +1,9 @@
+use oaktwin_camera::Intrinsics;
 use oaktwin_image::{Image, ImageView};
 use oaktwin_simd::Level;
 
 use super::temporal::Memory;
-use super::{Filter, Pixel};
+use super::{Decimation, Filter, Pixel, Sample};
 
 /// A sequence of filters with their memory of earlier frames, for one camera and one type of pixel.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,12 +43,33 @@ impl<P: Pixel> Chain<P> {
     /// The size of a filtered image, which [decimation](super::Decimation) changes.
     #[must_use]
     pub fn size(&self, width: u32, height: u32) -> (u32, u32) {
-        self.filters
-            .iter()
-            .fold((width, height), |(width, height), filter| match filter {
-                Filter::Decimation(decimation) => decimation.size(width, height),
-                _ => (width, height),
+        self.decimations()
+            .fold((width, height), |(width, height), decimation| {
+                decimation.size(width, height)
             })
+    }
+
+    /// The intrinsics of a filtered image, which [decimation](super::Decimation) changes.
+    #[must_use]
+    pub fn intrinsics(&self, intrinsics: &Intrinsics) -> Intrinsics {
+        self.decimations().fold(*intrinsics, |intrinsics, decimation| {
+            decimation.intrinsics(&intrinsics)
+        })
+    }
+
+    /// Reduces an image that belongs to the unfiltered one, such as its colours, to the size of the filtered one.
+    #[must_use]
+    pub fn companion<T: Sample>(&self, image: Image<T>) -> Image<T> {
+        self.decimations()
+            .fold(image, |image, decimation| decimation.companion(&image))
+    }
+
+    /// The decimations that change the size.
+    fn decimations(&self) -> impl Iterator<Item = &Decimation> {
+        self.filters.iter().filter_map(|filter| match filter {
+            Filter::Decimation(decimation) if decimation.factor > 1 => Some(decimation),
+            _ => None,
+        })
     }
 
     /// Forgets all earlier frames.

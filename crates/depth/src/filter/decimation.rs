@@ -1,3 +1,4 @@
+use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use oaktwin_image::Image;
 use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, saturating_trunc};
@@ -37,6 +38,44 @@ impl Decimation {
         (shorter(width), shorter(height))
     }
 
+    /// The intrinsics of the decimated image. Its pixels are those of a camera that sees the first pixel of each block, or
+    /// for medians and means the centre of the block.
+    #[must_use]
+    pub fn intrinsics(&self, intrinsics: &Intrinsics) -> Intrinsics {
+        let factor = f64::from(self.factor.max(1));
+        let first = match self.mode {
+            DecimationMode::PixelSkipping => 0.0,
+            DecimationMode::NonZeroMedian | DecimationMode::NonZeroMean => (factor - 1.0) / 2.0,
+        };
+        let (width, height) = self.size(intrinsics.size.width, intrinsics.size.height);
+        let c = intrinsics.principal_point::<OpenCv>();
+        let centre = PixelPoint::<OpenCv>::new((c.x - first) / factor, (c.y - first) / factor);
+        let size = ImageSize::new(width, height);
+        Intrinsics::new(size, intrinsics.fx / factor, intrinsics.fy / factor, centre)
+    }
+
+    /// Decimates an image of other values at the same pixels, such as its colours: the first pixel of each block, or for
+    /// medians and means the mean of the block.
+    #[must_use]
+    pub fn companion<T: Sample>(&self, image: &Image<T>) -> Image<T> {
+        let (width, height) = self.size(image.width(), image.height());
+        let factor = self.factor.max(1) as usize;
+        let is_mean = self.mode != DecimationMode::PixelSkipping;
+        let rows: Vec<&[T]> = image.rows().collect();
+        let mut pixels = Vec::with_capacity(width as usize * height as usize);
+        for rows in rows.chunks(factor).take(height as usize) {
+            for x in (0..).step_by(factor).take(width as usize) {
+                let block = rows
+                    .iter()
+                    .flat_map(|row| row.iter().skip(x).take(factor))
+                    .copied();
+                let side = if is_mean { usize::MAX } else { 1 };
+                pixels.push(T::mean(block.take(side)));
+            }
+        }
+        Image::new(width, height, pixels).unwrap_or_else(|| image.clone())
+    }
+
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &Image<P>) -> Image<P> {
         let (width, height) = self.size(image.width(), image.height());
         let factor = self.factor.clamp(1, 4) as usize;
@@ -47,6 +86,36 @@ impl Decimation {
         let rows = out.pixels_mut().par_chunks_exact_mut(width).zip(rows);
         rows.for_each(|(out, rows)| simd::decimation(level, factor, self.mode, rows, out));
         out
+    }
+}
+
+/// A pixel value that has a mean.
+pub trait Sample: Copy {
+    /// Returns the mean of values, of which there is at least one.
+    fn mean(values: impl Iterator<Item = Self>) -> Self;
+}
+
+impl Sample for f32 {
+    fn mean(values: impl Iterator<Item = Self>) -> Self {
+        let (sum, count) = values.fold((0.0, 0u16), |(sum, count), value| (sum + value, count + 1));
+        sum / Self::from(count.max(1))
+    }
+}
+
+impl Sample for u8 {
+    #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
+    fn mean(values: impl Iterator<Item = Self>) -> Self {
+        let (sum, count) = values.fold((0u32, 0u32), |(sum, count), value| {
+            (sum + u32::from(value), count + 1)
+        });
+        ((sum + count / 2) / count.max(1)) as Self
+    }
+}
+
+impl<T: Sample> Sample for [T; 4] {
+    fn mean(values: impl Iterator<Item = Self>) -> Self {
+        let values: Vec<Self> = values.collect();
+        std::array::from_fn(|channel| T::mean(values.iter().map(|value| value[channel])))
     }
 }
 

@@ -22,7 +22,7 @@ mod threshold;
 pub use brightness::Brightness;
 pub use chain::Chain;
 pub use confidence::DepthConfidence;
-pub use decimation::{Decimation, DecimationMode};
+pub use decimation::{Decimation, DecimationMode, Sample};
 pub use median::{Median, MedianSettings};
 pub(crate) use median::{Network, Networks};
 pub use pixel::Pixel;

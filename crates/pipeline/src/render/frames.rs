@@ -12,7 +12,7 @@ use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
-use crate::sensor::{EngineInput, Sensor};
+use crate::sensor::{EngineInput, Sensor, sensor_params};
 use crate::write::{Producer, write_while};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot, WriteError, Writer};
@@ -233,10 +233,15 @@ impl<'a> Station<'a> {
             layers.extend(pair_layers(pair));
         }
         let wants_params = options.annotators.contains(&Annotator::CameraParams);
-        let meters_per_unit = renderer.scene().meters_per_unit.0;
+        let described = described(self.camera, &view, renderer.scene().meters_per_unit.0);
         let shot = Shot {
             layers,
-            camera_params: wants_params.then(|| camera_params(self.camera, &view, meters_per_unit)),
+            camera_params: wants_params.then(|| CameraParams::new(&described)),
+            sensor_params: self
+                .sensor
+                .as_ref()
+                .filter(|_| wants_params)
+                .map(|sensor| sensor_params(&sensor.output_camera(&view.camera), &described)),
             camera: self.index,
             world_from_mount: mount,
             render_product: self.has_folder.then(|| self.camera.folder.clone()),
@@ -314,9 +319,9 @@ fn pair_layers(pair: Pair) -> impl Iterator<Item = Layer> {
     })
 }
 
-fn camera_params(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> CameraParams {
+fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::View {
     let (attributes, clip) = (&camera.attributes, &camera.clip);
-    CameraParams::new(&dataset::View {
+    dataset::View {
         optics: attributes.optics,
         camera: view.camera,
         world_from_camera: view.world_from_camera,
@@ -324,5 +329,5 @@ fn camera_params(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> Ca
         meters_per_unit,
         focus_distance: attributes.focus_distance,
         f_stop: attributes.f_stop,
-    })
+    }
 }

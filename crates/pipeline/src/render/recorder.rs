@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use super::camera::PlacedCamera;
 use super::trajectory::TimedPose;
 use crate::recording::{
-    Body, CameraId, DepthView, Format, Moment, RecordedCamera, RecordingError, RecordingFile,
+    Body, CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
     RecordingFileError, Time,
 };
+use crate::sensor::Sensor;
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{Shot, WriteError, Writer};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
@@ -47,7 +48,7 @@ pub struct FrameRecorder {
 }
 
 impl FrameRecorder {
-    /// Begins a recording of these cameras along a trajectory, or at their own poses if it is empty. Annotators that a
+    /// Begins a recording of these cameras with their depth sensors along a trajectory, or at their own poses if it is empty. Annotators that a
     /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
     /// The times are those of the trajectory if all its poses have one, else 30 frames per second from 0.
@@ -58,6 +59,7 @@ impl FrameRecorder {
         path: &Path,
         up: Up,
         cameras: &[PlacedCamera],
+        sensors: &[Option<Sensor>],
         poses: &[TimedPose],
         annotators: &[Annotator],
         is_alone: bool,
@@ -83,7 +85,11 @@ impl FrameRecorder {
         let mut file = RecordingFile::create(path, up)?;
         let cameras = cameras
             .iter()
-            .map(|camera| file.add_camera(&recorded(camera)))
+            .enumerate()
+            .map(|(at, camera)| {
+                let sensor = sensors.get(at).and_then(Option::as_ref);
+                file.add_camera(&recorded(camera, sensor))
+            })
             .collect::<Result<_, _>>()?;
         let recorder = Self {
             file: Some(file),
@@ -139,12 +145,24 @@ fn other(error: RecordingFileError) -> WriteError {
     WriteError::Other(Box::new(error))
 }
 
-fn recorded(placed: &PlacedCamera) -> RecordedCamera {
+fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
+    let measured = sensor.map(|sensor| {
+        let output = sensor.output_camera(&placed.camera);
+        MeasuredCamera {
+            camera: output.camera,
+            camera_from_measured: output.input_from_output(),
+        }
+    });
+    let is_other = |measured: &MeasuredCamera| {
+        measured.camera != placed.camera || measured.camera_from_measured != RigidTransform::IDENTITY
+    };
+    let measured = measured.filter(is_other);
     // A camera of the scene is moved itself.
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
         camera: placed.camera,
+        measured,
         body: is_carried.then(|| Body {
             name: BODY.to_owned(),
             body_from_camera: placed.mount_from_camera,

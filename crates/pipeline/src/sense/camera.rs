@@ -6,8 +6,10 @@ use serde_json::Value;
 
 use super::options::ImageCamera;
 use super::{FieldOfView, SenseError};
+use oaktwin_camera::math::{DMat3, DMat4, DVec3};
 use oaktwin_camera::{
-    Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
+    Axes, Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint,
+    RigidTransform, Usd,
 };
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{self as files, FileError};
@@ -140,6 +142,24 @@ fn is_same(a: &Intrinsics, b: &Intrinsics) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-5 * b.abs();
     let (ca, cb) = (a.principal_point::<Usd>(), b.principal_point::<Usd>());
     a.size == b.size && near(a.fx, b.fx) && near(a.fy, b.fy) && near(ca.x, cb.x) && near(ca.y, cb.y)
+}
+
+/// The pose in metres and the metres per unit in Replicator's `camera_params`; `None` if they are missing or invalid.
+pub(super) fn read_pose(path: &Path) -> Option<(RigidTransform, f64)> {
+    let bytes = files::read(path, MAX_BYTES, "camera_params").ok()?;
+    let params: Value = serde_json::from_slice(&bytes).ok()?;
+    let list = params["cameraViewTransform"].as_array()?;
+    let numbers: Vec<f64> = list.iter().filter_map(Value::as_f64).collect();
+    let meters_per_unit = params["metersPerSceneUnit"]
+        .as_f64()
+        .filter(|scale| *scale > 0.0)?;
+    // The four rows for points as rows are the columns for points as columns.
+    let view = DMat4::from_cols_array(&numbers.try_into().ok()?);
+    let usd_from_world =
+        RigidTransform::new(DMat3::from_mat4(view), view.w_axis.truncate() * meters_per_unit);
+    let opencv_from_usd = RigidTransform::new(Axes::OpenCv.rotation_from(Axes::Usd), DVec3::ZERO);
+    let pose = (opencv_from_usd * usd_from_world).inverse();
+    (pose.orthonormality_error() < 1e-3 && pose.translation.is_finite()).then_some((pose, meters_per_unit))
 }
 
 /// Replicator's `camera_params`.

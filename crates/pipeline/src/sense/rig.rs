@@ -1,11 +1,9 @@
 //! Alignment to another camera of the device.
 
-use super::shot::reported;
 use super::{AlignTo, SenseError};
 use crate::limits::check_size;
-use crate::sensor::Sensor;
-use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_camera::{Camera, ImageSize, RigidTransform};
+use crate::sensor::{OutputCamera, Sensor};
+use oaktwin_camera::Camera;
 use oaktwin_catalog::{LensChoice, Twin, TwinDepthSensor};
 use oaktwin_depth::align::Align;
 use oaktwin_diagnostic::{message, opt};
@@ -22,25 +20,14 @@ pub fn align_to(
     to: &AlignTo,
     lens: LensChoice,
 ) -> Result<Align, SenseError> {
-    let size = images.intrinsics.size;
-    let (width, height) = look.filters().size(size.width, size.height);
-    let smaller = reported(images, ImageSize::new(width, height));
-    aligner(
-        twin,
-        sensor,
-        smaller,
-        look.engine().lateral_shift_m(&images.intrinsics),
-        to,
-        lens,
-    )
+    aligner(twin, sensor, &look.output_camera(images), to, lens)
 }
 
 /// The alignment of reported depth to a camera with its lens.
 pub(super) fn aligner(
     twin: &Twin,
     sensor: &TwinDepthSensor,
-    reported: Camera,
-    shift_m: f64,
+    reported: &OutputCamera,
     to: &AlignTo,
     lens: LensChoice,
 ) -> Result<Align, SenseError> {
@@ -71,8 +58,7 @@ pub(super) fn aligner(
             .map_err(|error| SenseError::option(message![opt("align-size"), format!(": {error}")]))?;
         own.intrinsics = own.intrinsics.resized(size, true);
     }
-    let source_from_reported = RigidTransform::new(DMat3::IDENTITY, DVec3::new(-shift_m, 0.0, 0.0));
     let target_from_reported =
-        target.body_from_camera.inverse() * source.body_from_camera * source_from_reported;
-    Ok(Align::new(reported, own, target_from_reported, to.fill))
+        target.body_from_camera.inverse() * source.body_from_camera * reported.input_from_output();
+    Ok(Align::new(reported.camera, own, target_from_reported, to.fill))
 }

@@ -7,17 +7,17 @@ use rayon::prelude::*;
 use super::options::ImageCamera;
 use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
-use super::shot::{OutputContext, reported};
+use super::shot::OutputContext;
 use super::stream::StreamWriter;
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
-use crate::geometry::{places, positions, resample, z_of_range};
+use crate::geometry::{places, resample, z_of_range};
 use crate::input::source::Source;
 use crate::progress::Watch;
 use crate::sensor::{self, Engine, EngineInput, Sensor, SensorOptions, needs_a_pair, sensor};
 use crate::write::{Producer, write_while};
-use oaktwin_camera::{Camera, ImageSize, LensModel};
-use oaktwin_catalog::Twin;
-use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, Writer};
+use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
+use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, View, Writer};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
@@ -238,14 +238,11 @@ impl<'a> Run<'a, '_, '_> {
         if !self.sensors.contains(&used) {
             self.sensors.push(used);
         }
-        let shift_m = sensor.engine().lateral_shift_m(&looked.intrinsics);
-        let looked_size = looked.intrinsics.size;
-        let (width, height) = sensor.filters().size(looked_size.width, looked_size.height);
-        let smaller = reported(&looked, ImageSize::new(width, height));
+        let reported = sensor.output_camera(&looked);
         let align = options
             .align
             .as_ref()
-            .map(|to| rig::aligner(self.twin, sequence.sensor, smaller, shift_m, to, options.lens))
+            .map(|to| rig::aligner(self.twin, sequence.sensor, &reported, to, options.lens))
             .transpose()?;
         let session = Session {
             first: file.path.clone(),
@@ -257,7 +254,8 @@ impl<'a> Run<'a, '_, '_> {
             output: OutputContext {
                 options,
                 camera: looked,
-                shift_m,
+                view: view(own, sequence.sensor, looked),
+                reported,
                 align,
             },
         };
@@ -377,9 +375,6 @@ impl Session<'_> {
             rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
         }
         let request = self.output.request();
-        let position = Annotator::DepthSensorPointCloudPosition;
-        let needs_positions = request.contains(&position) && sensor.engine().outputs().contains(&position);
-        let seen = needs_positions.then(|| positions(&self.output.camera, &z));
         let mut shot = sensor::Shot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
@@ -389,12 +384,26 @@ impl Session<'_> {
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into()).map_err(of_one_size)?;
         }
-        if let Some(seen) = &seen {
-            shot = shot.with_positions(seen.into()).map_err(of_one_size)?;
-        }
-        let capture = sensor.capture(shot, &request)?;
-        let shot = self.output.shot(&**sensor.engine(), capture, rgb.as_ref(), input);
-        Ok(shot)
+        let capture = sensor::capture(sensor, &self.output.camera, shot.into(), &request)?;
+        let params = self.output.params(file.params.as_deref());
+        Ok(self.output.shot(sensor, capture, rgb.as_ref(), params, input))
+    }
+}
+
+/// The view of the images of a sensor, at the origin: the numbers of the model's camera, whose focal length in
+/// millimetres does not depend on the image.
+fn view(own: &TwinCamera, sensor: &TwinDepthSensor, images: Camera) -> View {
+    let focal_length_um = own.pixel_size_um * own.intrinsics.mean_focal_length();
+    let pixel_size_um = focal_length_um / images.intrinsics.mean_focal_length();
+    let (near, far) = sensor.spec.clipping_range_m;
+    View {
+        optics: UsdOptics::from_intrinsics(&images.intrinsics, pixel_size_um, Default::default()),
+        camera: images,
+        world_from_camera: RigidTransform::IDENTITY,
+        clipping_range: [near, far],
+        meters_per_unit: 1.0,
+        focus_distance: sensor.spec.focus_distance,
+        f_stop: own.spec.f_stop,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The sensor of a twin, a render product or a stereo pair: an engine with its filters, made from options.
 
 mod choose;
+mod frame;
 mod matching;
 mod options;
 mod parameter_file;
@@ -14,11 +15,12 @@ pub use oaktwin_depth::engines::{
     ENGINES, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT, calibration_error_px,
 };
 pub use oaktwin_depth::{
-    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, Layer, ParameterError, Sensor, Setup,
-    Shot, Technology, single_view,
+    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, Layer, OutputCamera, ParameterError,
+    Sensor, Setup, Shot, Technology, single_view,
 };
 
 pub use choose::depth_sensor;
+pub(crate) use frame::{capture, frame, sensor_params};
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
 pub use options::{SensorOptions, default_engine};

@@ -6,7 +6,7 @@ use super::StereoError;
 use crate::pair::{PairCameras, PairOptions};
 use crate::sense::FieldOfView;
 use crate::sensor::{
-    Capture, Input, ParameterError, Sensor, SensorOptions, platform, stereo_matching as sensor,
+    Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, platform, stereo_matching as sensor,
 };
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::Twin;
@@ -141,8 +141,15 @@ impl Matcher {
 
     /// The rectified left camera.
     #[must_use]
-    pub fn camera(&self) -> Camera {
+    pub fn rectified_camera(&self) -> Camera {
         Camera::new(self.intrinsics, LensModel::Pinhole)
+    }
+
+    /// The camera that depth, disparity and confidence are images of: the rectified left camera, whose image
+    /// [decimation](oaktwin_depth::filter::Decimation) makes smaller.
+    #[must_use]
+    pub fn camera(&self) -> OutputCamera {
+        self.sensor.output_camera(&self.rectified_camera())
     }
 
     /// The pose of the rectified left camera in the device's body, metres; the identity for other pairs.

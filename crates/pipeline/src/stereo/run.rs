@@ -8,17 +8,19 @@ use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
-use crate::geometry::{measured_only, positions};
 use crate::progress::Watch;
-use crate::sensor::{FixedDisparity, SensorOptions};
+use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_params};
 use crate::write::write_while;
-use oaktwin_camera::{Camera, ImageSize};
-use oaktwin_dataset::{self as dataset, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot};
+use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
+use oaktwin_dataset::{self as dataset, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View};
 use oaktwin_depth::rectify::Method;
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
-use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};
+
+/// The pixel size of the OV9282, µm.
+const PIXEL_SIZE_UM: f64 = 3.0;
 
 /// The outputs of stereo matching.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,7 +73,7 @@ pub struct Matched {
     pub fill: Vec<f64>,
     /// The findings; of each code the first one.
     pub findings: Vec<Finding>,
-    /// The rectified left camera.
+    /// The camera of the depth images; see [`Matcher::camera`].
     pub camera: Camera,
     /// The baseline in metres.
     pub baseline_m: f64,
@@ -103,7 +105,7 @@ pub fn stereo(
         files: Vec::new(),
         fill: Vec::new(),
         findings: matcher.findings().to_vec(),
-        camera: matcher.camera(),
+        camera: matcher.camera().camera,
         baseline_m: matcher.baseline_m(),
         method: matcher.method().map(Method::name),
         is_interrupted: false,
@@ -132,7 +134,7 @@ pub fn stereo(
             before = pair;
             let seen = matcher.look(left, right).map_err(|error| in_files(error, pair))?;
             matched.add(&seen, pair);
-            let shot = shot(seen, &matcher.camera(), options, pair);
+            let shot = shot(seen, &matcher, options, pair);
             if producer.write(shot).is_break() || producer.finish().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -219,21 +221,27 @@ fn nothing_measured() -> Finding {
 }
 
 /// The frame of a matched pair.
-fn shot(seen: Seen, camera: &Camera, options: &StereoOptions, pair: &PairFiles) -> Shot {
+fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles) -> Shot {
     let wants = |output: StereoOutput| options.outputs.contains(&output);
     let Seen {
         capture, rectified, ..
     } = seen;
-    let ZDepth(metres) = &capture.distance;
-    let size = ImageSize::new(metres.width(), metres.height());
-    let needs_cloud = options.ply || wants(StereoOutput::Positions) || wants(StereoOutput::Colors);
-    let cloud = needs_cloud.then(|| {
-        let camera = Camera::new(camera.intrinsics.resized(size, false), camera.lens);
-        let [left, _] = &rectified;
-        let colors = (left.width() == size.width && left.height() == size.height)
-            .then(|| left.to_eight().map(|&grey| [grey, grey, grey, 255]));
-        (positions(&camera, metres), colors)
-    });
+    let request = [
+        (true, Annotator::DepthSensorDistance),
+        (
+            options.ply || wants(StereoOutput::Positions),
+            Annotator::DepthSensorPointCloudPosition,
+        ),
+        (
+            options.ply || wants(StereoOutput::Colors),
+            Annotator::DepthSensorPointCloudColor,
+        ),
+    ];
+    let request: Vec<Annotator> = request
+        .into_iter()
+        .filter(|(wanted, _)| *wanted)
+        .map(|(_, one)| one)
+        .collect();
     let mut layers = Vec::new();
     let mut add = |name: &'static str, data| {
         layers.push(Layer {
@@ -250,30 +258,52 @@ fn shot(seen: Seen, camera: &Camera, options: &StereoOptions, pair: &PairFiles) 
     if let Some(confidence) = confidence.filter(|_| wants(StereoOutput::Confidence)) {
         add("confidence", LayerData::Byte(confidence.clone()));
     }
+    let needs_colors = request.contains(&Annotator::DepthSensorPointCloudColor);
+    let grey = needs_colors.then(|| rectified[0].to_eight().map(|&grey| [grey, grey, grey, 255]));
+    let grey = grey.as_ref().map(Into::into);
+    let camera = matcher.rectified_camera();
+    let mut frame = frame(matcher.sensor(), &camera, capture, grey, &request);
+    if let Some(positions) = frame
+        .depth_sensor_point_cloud_position
+        .as_ref()
+        .filter(|_| options.ply)
+    {
+        let data = LayerData::Cloud {
+            positions: positions.clone(),
+            colors: frame.depth_sensor_point_cloud_color.clone(),
+            axes: CloudAxes::Optical,
+        };
+        add("depth_sensor_point_cloud", data);
+    }
     if wants(StereoOutput::Rectified) {
         for (name, image) in ["rectified_left", "rectified_right"].into_iter().zip(rectified) {
             add(name, LayerData::Png(Box::new(move || image.to_png())));
         }
     }
-    let mut frame = Frame::default();
-    if let Some((positions, colors)) = cloud {
-        if options.ply {
-            let data = LayerData::Cloud {
-                positions: positions.clone(),
-                colors: colors.clone(),
-                axes: CloudAxes::Optical,
-            };
-            add("depth_sensor_point_cloud", data);
-        }
-        frame.depth_sensor_point_cloud_color = colors
-            .filter(|_| wants(StereoOutput::Colors))
-            .map(|colors| measured_only(colors, metres));
-        frame.depth_sensor_point_cloud_position = Some(positions).filter(|_| wants(StereoOutput::Positions));
+    if !wants(StereoOutput::Positions) {
+        frame.depth_sensor_point_cloud_position = None;
     }
-    frame.depth_sensor_distance = Some(capture.distance);
+    if !wants(StereoOutput::Colors) {
+        frame.depth_sensor_point_cloud_color = None;
+    }
     Shot {
         layers,
+        sensor_params: Some(sensor_params(&matcher.camera(), &view(&camera))),
         input: pair.results(),
         ..Shot::new(frame, 0)
+    }
+}
+
+/// The view of the rectified left camera, which is at the origin. The size of its pixels is unknown; it does not affect the
+/// projection.
+fn view(camera: &Camera) -> View {
+    View {
+        optics: UsdOptics::from_intrinsics(&camera.intrinsics, PIXEL_SIZE_UM, Default::default()),
+        camera: *camera,
+        world_from_camera: RigidTransform::IDENTITY,
+        clipping_range: [0.01, 1e7],
+        meters_per_unit: 1.0,
+        focus_distance: 0.0,
+        f_stop: 0.0,
     }
 }

@@ -262,6 +262,8 @@ class DepthSensor:
         out: _Out,
     ) -> _Out: ...
     @property
+    def camera(self) -> Camera: ...
+    @property
     def engine(self) -> _Engine: ...
     @property
     def parameters(self) -> dict[str, str]: ...
@@ -378,6 +380,7 @@ class Recording:
         frame: int = 0,
         depth: object | None = None,
         measured: object | None = None,
+        measured_camera: Camera | None = None,
         rgb: object | None = None,
         points: bool = True,
         name: str | None = None,

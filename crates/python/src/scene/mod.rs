@@ -209,7 +209,7 @@ impl Scene {
     /// world_from_camera: the camera's pose: (4, 4), or (N, 4, 4) for a batch; its axes are OpenCV's (x right, y down, z
     ///     forward), metres. See `look_at`.
     /// annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
-    /// backend: "auto" (default), "raster" or "ray"; the results are equal.
+    /// backend: "auto" (default), "raster" or "ray"; depths agree within 3 ulp of float32 up to 75° of incidence.
     /// smooth_edges: whether outlines in colour images are antialiased.
     ///
     /// Returns a dictionary by annotator. Images are (H, W) or (H, W, C) for one pose, (N, H, W) or (N, H, W, C) for a batch:

@@ -1,7 +1,7 @@
 use std::sync::{Arc, PoisonError};
 
-use oaktwin::camera::{self, ImageSize};
-use oaktwin::catalog::{Twin, TwinDepthSensor};
+use oaktwin::camera::{self, ImageSize, RigidTransform};
+use oaktwin::catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin::diagnostic;
 use oaktwin::sense::{self, FieldOfView};
 use oaktwin::sensor::{self, Sensor, SensorOptions};
@@ -27,6 +27,13 @@ pub(super) struct Source {
 }
 
 impl Source {
+    /// The camera of the model whose images the sensor measures.
+    fn own(&self) -> PyResult<&TwinCamera> {
+        let spec = &self.depth.spec;
+        let own = self.twin.camera(spec.camera);
+        own.ok_or_else(|| wrong(&spec.prim, "its camera is not known", "choose another model"))
+    }
+
     /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise that of the
     /// model.
     pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
@@ -36,13 +43,7 @@ impl Source {
             options,
             field_of_view,
         } = self;
-        let own = twin.camera(depth.spec.camera).ok_or_else(|| {
-            wrong(
-                &depth.spec.prim,
-                "its camera is not known",
-                "choose another model",
-            )
-        })?;
+        let own = self.own()?;
         let size = size.unwrap_or(match field_of_view {
             FieldOfView::Camera(camera) => camera.intrinsics.size,
             _ => own.intrinsics.size,
@@ -64,6 +65,14 @@ impl Source {
 }
 
 impl DepthSensor {
+    /// The pose of the images' camera on the device.
+    pub(super) fn body_from_images(&self) -> PyResult<RigidTransform> {
+        match &self.camera {
+            Some(camera) => Ok(camera.body_from_camera),
+            None => self.source.own().map(|own| own.body_from_camera),
+        }
+    }
+
     /// Returns the sensor for an image size; a change of size clears the memory of earlier frames.
     pub(super) fn look<'a>(&self, eye: &'a mut Eye, size: ImageSize) -> PyResult<&'a mut Eye> {
         if eye.camera.intrinsics.size != size {

@@ -10,7 +10,7 @@ use oaktwin::camera::ImageSize;
 use oaktwin::catalog::DepthKind;
 use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
-use oaktwin::render::sense_frame;
+use oaktwin::render::{Clip, sense_frame};
 use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
 use oaktwin::sensor::{EngineInput, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
@@ -270,7 +270,7 @@ impl DepthSensor {
             let data = seen.take(annotator).map(|data| sensor_array(py, data));
             let image = data.transpose()?.flatten().ok_or_else(|| {
                 let is = "is not made of what was given";
-                let remedy = "give rgb=, or take the engine single-view";
+                let remedy = "give rgb=, or use the engine single-view";
                 wrong(annotator.name(), is, remedy)
             })?;
             all.set_item(annotator.name(), image)?;
@@ -328,6 +328,25 @@ impl DepthSensor {
         let align = sensing::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, &to, self.lens);
         let align = align.map_err(error)?;
         aligned(py, &align, &depth, shape, out)
+    }
+
+    /// The Camera that the outputs are images of, for the most recent image size: that of the images, made smaller by a
+    /// filter that decimates, with its pose on the device. Isaac Sim's sensor ("single-view") shows what its left imager
+    /// sees, which is to the left of the images' camera by the baseline.
+    #[getter]
+    fn camera(&self, py: Python<'_>) -> PyResult<Camera> {
+        let eye = self.now(py, None)?;
+        let output = eye.sensor.output_camera(&eye.camera);
+        let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
+        let mut own = Camera::rectified(
+            output.camera,
+            self.body_from_images()? * output.input_from_output(),
+        );
+        own.clip = match &self.camera {
+            Some(camera) => camera.clip,
+            None => Clip { near_m, far_m },
+        };
+        Ok(own)
     }
 
     /// The engine: "stereo-noise", "time-of-flight" or "single-view".

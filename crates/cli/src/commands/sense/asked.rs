@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use oaktwin::files::FileError;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render;
 use oaktwin::sense::{AlignTo, FieldOfView, Input, SenseOptions};
@@ -115,6 +116,7 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
                 output: output.unwrap_or_else(|| path.clone()),
             }
         } else {
+            std::fs::metadata(path).map_err(|error| FileError::reading(path, &error))?;
             let output =
                 output.ok_or_else(|| format!("{}: output directory required (-o DIR)", path.display()))?;
             Input::File {

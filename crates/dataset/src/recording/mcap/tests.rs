@@ -10,6 +10,7 @@ fn camera(name: &str, body: Option<&str>) -> RecordedCamera {
     RecordedCamera {
         name: name.to_owned(),
         camera: Camera::new(intrinsics, LensModel::Pinhole),
+        measured: None,
         body: body.map(|name| Body {
             name: name.to_owned(),
             body_from_camera: RigidTransform::new(

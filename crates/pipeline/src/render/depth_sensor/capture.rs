@@ -1,12 +1,11 @@
 //! The depth sensor's outputs for a rendered frame.
 
-use crate::geometry::positions;
 use crate::pair::Pair;
-use crate::sensor::{EngineInput, Input, Sensor, Shot};
+use crate::sensor::{self, EngineInput, Input, Sensor, Shot};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
+use oaktwin_image::ImageView;
 use oaktwin_image::annotation::{Annotator, Frame};
-use oaktwin_image::{Image, ZDepth};
 
 /// The inputs of a depth sensor, the same for every requested output, so that the measurement does not depend on it.
 const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
@@ -56,7 +55,7 @@ fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
 }
 
 /// Adds the sensor outputs that are `asked` for to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
-/// pair for engines that match one. Returns the annotators that cannot be produced.
+/// pair for engines that match one. They are images of [`Sensor::output_camera`]. Returns the annotators that cannot be produced.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
@@ -65,66 +64,22 @@ pub fn sense_frame(
     asked: &[Annotator],
     frame: &mut Frame,
 ) -> Vec<Annotator> {
-    fill(sensor, camera, number, pair, asked, frame);
+    if let Some(input) = input(sensor, frame, number, pair) {
+        let captured = sensor::capture(sensor, camera, input, asked);
+        let rgb = frame.rgb.as_ref().map(ImageView::from);
+        if let Ok(capture) = captured {
+            let seen = sensor::frame(sensor, camera, capture, rgb, asked);
+            frame.depth_sensor_distance = seen.depth_sensor_distance;
+            frame.depth_sensor_point_cloud_position = seen.depth_sensor_point_cloud_position;
+            frame.depth_sensor_point_cloud_color = seen.depth_sensor_point_cloud_color;
+            frame.depth_sensor_imager = seen.depth_sensor_imager;
+            frame.depth_sensor_output_visualization = seen.depth_sensor_output_visualization;
+        }
+    }
     let is_missing = |annotator: &Annotator| {
         annotator.is_depth_sensor() && !frame.annotations().any(|(present, _)| present == *annotator)
     };
     asked.iter().copied().filter(is_missing).collect()
-}
-
-fn fill(
-    sensor: &mut Sensor,
-    camera: &Camera,
-    number: u64,
-    pair: Option<&Pair>,
-    asked: &[Annotator],
-    frame: &mut Frame,
-) {
-    let wants = |annotator| asked.contains(&annotator);
-    let (wants_positions, wants_colors) = (
-        wants(Annotator::DepthSensorPointCloudPosition),
-        wants(Annotator::DepthSensorPointCloudColor),
-    );
-    let position = Annotator::DepthSensorPointCloudPosition;
-    let color = Annotator::DepthSensorPointCloudColor;
-    let own = sensor.engine().outputs();
-    let seen = frame
-        .distance_to_image_plane
-        .as_ref()
-        .filter(|_| wants_positions && own.contains(&position))
-        .map(|z| positions(camera, &z.0));
-    let captured = input(sensor, frame, number, pair).and_then(|input| {
-        let input = match (&seen, input) {
-            (Some(seen), Input::Depth(shot)) => Input::Depth(shot.with_positions(seen.into()).ok()?),
-            (_, input) => input,
-        };
-        sensor.capture(input, asked).ok()
-    });
-    let Some(mut capture) = captured else {
-        return;
-    };
-    frame.depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
-    frame.depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
-    // Where no sample moves, a pixel's point is where its ray reaches the measured depth.
-    frame.depth_sensor_point_cloud_position = if own.contains(&position) {
-        capture.take(position)
-    } else {
-        wants_positions.then(|| positions(camera, &capture.distance.0))
-    };
-    frame.depth_sensor_point_cloud_color = if own.contains(&color) {
-        capture.take(color)
-    } else {
-        let rgb = frame.rgb.as_ref().filter(|_| wants_colors);
-        rgb.and_then(|rgb| measured(rgb, &capture.distance))
-    };
-    frame.depth_sensor_distance = wants(Annotator::DepthSensorDistance).then_some(capture.distance);
-}
-
-/// The colours of valid depth.
-fn measured(rgb: &Image<[u8; 4]>, distance: &ZDepth) -> Option<Image<[u8; 4]>> {
-    let both = rgb.pixels().iter().zip(distance.0.pixels());
-    let colors = both.map(|(&color, &z)| if z > 0.0 { color } else { [0; 4] });
-    Image::new(rgb.width(), rgb.height(), colors.collect())
 }
 
 #[cfg(test)]
