@@ -12,6 +12,9 @@ use crate::array::{contiguous, is_like, triples, view};
 use crate::error::{error, wrong};
 use crate::pose::numbers;
 
+/// The positional and keyword arguments of a pickle.
+type Arguments<'py> = ((Bound<'py, PyAny>, Bound<'py, PyAny>), Bound<'py, PyDict>);
+
 /// A triangle mesh with a material, for `Scene.from_meshes`.
 ///
 /// vertices: (V, 3) numbers, metres in the mesh's own frame.
@@ -111,14 +114,14 @@ impl Mesh {
         })
     }
 
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<([Bound<'py, PyAny>; 2], Bound<'py, PyDict>)> {
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
         let (positions, triangles) = (&self.mesh.positions, &self.mesh.triangles);
         let vertices = PyArray1::from_slice(py, positions.as_flattened());
         let faces = PyArray1::from_slice(py, triangles.as_flattened());
-        let arrays = [
+        let arrays = (
             vertices.reshape([positions.len(), 3])?.into_any(),
             faces.reshape([triangles.len(), 3])?.into_any(),
-        ];
+        );
         Ok((arrays, self.options.bind(py).copy()?))
     }
 

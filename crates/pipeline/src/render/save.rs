@@ -4,6 +4,9 @@ use oaktwin_files::{self as files, FileError};
 use oaktwin_scene::Scene;
 use oaktwin_usd::scene_file::scene_file;
 
+/// The extensions of files that [`save_usd`] writes.
+pub const SAVED_EXTENSIONS: [&str; 2] = ["usda", "usd"];
+
 /// Writes a scene as a USD file in the text format, and its images to a folder `NAME_textures` beside it.
 ///
 /// # Errors
@@ -11,7 +14,7 @@ use oaktwin_usd::scene_file::scene_file;
 /// written.
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    if extension != "usda" && extension != "usd" {
+    if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
         return Err(FileError::new(
             path,
             "scenes are written in USD's text format",

@@ -30,7 +30,7 @@ class Fit:
     @property
     def intervals(self) -> dict[str, tuple[float, float] | None]:
         """The interval of 95 % confidence of each value; None if it is not known."""
-        found = {one["name"]: one["interval_95"] for one in self.report["parameters"] if one["is_fitted"]}
+        found = {one["name"]: one["confidence_interval_95"] for one in self.report["parameters"] if one["is_fitted"]}
         return {name: None if both is None else (both[0], both[1]) for name, both in found.items()}
 
     @property
@@ -39,7 +39,10 @@ class Fit:
         return bool(self.report["passed"])
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the parameters to a TOML file."""
+        """Writes the parameters to a TOML file.
+
+        path: the file to write.
+        """
         Path(path).write_text(self.toml, encoding="utf-8")
 
     def plot(self, ax: Any = None) -> Any:
@@ -96,14 +99,17 @@ def fit(
         columns file and distance_m; a folder in the layout of Replicator's BasicWriter with distance_to_image_plane and
         depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent.
     sensor: "stereo", "tof" or the name of a prim; by default that of the engine, or the device's own.
-    parameters: what is known of the engine, such as {"subpixelBits": 3}.
+    engine: "stereo-noise" or "time-of-flight"; by default that of the sensor.
+    preset: the DepthAI preset of the recording, which determines its mode.
+    parameters: what is known of the engine, such as {"subpixelFractionalBits": 3}.
+    params: a TOML file of known parameters; `parameters` override it.
+    extended_disparity: whether the recording has extended disparity.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
     depth_scale: the metres per unit of integer images.
     measured_from: the minimum distance of errors that count, metres.
     focal_px: the focal length of the unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
     fits_focal_length: whether to fit the focal length as well.
-    All other arguments are those of `DepthSensor`.
 
     Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises `oaktwin.Error` for
     recordings that cannot be read and for invalid arguments.

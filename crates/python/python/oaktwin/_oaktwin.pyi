@@ -15,6 +15,7 @@ __all__ = [
     "Filter",
     "Finding",
     "FindingWarning",
+    "Mesh",
     "Recording",
     "Rectification",
     "Scene",
@@ -26,10 +27,12 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "fit",
     "look_at",
     "main",
     "models",
     "parameters",
+    "presets",
 ]
 
 __version__: Final[str]
@@ -119,7 +122,17 @@ class Camera:
     def clip(self) -> tuple[float, float]: ...
     @property
     def body_from_camera(self) -> _Float64: ...
-    def resized(self, width: int, height: int, *, keep_aspect_ratio: bool = True) -> Camera: ...
+    def resized(
+        self, width: int, height: int, *, keep_aspect_ratio: bool = True, keep_center: bool = False
+    ) -> Camera: ...
+    def project(
+        self, points: npt.ArrayLike, world_from_camera: npt.ArrayLike | None = None
+    ) -> tuple[_Float64, _Float64]: ...
+    def unproject(
+        self, depth: object, world_from_camera: npt.ArrayLike | None = None
+    ) -> npt.NDArray[np.float32]: ...
+    def rays(self) -> npt.NDArray[np.float32]: ...
+    def undistortion_maps(self, target: Camera | None = None) -> npt.NDArray[np.float32]: ...
     def cropped(self, x: float, y: float, width: int, height: int) -> Camera: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
@@ -207,6 +220,7 @@ class DepthSensor:
         preset: str | None = None,
         filters: Sequence[str] = (),
         parameters: Mapping[str, object] | None = None,
+        params: str | PathLike[str] | None = None,
         seed: int = 0,
         device_seed: int | None = None,
         extended_disparity: bool = False,
@@ -266,7 +280,7 @@ class DepthSensor:
     @property
     def engine(self) -> _Engine: ...
     @property
-    def parameters(self) -> dict[str, str]: ...
+    def parameters(self) -> dict[str, bool | int | float | str]: ...
     @property
     def filters(self) -> list[str]: ...
     @property
@@ -287,6 +301,23 @@ class Filter:
     def reset(self) -> None: ...
 
 @final
+class Mesh:
+    def __new__(
+        cls,
+        vertices: object,
+        faces: object,
+        *,
+        color: npt.ArrayLike | None = None,
+        normals: npt.ArrayLike | None = None,
+        uvs: npt.ArrayLike | None = None,
+        texture: npt.NDArray[np.uint8] | str | PathLike[str] | None = None,
+        metallic: float = 0.0,
+        roughness: float = 0.5,
+        emissive: npt.ArrayLike | None = None,
+    ) -> Mesh: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[npt.NDArray[np.float32], npt.NDArray[np.uint32]], dict[str, Any]]: ...
+
+@final
 class Scene:
     @staticmethod
     def open(
@@ -301,6 +332,19 @@ class Scene:
     def from_triangles(
         vertices: object, faces: object, *, up: Literal["y", "z"] = "z", label: str | None = None
     ) -> Scene: ...
+    @staticmethod
+    def from_meshes(
+        meshes: Mapping[str, Mesh],
+        *,
+        poses: Mapping[str, npt.ArrayLike] | None = None,
+        labels: Mapping[str, str] | None = None,
+        up: Literal["y", "z"] = "z",
+    ) -> Scene: ...
+    def set_pose(self, name: str, world_from_part: npt.ArrayLike) -> None: ...
+    def set_poses(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
+    @property
+    def poses(self) -> dict[str, _Float64]: ...
+    def save_usd(self, path: str | PathLike[str]) -> None: ...
     def render(
         self,
         camera: Camera,
@@ -324,6 +368,7 @@ class Scene:
         frame: int = 0,
     ) -> _Pair: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
+    def __setstate__(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
     @property
     def cameras(self) -> dict[str, tuple[Camera, _Float64]]: ...
     @property
@@ -362,7 +407,7 @@ class StereoMatcher:
     @property
     def rectify(self) -> Literal["homography", "mesh", "full"] | None: ...
     @property
-    def parameters(self) -> dict[str, str]: ...
+    def parameters(self) -> dict[str, bool | int | float | str]: ...
     @property
     def filters(self) -> list[str]: ...
     @property
@@ -447,6 +492,7 @@ def accuracy(
     preset: str | None = None,
     filters: Sequence[str] = ...,
     parameters: Mapping[str, object] | None = None,
+    params: str | PathLike[str] | None = None,
     seed: int = 0,
     device_seed: int | None = None,
     extended_disparity: bool = False,
@@ -456,6 +502,24 @@ def accuracy(
     focal_px: float | None = None,
     width_px: int | None = None,
 ) -> dict[str, Any]: ...
+def fit(
+    device: Device,
+    recordings: Sequence[str | PathLike[str]],
+    *,
+    sensor: str | None = None,
+    engine: str | None = None,
+    preset: str | None = None,
+    parameters: Mapping[str, object] | None = None,
+    params: str | PathLike[str] | None = None,
+    extended_disparity: bool = False,
+    region: float = ...,
+    depth_scale: float = 0.001,
+    measured_from: float = 0.0,
+    focal_px: float | None = None,
+    width_px: int | None = None,
+    fits_focal_length: bool = False,
+) -> tuple[dict[str, Any], str]: ...
+def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[str]: ...
 def main(arguments: Sequence[str]) -> int: ...
 def _camera(
     name: str,

@@ -9,7 +9,7 @@ use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
-    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneFile, save_usd,
+    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SAVED_EXTENSIONS, SceneFile, save_usd,
     scene_cameras,
 };
 use oaktwin::scene::{Instance, Up};
@@ -196,7 +196,13 @@ impl Scene {
     /// path: the file to write, *.usda or *.usd. Images of textures are written to a folder beside it, NAME_textures.
     ///
     /// Raises oaktwin.Error for another extension, and OSError if a file cannot be written.
+    #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     fn save_usd(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
+            let is = "scenes are written in USD's text format";
+            return Err(wrong(path.display(), is, "use a name that ends in .usda or .usd"));
+        }
         let stage = self.read(py);
         let scene = stage.renderer.scene();
         let written = py.detach(|| save_usd(scene, &path));
