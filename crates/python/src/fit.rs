@@ -4,20 +4,26 @@ use std::sync::atomic::Ordering;
 
 use oaktwin::accuracy::{MeasuredOptics, REGION};
 use oaktwin::fit::{self as fitting, FitError, Options};
+use oaktwin::sensor::SensorOption;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::device::Device;
 use crate::error::error;
 use crate::finding;
 use crate::json;
-use crate::settings::Settings;
+use crate::settings::sensor_options;
 use crate::threads;
+
+/// Filters and noise are not fitted.
+fn is_offered(option: &SensorOption) -> bool {
+    !["filters", "isaac", "seed", "device_seed"].contains(&option.name)
+}
 
 /// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.
 #[pyfunction]
-#[pyo3(signature = (device, recordings, *, sensor = None, engine = None, preset = None, parameters = None, params = None,
-    extended_disparity = false, region = REGION, depth_scale = 0.001, measured_from = 0.0, focal_px = None,
-    width_px = None, fits_focal_length = false))]
+#[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
+    focal_px = None, width_px = None, fits_focal_length = false, **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
@@ -25,33 +31,17 @@ pub(crate) fn fit<'py>(
     device: &Device,
     recordings: Vec<PathBuf>,
     sensor: Option<String>,
-    engine: Option<&str>,
-    preset: Option<String>,
-    parameters: Option<Bound<'py, PyAny>>,
-    params: Option<PathBuf>,
-    extended_disparity: bool,
     region: f64,
     depth_scale: f64,
     measured_from: f64,
     focal_px: Option<f64>,
     width_px: Option<u32>,
     fits_focal_length: bool,
+    options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
-    let settings = Settings {
-        engine,
-        preset,
-        filters: Vec::new(),
-        parameters,
-        params,
-        extended_disparity,
-        isaac: "5.1",
-        seed: 0,
-        device_seed: None,
-        name: None,
-    };
     let options = Options {
         sensor,
-        engine: settings.options()?,
+        engine: sensor_options("fit", options, is_offered)?,
         optics: MeasuredOptics {
             focal_length_px: focal_px,
             width_px,

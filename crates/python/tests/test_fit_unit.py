@@ -103,5 +103,5 @@ def test_presets():
         assert len(names) == len(set(names)) > 1
         for name in names:
             oaktwin.DepthSensor(oaktwin.Device(model), preset=name)
-    with pytest.raises(oaktwin.Error, match="platform: there is no `rvc3`"):
+    with pytest.raises(oaktwin.Error, match="platform: invalid value 'rvc3'"):
         oaktwin.presets("rvc3")

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _oaktwin
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._oaktwin import _SensorOptions
 
 
 class Fit:
@@ -81,17 +86,13 @@ def fit(
     recordings: str | PathLike[str] | Sequence[str | PathLike[str]],
     *,
     sensor: str | None = None,
-    engine: str | None = None,
-    preset: str | None = None,
-    parameters: Mapping[str, object] | None = None,
-    params: str | PathLike[str] | None = None,
-    extended_disparity: bool = False,
     region: float = 0.05,
     depth_scale: float = 0.001,
     measured_from: float = 0.0,
     focal_px: float | None = None,
     width_px: int | None = None,
     fits_focal_length: bool = False,
+    **options: Unpack[_SensorOptions],
 ) -> Fit:
     """Fits the parameters of a depth sensor to recordings of one unit.
 
@@ -99,17 +100,14 @@ def fit(
         columns file and distance_m; a folder in the layout of Replicator's BasicWriter with distance_to_image_plane and
         depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent.
     sensor: "stereo", "tof" or the name of a prim; by default that of the engine, or the device's own.
-    engine: "stereo-noise" or "time-of-flight"; by default that of the sensor.
-    preset: the DepthAI preset of the recording, which determines its mode.
-    parameters: what is known of the engine, such as {"subpixelFractionalBits": 3}.
-    params: a TOML file of known parameters; `parameters` override it.
-    extended_disparity: whether the recording has extended disparity.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
     depth_scale: the metres per unit of integer images.
     measured_from: the minimum distance of errors that count, metres.
     focal_px: the focal length of the unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
     fits_focal_length: whether to fit the focal length as well.
+    options: what is known of the sensor: the options engine, preset, params, parameters and extended_disparity of `DepthSensor`, such as
+        parameters={"subpixelFractionalBits": 3}.
 
     Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises `oaktwin.Error` for
     recordings that cannot be read and for invalid arguments.
@@ -119,16 +117,12 @@ def fit(
         device,
         paths,
         sensor=sensor,
-        engine=engine,
-        preset=preset,
-        parameters=parameters,
-        params=params,
-        extended_disparity=extended_disparity,
         region=region,
         depth_scale=depth_scale,
         measured_from=measured_from,
         focal_px=focal_px,
         width_px=width_px,
         fits_focal_length=fits_focal_length,
+        **options,
     )
     return Fit(report, toml)

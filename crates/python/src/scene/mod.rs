@@ -12,14 +12,14 @@ use oaktwin::render::{
     AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SAVED_EXTENSIONS, SceneFile, save_usd,
     scene_cameras,
 };
-use oaktwin::scene::{Instance, Up};
+use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use self::annotators::{check_memory, scene_annotator};
 use self::parts::{Parts, Stage, items};
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::error::{error, reading, writing, wrong};
 use crate::finding::{self, Finding};
@@ -28,8 +28,6 @@ use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{one_pose, poses, rows};
 use crate::threads;
-
-const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
 
 /// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
 /// `Scene.from_triangles(vertices, faces)`.
@@ -86,7 +84,7 @@ impl Scene {
         let options = OpenOptions {
             time,
             subdivide,
-            up: up.map(|up| choose("up", up, &UP)).transpose()?,
+            up: maybe_named("up", up)?,
             scale,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
@@ -235,12 +233,7 @@ impl Scene {
         backend: &str,
         smooth_edges: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let backends = [
-            ("auto", Backend::Auto),
-            ("raster", Backend::Raster),
-            ("ray", Backend::Ray),
-        ];
-        let backend = choose("backend", backend, &backends)?;
+        let backend: Backend = named("backend", backend)?;
         let asked = match annotators {
             Some(names) => names
                 .iter()
@@ -365,7 +358,7 @@ impl Scene {
     /// The up axis of the world, "y" or "z".
     #[getter]
     fn up(&self, py: Python<'_>) -> &'static str {
-        up_name(self.read(py).renderer.scene().up)
+        self.read(py).renderer.scene().up.name()
     }
 
     /// The number of rendered triangles, counting those of every instance.
@@ -401,14 +394,7 @@ impl Scene {
             scene.instances.len(),
             self.triangle_count(py),
             scene.lights.len(),
-            up_name(scene.up)
+            scene.up.name()
         )
-    }
-}
-
-fn up_name(up: Up) -> &'static str {
-    match up {
-        Up::Y => "y",
-        Up::Z => "z",
     }
 }

@@ -7,12 +7,12 @@ use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic::suggest;
 use oaktwin::render::Renderer;
-use oaktwin::scene::{self, Instance, Label, MaterialSpan};
+use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Origin, Scene, UP, up_name};
-use crate::choice::choose;
+use super::{Origin, Scene};
+use crate::choice::named;
 use crate::error::wrong;
 use crate::mesh::Mesh;
 use crate::pose::{one_pose, rows};
@@ -122,7 +122,7 @@ impl Parts {
     /// Returns the scene, and the pose of each part.
     fn scene(&self, up: &str) -> PyResult<(scene::Scene, Vec<RigidTransform>)> {
         let mut scene = scene::Scene {
-            up: choose("up", up, &UP)?,
+            up: named("up", up)?,
             ..scene::Scene::default()
         };
         let mut paths = BTreeMap::new();
@@ -233,18 +233,18 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
     let own = py.get_type::<Scene>();
     let (options, poses) = (PyDict::new(py), PyDict::new(py));
     let stage = scene.read(py);
-    let named = |make: &str, options| partial.call((own.getattr(make)?,), Some(options));
+    let call = |make: &str, options| partial.call((own.getattr(make)?,), Some(options));
     match &scene.origin {
         Origin::File { path, options: opened } => {
             options.set_item("time", opened.time)?;
             options.set_item("subdivide", opened.subdivide)?;
-            options.set_item("up", opened.up.map(up_name))?;
+            options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;
             for part in stage.moved.iter().filter_map(|index| stage.parts.get(*index)) {
                 poses.set_item(&part.path, rows(py, &part.pose)?)?;
             }
             let state = (!poses.is_empty()).then_some(poses);
-            Ok((named("open", &options)?, PyTuple::new(py, [path])?, state))
+            Ok((call("open", &options)?, PyTuple::new(py, [path])?, state))
         }
         Origin::Meshes(meshes) => {
             let (labels, all) = (PyDict::new(py), PyDict::new(py));
@@ -258,8 +258,8 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             }
             options.set_item("poses", poses)?;
             options.set_item("labels", labels)?;
-            options.set_item("up", up_name(stage.renderer.scene().up))?;
-            Ok((named("from_meshes", &options)?, PyTuple::new(py, [all])?, None))
+            options.set_item("up", stage.renderer.scene().up.name())?;
+            Ok((call("from_meshes", &options)?, PyTuple::new(py, [all])?, None))
         }
     }
 }
