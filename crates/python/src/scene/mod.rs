@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::RwLock;
 
+use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
@@ -18,6 +19,7 @@ use pyo3::types::PyDict;
 
 use self::annotators::{check_memory, scene_annotator};
 use self::parts::{Parts, Stage, items};
+use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
 use crate::device::Device;
@@ -26,7 +28,8 @@ use crate::finding::{self, Finding};
 use crate::frames::Frames;
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
-use crate::pose::{one_pose, poses, rows};
+use crate::pose::{matrix, one_pose, poses, rows};
+use crate::settings::whole_number;
 use crate::threads;
 
 /// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
@@ -229,13 +232,13 @@ impl Scene {
         py: Python<'py>,
         camera: &Camera,
         world_from_camera: &Bound<'py, PyAny>,
-        annotators: Option<Vec<String>>,
+        annotators: Option<Annotators>,
         backend: &str,
         smooth_edges: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let backend: Backend = named("backend", backend)?;
         let asked = match annotators {
-            Some(names) => names
+            Some(Annotators(names)) => names
                 .iter()
                 .map(|name| scene_annotator(name))
                 .collect::<PyResult<_>>()?,
@@ -286,32 +289,33 @@ impl Scene {
     ///
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
-    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
-        device_seed = None, frame = 0))]
+    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
+        device_seed = None, frame = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
         &self,
         py: Python<'py>,
         device: &Device,
         world_from_body: &Bound<'py, PyAny>,
-        size: Option<(u32, u32)>,
+        size: Option<Size>,
         projector: f64,
         ambient: f64,
         imager: Option<&Bound<'py, PyAny>>,
-        seed: u64,
+        seed: Option<&Bound<'py, PyAny>>,
         device_seed: Option<u64>,
-        frame: u64,
+        frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = PairSettings {
-            size,
+            size: size.map(|Size(width, height)| (width, height)),
             projector,
             ambient,
             imager,
-            seed,
+            seed: seed.map_or(Ok(0), |seed| whole_number("seed", seed))?,
             device_seed,
         };
         let options = settings.options(device)?;
         let world_from_body = one_pose("world_from_body", world_from_body)?;
+        let frame = frame.map_or(0, |frame| frame.0);
         py.check_signals()?;
         let stage = self.read(py);
         let renderer = &stage.renderer;
@@ -375,9 +379,10 @@ impl Scene {
 
     /// The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty.
     #[getter]
-    fn bounds(&self, py: Python<'_>) -> Option<[[f64; 3]; 2]> {
-        let bounds = self.read(py).renderer.scene().bounds()?;
-        Some([bounds.min.to_array(), bounds.max.to_array()])
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let bounds = self.read(py).renderer.scene().bounds();
+        let bounds = bounds.map(|bounds| matrix(py, &[bounds.min.to_array(), bounds.max.to_array()]));
+        bounds.transpose()
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {
