@@ -11,7 +11,7 @@ pub(crate) fn run() -> Result<(), String> {
         command
     };
     workspace::check(example("oaktwin-catalog", "schema").arg(&folder))?;
-    workspace::check(&mut example("oaktwin-depth", "reference"))?;
+    workspace::check(&mut example("oaktwin-pipeline", "reference"))?;
     println!("wrote {} and the reference of the parameters", folder.display());
     Ok(())
 }

@@ -1,17 +1,21 @@
+use oaktwin_parameter::choice;
+
 use crate::{ImageSize, Intrinsics, OpenCv, PixelPoint, Usd};
 
-/// The conversion of a principal point to the aperture offsets of a USD camera.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ApertureOffsets {
-    /// OpenUSD's sign: the offset moves the window, so `h = −(cx − W/2)·p` and `v = +(cy − H/2)·p`, with cx and cy
-    /// in the [`Usd`] convention. `GfCamera` projects with these.
-    #[default]
-    OpenUsd,
-    /// The formula of Luxonis' parameter sheet, `h = +(cx − W/2)·p` and `v = +(cy − H/2)·p`, with cx and cy in the
-    /// [`OpenCv`] convention of calibration files.
-    Document,
-    /// No offsets.
-    Zero,
+choice! {
+    /// The conversion of a principal point to the aperture offsets of a USD camera.
+    ///
+    /// With OpenUSD's sign, the offset moves the window, so `h = −(cx − W/2)·p` and `v = +(cy − H/2)·p`, with cx and cy in the
+    /// [`Usd`] convention; `GfCamera` projects with these. The formula of Luxonis' parameter sheet is `h = +(cx − W/2)·p` and
+    /// `v = +(cy − H/2)·p`, with cx and cy in the [`OpenCv`] convention of calibration files.
+    ApertureOffsets {
+        /// OpenUSD's sign convention.
+        OpenUsd = "openusd" | "usd",
+        /// The parameter sheet's formula.
+        Document = "document",
+        /// No offsets.
+        Zero = "zero",
+    }
 }
 
 /// The optical attributes of a `UsdGeomCamera` in millimetres, as in camera vendors' assets for Isaac Sim. The projection

@@ -1,6 +1,7 @@
 //! Stereo rectification after Bouguet, as `cv2.stereoRectify` computes it.
 
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use oaktwin_parameter::choice;
 
 use crate::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvLens, OpenCvPinhole, PixelPoint, RigidTransform,
@@ -15,17 +16,17 @@ pub enum BaselineAxis {
     Vertical,
 }
 
-/// The intrinsics of the rectified images.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum RectifiedIntrinsics {
-    /// `cv2.stereoRectify` with `CALIB_ZERO_DISPARITY`, its default: the mean focal length perpendicular to the baseline, and
-    /// a common principal point that centres the undistorted corners.
-    #[default]
-    ZeroDisparity,
-    /// `cv2.stereoRectify` without that flag: principal points that differ along the baseline.
-    FreeDisparity,
-    /// Those of the left camera, for both: `DepthAI`'s host-side rectification and RVC4 devices.
-    LeftCamera,
+choice! {
+    /// The intrinsics of the rectified images.
+    RectifiedIntrinsics {
+        /// `cv2.stereoRectify` with `CALIB_ZERO_DISPARITY`, its default: the mean focal length perpendicular to the baseline,
+        /// and a common principal point that centres the undistorted corners.
+        ZeroDisparity = "zero-disparity",
+        /// `cv2.stereoRectify` without that flag: principal points that differ along the baseline.
+        FreeDisparity = "free-disparity",
+        /// Those of the left camera, for both: `DepthAI`'s host-side rectification and RVC4 devices.
+        LeftCamera = "left-camera",
+    }
 }
 
 /// The rectification of a pair, which aligns rows (or columns). Rectified images have no distortion.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use oaktwin_camera::ImageSize;
+use oaktwin_parameter::Choice;
 use oaktwin_parameter::nvidia::Attributes;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -148,6 +149,22 @@ impl Role {
     }
 }
 
+impl Choice for Role {
+    const VARIANTS: &'static [Self] = &[Self::Rgb, Self::Left, Self::Right, Self::Tof];
+    const NAMES: &'static [&'static str] = &[
+        Self::Rgb.as_str(),
+        Self::Left.as_str(),
+        Self::Right.as_str(),
+        Self::Tof.as_str(),
+    ];
+    const ABOUT: &'static [&'static str] = &[
+        "The colour camera.",
+        "The left camera of the stereo pair.",
+        "The right camera of the stereo pair.",
+        "The time-of-flight camera.",
+    ];
+}
+
 impl fmt::Display for Role {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.as_str())
@@ -234,6 +251,12 @@ impl DepthKind {
             Self::Tof => "tof",
         }
     }
+}
+
+impl Choice for DepthKind {
+    const VARIANTS: &'static [Self] = &[Self::Stereo, Self::Tof];
+    const NAMES: &'static [&'static str] = &[Self::Stereo.as_str(), Self::Tof.as_str()];
+    const ABOUT: &'static [&'static str] = &["The stereo pair.", "Time of flight."];
 }
 
 impl fmt::Display for DepthKind {

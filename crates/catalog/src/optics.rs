@@ -1,15 +1,16 @@
 use oaktwin_camera::Camera as Optics;
+use oaktwin_parameter::choice;
 
 use crate::{Origin, Twin, TwinCamera};
 
-/// The lens to use for cameras that have a nominal fisheye lens.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LensChoice {
-    /// The pinhole of the parameter sheet.
-    #[default]
-    Pinhole,
-    /// The [nominal fisheye](TwinCamera::nominal_fisheye) of the wide models, which covers their full field of view.
-    Fisheye,
+choice! {
+    /// The lens to use for cameras that have a [nominal fisheye lens](TwinCamera::nominal_fisheye).
+    LensChoice {
+        /// The pinhole of the parameter sheet.
+        Pinhole = "pinhole",
+        /// The nominal fisheye of the wide models, which covers their full field of view.
+        Fisheye = "fisheye",
+    }
 }
 
 impl Twin {

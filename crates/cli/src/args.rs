@@ -17,24 +17,24 @@ mod unit;
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap::{Args, Parser, Subcommand, ValueHint};
+use oaktwin::depth::parameters::choice;
 use oaktwin::depth::preset::Platform;
-use oaktwin::usd::asset::IsaacVersion;
 
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use asset::AssetArgs;
 pub(crate) use calibration::{
-    CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs, ExportFormat,
+    CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
 };
 pub(crate) use fit::{Also, FitArgs};
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use render::RenderArgs;
 pub(crate) use sense::SenseArgs;
-pub(crate) use sensor::{SensorArgs, SettingsArgs};
+pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use stereo::StereoArgs;
 pub(crate) use threads::ThreadArgs;
-pub(crate) use unit::{Lens, MeasuredUnitArgs, UnitArgs};
+pub(crate) use unit::{MeasuredUnitArgs, UnitArgs};
 
 /// Digital twins of Luxonis OAK depth cameras.
 #[derive(Parser, Debug)]
@@ -128,7 +128,7 @@ pub(crate) struct ParamsArgs {
     pub(crate) group: Option<String>,
 
     /// Platform of the defaults [default: the model's, or rvc2]
-    #[arg(long, ignore_case = true, value_parser = choice::parser::<Platform>())]
+    #[arg(long, value_parser = choice::parser::<Platform>())]
     pub(crate) platform: Option<Platform>,
 
     /// Model of the defaults
@@ -146,7 +146,7 @@ pub(crate) struct CompareArgs {
     pub(crate) models: Vec<String>,
 
     /// Output format
-    #[arg(long, value_enum, default_value_t = TableFormat::Text)]
+    #[arg(long, value_parser = choice::parser::<TableFormat>(), default_value_t)]
     pub(crate) format: TableFormat,
 }
 
@@ -178,26 +178,14 @@ pub(crate) struct ManArgs {
     pub(crate) command: Vec<String>,
 }
 
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum TableFormat {
-    Text,
-    Markdown,
-    Json,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Isaac {
-    #[value(name = "5.1")]
-    V5_1,
-    #[value(name = "6")]
-    V6,
-}
-
-impl From<Isaac> for IsaacVersion {
-    fn from(isaac: Isaac) -> Self {
-        match isaac {
-            Isaac::V5_1 => Self::V5_1,
-            Isaac::V6 => Self::V6,
-        }
+choice! {
+    /// The format of comparison tables.
+    TableFormat {
+        /// Aligned columns.
+        Text = "text",
+        /// Markdown.
+        Markdown = "markdown",
+        /// JSON.
+        Json = "json",
     }
 }

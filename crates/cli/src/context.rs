@@ -65,7 +65,7 @@ impl Context {
             Some(path) => unit::open(&self.catalog, device, path, unit.force)?,
             None => (self.catalog.nominal(device), Vec::new()),
         };
-        render::check_lens(&twin, unit.lens.into())?;
+        render::check_lens(&twin, unit.lens)?;
         Ok((twin, findings))
     }
 }

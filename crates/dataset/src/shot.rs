@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use oaktwin_camera::RigidTransform;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
+use oaktwin_parameter::choice;
 
 use crate::CameraParams;
 
@@ -126,14 +127,14 @@ pub enum LayerData {
     },
 }
 
-/// The axes of a point cloud in a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CloudAxes {
-    /// `OpenCV`'s camera: x right, y down, z forward.
-    #[default]
-    Optical,
-    /// ROS's body, at the camera: x forward, y left, z up.
-    Ros,
+choice! {
+    /// The axes of a point cloud in a file.
+    CloudAxes {
+        /// `OpenCV`'s camera: x right, y down, z forward.
+        Optical = "optical",
+        /// ROS's body, at the camera: x forward, y left, z up.
+        Ros = "ros",
+    }
 }
 
 impl CloudAxes {

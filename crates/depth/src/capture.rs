@@ -10,9 +10,8 @@ pub struct Capture {
     /// Metres along the optical axis, 0 where nothing was measured. Filters that decimate make it smaller than the
     /// input: [`Chain::size`](crate::filter::Chain::size).
     pub distance: ZDepth,
-    /// Whether filters of depth changed the distance. Then [`Capture::extras`] have no points, because those would be the
-    /// unfiltered ones.
-    pub is_filtered: bool,
+    /// The distance before filters of depth, if some ran.
+    pub unfiltered: Option<ZDepth>,
     /// The requested outputs that the engine could make of the input.
     pub extras: Vec<(Annotator, Layer)>,
 }
@@ -33,6 +32,15 @@ pub enum Layer {
 }
 
 impl Capture {
+    /// Whether filters of depth changed the distance. Then [`Capture::extras`] have no points, because those would be the
+    /// unfiltered ones.
+    #[must_use]
+    pub fn is_filtered(&self) -> bool {
+        self.unfiltered
+            .as_ref()
+            .is_some_and(|unfiltered| *unfiltered != self.distance)
+    }
+
     /// Returns an extra output, or `None` if it was not made or has another type.
     #[must_use]
     pub fn extra<T>(&self, annotator: Annotator) -> Option<&T>
@@ -51,9 +59,9 @@ impl Capture {
 
     /// Brings the extra outputs to the size of the filtered distance.
     pub(crate) fn follow(&mut self, filters: &Chain) {
-        if self.is_filtered {
-            self.extras
-                .retain(|(_, layer)| !matches!(layer, Layer::Points(_)));
+        let is_points = |(_, layer): &(Annotator, Layer)| matches!(layer, Layer::Points(_));
+        if self.extras.iter().any(is_points) && self.is_filtered() {
+            self.extras.retain(|extra| !is_points(extra));
         }
         for (_, layer) in &mut self.extras {
             *layer = match std::mem::replace(layer, Layer::Bytes(Image::filled(0, 0, 0))) {

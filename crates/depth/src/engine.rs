@@ -106,19 +106,28 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         filters: &mut Chain,
     ) -> Result<Capture, ParameterError>;
 
-    /// Measures a batch `[count, height, width]` of depth images of one frame without colour and filters, in metres, or
-    /// returns `None` if the engine has no faster way than one image after another. Items count from `first_item`.
-    fn sense_batch(
-        &self,
-        _depth: &[f32],
-        _shape: [usize; 3],
-        _frame: u64,
-        _first_item: u32,
-        _random: &Stream,
-        _out: &mut [f32],
-    ) -> Option<Result<(), BatchError>> {
+    /// The faster way of measuring batches than one image after another, if the engine has one.
+    fn batches(&self) -> Option<&dyn BatchEngine> {
         None
     }
+}
+
+/// An engine that measures batches of small images faster than one after another.
+pub trait BatchEngine {
+    /// Measures a batch `[count, height, width]` of depth images of one frame as [`Engine::capture`] does without colour and
+    /// filters; items count from `first_item`. Metres in and out.
+    ///
+    /// # Errors
+    /// Returns an error if the length of `depth` or `out` does not match the shape.
+    fn sense_batch(
+        &self,
+        depth: &[f32],
+        shape: [usize; 3],
+        frame: u64,
+        first_item: u32,
+        random: &Stream,
+        out: &mut [f32],
+    ) -> Result<(), BatchError>;
 }
 
 impl dyn Engine {
@@ -253,10 +262,13 @@ fn wrong_input(engine: &EngineKind) -> ParameterError {
 impl Capture {
     /// Creates a capture of a distance image and its filtered version, if filters ran.
     pub(crate) fn new(unfiltered: ZDepth, filtered: Option<ZDepth>) -> Self {
-        let is_filtered = filtered.as_ref().is_some_and(|filtered| *filtered != unfiltered);
+        let (distance, unfiltered) = match filtered {
+            Some(filtered) => (filtered, Some(unfiltered)),
+            None => (unfiltered, None),
+        };
         Self {
-            distance: filtered.unwrap_or(unfiltered),
-            is_filtered,
+            distance,
+            unfiltered,
             extras: Vec::new(),
         }
     }

@@ -36,7 +36,7 @@ pub mod time_of_flight;
 mod turns;
 
 pub use capture::{Capture, FixedDisparity, Layer};
-pub use engine::{Comparable, Engine, EngineInput, EngineKind, Input, Technology};
+pub use engine::{BatchEngine, Comparable, Engine, EngineInput, EngineKind, Input, Technology};
 pub use error::{BatchError, ParameterError, ShotError};
 pub use sensor::{OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};

@@ -2,7 +2,7 @@
 
 use oaktwin_diagnostic::suggest;
 use oaktwin_parameter::Group;
-pub use oaktwin_parameter::{About, Choice, Kind, Listing, ParameterError, Platform, Source, choose};
+pub use oaktwin_parameter::{About, Choice, Kind, Listing, ParameterError, Platform, Source, choice, choose};
 
 use crate::{filter, imager, single_view, stereo_matching, stereo_noise, time_of_flight};
 

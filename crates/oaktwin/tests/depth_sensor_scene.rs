@@ -61,7 +61,6 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     let options = DepthSensorOptions {
         twin: None,
         sensor: &options,
-        isaac: None,
     };
     let (mut sensors, _) = depth_sensors(cameras, &options).unwrap();
     let shot = Shot::new((&truth().0).into());

@@ -4,6 +4,7 @@
 
 use oaktwin::accuracy::Bands;
 use oaktwin::catalog::{Catalog, DepthKind, Source};
+use oaktwin::depth::BatchEngine as _;
 use oaktwin::depth::random::Stream;
 use oaktwin::depth::stereo_noise::StereoNoise;
 use oaktwin::sensor::stereo_noise_parameters;

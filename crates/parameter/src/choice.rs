@@ -10,6 +10,8 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
     const NAMES: &'static [&'static str];
     /// One line about each of [`VARIANTS`](Self::VARIANTS), in the same order.
     const ABOUT: &'static [&'static str];
+    /// Other names that are accepted.
+    const ALIASES: &'static [(&'static str, Self)] = &[];
 
     /// The name of the variant.
     #[must_use]
@@ -22,8 +24,10 @@ pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
     #[must_use]
     fn find(name: &str) -> Option<Self> {
         let folded = fold_name(name);
-        let found = Self::NAMES.iter().position(|known| fold_name(known) == folded);
-        found.map(|index| Self::VARIANTS[index])
+        let names = Self::NAMES.iter().copied().zip(Self::VARIANTS.iter().copied());
+        let mut names = names.chain(Self::ALIASES.iter().copied());
+        let found = names.find(|(known, _)| fold_name(known) == folded);
+        found.map(|(_, variant)| variant)
     }
 }
 
@@ -38,7 +42,8 @@ pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> 
     })
 }
 
-/// Declares an enumeration whose variants have names; the first variant is the default.
+/// Declares an enumeration whose variants have names; the first variant is the default. A name may be followed by others that
+/// are also accepted: `Truncate = "truncate" | "floor"`.
 ///
 /// ```
 /// oaktwin_parameter::choice! {
@@ -55,7 +60,7 @@ pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> 
 /// ```
 #[macro_export]
 macro_rules! choice {
-    ($(#[$about:meta])* $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $text:literal,)+ }) => {
+    ($(#[$about:meta])* $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $text:literal $(| $alias:literal)*,)+ }) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name {
@@ -87,10 +92,17 @@ macro_rules! choice {
             }
         }
 
+        impl ::std::fmt::Display for $name {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                f.pad(self.name())
+            }
+        }
+
         impl $crate::Choice for $name {
             const VARIANTS: &'static [Self] = Self::ALL;
             const NAMES: &'static [&'static str] = &[$($text),+];
             const ABOUT: &'static [&'static str] = &[$(concat!($($doc),+)),+];
+            const ALIASES: &'static [(&'static str, Self)] = &[$($(($alias, Self::$variant),)*)+];
         }
     };
 }

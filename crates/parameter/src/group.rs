@@ -37,7 +37,7 @@ impl Serialize for Listing {
         if let Kind::Choice(names) = about.kind {
             map.serialize_entry("values", names)?;
         }
-        map.serialize_entry("platform", &about.platform.map(Platform::name))?;
+        map.serialize_entry("platform", &about.platform.map(Platform::title))?;
         map.serialize_entry("source", &about.source)?;
         map.serialize_entry("description", about.doc)?;
         map.end()

@@ -6,20 +6,19 @@ use oaktwin::accuracy::{
     AccuracyError, Bench, CAPTURES, MeasuredOptics, Options, REGION, measured, parse_distances,
 };
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::device::Device;
 use crate::error::{error, reading};
 use crate::finding;
 use crate::json;
-use crate::settings::Settings;
+use crate::settings::sensor_options;
 use crate::threads;
 
 /// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, captures = CAPTURES,
-    region = REGION, engine = None, preset = None, filters = Vec::new(), parameters = None, seed = 0,
-    device_seed = None, extended_disparity = false, isaac = "5.1", measured = None, measured_from = 0.0,
-    focal_px = None, width_px = None))]
+    region = REGION, measured = None, measured_from = 0.0, focal_px = None, width_px = None, **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
@@ -30,33 +29,15 @@ pub(crate) fn accuracy<'py>(
     devices: Option<u32>,
     captures: u32,
     region: f64,
-    engine: Option<&str>,
-    preset: Option<String>,
-    filters: Vec<String>,
-    parameters: Option<Bound<'py, PyAny>>,
-    seed: u64,
-    device_seed: Option<u64>,
-    extended_disparity: bool,
-    isaac: &str,
     measured: Option<PathBuf>,
     measured_from: f64,
     focal_px: Option<f64>,
     width_px: Option<u32>,
+    options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let settings = Settings {
-        engine,
-        preset,
-        filters,
-        parameters,
-        extended_disparity,
-        isaac,
-        seed,
-        device_seed,
-        name: None,
-    };
     let options = Options {
         sensor,
-        engine: settings.options()?,
+        engine: sensor_options("accuracy", options, |_| true)?,
         distances_m: distances.map(Distances::metres).transpose()?,
         devices,
         captures,

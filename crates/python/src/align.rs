@@ -1,28 +1,14 @@
 use oaktwin::camera::ImageSize;
-use oaktwin::catalog::Role;
-use oaktwin::depth::align::{Align, Fill};
+use oaktwin::depth::align::Align;
 use oaktwin::image::ImageView;
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::named;
 use crate::error::{error, wrong};
 use crate::images::{Depth, Out, Shape};
 use crate::pose::one_pose;
 use crate::threads;
-
-pub(crate) fn role(name: &str) -> PyResult<Role> {
-    let all = [Role::Rgb, Role::Left, Role::Right, Role::Tof].map(|role| (role.as_str(), role));
-    choose("camera", name, &all)
-}
-
-pub(crate) fn fill(name: &str) -> PyResult<Fill> {
-    choose(
-        "fill",
-        name,
-        &[("footprint", Fill::Footprint), ("nearest", Fill::Nearest)],
-    )
-}
 
 /// Aligns depth images to another camera.
 pub(crate) fn aligned<'py>(
@@ -88,7 +74,7 @@ pub(crate) fn align<'py>(
         source.camera,
         target.camera,
         target_from_source,
-        self::fill(fill)?,
+        named("fill", fill)?,
     );
     aligned(py, &align, &depth, shape, out)
 }

@@ -1,17 +1,15 @@
 use std::fs;
 use std::path::Path;
 
-use oaktwin::camera::ApertureOffsets;
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files;
-use oaktwin::usd::asset::{self, AssetOptions, Format, LensChoice, OverrideBase, Target};
+use oaktwin::usd::asset::{self, AssetOptions, Format, LensChoice, OverrideBase};
 use oaktwin::usd::stage;
 use pyo3::PyResult;
 
-use crate::choice::choose;
+use crate::choice::named;
 use crate::error::{error, reading, wrong};
-use crate::settings::ISAAC;
 
 /// The asset options of Python.
 pub(crate) struct AssetSettings<'a> {
@@ -26,17 +24,11 @@ pub(crate) struct AssetSettings<'a> {
 
 impl AssetSettings<'_> {
     pub(crate) fn options(&self, lens: LensChoice) -> PyResult<AssetOptions> {
-        let targets = [("isaac", Target::Isaac), ("ovrtx", Target::Ovrtx)];
-        let offsets = [
-            ("usd", ApertureOffsets::OpenUsd),
-            ("document", ApertureOffsets::Document),
-            ("zero", ApertureOffsets::Zero),
-        ];
         Ok(AssetOptions {
-            isaac: choose("isaac", self.isaac, &ISAAC)?,
-            target: choose("target", self.target, &targets)?,
+            isaac: named("isaac", self.isaac)?,
+            target: named("target", self.target)?,
             lens,
-            aperture_offsets: choose("aperture_offsets", self.aperture_offsets, &offsets)?,
+            aperture_offsets: named("aperture_offsets", self.aperture_offsets)?,
             extended_disparity: self.extended_disparity,
             legacy_distortion: self.legacy_distortion,
             rigid_body: self.rigid_body,
@@ -48,13 +40,11 @@ impl AssetSettings<'_> {
 /// The format of the file name extension.
 pub(crate) fn format(path: &Path) -> PyResult<Format> {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
-    let all = [Format::Usda, Format::Usd, Format::Usdz];
-    all.into_iter()
-        .find(|format| format.extension() == extension)
-        .ok_or_else(|| {
-            let is = format!(".{extension} is not a USD format");
-            wrong(path.display(), is, "use .usda, .usd or .usdz")
-        })
+    let mut all = Format::ALL.iter().copied();
+    all.find(|format| format.extension() == extension).ok_or_else(|| {
+        let is = format!(".{extension} is not a USD format");
+        wrong(path.display(), is, "use .usda, .usd or .usdz")
+    })
 }
 
 /// The overrides layer at `path` for an existing asset.

@@ -6,7 +6,7 @@ use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
 use oaktwin::catalog::{self, Catalog, DepthKind, Origin, Role, Twin};
-use oaktwin::diagnostic::{self, nearest};
+use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
 use oaktwin::sensor::depth_sensor;
@@ -17,16 +17,13 @@ use pyo3::types::PyDict;
 
 use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::{maybe_named, named};
 use crate::error::{error, reading, writing, wrong};
 use crate::export::export;
 use crate::finding::{self, Finding};
 use crate::json;
 use crate::pose::rows;
 use crate::rectification::Rectification;
-use crate::settings::kind;
-
-const LENSES: [(&str, LensChoice); 2] = [("pinhole", LensChoice::Pinhole), ("fisheye", LensChoice::Fisheye)];
 
 /// Returns the names of all models for `Device`.
 ///
@@ -129,7 +126,7 @@ impl Device {
         calibration: Option<Calibrated>,
         findings: Vec<diagnostic::Finding>,
     ) -> PyResult<Self> {
-        let lens = choose("lens", lens, &LENSES)?;
+        let lens = named("lens", lens)?;
         check_lens(&twin, lens).map_err(error)?;
         Ok(Self {
             twin: Arc::new(twin),
@@ -191,15 +188,14 @@ impl Device {
         for camera in &twin.cameras {
             all.push((camera.spec.role.as_str(), camera.body_from_camera));
         }
-        let names = || all.iter().map(|(name, _)| *name);
         let found = all.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
         found.map(|(_, pose)| *pose).ok_or_else(|| {
-            let is = format!("there is no `{name}`");
-            let remedy = match nearest(name, names())[..] {
-                [] => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
-                [near, ..] => format!("did you mean {near}?"),
-            };
-            wrong(&twin.device.name, is, remedy)
+            let remedy = suggest(name, all.iter().map(|(name, _)| *name));
+            wrong(
+                &twin.device.name,
+                format_args!("unknown camera or part '{name}'"),
+                remedy,
+            )
         })
     }
 
@@ -253,12 +249,10 @@ impl Device {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let lens = LENSES.iter().find(|(_, known)| *known == self.lens);
-        let lens = lens.map_or("pinhole", |(name, _)| *name);
         let calibration = self.calibration.as_ref();
         let calibration = calibration.map(|own| (&own.raw.name, own.raw.to_text(), own.force));
         let restore = py.import("oaktwin._oaktwin")?.getattr("_device")?;
-        let state = (self.name(), lens, self.models.folder(), calibration);
+        let state = (self.name(), self.lens.name(), self.models.folder(), calibration);
         Ok((restore, state).into_pyobject(py)?.into_any())
     }
 
@@ -296,7 +290,7 @@ impl Device {
     /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
     fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
-        let sensor = kind(sensor)?.map(DepthKind::as_str);
+        let sensor = maybe_named("sensor", sensor)?.map(DepthKind::as_str);
         let sensor = depth_sensor(&self.twin, sensor).map_err(error)?;
         self.placed(&sensor.spec.prim)
     }
@@ -349,7 +343,7 @@ impl Device {
     /// path: the file: .usd or .usda for text, .usdz for a package.
     /// isaac: the version of Isaac Sim, "5.1" or "6".
     /// target: "isaac", or "ovrtx" (experimental).
-    /// aperture_offsets: the representation of a calibrated principal point: "usd", "document" or "zero".
+    /// aperture_offsets: the representation of a calibrated principal point: "openusd", "document" or "zero".
     /// extended_disparity: whether the depth sensor uses the extended mode.
     /// legacy_distortion: whether to write the old distortion attributes too.
     /// rigid_body: whether to add mass and a collider.
@@ -358,7 +352,7 @@ impl Device {
     ///
     /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
     /// extension, OSError for files that cannot be written; incomplete files are removed.
-    #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "usd", extended_disparity = false,
+    #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "openusd", extended_disparity = false,
         legacy_distortion = false, rigid_body = false, body = true, over = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(clippy::fn_params_excessive_bools, reason = "options of Python")]

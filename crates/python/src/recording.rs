@@ -9,11 +9,10 @@ use oaktwin::recording::{
     CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError,
     Time,
 };
-use oaktwin::scene::Up;
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::named;
 use crate::error::{error, writing, wrong};
 use crate::finding;
 use crate::images::{Depth, DepthSlice, Pictures, Shape};
@@ -56,7 +55,7 @@ impl Recording {
     #[new]
     #[pyo3(signature = (path, *, up = "z"))]
     fn new(py: Python<'_>, path: PathBuf, up: &str) -> PyResult<Self> {
-        let up = choose("up", up, &[("y", Up::Y), ("z", Up::Z)])?;
+        let up = named("up", up)?;
         let format = Format::of(&path).map_err(error)?;
         let file = py
             .detach(|| RecordingFile::create(&path, up))

@@ -5,16 +5,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::{choose, named};
 use crate::error::wrong;
 use crate::pose::matrix;
 use crate::threads;
-
-const INTRINSICS: [(&str, RectifiedIntrinsics); 3] = [
-    ("zero-disparity", RectifiedIntrinsics::ZeroDisparity),
-    ("free-disparity", RectifiedIntrinsics::FreeDisparity),
-    ("left-camera", RectifiedIntrinsics::LeftCamera),
-];
 
 /// The rectification of a stereo pair: the matrices of cv2.stereoRectify, and the maps for cv2.remap.
 ///
@@ -34,18 +28,17 @@ pub(crate) struct Rectification {
 
 impl Rectification {
     pub(crate) fn of(left: Camera, right: Camera, intrinsics: &str) -> PyResult<Self> {
-        let choice = choose("intrinsics", intrinsics, &INTRINSICS)?;
+        let choice: RectifiedIntrinsics = named("intrinsics", intrinsics)?;
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectification = stereo_rectify_to(&left.camera, &right.camera, &right_from_left, choice);
         let rectification = rectification.map_err(|error| {
             let pair = format!("{}, {}", left.name, right.name);
             wrong(pair, error, "calibrate the stereo pair again")
         })?;
-        let name = INTRINSICS.iter().find(|(_, known)| *known == choice);
         Ok(Self {
             left,
             right,
-            intrinsics: name.map_or("zero-disparity", |(name, _)| *name),
+            intrinsics: choice.name(),
             rectification,
         })
     }

@@ -16,7 +16,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::array::triples;
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::error::{error, reading, wrong};
 use crate::finding::{self, Finding};
@@ -24,8 +24,6 @@ use crate::frames::Frames;
 use crate::pair::{self, PairSettings};
 use crate::pose::{one_pose, poses, rows};
 use crate::threads;
-
-const UP: [(&str, Up); 2] = [("y", Up::Y), ("z", Up::Z)];
 
 /// A scene to render on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
 ///
@@ -80,7 +78,7 @@ impl Scene {
         let options = OpenOptions {
             time,
             subdivide,
-            up: up.map(|up| choose("up", up, &UP)).transpose()?,
+            up: maybe_named("up", up)?,
             scale,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
@@ -113,7 +111,7 @@ impl Scene {
         up: &str,
         label: Option<String>,
     ) -> PyResult<Self> {
-        let up = choose("up", up, &UP)?;
+        let up = named("up", up)?;
         let positions = triples::<f32>("vertices", vertices, "float32")?;
         let faces = triples::<i64>("faces", faces, "int64")?;
         if positions.as_flattened().iter().any(|number| !number.is_finite()) {
@@ -191,12 +189,7 @@ impl Scene {
         backend: &str,
         smooth_edges: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let backends = [
-            ("auto", Backend::Auto),
-            ("raster", Backend::Raster),
-            ("ray", Backend::Ray),
-        ];
-        let backend = choose("backend", backend, &backends)?;
+        let backend: Backend = named("backend", backend)?;
         let asked = match annotators {
             Some(names) => names
                 .iter()
@@ -311,7 +304,7 @@ impl Scene {
             } => {
                 options.set_item("time", opened.time)?;
                 options.set_item("subdivide", opened.subdivide)?;
-                options.set_item("up", opened.up.map(up_name))?;
+                options.set_item("up", opened.up.map(Up::name))?;
                 options.set_item("scale", opened.scale)?;
                 let open = partial.call((own.getattr("open")?,), Some(&options))?;
                 Ok((open, PyTuple::new(py, [path])?))
@@ -325,7 +318,7 @@ impl Scene {
                 let (positions, triangles) =
                     mesh.ok_or_else(|| wrong("scene", "contains no mesh", "create it again"))?;
                 let labels = scene.instances.iter().flat_map(|instance| &instance.labels);
-                options.set_item("up", up_name(scene.up))?;
+                options.set_item("up", scene.up.name())?;
                 options.set_item("label", labels.map(|label| &label.name).next())?;
                 let vertices = PyArray1::from_slice(py, positions.as_flattened());
                 let faces = PyArray1::from_slice(py, triangles.as_flattened());
@@ -348,7 +341,7 @@ impl Scene {
     /// The up axis of the world, "y" or "z".
     #[getter]
     fn up(&self) -> &'static str {
-        up_name(self.renderer.scene().up)
+        self.renderer.scene().up.name()
     }
 
     /// The number of rendered triangles, counting those of every instance.
@@ -384,13 +377,6 @@ impl Scene {
             scene.lights.len(),
             self.up()
         )
-    }
-}
-
-fn up_name(up: Up) -> &'static str {
-    match up {
-        Up::Y => "y",
-        Up::Z => "z",
     }
 }
 

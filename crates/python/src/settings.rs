@@ -1,55 +1,149 @@
-//! Conversion of Python arguments to sensor options.
+//! The options of a depth sensor as keyword arguments.
 
-use oaktwin::catalog::DepthKind;
-use oaktwin::sensor::{ENGINES, SensorOptions};
-use oaktwin::usd::asset::IsaacVersion;
+use std::path::PathBuf;
+
+use oaktwin::diagnostic::suggest;
+use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyBool;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
 
-use crate::choice::choose;
-use crate::error::wrong;
+use crate::error::{error, reading, wrong};
 
-pub(crate) const ISAAC: [(&str, IsaacVersion); 2] = [("5.1", IsaacVersion::V5_1), ("6", IsaacVersion::V6)];
-
-/// Returns the value of `isaac=` for a version.
-pub(crate) fn isaac_name(isaac: IsaacVersion) -> &'static str {
-    let found = ISAAC.iter().find(|(_, version)| *version == isaac);
-    found.map_or("5.1", |(name, _)| *name)
+/// Reads options from the keyword arguments of a function.
+pub(crate) fn sensor_options(
+    function: &str,
+    keywords: Option<&Bound<'_, PyDict>>,
+    is_offered: fn(&SensorOption) -> bool,
+) -> PyResult<SensorOptions> {
+    let mut options = SensorOptions::default();
+    let Some(keywords) = keywords else {
+        return Ok(options);
+    };
+    let offered = || SENSOR_OPTIONS.iter().filter(|option| is_offered(option));
+    for name in keywords.keys() {
+        let name: String = name.extract()?;
+        if !offered().any(|option| option.name == name) {
+            let remedy = suggest(&name, offered().map(|option| option.name));
+            let text = format!("{function}() got an unexpected keyword argument '{name}'; {remedy}");
+            return Err(PyTypeError::new_err(text));
+        }
+    }
+    for option in offered() {
+        let Some(value) = keywords.get_item(option.name)?.filter(|value| !value.is_none()) else {
+            continue;
+        };
+        for text in texts(option, &value)? {
+            (option.set)(&mut options, &text).map_err(|found| match option.value {
+                OptionValue::File => reading(&PathBuf::from(&text), &found),
+                _ => error(found),
+            })?;
+        }
+    }
+    Ok(options)
 }
 
-/// The options of a depth sensor.
-pub(crate) struct Settings<'py> {
-    pub(crate) engine: Option<&'py str>,
-    pub(crate) preset: Option<String>,
-    pub(crate) filters: Vec<String>,
-    pub(crate) parameters: Option<Bound<'py, PyAny>>,
-    pub(crate) extended_disparity: bool,
-    pub(crate) isaac: &'py str,
-    pub(crate) seed: u64,
-    pub(crate) device_seed: Option<u64>,
-    pub(crate) name: Option<String>,
+/// Returns the keyword arguments that give these options.
+pub(crate) fn keywords<'py>(
+    py: Python<'py>,
+    options: &SensorOptions,
+    is_offered: fn(&SensorOption) -> bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let keywords = PyDict::new(py);
+    for option in SENSOR_OPTIONS.iter().filter(|option| is_offered(option)) {
+        let values = (option.get)(options);
+        let Some(first) = values.first() else {
+            continue;
+        };
+        match option.value {
+            OptionValue::Flag => keywords.set_item(option.name, true)?,
+            OptionValue::Number => keywords.set_item(option.name, first.parse::<u64>()?)?,
+            OptionValue::Text(..) | OptionValue::File | OptionValue::Choice(..) => {
+                keywords.set_item(option.name, first)?;
+            }
+            OptionValue::List(_) => keywords.set_item(option.name, values)?,
+            OptionValue::Assignments => {
+                let mapping = PyDict::new(py);
+                for text in &values {
+                    let (name, value) = assignment(text).map_err(error)?;
+                    mapping.set_item(name, value)?;
+                }
+                keywords.set_item(option.name, mapping)?;
+            }
+        }
+    }
+    Ok(keywords)
 }
 
-impl Settings<'_> {
-    pub(crate) fn options(self) -> PyResult<SensorOptions> {
-        Ok(SensorOptions {
-            engine: self
-                .engine
-                .map(|name| choose("engine", name, &ENGINES.map(|kind| (kind.name, kind))))
-                .transpose()?,
-            preset: self.preset,
-            filters: self.filters,
-            parameters: match &self.parameters {
-                Some(parameters) => assignments("parameters", parameters)?,
-                None => Vec::new(),
-            },
-            extended_disparity: self.extended_disparity,
-            isaac: choose("isaac", self.isaac, &ISAAC)?,
-            image: None,
-            name: self.name,
-            seed: self.seed,
-            device_seed: self.device_seed,
-        })
+/// Returns the values of an option as texts.
+fn texts(option: &SensorOption, value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    let name = option.name;
+    match option.value {
+        OptionValue::Flag => {
+            let is_set: bool = value
+                .extract()
+                .map_err(|_| mistyped(name, value, "True or False"))?;
+            Ok(is_set.then(|| "true".to_owned()).into_iter().collect())
+        }
+        OptionValue::Number => whole_number(name, value).map(|number| vec![number.to_string()]),
+        OptionValue::Choice(..) if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() => {
+            Ok(vec![value.str()?.to_string()])
+        }
+        OptionValue::Text(..) | OptionValue::Choice(..) => {
+            let text = value.extract().map_err(|_| mistyped(name, value, "a string"))?;
+            Ok(vec![text])
+        }
+        OptionValue::File => {
+            let path: PathBuf = value.extract().map_err(|_| mistyped(name, value, "a path"))?;
+            let text = path
+                .to_str()
+                .ok_or_else(|| mistyped(name, value, "a path in Unicode"))?;
+            Ok(vec![text.to_owned()])
+        }
+        OptionValue::List(_) => strings(name, value),
+        OptionValue::Assignments => {
+            let all = assignments(name, value)?.into_iter();
+            Ok(all.map(|(name, value)| format!("{name}={value}")).collect())
+        }
+    }
+}
+
+/// Returns a list of strings. A single string is rejected, since it is a sequence of strings too.
+pub(crate) fn strings(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    if let Ok(text) = value.cast::<PyString>() {
+        let is = format!("must be a list of strings (got {})", text.repr()?);
+        return Err(wrong(argument, is, format_args!("write [{}]", text.repr()?)));
+    }
+    let all = value
+        .try_iter()
+        .and_then(|all| all.map(|one| one?.extract()).collect());
+    all.map_err(|_| mistyped(argument, value, "a list of strings"))
+}
+
+/// Returns a whole number from 0 to 2⁶⁴ − 1.
+pub(crate) fn whole_number(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<u64> {
+    value
+        .extract()
+        .map_err(|_| mistyped(argument, value, "a whole number from 0 to 2**64 - 1"))
+}
+
+/// Returns an error for a value of the wrong type.
+pub(crate) fn mistyped(argument: &str, value: &Bound<'_, PyAny>, expected: &str) -> PyErr {
+    let got = value
+        .repr()
+        .map_or_else(|_| "an object".to_owned(), |repr| shortened(&repr.to_string()));
+    wrong(
+        argument,
+        format_args!("invalid value {got}"),
+        format_args!("pass {expected}"),
+    )
+}
+
+fn shortened(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default();
+    match line.char_indices().nth(60) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line.to_owned(),
     }
 }
 
@@ -57,7 +151,7 @@ impl Settings<'_> {
 pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
     let items = parameters
         .call_method0("items")
-        .map_err(|_| wrong(option, "is no mapping", "give a dictionary from names to values"))?;
+        .map_err(|_| mistyped(option, parameters, "a dictionary from names to values"))?;
     let assignment = |item: PyResult<Bound<'_, PyAny>>| {
         let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
         let text = value.str()?.to_string();
@@ -65,10 +159,4 @@ pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResu
         Ok((name, if is_flag { text.to_lowercase() } else { text }))
     };
     items.try_iter()?.map(assignment).collect()
-}
-
-/// Parses the kind of a device's depth sensor.
-pub(crate) fn kind(name: Option<&str>) -> PyResult<Option<DepthKind>> {
-    let all = [DepthKind::Stereo, DepthKind::Tof].map(|kind| (kind.as_str(), kind));
-    name.map(|name| choose("sensor", name, &all)).transpose()
 }

@@ -16,18 +16,21 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::camera::Camera;
-use crate::choice::choose;
+use crate::choice::maybe_named;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
-use crate::settings::Settings;
+use crate::settings::{keywords, sensor_options};
 use crate::threads;
-use source::{METHODS, Source};
+use source::Source;
 
-const PLATFORMS: [(&str, Platform); 2] = [("rvc2", Platform::Rvc2), ("rvc4", Platform::Rvc4)];
-
+#[doc = concat!(
+    "StereoMatcher(device=None, *, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, ",
+    include_str!("generated/matcher_options.signature"),
+    ")\n--\n"
+)]
 /// The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
 ///
 /// device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
@@ -40,10 +43,7 @@ const PLATFORMS: [(&str, Platform); 2] = [("rvc2", Platform::Rvc2), ("rvc4", Pla
 /// hfov_deg: alternatively their horizontal field of view, degrees.
 /// baseline: the distance between the cameras, metres.
 /// platform: the platform that determines defaults and presets, "rvc2" or "rvc4"; by default the device's, otherwise "rvc2".
-/// preset: the name of a DepthAI preset of the platform: "default", "face", "robotics", ...: sets the mode and the filters.
-/// filters: the filters as text, in order; they replace the preset's filters.
-/// parameters: a mapping of matcher parameters by name; overrides all other settings.
-/// extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
+#[doc = include_str!("generated/matcher_options.doc")]
 ///
 /// Raises oaktwin.Error for a device without a stereo pair or without calibrated extrinsics of the pair, and for an unknown
 /// or invalid preset, filter or parameter, with the nearest names.
@@ -168,11 +168,8 @@ impl StereoMatcher {
 impl StereoMatcher {
     #[new]
     #[pyo3(signature = (device = None, *, raw = None, rectify = None, fx = None, hfov_deg = None, baseline = None,
-        platform = None, preset = None, filters = Vec::new(), parameters = None, extended_disparity = false))]
-    #[pyo3(
-        text_signature = "(device=None, *, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, \
-        preset=None, filters=(), parameters=None, extended_disparity=False)"
-    )]
+        platform = None, **options))]
+    #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
@@ -183,23 +180,9 @@ impl StereoMatcher {
         hfov_deg: Option<f64>,
         baseline: Option<f64>,
         platform: Option<&str>,
-        preset: Option<String>,
-        filters: Vec<String>,
-        parameters: Option<Bound<'_, PyAny>>,
-        extended_disparity: bool,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let settings = Settings {
-            engine: None,
-            preset,
-            filters,
-            parameters,
-            extended_disparity,
-            isaac: "5.1",
-            seed: 0,
-            device_seed: None,
-            name: None,
-        };
-        let options = settings.options()?;
+        let options = sensor_options("StereoMatcher", options, |option| option.is_of_matcher)?;
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {
             Some(_) if of_any => {
@@ -217,9 +200,7 @@ impl StereoMatcher {
             }
             None => Source::rectified(fx, hfov_deg, baseline)?,
         };
-        let platform = platform
-            .map(|name| choose("platform", name, &PLATFORMS))
-            .transpose()?;
+        let platform = maybe_named("platform", platform)?;
         // Reports invalid settings immediately.
         let matcher = py.detach(|| source.matcher(platform, &options, source.first_size()));
         Ok(Self {
@@ -231,11 +212,7 @@ impl StereoMatcher {
     }
 
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<(Arguments<'_>, Bound<'py, PyDict>)> {
-        fn name<T: PartialEq>(all: &[(&'static str, T)], own: Option<&T>) -> Option<&'static str> {
-            let found = all.iter().find(|(_, known)| Some(known) == own);
-            found.map(|(name, _)| *name)
-        }
-        let (own, options) = (&self.options, PyDict::new(py));
+        let options = keywords(py, &self.options, |option| option.is_of_matcher)?;
         let device = match &self.source {
             Source::Device {
                 device,
@@ -243,7 +220,7 @@ impl StereoMatcher {
                 rectify,
             } => {
                 options.set_item("raw", is_raw)?;
-                options.set_item("rectify", name(&METHODS, rectify.as_ref()))?;
+                options.set_item("rectify", rectify.map(Method::name))?;
                 Some(device)
             }
             Source::Rectified {
@@ -259,11 +236,7 @@ impl StereoMatcher {
                 None
             }
         };
-        options.set_item("platform", name(&PLATFORMS, self.platform.as_ref()))?;
-        options.set_item("preset", &own.preset)?;
-        options.set_item("filters", &own.filters)?;
-        options.set_item("parameters", own.parameters.clone().into_py_dict(py)?)?;
-        options.set_item("extended_disparity", own.extended_disparity)?;
+        options.set_item("platform", self.platform.map(Platform::name))?;
         Ok(((device,), options))
     }
 

@@ -167,8 +167,8 @@ def test_what_cannot_be_aligned(device, room):
     with pytest.raises(oaktwin.Error, match="1280x800"):
         oaktwin.align(room[0], left, rgb)
     for text, arguments in {
-        "did you mean rgb": dict(to="rgbb"),
-        "fill: there is no": dict(fill="holes"),
+        "to: invalid value 'rgbb'; did you mean 'rgb'": dict(to="rgbb"),
+        "fill: invalid value": dict(fill="holes"),
         "no pixel": dict(size=(0, 3)),
         "tof": dict(to="tof"),
     }.items():
@@ -223,20 +223,20 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
 @pytest.mark.parametrize(
     "options, text",
     [
-        ({"engine": "steroe-noise"}, "engine: there is no `steroe-noise`; did you mean stereo-noise?"),
+        ({"engine": "steroe-noise"}, "engine: unknown engine 'steroe-noise'; did you mean 'stereo-noise'?"),
         ({"engine": "stereo-noise", "sensor": "tof"}, "has no depth sensor 'tof'; expected one of stereo"),
         ({"preset": "robotic"}, "did you mean 'ROBOTICS'"),
         ({"filters": ["medium"]}, "medium: unknown filter"),
-        ({"parameters": {"windw": 7}}, "windw: stereo-noise has no such parameter; did you mean window"),
+        ({"parameters": {"windw": 7}}, "windw: unknown parameter of stereo-noise; did you mean 'window"),
         ({"parameters": {"window": "wide"}}, "window"),
-        ({"parameters": {"noiseSigma": 1}}, "it is a parameter of single-view"),
-        ({"parameters": [1]}, "parameters: is no mapping"),
-        ({"isaac": "7"}, "isaac: there is no `7`"),
+        ({"parameters": {"noiseSigma": 1}}, "a parameter of single-view, not of stereo-noise"),
+        ({"parameters": [1]}, "parameters: invalid value [1]; pass a dictionary"),
+        ({"isaac": "7"}, "isaac: invalid value '7'"),
         ({"fx": -1}, "fx: must be a finite number > 0 (got -1)"),
         ({"fx": float("nan")}, "fx: must be a finite number > 0"),
         ({"hfov_deg": 180}, "hfov_deg: 180 is out of range"),
         ({"fx": 3, "hfov_deg": 4}, "give one"),
-        ({"sensor": "lidar"}, "sensor: there is no `lidar`"),
+        ({"sensor": "lidar"}, "sensor: invalid value 'lidar'"),
     ],
 )
 def test_what_is_no_sensor(device, options, text):
@@ -284,7 +284,9 @@ def test_bad_calls(device, room):
         (oaktwin.Error, "pass a separate array", lambda: sensor(depth, out=depth)),
         (OverflowError, "", lambda: sensor(depth, frame=-1)),
         (OverflowError, "", lambda: sensor(depth, frame=1 << 64)),
-        (OverflowError, "", lambda: oaktwin.DepthSensor(device, seed=-1)),
+        (oaktwin.Error, "seed: invalid value -1; pass a whole number", lambda: oaktwin.DepthSensor(device, seed=-1)),
+        (oaktwin.Error, "filters: must be a list", lambda: oaktwin.DepthSensor(device, filters="median")),
+        (TypeError, "did you mean 'seed'?", lambda: oaktwin.DepthSensor(device, sed=1)),
     ]:
         with pytest.raises(error) as raised:
             call()

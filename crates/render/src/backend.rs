@@ -1,17 +1,18 @@
 use oaktwin_camera::LensModel;
+use oaktwin_parameter::choice;
 
 use crate::View;
 
-/// The visibility backend.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Backend {
-    /// The rasterizer for ideal pinholes, the ray caster for other lenses.
-    #[default]
-    Auto,
-    /// The rasterizer; ideal pinholes only.
-    Raster,
-    /// The ray caster; every lens.
-    Ray,
+choice! {
+    /// The visibility backend.
+    Backend {
+        /// The rasterizer for ideal pinholes, the ray caster for other lenses.
+        Auto = "auto",
+        /// The rasterizer; ideal pinholes only.
+        Raster = "raster",
+        /// The ray caster; every lens.
+        Ray = "ray",
+    }
 }
 
 impl Backend {

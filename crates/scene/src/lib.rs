@@ -17,6 +17,7 @@ pub mod shape;
 mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_parameter::choice;
 
 pub use attribute::Attribute;
 pub use bounds::Bounds;
@@ -53,14 +54,14 @@ impl Default for MetersPerUnit {
     }
 }
 
-/// The up axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Up {
-    /// The y axis, as in glTF and as USD's default.
-    Y,
-    /// The z axis, as in Isaac Sim.
-    #[default]
-    Z,
+choice! {
+    /// The up axis.
+    Up {
+        /// The z axis, as in Isaac Sim.
+        Z = "z",
+        /// The y axis, as in glTF and as USD's default.
+        Y = "y",
+    }
 }
 
 impl Up {

@@ -14,6 +14,17 @@ pub(crate) struct I32([i32; 8]);
 #[derive(Clone, Copy)]
 pub(crate) struct F64([f64; 8]);
 
+#[inline(always)]
+fn select<T: Copy>(mask: I32, then: [T; 8], otherwise: [T; 8]) -> [T; 8] {
+    from_fn(|lane| {
+        if mask.0[lane] < 0 {
+            then[lane]
+        } else {
+            otherwise[lane]
+        }
+    })
+}
+
 macro_rules! operators {
     ($($vector:ident: $($operator:ident::$method:ident = $function:path),*;)*) => {$($(
         impl $operator for $vector {
@@ -127,13 +138,7 @@ impl Lanes for F32 {
     }
     #[inline(always)]
     fn select(mask: I32, then: Self, otherwise: Self) -> Self {
-        Self(from_fn(|lane| {
-            if mask.0[lane] < 0 {
-                then.0[lane]
-            } else {
-                otherwise.0[lane]
-            }
-        }))
+        Self(select(mask, then.0, otherwise.0))
     }
     #[inline(always)]
     fn reduce_min(self) -> f32 {
@@ -211,13 +216,7 @@ impl I32Lanes for I32 {
     }
     #[inline(always)]
     fn select(mask: Self, then: Self, otherwise: Self) -> Self {
-        Self(from_fn(|lane| {
-            if mask.0[lane] < 0 {
-                then.0[lane]
-            } else {
-                otherwise.0[lane]
-            }
-        }))
+        Self(select(mask, then.0, otherwise.0))
     }
     #[inline(always)]
     fn signs(self) -> u32 {

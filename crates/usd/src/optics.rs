@@ -4,6 +4,7 @@ use oaktwin_camera::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
 };
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_parameter::choice;
 
 use crate::lens::{self, Lens, MODEL};
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
@@ -12,15 +13,15 @@ use crate::stage::{Prim, RenderProduct, SceneCamera};
 /// The default image width, that of Isaac Sim's viewport.
 pub const DEFAULT_WIDTH: u32 = 1280;
 
-/// The conversion of apertures to intrinsics.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Projection {
-    /// Isaac Sim's: `fx = fy = W · focalLength / horizontalAperture`, centred; the vertical aperture and the aperture
-    /// offsets are ignored (RTX through Isaac Sim 6.0).
-    #[default]
-    Isaac,
-    /// OpenUSD's: each axis by its own aperture, with aperture offsets.
-    OpenUsd,
+choice! {
+    /// The conversion of apertures to intrinsics. Isaac Sim's (RTX through 6.0) is `fx = fy = W · focalLength /
+    /// horizontalAperture`, centred.
+    Projection {
+        /// Isaac Sim's: square pixels by the horizontal aperture, without aperture offsets.
+        Isaac = "isaac",
+        /// OpenUSD's: each axis by its own aperture, with aperture offsets.
+        OpenUsd = "openusd",
+    }
 }
 
 /// The reason why a camera prim has no intrinsics: `PRIM: what is wrong; what to do`.

@@ -10,20 +10,22 @@ mod simplify;
 mod text;
 
 use oaktwin_diagnostic::{Finding, Level, fold_name};
+use oaktwin_parameter::choice;
 
 use crate::{Calibration, CalibrationError, Raw, Socket, StereoPair};
 
-/// A format to export to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// `camera_info` YAML, one file per camera.
-    Ros,
-    /// OpenCV's `FileStorage` YAML: one file per camera, and `stereo.yml` with the keys of OpenCV's stereo sample.
-    OpenCv,
-    /// Kalibr's `camchain.yaml`.
-    Kalibr,
-    /// `DepthAI`'s JSON in the layout of its own writer.
-    DepthAi,
+choice! {
+    /// A format to export to.
+    Format {
+        /// ROS's `camera_info` YAML, one file per camera.
+        Ros = "ros",
+        /// OpenCV's `FileStorage` YAML, one file per camera, and `stereo.yml` with the keys of OpenCV's stereo sample.
+        OpenCv = "opencv",
+        /// Kalibr's `camchain.yaml`.
+        Kalibr = "kalibr",
+        /// `DepthAI`'s JSON in the layout of its own writer.
+        DepthAi = "depthai",
+    }
 }
 
 /// Files and their findings.

@@ -1,10 +1,11 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use oaktwin::camera::ApertureOffsets;
-use oaktwin::usd::asset;
+use oaktwin::usd::asset::{Format, IsaacVersion, Target};
 
-use super::{Isaac, UnitArgs};
+use super::UnitArgs;
+use super::choice::parser;
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
@@ -17,23 +18,23 @@ pub(crate) struct AssetArgs {
     pub(crate) output: PathBuf,
 
     /// File format [default: from the output's extension, else usd]
-    #[arg(long, value_enum)]
-    pub(crate) format: Option<AssetFormat>,
+    #[arg(long, value_parser = parser::<Format>())]
+    pub(crate) format: Option<Format>,
 
     /// Isaac Sim version to write for
-    #[arg(long, value_enum, default_value_t = Isaac::V5_1)]
-    pub(crate) isaac: Isaac,
+    #[arg(long, value_parser = parser::<IsaacVersion>(), default_value_t)]
+    pub(crate) isaac: IsaacVersion,
 
     /// Renderer to write for (ovrtx is experimental)
-    #[arg(long, value_enum, default_value_t = Target::Isaac)]
+    #[arg(long, value_parser = parser::<Target>(), default_value_t)]
     pub(crate) target: Target,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
     /// Convention of aperture offsets for a calibrated principal point
-    #[arg(long, value_enum, default_value_t = Offsets::Openusd)]
-    pub(crate) aperture_offsets: Offsets,
+    #[arg(long, value_parser = parser::<ApertureOffsets>(), default_value_t)]
+    pub(crate) aperture_offsets: ApertureOffsets,
 
     /// Use extended disparity: up to 191 px instead of 95, for nearer objects
     #[arg(long)]
@@ -58,60 +59,4 @@ pub(crate) struct AssetArgs {
     /// Print the written files and findings as JSON
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum AssetFormat {
-    /// Text
-    Usda,
-    /// Text with the extension that Isaac Sim's asset paths use
-    #[default]
-    Usd,
-    /// Package
-    Usdz,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
-    Isaac,
-    Ovrtx,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Offsets {
-    /// OpenUSD's sign convention
-    Openusd,
-    /// The parameter sheet's formula
-    Document,
-    /// No offsets
-    Zero,
-}
-
-impl From<AssetFormat> for asset::Format {
-    fn from(format: AssetFormat) -> Self {
-        match format {
-            AssetFormat::Usda => Self::Usda,
-            AssetFormat::Usd => Self::Usd,
-            AssetFormat::Usdz => Self::Usdz,
-        }
-    }
-}
-
-impl From<Target> for asset::Target {
-    fn from(target: Target) -> Self {
-        match target {
-            Target::Isaac => Self::Isaac,
-            Target::Ovrtx => Self::Ovrtx,
-        }
-    }
-}
-
-impl From<Offsets> for ApertureOffsets {
-    fn from(offsets: Offsets) -> Self {
-        match offsets {
-            Offsets::Openusd => Self::OpenUsd,
-            Offsets::Document => Self::Document,
-            Offsets::Zero => Self::Zero,
-        }
-    }
 }

@@ -1,6 +1,9 @@
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum, ValueHint};
+use clap::{Args, Subcommand, ValueHint};
+use oaktwin::calibration::export::Format;
+
+use super::choice::parser;
 
 #[derive(Args, Debug)]
 pub(crate) struct CalibrationArgs {
@@ -38,8 +41,8 @@ pub(crate) struct CalibrationExportArgs {
     pub(crate) from: String,
 
     /// Format: ROS camera info, OpenCV FileStorage, Kalibr camchain or DepthAI JSON
-    #[arg(long, value_enum)]
-    pub(crate) to: ExportFormat,
+    #[arg(long, value_parser = parser::<Format>())]
+    pub(crate) to: Format,
 
     /// Output file, or folder for formats with several files [default: standard output]
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
@@ -48,12 +51,4 @@ pub(crate) struct CalibrationExportArgs {
     /// Ignore calibration errors
     #[arg(long)]
     pub(crate) force: bool,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ExportFormat {
-    Ros,
-    Opencv,
-    Kalibr,
-    Depthai,
 }

@@ -1,11 +1,14 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use oaktwin::depth::parameters::Choice;
 
-/// A parser of the names of any enumeration; case does not matter.
+/// Returns a parser of the names of an enumeration.
 pub(crate) fn parser<C: Choice>() -> impl TypedValueParser<Value = C> {
-    let values = C::NAMES
-        .iter()
-        .zip(C::ABOUT)
-        .map(|(name, about)| PossibleValue::new(*name).help(about.trim().trim_end_matches('.')));
+    let values = C::VARIANTS.iter().zip(C::NAMES).zip(C::ABOUT);
+    let values = values.map(|((variant, name), about)| {
+        let others = C::ALIASES.iter().filter(|(_, own)| own == variant);
+        PossibleValue::new(*name)
+            .help(about.trim().trim_end_matches('.').replace('`', ""))
+            .aliases(others.map(|(alias, _)| *alias))
+    });
     PossibleValuesParser::new(values).try_map(|name| C::find(&name).ok_or("unknown name"))
 }

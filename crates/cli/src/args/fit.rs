@@ -1,7 +1,9 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
+use oaktwin::depth::parameters::choice;
 
+use super::choice::parser;
 use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
 
 #[derive(Args, Debug)]
@@ -42,7 +44,7 @@ pub(crate) struct FitArgs {
     pub(crate) sensor: Option<String>,
 
     /// Fit this too: the focal length, by which distances become disparities
-    #[arg(long, value_enum, value_name = "WHAT")]
+    #[arg(long, value_parser = parser::<Also>(), value_name = "WHAT")]
     pub(crate) fit: Vec<Also>,
 
     /// Errors count from this distance on, metres
@@ -85,8 +87,10 @@ pub(crate) struct FitArgs {
     pub(crate) json: bool,
 }
 
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Also {
-    /// The focal length
-    Focal,
+choice! {
+    /// A parameter of the optics that is also fitted.
+    Also {
+        /// The focal length.
+        Focal = "focal",
+    }
 }

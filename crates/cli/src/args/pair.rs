@@ -1,7 +1,7 @@
 use clap::Args;
 use oaktwin::depth::imager;
+use oaktwin::sensor::assignment;
 
-use super::sensor::assignment;
 use crate::context::Result;
 
 /// The stereo pair of stereo-matching.
@@ -17,7 +17,7 @@ pub(crate) struct PairArgs {
     pub(crate) ambient: Option<f64>,
 
     /// Set a parameter of the image sensors, listed by `oaktwin params imager`; repeatable
-    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assigned)]
     pub(crate) imager: Vec<(String, String)>,
 
     #[arg(
@@ -49,5 +49,13 @@ impl PairArgs {
                 .map_err(|error| format!("--imager: {error}"))?;
         }
         Ok(parameters)
+    }
+}
+
+/// `NAME=VALUE`
+fn assigned(text: &str) -> std::result::Result<(String, String), String> {
+    match assignment(text) {
+        Ok((name, value)) => Ok((name.to_owned(), value.to_owned())),
+        Err(error) => Err(error.remedy),
     }
 }

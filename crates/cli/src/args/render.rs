@@ -1,12 +1,14 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use oaktwin::dataset::{LAYOUTS, Layout};
-use oaktwin::usd::optics;
-use oaktwin::{render, scene};
+use oaktwin::render::Backend;
+use oaktwin::scene::Up;
+use oaktwin::usd::optics::Projection;
 
 use super::annotators::annotators;
+use super::choice::parser;
 use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
@@ -68,7 +70,7 @@ pub(crate) struct RenderArgs {
     pub(crate) resolution: Option<String>,
 
     /// The interpretation of a scene camera's apertures: Isaac Sim's (square pixels, no offsets) or OpenUSD's
-    #[arg(long, value_enum, default_value_t = Projection::Isaac)]
+    #[arg(long, value_parser = parser::<Projection>(), default_value_t)]
     pub(crate) projection: Projection,
 
     #[command(flatten)]
@@ -136,7 +138,7 @@ pub(crate) struct RenderArgs {
     pub(crate) subdivide: u32,
 
     /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
-    #[arg(long, value_enum, help_heading = "Scene and trajectory")]
+    #[arg(long, value_parser = parser::<Up>(), help_heading = "Scene and trajectory")]
     pub(crate) up: Option<Up>,
 
     /// Metres per unit of a glTF, OBJ, STL or PLY file
@@ -161,7 +163,7 @@ pub(crate) struct RenderArgs {
     pub(crate) writer: String,
 
     /// The visibility backend; auto rasterizes pinholes and casts rays for other lenses
-    #[arg(long, value_enum, default_value_t = Backend::Auto, help_heading = "Execution")]
+    #[arg(long, value_parser = parser::<Backend>(), default_value_t, help_heading = "Execution")]
     pub(crate) backend: Backend,
 
     #[command(flatten, next_help_heading = "Execution")]
@@ -172,53 +174,6 @@ pub(crate) struct RenderArgs {
     pub(crate) json: bool,
 }
 
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Projection {
-    Isaac,
-    Openusd,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Up {
-    Y,
-    Z,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Backend {
-    Auto,
-    Raster,
-    Ray,
-}
-
 fn layout(layout: &Layout) -> PossibleValue {
     PossibleValue::new(layout.name).help(layout.help)
-}
-
-impl From<Projection> for optics::Projection {
-    fn from(projection: Projection) -> Self {
-        match projection {
-            Projection::Isaac => Self::Isaac,
-            Projection::Openusd => Self::OpenUsd,
-        }
-    }
-}
-
-impl From<Up> for scene::Up {
-    fn from(up: Up) -> Self {
-        match up {
-            Up::Y => Self::Y,
-            Up::Z => Self::Z,
-        }
-    }
-}
-
-impl From<Backend> for render::Backend {
-    fn from(backend: Backend) -> Self {
-        match backend {
-            Backend::Auto => Self::Auto,
-            Backend::Raster => Self::Raster,
-            Backend::Ray => Self::Ray,
-        }
-    }
 }

@@ -1,11 +1,13 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use oaktwin::catalog::{DepthKind, Role};
-use oaktwin::depth::align;
-use oaktwin::sense;
+use oaktwin::dataset::CloudAxes;
+use oaktwin::depth::align::Fill;
+use oaktwin::sense::InputKind;
 
 use super::annotators::sensor_outputs;
+use super::choice::parser;
 use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
@@ -37,8 +39,8 @@ pub(crate) struct SenseArgs {
     pub(crate) unit: UnitArgs,
 
     /// The depth sensor of the model; by default time of flight if it has one
-    #[arg(long, value_enum)]
-    pub(crate) sensor: Option<SensorKind>,
+    #[arg(long, value_parser = parser::<DepthKind>())]
+    pub(crate) sensor: Option<DepthKind>,
 
     /// The colour images of the same camera, one per depth image or an NPY array of all; those of a folder are found
     #[arg(long, value_name = "IMAGE", num_args = 1.., value_hint = ValueHint::FilePath, help_heading = "Images")]
@@ -46,7 +48,7 @@ pub(crate) struct SenseArgs {
 
     #[arg(
         long,
-        value_enum,
+        value_parser = parser::<InputKind>(),
         help = "The kind of depth: along the optical axis or from the optical centre; required unless the file's name \
                 tells it (distance_to_image_plane, depth: z; distance_to_camera: range)",
         help_heading = "Images"
@@ -94,16 +96,16 @@ pub(crate) struct SenseArgs {
     pub(crate) engine: SensorArgs,
 
     /// Also write depth aligned to another camera of the model
-    #[arg(long, value_enum, value_name = "CAMERA", help_heading = "Outputs")]
-    pub(crate) align: Option<AlignCamera>,
+    #[arg(long, value_parser = parser::<Role>(), value_name = "CAMERA", help_heading = "Outputs")]
+    pub(crate) align: Option<Role>,
 
     /// The size of aligned images, such as 1280x800, resized by DepthAI's rule; by default the camera's own
     #[arg(long, value_name = "WxH", requires = "align", help_heading = "Outputs")]
     pub(crate) align_size: Option<String>,
 
     /// The splatting of aligned samples: footprint (all covered pixels) or nearest
-    #[arg(long, value_enum, default_value_t = AlignFill::Footprint, help_heading = "Outputs")]
-    pub(crate) align_fill: AlignFill,
+    #[arg(long, value_parser = parser::<Fill>(), default_value_t, help_heading = "Outputs")]
+    pub(crate) align_fill: Fill,
 
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,
@@ -111,12 +113,12 @@ pub(crate) struct SenseArgs {
     /// The axes of the PLY: x right, y down, z forward, or ROS's x forward, y left, z up
     #[arg(
         long,
-        value_enum,
-        default_value_t = CloudFrame::Optical,
+        value_parser = parser::<CloudAxes>(),
+        default_value_t,
         alias = "pointcloud-frame",
         help_heading = "Outputs"
     )]
-    pub(crate) ply_frame: CloudFrame,
+    pub(crate) ply_frame: CloudAxes,
 
     #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
@@ -124,83 +126,4 @@ pub(crate) struct SenseArgs {
     /// Print the result as JSON
     #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SensorKind {
-    Stereo,
-    Tof,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum InputKind {
-    Z,
-    Range,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum AlignCamera {
-    Left,
-    Right,
-    Rgb,
-    Tof,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum AlignFill {
-    Footprint,
-    Nearest,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum CloudFrame {
-    Optical,
-    Ros,
-}
-
-impl From<SensorKind> for DepthKind {
-    fn from(kind: SensorKind) -> Self {
-        match kind {
-            SensorKind::Stereo => Self::Stereo,
-            SensorKind::Tof => Self::Tof,
-        }
-    }
-}
-
-impl From<InputKind> for sense::InputKind {
-    fn from(kind: InputKind) -> Self {
-        match kind {
-            InputKind::Z => Self::Z,
-            InputKind::Range => Self::Range,
-        }
-    }
-}
-
-impl From<AlignCamera> for Role {
-    fn from(camera: AlignCamera) -> Self {
-        match camera {
-            AlignCamera::Left => Self::Left,
-            AlignCamera::Right => Self::Right,
-            AlignCamera::Rgb => Self::Rgb,
-            AlignCamera::Tof => Self::Tof,
-        }
-    }
-}
-
-impl From<AlignFill> for align::Fill {
-    fn from(fill: AlignFill) -> Self {
-        match fill {
-            AlignFill::Footprint => Self::Footprint,
-            AlignFill::Nearest => Self::Nearest,
-        }
-    }
-}
-
-impl From<CloudFrame> for sense::CloudAxes {
-    fn from(frame: CloudFrame) -> Self {
-        match frame {
-            CloudFrame::Optical => Self::Optical,
-            CloudFrame::Ros => Self::Ros,
-        }
-    }
 }

@@ -1,142 +1,153 @@
-use std::path::PathBuf;
+use std::path::Path;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueHint};
-use oaktwin::depth::filter;
-use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
-use oaktwin::sensor::{ENGINES, EngineKind, ParameterFile, SensorOptions};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches, ValueHint, value_parser};
+use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
 
-use super::Isaac;
 use crate::context::Result;
 
-/// Which model of the depth sensor's errors, and how it is set.
-#[derive(Args, Debug)]
-#[command(next_help_heading = "The depth sensor")]
-pub(crate) struct SensorArgs {
-    /// The model of the errors; by default stereo-noise, or time-of-flight
-    #[arg(long, value_parser = engine_parser())]
-    pub(crate) engine: Option<&'static EngineKind>,
+/// The options of the depth sensor, those of [`SENSOR_OPTIONS`].
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SensorArgs(Given);
 
-    #[command(flatten)]
-    pub(crate) settings: SettingsArgs,
+/// Those of them that stereo matching of image pairs has.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct MatcherArgs(Given);
 
-    /// Parameters of the engine from a TOML file, as `oaktwin fit` writes it; --param counts more
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub(crate) params: Option<PathBuf>,
-
-    /// The Isaac Sim whose defaults single-view has; by default 5.1
-    #[arg(long, value_enum)]
-    pub(crate) isaac: Option<Isaac>,
-
-    /// The seed of the noise
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(crate) seed: u64,
-
-    /// Be one device of many: the seed of its calibration's error. By default it has none
-    #[arg(long, value_name = "N")]
-    pub(crate) device_seed: Option<u64>,
-}
-
-/// How an engine is set.
-#[derive(Args, Debug)]
-#[command(next_help_heading = "The depth sensor")]
-pub(crate) struct SettingsArgs {
-    /// A preset of DepthAI for the model's platform (default, face, robotics, …): the mode and the filters
-    #[arg(long, value_name = "PRESET", long_help = preset_help())]
-    pub(crate) preset: Option<String>,
-
-    /// A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's
-    #[arg(long = "filter", value_name = "FILTER", long_help = filter_help())]
-    pub(crate) filters: Vec<String>,
-
-    /// Set a parameter of the engine, listed by `oaktwin params ENGINE`; repeatable
-    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = assignment)]
-    pub(crate) parameters: Vec<(String, String)>,
-
-    /// Find disparities up to 190 px instead of 95: nearer things, the same step
-    #[arg(long)]
-    pub(crate) extended_disparity: bool,
-}
+/// The options on the command line with their values, in order.
+#[derive(Clone, Debug, Default)]
+struct Given(Vec<(&'static SensorOption, Vec<String>)>);
 
 impl SensorArgs {
-    /// The first option that was given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
-        let settings = &self.settings;
-        [
-            (self.engine.is_some(), "--engine"),
-            (settings.preset.is_some(), "--preset"),
-            (!settings.filters.is_empty(), "--filter"),
-            (!settings.parameters.is_empty(), "--param"),
-            (settings.extended_disparity, "--extended-disparity"),
-            (self.params.is_some(), "--params"),
-            (self.isaac.is_some(), "--isaac"),
-            (self.seed != 0, "--seed"),
-            (self.device_seed.is_some(), "--device-seed"),
-        ]
-        .into_iter()
-        .find_map(|(is_given, name)| is_given.then_some(name))
+    /// The first option that was given, with hyphens.
+    pub(crate) fn given(&self) -> Option<String> {
+        let (option, _) = self.0.0.first()?;
+        Some(format!("--{}", option.flag))
     }
 
-    /// As typed, and what the file of parameters says; the intrinsics of the images come later.
+    /// The files that options name.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &Path> {
+        let files = self
+            .0
+            .0
+            .iter()
+            .filter(|(option, _)| matches!(option.value, OptionValue::File));
+        files.flat_map(|(_, paths)| paths.iter().map(Path::new))
+    }
+
+    /// The options without the intrinsics of the images, which come later.
     pub(crate) fn options(&self) -> Result<SensorOptions> {
-        let mut options = SensorOptions {
-            engine: self.engine,
-            isaac: self.isaac.map(Into::into).unwrap_or_default(),
-            seed: self.seed,
-            device_seed: self.device_seed,
-            ..self.settings.options()
-        };
-        if let Some(path) = &self.params {
-            let applied = ParameterFile::read(path)?.apply(&mut options);
-            applied.map_err(|error| format!("{}: {error}", path.display()))?;
+        self.0.options()
+    }
+}
+
+impl MatcherArgs {
+    pub(crate) fn options(&self) -> Result<SensorOptions> {
+        self.0.options()
+    }
+}
+
+impl Given {
+    fn read(matches: &ArgMatches, is_offered: impl Fn(&SensorOption) -> bool) -> Self {
+        let mut given = Vec::new();
+        for option in SENSOR_OPTIONS.iter().filter(|option| is_offered(option)) {
+            if matches.value_source(option.name) != Some(ValueSource::CommandLine) {
+                continue;
+            }
+            let values = match option.value {
+                OptionValue::Flag => vec!["true".to_owned()],
+                OptionValue::Number => {
+                    let number = matches.get_one::<u64>(option.name);
+                    number.map(ToString::to_string).into_iter().collect()
+                }
+                _ => matches
+                    .get_many(option.name)
+                    .into_iter()
+                    .flatten()
+                    .cloned()
+                    .collect(),
+            };
+            given.push((option, values));
+        }
+        Self(given)
+    }
+
+    fn options(&self) -> Result<SensorOptions> {
+        let mut options = SensorOptions::default();
+        for (option, values) in &self.0 {
+            for value in values {
+                (option.set)(&mut options, value)?;
+            }
         }
         Ok(options)
     }
 }
 
-impl SettingsArgs {
-    /// As typed; the rest as by default.
-    pub(crate) fn options(&self) -> SensorOptions {
-        SensorOptions {
-            preset: self.preset.clone(),
-            filters: self.filters.clone(),
-            parameters: self.parameters.clone(),
-            extended_disparity: self.extended_disparity,
-            ..SensorOptions::default()
+/// Returns the argument of an option.
+fn argument(option: &SensorOption) -> Arg {
+    let arg = Arg::new(option.name)
+        .long(option.flag)
+        .help(option.help)
+        .help_heading("Depth sensor");
+    let arg = match option.names {
+        Some(names) => arg.long_help(format!("{}\n{}", option.help, names())),
+        None => arg,
+    };
+    match option.value {
+        OptionValue::Flag => arg.action(ArgAction::SetTrue),
+        OptionValue::Number => arg.value_name("N").value_parser(value_parser!(u64)),
+        OptionValue::Text(name, _) => arg.value_name(name),
+        OptionValue::File => arg.value_name("FILE").value_hint(ValueHint::FilePath),
+        OptionValue::Choice(name, names) => {
+            let values = names().into_iter().map(|(name, about)| {
+                PossibleValue::new(name).help(about.trim().trim_end_matches('.').replace('`', ""))
+            });
+            arg.value_name(name)
+                .value_parser(PossibleValuesParser::new(values))
         }
+        OptionValue::List(name) => arg.value_name(name).action(ArgAction::Append),
+        OptionValue::Assignments => arg
+            .value_name("NAME=VALUE")
+            .value_parser(assigned)
+            .action(ArgAction::Append),
     }
 }
 
-/// The engines of the registry, with their help.
-fn engine_parser() -> impl TypedValueParser<Value = &'static EngineKind> {
-    let values = ENGINES.map(|kind| PossibleValue::new(kind.name).help(kind.help));
-    PossibleValuesParser::new(values).try_map(|name| EngineKind::parse(&name))
-}
-
-fn preset_help() -> String {
-    let stereo =
-        |platform: Platform| format!("{}: {}", platform.name(), Preset::names_on(platform).join(", "));
-    format!(
-        "A preset of DepthAI for the model's platform: the mode and the filters.\n{}.\n{}.\nTime of flight: {}",
-        stereo(Platform::Rvc2),
-        stereo(Platform::Rvc4),
-        TIME_OF_FLIGHT_PRESETS.join(", ")
-    )
-}
-
-fn filter_help() -> String {
-    format!(
-        "A filter, with settings as NAME:KEY=VALUE,…; repeatable, in order, instead of the preset's: {}",
-        filter::NAMES.join(", ")
-    )
-}
-
-/// `NAME=VALUE`
-pub(super) fn assignment(text: &str) -> std::result::Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
-            Ok((name.trim().to_owned(), value.trim().to_owned()))
-        }
-        _ => Err("write NAME=VALUE, as noiseSigma=0.2".to_owned()),
+/// Checks that a text has the form `NAME=VALUE`.
+fn assigned(text: &str) -> std::result::Result<String, String> {
+    match assignment(text) {
+        Ok(_) => Ok(text.to_owned()),
+        Err(error) => Err(error.remedy),
     }
+}
+
+macro_rules! flattened {
+    ($($Type:ident: $is_offered:expr;)+) => {$(
+        impl Args for $Type {
+            fn augment_args(command: Command) -> Command {
+                command.args(SENSOR_OPTIONS.iter().filter(|option| $is_offered(option)).map(argument))
+            }
+
+            fn augment_args_for_update(command: Command) -> Command {
+                Self::augment_args(command)
+            }
+        }
+
+        impl FromArgMatches for $Type {
+            fn from_arg_matches(matches: &ArgMatches) -> std::result::Result<Self, Error> {
+                Ok(Self(Given::read(matches, $is_offered)))
+            }
+
+            fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> std::result::Result<(), Error> {
+                *self = Self::from_arg_matches(matches)?;
+                Ok(())
+            }
+        }
+    )+};
+}
+
+flattened! {
+    SensorArgs: |_: &SensorOption| true;
+    MatcherArgs: |option: &SensorOption| option.is_of_matcher;
 }

@@ -1,10 +1,11 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 
-use super::{OutputArgs, SettingsArgs, ThreadArgs, UnitArgs};
+use super::choice::parser;
+use super::{MatcherArgs, OutputArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -85,15 +86,15 @@ pub(crate) struct StereoArgs {
     pub(crate) rectified: bool,
 
     /// The rectification of raw images; by default the device's
-    #[arg(long, value_enum, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
-    pub(crate) rectify: Option<RectifyMethod>,
+    #[arg(long, value_parser = parser::<Method>(), conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
+    pub(crate) rectify: Option<Method>,
 
     /// The processor whose defaults and presets apply; by default the device's, else RVC2
-    #[arg(long, value_enum, help_heading = "Depth sensor")]
-    pub(crate) platform: Option<StereoPlatform>,
+    #[arg(long, value_parser = parser::<Platform>(), help_heading = "Depth sensor")]
+    pub(crate) platform: Option<Platform>,
 
     #[command(flatten)]
-    pub(crate) settings: SettingsArgs,
+    pub(crate) settings: MatcherArgs,
 
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,
@@ -113,42 +114,4 @@ pub(crate) struct StereoArgs {
     /// Print the result as JSON
     #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum RectifyMethod {
-    /// A homography up to 85° of field of view, a mesh above (RVC2)
-    Auto,
-    /// A 3x3 matrix, which keeps lens distortion
-    Homography,
-    /// A mesh with a node every 16 pixels
-    Mesh,
-    /// A map for each pixel (RVC4)
-    Full,
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StereoPlatform {
-    Rvc2,
-    Rvc4,
-}
-
-impl From<RectifyMethod> for Method {
-    fn from(method: RectifyMethod) -> Self {
-        match method {
-            RectifyMethod::Auto => Self::Auto,
-            RectifyMethod::Homography => Self::Homography,
-            RectifyMethod::Mesh => Self::Mesh,
-            RectifyMethod::Full => Self::Full,
-        }
-    }
-}
-
-impl From<StereoPlatform> for Platform {
-    fn from(platform: StereoPlatform) -> Self {
-        match platform {
-            StereoPlatform::Rvc2 => Self::Rvc2,
-            StereoPlatform::Rvc4 => Self::Rvc4,
-        }
-    }
 }

@@ -1,8 +1,10 @@
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use oaktwin::accuracy::MeasuredOptics;
-use oaktwin::usd::asset;
+use oaktwin::usd::asset::LensChoice;
+
+use super::choice::parser;
 
 /// The calibration and lens of one unit.
 #[derive(Args, Debug)]
@@ -16,8 +18,8 @@ pub(crate) struct UnitArgs {
     pub(crate) force: bool,
 
     /// Lens of the left and right cameras of wide models
-    #[arg(long, value_enum, default_value_t = Lens::Pinhole)]
-    pub(crate) lens: Lens,
+    #[arg(long, value_parser = parser::<LensChoice>(), default_value_t)]
+    pub(crate) lens: LensChoice,
 }
 
 /// The optics of one unit whose errors are measured.
@@ -46,7 +48,7 @@ impl MeasuredUnitArgs {
         UnitArgs {
             calibration: self.calibration.clone(),
             force: self.force,
-            lens: Lens::Pinhole,
+            lens: LensChoice::Pinhole,
         }
     }
 
@@ -54,21 +56,6 @@ impl MeasuredUnitArgs {
         MeasuredOptics {
             focal_length_px: self.focal_px,
             width_px: self.stereo_width,
-        }
-    }
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lens {
-    Pinhole,
-    Fisheye,
-}
-
-impl From<Lens> for asset::LensChoice {
-    fn from(lens: Lens) -> Self {
-        match lens {
-            Lens::Pinhole => Self::Pinhole,
-            Lens::Fisheye => Self::Fisheye,
         }
     }
 }

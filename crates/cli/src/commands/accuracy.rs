@@ -16,7 +16,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     let curve = args.measured.as_deref().map(measured::read).transpose()?;
     if let Some(plot) = &plot {
         let inputs = [args.measured.as_deref(), args.unit.calibration.as_deref()];
-        destination::spare_inputs(plot.file, inputs)?;
+        destination::spare_inputs(plot.file, inputs.into_iter().chain(args.engine.files().map(Some)))?;
     }
     args.threads.apply();
     let (bench, more) = Bench::new(&twin, &options)?;

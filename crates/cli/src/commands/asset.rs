@@ -46,7 +46,7 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
     if args.unit.calibration.is_some() {
         return Err("--calibration applies to one model; name it instead of `all`".into());
     }
-    let format = args.format.unwrap_or_default().into();
+    let format = args.format.unwrap_or_default();
     let devices = context.catalog.devices();
     let twins = context.catalog.nominals();
     // All assets are created before the first is written, so that an error leaves no files behind.
@@ -86,7 +86,7 @@ fn write_one(twin: &Twin, calibration_findings: Vec<Finding>, args: &AssetArgs) 
 
 /// Returns the format from `--format`, else from the output's extension.
 fn format(args: &AssetArgs) -> Result<Format> {
-    let requested = args.format.map(Format::from);
+    let requested = args.format;
     if destination::names_folder(&args.output) {
         return Ok(requested.unwrap_or_default());
     }
@@ -130,10 +130,10 @@ fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> R
 impl AssetArgs {
     fn options(&self) -> AssetOptions {
         AssetOptions {
-            isaac: self.isaac.into(),
-            target: self.target.into(),
-            lens: self.unit.lens.into(),
-            aperture_offsets: self.aperture_offsets.into(),
+            isaac: self.isaac,
+            target: self.target,
+            lens: self.unit.lens,
+            aperture_offsets: self.aperture_offsets,
             extended_disparity: self.extended_disparity,
             legacy_distortion: self.legacy_distortion,
             rigid_body: self.rigid_body,

@@ -5,7 +5,7 @@ use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::diagnostic::Finding;
 use oaktwin::{files, unit};
 
-use crate::args::{CalibrationExportArgs, ExportFormat};
+use crate::args::CalibrationExportArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{destination, output};
 
@@ -15,7 +15,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
     let Export {
         files,
         findings: losses,
-    } = export::export(&raw, &calibration, args.to.into())?;
+    } = export::export(&raw, &calibration, args.to)?;
     findings.extend(losses);
     output::say_findings(file, &findings);
     match &args.output {
@@ -67,16 +67,5 @@ fn joined(files: &[(String, String)]) -> String {
             .iter()
             .map(|(name, text)| format!("# {name}\n{text}\n"))
             .collect(),
-    }
-}
-
-impl From<ExportFormat> for export::Format {
-    fn from(format: ExportFormat) -> Self {
-        match format {
-            ExportFormat::Ros => Self::Ros,
-            ExportFormat::Opencv => Self::OpenCv,
-            ExportFormat::Kalibr => Self::Kalibr,
-            ExportFormat::Depthai => Self::DepthAi,
-        }
     }
 }

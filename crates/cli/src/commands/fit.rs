@@ -25,8 +25,8 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
     let written = [args.output.as_deref(), args.plot.as_deref()];
     for file in written.into_iter().flatten() {
         let inputs = args.recordings.iter().map(|path| Some(path.as_path()));
-        let others = [args.unit.calibration.as_deref(), args.engine.params.as_deref()];
-        destination::spare_inputs(file, inputs.chain(others))?;
+        let others = [args.unit.calibration.as_deref()];
+        destination::spare_inputs(file, inputs.chain(others).chain(args.engine.files().map(Some)))?;
     }
     args.threads.apply();
     let fitted = progress::watched(|watch| fit::fit(&twin, &args.recordings, &options, watch))?;

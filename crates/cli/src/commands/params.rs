@@ -86,7 +86,7 @@ fn text(group: &Group) -> String {
         let about = &row.about;
         let platform = about
             .platform
-            .map(|platform: Platform| format!("; {} only", platform.name()));
+            .map(|platform: Platform| format!("; {} only", platform.title()));
         let _ = write!(
             out,
             "\n{} = {}\n    {}; {}{}\n    {}\n",

@@ -13,7 +13,9 @@ use oaktwin::render::{
 };
 use oaktwin::scene::Up;
 
-use crate::args::{Lens, RenderArgs};
+use oaktwin::usd::asset::LensChoice;
+
+use crate::args::RenderArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{progress, size};
 use report::Report;
@@ -81,7 +83,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         sensors: &sensors.own,
         pair: pair.as_ref(),
         sweep: sensors.swept.as_ref(),
-        backend: args.backend.into(),
+        backend: args.backend,
         strict: args.strict,
         writes_pair: args.pair.pair,
     };
@@ -131,7 +133,7 @@ impl Oak {
             let needs = |option: &str| Err(format!("{option} requires --model").into());
             return match &args.unit {
                 unit if unit.calibration.is_some() => needs("--calibration"),
-                unit if unit.lens == Lens::Fisheye => needs("--lens"),
+                unit if unit.lens == LensChoice::Fisheye => needs("--lens"),
                 _ => Ok(None),
             };
         };
@@ -156,7 +158,7 @@ impl Oak {
     ) -> Result<(Vec<PlacedCamera>, Vec<Finding>)> {
         let options = OakOptions {
             cameras: &args.camera,
-            lens: args.unit.lens.into(),
+            lens: args.unit.lens,
             size,
         };
         Ok(render::oak_cameras(
@@ -176,7 +178,7 @@ fn own_cameras(
     let options = SceneCameraOptions {
         cameras: &args.camera,
         size,
-        projection: args.projection.into(),
+        projection: args.projection,
     };
     let (cameras, findings) = render::scene_cameras(scene, &options)?;
     if let ([first, second, ..], [_, ..]) = (&cameras[..], path) {

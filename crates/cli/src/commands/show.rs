@@ -9,7 +9,7 @@ use crate::output;
 
 pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
     let (twin, findings) = context.twin(&args.model, &args.unit)?;
-    let report = DeviceReport::new(&context.catalog, &twin, args.unit.lens.into(), findings);
+    let report = DeviceReport::new(&context.catalog, &twin, args.unit.lens, findings);
     if args.json {
         output::print_json(&report)?;
     } else {

@@ -8,9 +8,10 @@ use oaktwin::sense::FieldOfView;
 use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
 use oaktwin::{sensor, unit};
 
-use crate::args::{Lens, StereoArgs};
+use crate::args::StereoArgs;
 use crate::context::{Context, Exit, Result};
 use crate::progress;
+use oaktwin::usd::asset::LensChoice;
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
@@ -19,7 +20,7 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     let pairs = stereo::pairs(&args.left, &args.right)?;
     args.threads.apply();
     let options = StereoOptions {
-        sensor: args.settings.options(),
+        sensor: args.settings.options()?,
         outputs: outputs(args)?,
         extras: args.outputs.extras(),
         ply: args.outputs.ply,
@@ -64,7 +65,7 @@ fn outputs(args: &StereoArgs) -> Result<Vec<StereoOutput>> {
 fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
     let model = match (&args.model, &args.unit.calibration) {
         (Some(model), _) => model.clone(),
-        (None, None) if args.unit.lens == Lens::Fisheye => {
+        (None, None) if args.unit.lens == LensChoice::Fisheye => {
             return Err("--lens requires --model".into());
         }
         (None, None) => return Ok(None),
@@ -95,7 +96,7 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
 }
 
 fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> {
-    let platform = args.platform.map(Platform::from);
+    let platform = args.platform;
     let Some(twin) = twin else {
         let field_of_view = match (args.fx, args.hfov) {
             (Some(fx), _) => FieldOfView::FocalLength(fx),
@@ -115,16 +116,16 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
             platform: platform.unwrap_or(Platform::Rvc2),
         });
     };
-    let by_default = args.unit.calibration.is_some() || args.unit.lens == Lens::Fisheye;
+    let by_default = args.unit.calibration.is_some() || args.unit.lens == LensChoice::Fisheye;
     let is_raw = args.raw || args.rectify.is_some() || (by_default && !args.rectified);
     Ok(PairOf::Twin {
         twin,
-        lens: args.unit.lens.into(),
+        lens: args.unit.lens,
         is_raw,
         rectify: args.rectify.map(|method| {
             let own = platform.or_else(|| sensor::platform(twin));
             RectifyOptions {
-                method: method.into(),
+                method,
                 ..RectifyOptions::of(own.unwrap_or(Platform::Rvc4))
             }
         }),

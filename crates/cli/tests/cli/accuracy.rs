@@ -99,6 +99,37 @@ fn both_readings_are_told_apart() {
     }
 }
 
+/// A table as a spreadsheet writes it: quoted fields with commas, quotes and line breaks.
+#[test]
+fn measurements_with_quoted_commas() {
+    let program = Program::new();
+    program.put(
+        "plain.csv",
+        "distance_m,depth_error_percent\n1,0.4\n3.9,1.2\n8,2.1\n",
+    );
+    program.put(
+        "quoted.csv",
+        "\"remark, by hand\",\"distance_m\",depth_error_percent\r\n\"wall, white\",\"1\",0.4\r\n\"a \"\"grey\"\" wall,\nindoors\",3.9,\"1.2\"\r\n,8,2.1\r\n",
+    );
+    let measured = |file: &str| {
+        let arguments = [
+            "accuracy",
+            "oak-d-pro-poe",
+            "--captures",
+            "1",
+            "--measured",
+            file,
+            "--json",
+        ];
+        let json = program.good(&[&arguments[..], &QUIET[..]].concat());
+        let report: serde_json::Value = serde_json::from_str(&json).unwrap();
+        report["measured"]["points"].clone()
+    };
+    let plain = measured("plain.csv");
+    assert_eq!(plain.as_array().map(Vec::len), Some(3), "{plain}");
+    assert_eq!(measured("quoted.csv"), plain);
+}
+
 #[test]
 fn json_and_plots_beside_measurements() {
     let program = Program::new();

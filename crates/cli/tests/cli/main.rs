@@ -8,6 +8,7 @@ mod bad_input;
 mod fit;
 mod optics;
 mod output;
+mod params;
 mod program;
 mod render;
 mod render_bad_input;

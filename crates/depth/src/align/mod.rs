@@ -23,6 +23,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, LensModel, PixelPoint, RigidTransform, Usd};
 use oaktwin_image::{Image, ImageView, ZDepth};
+use oaktwin_parameter::choice;
 use rayon::prelude::*;
 
 use crate::ShotError;
@@ -34,14 +35,14 @@ pub const MOST_PIXELS_A_SIDE: u32 = 64;
 /// The width of a footprint relative to its source pixel.
 const FOOTPRINT: f64 = 1.25;
 
-/// The splatting mode.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Fill {
-    /// The pixel that contains the projection: a target with more pixels than the source has holes.
-    Nearest,
-    /// All pixels that the sample covers.
-    #[default]
-    Footprint,
+choice! {
+    /// The splatting mode.
+    Fill {
+        /// All pixels that the sample covers.
+        Footprint = "footprint",
+        /// The pixel that contains the projection: a target with more pixels than the source has holes.
+        Nearest = "nearest",
+    }
 }
 
 /// The alignment of one camera's depth to another camera.

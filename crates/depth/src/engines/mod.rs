@@ -10,7 +10,7 @@ mod time_of_flight;
 
 use std::sync::Arc;
 
-use oaktwin_diagnostic::{fold_name, nearest};
+use oaktwin_diagnostic::{fold_name, suggest};
 
 use crate::{Engine, EngineKind, ParameterError, Setup, Technology};
 
@@ -35,13 +35,8 @@ impl EngineKind {
             .iter()
             .find(|kind| fold_name(kind.name) == fold_name(name));
         found.copied().ok_or_else(|| {
-            let near = nearest(name, ENGINES.iter().map(|kind| kind.name));
-            let remedy = if near.is_empty() {
-                format!("use {}", ENGINES.map(|kind| kind.name).join(" or "))
-            } else {
-                format!("did you mean {}?", near.join(" or "))
-            };
-            ParameterError::new("engine", format!("there is no engine `{name}`"), remedy)
+            let remedy = suggest(name, ENGINES.map(|kind| kind.name));
+            ParameterError::new("engine", format!("unknown engine '{name}'"), remedy)
         })
     }
 
@@ -77,19 +72,13 @@ impl EngineKind {
         }
         let mut others = ENGINES.iter();
         let (what, remedy) = match others.find_map(|other| Some((other, other.find(given)?))) {
-            Some((other, name)) => (
-                format!("{self} has no {name}: it is a parameter of {other}"),
-                format!("leave it out, or choose the engine {other}"),
+            Some((other, _)) => (
+                format!("a parameter of {other}, not of {self}"),
+                format!("remove it, or choose the engine {other}"),
             ),
             None => {
-                let own = (self.parameters)();
-                let near = nearest(given, own.iter().copied());
-                let remedy = if near.is_empty() {
-                    format!("there are {}", own.join(", "))
-                } else {
-                    format!("did you mean {}?", near.join(" or "))
-                };
-                (format!("{self} has no such parameter"), remedy)
+                let what = format!("unknown parameter of {self}");
+                (what, suggest(given, (self.parameters)()))
             }
         };
         Err(ParameterError::new(given, what, remedy))

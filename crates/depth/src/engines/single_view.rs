@@ -7,7 +7,7 @@ use super::filters::run_on_metres;
 use crate::filter::Chain;
 use crate::random::Stream;
 use crate::single_view::{Assumptions, Direction, OutputMode, Parameters, SingleView, Wanted};
-use crate::{BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, Setup};
+use crate::{BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, Setup};
 
 /// Isaac Sim's `DepthSensorDistance`: [`crate::single_view`].
 pub static SINGLE_VIEW: EngineKind = EngineKind {
@@ -129,15 +129,7 @@ impl Engine for SingleView {
         Ok(capture)
     }
 
-    fn sense_batch(
-        &self,
-        depth: &[f32],
-        shape: [usize; 3],
-        frame: u64,
-        first_item: u32,
-        random: &Stream,
-        out: &mut [f32],
-    ) -> Option<Result<(), BatchError>> {
-        Some(self.sense_batch(depth, shape, frame, first_item, random, out))
+    fn batches(&self) -> Option<&dyn BatchEngine> {
+        Some(self)
     }
 }

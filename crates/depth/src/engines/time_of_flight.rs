@@ -8,7 +8,7 @@ use crate::filter::Chain;
 use crate::random::Stream;
 use crate::time_of_flight::{Parameters, TimeOfFlight};
 use crate::{
-    BatchError, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
+    BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
     Technology,
 };
 
@@ -81,15 +81,7 @@ impl Engine for TimeOfFlight {
         Ok(Capture::new(depth, filtered))
     }
 
-    fn sense_batch(
-        &self,
-        depth: &[f32],
-        shape: [usize; 3],
-        frame: u64,
-        first_item: u32,
-        random: &Stream,
-        out: &mut [f32],
-    ) -> Option<Result<(), BatchError>> {
-        Some(self.sense_batch(depth, shape, frame, first_item, random, out))
+    fn batches(&self) -> Option<&dyn BatchEngine> {
+        Some(self)
     }
 }

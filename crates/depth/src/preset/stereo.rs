@@ -82,7 +82,7 @@ impl Preset {
     /// # Errors
     /// Returns an error if the platform has no preset of this name.
     pub fn find(platform: Platform, name: &str) -> Result<Self, PresetError> {
-        let place = platform.name();
+        let place = platform.title();
         match Self::ALL.into_iter().find(|preset| is_named(name, preset.name())) {
             Some(preset) if preset.on(platform) => Ok(preset),
             Some(preset) => Err(PresetError {

@@ -29,13 +29,9 @@ impl Sensor {
                 length: 0,
             });
         }
-        if rgb.is_none() && self.filters.is_empty() {
-            let fast = self
-                .engine
-                .sense_batch(depth, shape, frame, first_item, &self.random, out);
-            if let Some(result) = fast {
-                return result;
-            }
+        let fast = self.engine.batches();
+        if let Some(engine) = fast.filter(|_| rgb.is_none() && self.filters.is_empty()) {
+            return engine.sense_batch(depth, shape, frame, first_item, &self.random, out);
         }
         let batch = Batch::new(depth, shape, frame, first_item)?.with_rgb(rgb)?;
         let Some([columns, rows]) = batch.size() else {

@@ -64,7 +64,7 @@ pub use sense::{Output, Wanted};
 
 use crate::batch::Batch;
 use crate::random::Stream;
-use crate::{BatchError, ParameterError, Shot};
+use crate::{BatchEngine, BatchError, ParameterError, Shot};
 
 /// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,13 +104,10 @@ impl SingleView {
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
         sense::sense(self, shot, random, wanted)
     }
+}
 
-    /// Measures a batch `[count, height, width]` of depth images of one frame as [`SingleView::sense`] does without colour
-    /// images; items count from `first_item`.
-    ///
-    /// # Errors
-    /// Returns an error if the length of `depth` or `out` does not match the shape.
-    pub fn sense_batch(
+impl BatchEngine for SingleView {
+    fn sense_batch(
         &self,
         depth: &[f32],
         shape: [usize; 3],

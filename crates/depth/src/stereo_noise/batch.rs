@@ -1,16 +1,11 @@
 use super::StereoNoise;
 use super::sense::{Job, Scratch};
-use crate::BatchError;
 use crate::batch::Batch;
 use crate::random::Stream;
+use crate::{BatchEngine, BatchError};
 
-impl StereoNoise {
-    /// Measures a batch `[count, height, width]` of depth images of one frame as [`StereoNoise::sense`] does without colour
-    /// images; items count from `first_item`. Metres in and out.
-    ///
-    /// # Errors
-    /// Returns an error if the length of `depth` or `out` does not match the shape.
-    pub fn sense_batch(
+impl BatchEngine for StereoNoise {
+    fn sense_batch(
         &self,
         depth: &[f32],
         shape: [usize; 3],

@@ -4,11 +4,12 @@ pub mod name;
 pub mod replicator;
 pub mod source;
 
-/// The kind of depth in an image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InputKind {
-    /// Along the optical axis: `distance_to_image_plane`.
-    Z,
-    /// From the optical centre: `distance_to_camera`.
-    Range,
+oaktwin_parameter::choice! {
+    /// The kind of depth in an image.
+    InputKind {
+        /// Along the optical axis: `distance_to_image_plane`.
+        Z = "z",
+        /// From the optical centre: `distance_to_camera`.
+        Range = "range",
+    }
 }

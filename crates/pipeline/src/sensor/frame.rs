@@ -48,27 +48,24 @@ pub(crate) fn frame(
     let moved_colors = capture.take::<Image<[u8; 4]>>(COLOR);
     let depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
     let depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
-    let Capture {
-        distance,
-        is_filtered,
-        ..
-    } = capture;
     let points = wants(POSITION)
-        .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &distance.0)));
+        .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &capture.distance.0)));
     let colors = match sensor.engine().outputs().contains(&COLOR) {
-        true if is_filtered => moved_colors.map(|colors| measured_only(colors, &distance.0)),
+        true if moved_colors.is_some() && capture.is_filtered() => {
+            moved_colors.map(|colors| measured_only(colors, &capture.distance.0))
+        }
         true => moved_colors,
         false => rgb
             .filter(|_| wants(COLOR))
             .and_then(|rgb| Image::new(rgb.width(), rgb.height(), rgb.pixels().to_vec()))
-            .map(|rgb| measured_only(sensor.filters().companion(rgb), &distance.0)),
+            .map(|rgb| measured_only(sensor.filters().companion(rgb), &capture.distance.0)),
     };
     Frame {
         depth_sensor_point_cloud_color: colors,
         depth_sensor_point_cloud_position: points,
         depth_sensor_imager,
         depth_sensor_output_visualization,
-        depth_sensor_distance: wants(Annotator::DepthSensorDistance).then_some(distance),
+        depth_sensor_distance: wants(Annotator::DepthSensorDistance).then_some(capture.distance),
         ..Frame::default()
     }
 }

@@ -3,6 +3,7 @@
 mod choose;
 mod frame;
 mod matching;
+mod option;
 mod options;
 mod parameter_file;
 mod parameters;
@@ -23,6 +24,7 @@ pub use choose::depth_sensor;
 pub(crate) use frame::{capture, frame, sensor_params};
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
+pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};
 pub use options::{SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};

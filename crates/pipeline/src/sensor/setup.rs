@@ -84,7 +84,11 @@ pub(super) fn setup(
         .is_some_and(PresetConfig::extended_disparity);
     setup.extended_disparity = options.extended_disparity || preset_extends;
     if let Source::Twin { sensor, own, .. } = source {
-        setup.attributes = single_view_parameters(sensor, setup.extended_disparity, options.isaac);
+        setup.attributes = single_view_parameters(
+            sensor,
+            setup.extended_disparity,
+            options.isaac.unwrap_or_default(),
+        );
         if let Some(image) = own {
             setup.attributes.focal_length_px =
                 image.fx * setup.attributes.sensor_size_px / f64::from(image.size.width);

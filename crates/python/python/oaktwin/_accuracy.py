@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _oaktwin
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._oaktwin import _SensorOptions
 
 _COLUMNS = (
     "distance_m",
@@ -104,18 +109,11 @@ def accuracy(
     devices: int | None = None,
     captures: int = 10,
     region: float = 0.05,
-    engine: str | None = None,
-    preset: str | None = None,
-    filters: Sequence[str] = (),
-    parameters: Mapping[str, object] | None = None,
-    seed: int = 0,
-    device_seed: int | None = None,
-    extended_disparity: bool = False,
-    isaac: str = "5.1",
     measured: str | PathLike[str] | None = None,
     measured_from: float = 0.0,
     focal_px: float | None = None,
     width_px: int | None = None,
+    **options: Unpack[_SensorOptions],
 ) -> Accuracy:
     """Measures a twin's depth accuracy by the vendor's method: a textured board at each distance, and the median unit.
 
@@ -129,8 +127,8 @@ def accuracy(
     measured_from: the minimum distance of measurements that are compared, metres.
     focal_px: the focal length of the measured unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
-    engine: additionally "stereo-matching", which renders and matches an image pair of the board.
-    All other arguments are those of `DepthSensor`.
+    options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
+        an image pair of the board.
 
     Ctrl-C interrupts the measurement. Raises `oaktwin.Error` for invalid arguments, FileNotFoundError or another OSError if
     the file cannot be read.
@@ -142,17 +140,10 @@ def accuracy(
         devices=devices,
         captures=captures,
         region=region,
-        engine=engine,
-        preset=preset,
-        filters=filters,
-        parameters=parameters,
-        seed=seed,
-        device_seed=device_seed,
-        extended_disparity=extended_disparity,
-        isaac=isaac,
         measured=measured,
         measured_from=measured_from,
         focal_px=focal_px,
         width_px=width_px,
+        **options,
     )
     return Accuracy(report)

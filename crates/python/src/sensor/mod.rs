@@ -11,38 +11,34 @@ use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{Clip, sense_frame};
 use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
-use oaktwin::sensor::{EngineInput, depth_sensor};
+use oaktwin::sensor::{EngineInput, SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
 use annotate::{sensor_annotator, sensor_array};
 use eye::{Eye, Source};
 use image_camera::field_of_view;
 
-use crate::align::{aligned, fill, role};
+use crate::align::aligned;
 use crate::camera::Camera;
+use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::images::{Depth, Out, Pictures};
-use crate::settings::{Settings, isaac_name, kind};
+use crate::settings::{keywords, sensor_options};
 use crate::threads;
 
+#[doc = concat!(
+    "DepthSensor(device, *, sensor=None, fx=None, hfov_deg=None, camera=None, name=None, ",
+    include_str!("../generated/sensor_options.signature"),
+    ")\n--\n"
+)]
 /// The depth sensor of a device: converts exact depth to the depth that the device would measure.
 ///
 /// device: the device.
 /// sensor: its depth sensor, "stereo" or "tof"; by default time of flight if the device has it.
-/// engine: the error model: "stereo-noise" (an OAK's stereo; the default for stereo), "time-of-flight" (the default for
-///     time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). For pairs of images use StereoMatcher.
-/// preset: the name of a DepthAI preset of the device's platform: "default", "face", "robotics", ...: sets the mode and
-///     the filters.
-/// filters: the filters as text, in order, such as "spatial:alpha=0.5,delta=20"; they replace the preset's filters.
-/// parameters: a mapping of the engine's parameters by name; overrides all other settings.
-/// seed: the noise seed: equal seeds, names, frames and items give equal noise.
-/// device_seed: the seed of the unit's calibration error; None disables it.
-/// extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
-/// isaac: the Isaac Sim version that determines the defaults of "single-view", "5.1" or "6".
 /// fx: the focal length of the images at their width, px; or hfov_deg: their horizontal field of view, degrees. Their
 ///     principal point is then in the centre. By default, images have the model's field of view, whatever their size.
 /// camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
@@ -50,6 +46,7 @@ use crate::threads;
 ///     causes a finding.
 /// name: the name of the camera, which distinguishes its noise from that of other cameras; by default the sensor's
 ///     prim.
+#[doc = include_str!("../generated/sensor_options.doc")]
 ///
 /// Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
 /// a camera whose field of view contradicts fx or hfov_deg.
@@ -88,45 +85,24 @@ pub(crate) struct DepthSensor {
 #[pymethods]
 impl DepthSensor {
     #[new]
-    #[pyo3(signature = (device, *, sensor = None, engine = None, preset = None, filters = Vec::new(), parameters = None,
-        seed = 0, device_seed = None, extended_disparity = false, isaac = "5.1", fx = None, hfov_deg = None, camera = None,
-        name = None))]
-    #[pyo3(
-        text_signature = "(device, *, sensor=None, engine=None, preset=None, filters=(), parameters=None, seed=0, \
-        device_seed=None, extended_disparity=False, isaac='5.1', fx=None, hfov_deg=None, camera=None, name=None)"
-    )]
-    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[pyo3(signature = (device, *, sensor = None, fx = None, hfov_deg = None, camera = None, name = None, **options))]
+    #[pyo3(text_signature = None)]
     fn new(
         device: &Bound<'_, Device>,
         sensor: Option<&str>,
-        engine: Option<&str>,
-        preset: Option<String>,
-        filters: Vec<String>,
-        parameters: Option<Bound<'_, PyAny>>,
-        seed: u64,
-        device_seed: Option<u64>,
-        extended_disparity: bool,
-        isaac: &str,
         fx: Option<f64>,
         hfov_deg: Option<f64>,
         camera: Option<&Bound<'_, Camera>>,
         name: Option<String>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let settings = Settings {
-            engine,
-            preset,
-            filters,
-            parameters,
-            extended_disparity,
-            isaac,
-            seed,
-            device_seed,
+        let options = SensorOptions {
             name,
+            ..sensor_options("DepthSensor", options, |_| true)?
         };
-        let options = settings.options()?;
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
-        let sensor = kind(sensor)?.map(DepthKind::as_str);
+        let sensor = maybe_named("sensor", sensor)?.map(DepthKind::as_str);
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
         if let Some(engine) = options.engine.filter(|kind| kind.input == EngineInput::Pair) {
@@ -150,21 +126,14 @@ impl DepthSensor {
     }
 
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Py<Device>,), Bound<'py, PyDict>)> {
-        let (own, options) = (&self.source.options, PyDict::new(py));
+        let own = &self.source.options;
+        let options = keywords(py, own, |_| true)?;
         let (fx, hfov_deg) = match self.source.field_of_view {
             FieldOfView::Known | FieldOfView::Camera(_) => (None, None),
             FieldOfView::FocalLength(fx) => (Some(fx), None),
             FieldOfView::Degrees(hfov) => (None, Some(hfov)),
         };
         options.set_item("sensor", self.source.depth.spec.kind.as_str())?;
-        options.set_item("engine", own.engine.map(|kind| kind.name))?;
-        options.set_item("preset", &own.preset)?;
-        options.set_item("filters", &own.filters)?;
-        options.set_item("parameters", own.parameters.clone().into_py_dict(py)?)?;
-        options.set_item("seed", own.seed)?;
-        options.set_item("device_seed", own.device_seed)?;
-        options.set_item("extended_disparity", own.extended_disparity)?;
-        options.set_item("isaac", isaac_name(own.isaac))?;
         options.set_item("fx", fx)?;
         options.set_item("hfov_deg", hfov_deg)?;
         options.set_item("camera", self.camera.clone())?;
@@ -304,9 +273,9 @@ impl DepthSensor {
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let to = AlignTo {
-            camera: role(to)?,
+            camera: named("to", to)?,
             size: size.map(|(width, height)| ImageSize::new(width, height)),
-            fill: self::fill(fill)?,
+            fill: named("fill", fill)?,
         };
         let (depth, shape) = Depth::read("depth", depth)?;
         let eye = self.now(py, None)?;

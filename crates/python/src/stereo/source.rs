@@ -10,16 +10,9 @@ use oaktwin::stereo::{Matcher, PairOf, StereoError, check_calibration};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 
-use crate::choice::choose;
+use crate::choice::maybe_named;
 use crate::device::Device;
 use crate::error::{error, wrong};
-
-pub(super) const METHODS: [(&str, Method); 4] = [
-    ("auto", Method::Auto),
-    ("homography", Method::Homography),
-    ("mesh", Method::Mesh),
-    ("full", Method::Full),
-];
 
 /// The image size before the first pair, if no device defines it.
 const FIRST_SIZE: ImageSize = ImageSize {
@@ -47,9 +40,7 @@ impl Source {
         rectify: Option<&str>,
     ) -> PyResult<Self> {
         let own = device.get();
-        let rectify = rectify
-            .map(|name| choose("rectify", name, &METHODS))
-            .transpose()?;
+        let rectify = maybe_named("rectify", rectify)?;
         if let Origin::Calibration { file_name, .. } = &own.twin.origin {
             check_calibration(Path::new(file_name), &own.findings).map_err(error)?;
         }

@@ -1,5 +1,6 @@
 use oaktwin_camera::ApertureOffsets;
 use oaktwin_catalog::{LensChoice, Twin};
+use oaktwin_parameter::choice;
 
 use super::AssetError;
 
@@ -39,69 +40,46 @@ impl Default for AssetOptions {
     }
 }
 
-/// The Isaac Sim version that an asset is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum IsaacVersion {
-    /// 5.1: `outlierRemovalEnabled` is an `int`, and the legacy distortion attributes are still read.
-    #[default]
-    V5_1,
-    /// 6.x: `outlierRemovalEnabled` is a `bool`, and render products list their render variables.
-    V6,
+choice! {
+    /// The Isaac Sim version that an asset is for.
+    ///
+    /// In 5.0 and 5.1, `outlierRemovalEnabled` is an `int`, and the legacy distortion attributes are still read. In 6, it is a
+    /// `bool`, and render products list their render variables.
+    IsaacVersion {
+        /// Isaac Sim 5.0 and 5.1.
+        V5_1 = "5.1",
+        /// Isaac Sim 6.
+        V6 = "6" | "6.0",
+    }
 }
 
-/// The renderer that an asset is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Target {
-    /// Isaac Sim: the depth sensor's schema is on the render product.
-    #[default]
-    Isaac,
-    /// ovrtx: the depth sensor's schema is on the camera. Experimental: NVIDIA publishes no list of its attributes.
-    Ovrtx,
+choice! {
+    /// The renderer that an asset is for. NVIDIA publishes no list of the attributes of ovrtx.
+    Target {
+        /// The depth sensor's schema is on the render product.
+        Isaac = "isaac",
+        /// The depth sensor's schema is on the camera; experimental.
+        Ovrtx = "ovrtx",
+    }
 }
 
-/// The file format of an asset.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Format {
-    /// Text with the extension `.usda`.
-    Usda,
-    /// The same text with the extension `.usd`, which Isaac Sim's asset paths use.
-    #[default]
-    Usd,
-    /// A `.usdz` package of the text.
-    Usdz,
+choice! {
+    /// The file format of an asset.
+    Format {
+        /// Text with the extension that Isaac Sim's asset paths use.
+        Usd = "usd",
+        /// Text.
+        Usda = "usda",
+        /// A package of the text.
+        Usdz = "usdz",
+    }
 }
 
 impl Format {
     /// Returns the file extension without the dot.
     #[must_use]
     pub const fn extension(self) -> &'static str {
-        match self {
-            Self::Usda => "usda",
-            Self::Usd => "usd",
-            Self::Usdz => "usdz",
-        }
-    }
-}
-
-impl IsaacVersion {
-    /// Returns `5.1` or `6`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::V5_1 => "5.1",
-            Self::V6 => "6",
-        }
-    }
-}
-
-impl Target {
-    /// Returns `isaac` or `ovrtx`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Isaac => "isaac",
-            Self::Ovrtx => "ovrtx",
-        }
+        self.name()
     }
 }
 

@@ -122,7 +122,7 @@ pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
     Ok(OpenOptions {
         time: args.time,
         subdivide: args.subdivide,
-        up: args.up.map(Into::into),
+        up: args.up,
         scale: args.scale,
     })
 }

@@ -35,7 +35,6 @@ impl Sensors {
         let options = DepthSensorOptions {
             twin: oak.map(|oak| &oak.twin),
             sensor: &sensor,
-            isaac: args.sensor.isaac.map(Into::into),
         };
         let in_file = |error| format!("{}: {error}", args.scene.display());
         let (own, mut findings) = render::depth_sensors(cameras, &options).map_err(in_file)?;
@@ -90,10 +89,10 @@ pub(super) fn pair(
         imager: args.pair.imager()?,
         projector: args.pair.projector.unwrap_or(default.projector),
         ambient: args.pair.ambient.unwrap_or(default.ambient),
-        lens: args.unit.lens.into(),
+        lens: args.unit.lens,
         size,
         bias_px,
-        seed: args.sensor.seed,
+        seed: options.seed,
         ..default
     };
     Ok(Some(render::put_pair(&oak.twin, cameras, &pair)?))

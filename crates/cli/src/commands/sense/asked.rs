@@ -15,8 +15,8 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
     let size = size::parse("--align-size", args.align_size.as_deref())?;
     Ok(SenseOptions {
         sensor: args.engine.options()?,
-        kind: args.sensor.map(Into::into),
-        input_kind: args.input_kind.map(Into::into),
+        kind: args.sensor,
+        input_kind: args.input_kind,
         depth_scale: args.depth_scale,
         field_of_view: match (args.fx, args.hfov) {
             (Some(fx), _) => FieldOfView::FocalLength(fx),
@@ -25,15 +25,15 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
         },
         resample: args.resample,
         is_sequence: args.sequence,
-        lens: args.unit.lens.into(),
+        lens: args.unit.lens,
         align: args.align.map(|camera| AlignTo {
-            camera: camera.into(),
+            camera,
             size,
-            fill: args.align_fill.into(),
+            fill: args.align_fill,
         }),
         annotators: annotators(args)?,
         extras: args.outputs.extras(),
-        cloud: args.outputs.ply.then(|| args.ply_frame.into()),
+        cloud: args.outputs.ply.then_some(args.ply_frame),
     })
 }
 

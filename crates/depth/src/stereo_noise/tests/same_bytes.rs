@@ -1,4 +1,5 @@
 use super::*;
+use crate::BatchEngine as _;
 use crate::random::Stream;
 use crate::stereo_noise::sense::{Job, Scratch};
 use oaktwin_simd::Level;

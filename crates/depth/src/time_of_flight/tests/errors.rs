@@ -1,3 +1,5 @@
+use crate::BatchEngine as _;
+
 use super::*;
 
 #[test]

@@ -1,6 +1,7 @@
 use oaktwin_simd::Level;
 
 use super::*;
+use crate::BatchEngine as _;
 use crate::time_of_flight::sense::{Job, Scratch};
 
 /// Every loop in it.

@@ -12,7 +12,6 @@ use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::sensor::{self, ParameterError, SINGLE_VIEW, Sensor, SensorOptions};
 use oaktwin_catalog::Twin;
 use oaktwin_diagnostic::Finding;
-use oaktwin_usd::asset::IsaacVersion;
 
 /// The options of the cameras' depth sensors.
 #[derive(Clone, Copy, Debug)]
@@ -20,10 +19,8 @@ pub struct DepthSensorOptions<'a> {
     /// The device, if the cameras are those of an OAK.
     pub twin: Option<&'a Twin>,
     /// The sensor options. The default engine is [`SINGLE_VIEW`], because Isaac Sim's annotators of these names are its
-    /// outputs; the image is the camera's own, the default name its prim's, and the version of Isaac Sim is `isaac`.
+    /// outputs; the image is the camera's own, and the default name its prim's.
     pub sensor: &'a SensorOptions,
-    /// The version of Isaac Sim whose defaults apply to attributes that a stage does not author; by default that of the stage.
-    pub isaac: Option<IsaacVersion>,
 }
 
 /// An invalid depth sensor: `CAMERA: PARAMETER: what is wrong; what to do`.
@@ -52,7 +49,7 @@ pub fn depth_sensors(
             None => None,
             Some(DepthSensorSource::Twin(prim)) => of_twin(camera, prim, options)?,
             Some(DepthSensorSource::Stage { sensor, .. }) => {
-                Some(stage::sensor(sensor, &name, options.sensor, options.isaac)?)
+                Some(stage::sensor(sensor, &name, options.sensor)?)
             }
         };
         sensors.push(sensor.map(|(sensor, more)| {
@@ -77,7 +74,6 @@ fn of_twin(
     let own = SensorOptions {
         engine: Some(options.sensor.engine.unwrap_or(&SINGLE_VIEW)),
         image: Some(camera.camera.intrinsics),
-        isaac: options.isaac.unwrap_or_default(),
         ..options.sensor.clone()
     };
     let sensor = sensor::sensor(twin, spec, &own).map_err(|error| DepthSensorError {
@@ -134,7 +130,6 @@ mod tests {
         let options = DepthSensorOptions {
             twin: Some(&twin),
             sensor: &sensor,
-            isaac: None,
         };
         let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
         assert!(sensors[0].is_none());

@@ -29,9 +29,8 @@ pub(super) fn sensor(
     stage: &DepthSensor,
     name: &str,
     options: &SensorOptions,
-    isaac: Option<IsaacVersion>,
 ) -> Result<(Sensor, Vec<Finding>), DepthSensorError> {
-    let (parameters, mut findings) = parameters(stage, isaac)?;
+    let (parameters, mut findings) = parameters(stage, options.isaac)?;
     let (sensor, more) =
         sensor::of_render_product(name, parameters, options).map_err(|error| at(stage, error))?;
     findings.extend(more);
@@ -51,11 +50,10 @@ fn parameters(
     isaac: Option<IsaacVersion>,
 ) -> Result<(Parameters, Vec<Finding>), DepthSensorError> {
     let isaac = isaac.or_else(|| stage.isaac()).unwrap_or_default();
-    let (defaults, isaac_name) = match isaac {
-        IsaacVersion::V5_1 => (Parameters::isaac_5_1(), "5.1"),
-        IsaacVersion::V6 => (Parameters::isaac_6(), "6"),
+    let mut parameters = match isaac {
+        IsaacVersion::V5_1 => Parameters::isaac_5_1(),
+        IsaacVersion::V6 => Parameters::isaac_6(),
     };
-    let mut parameters = defaults;
     let mut findings = Vec::new();
     let mut authored = Vec::new();
     for (name, attribute) in stage.attributes() {
@@ -92,7 +90,7 @@ fn parameters(
             Level::Note,
             &stage.prim().path,
             format!(
-                "not authored, using the defaults of Isaac Sim {isaac_name}: {}",
+                "not authored, using the defaults of Isaac Sim {isaac}: {}",
                 missing.join(", ")
             ),
             "",

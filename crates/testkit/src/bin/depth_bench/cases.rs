@@ -4,12 +4,12 @@ use std::error::Error;
 use std::sync::Arc;
 
 use oaktwin_camera::StereoGeometry;
-use oaktwin_depth::Shot;
 use oaktwin_depth::filter::{self, Chain};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
+use oaktwin_depth::{BatchEngine as _, Shot};
 use oaktwin_image::{Image, millimetres};
 
 /// Processes one frame, given its number.

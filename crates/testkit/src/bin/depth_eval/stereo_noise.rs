@@ -3,9 +3,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use oaktwin_camera::StereoGeometry;
-use oaktwin_depth::Shot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
+use oaktwin_depth::{BatchEngine as _, Shot};
 use oaktwin_image::npy;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};

@@ -2,10 +2,10 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use oaktwin_depth::Shot;
 use oaktwin_depth::filter::DepthConfidence;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
+use oaktwin_depth::{BatchEngine as _, Shot};
 use oaktwin_image::{Image, npy};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
