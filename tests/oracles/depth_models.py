@@ -36,8 +36,9 @@ ASSUMPTIONS = {
     "confidence-at": "source",
     "confidence-comparison": "complement",
     "sobel-gain": 255 / 8,
-    "grain": 1.0,
+    "grain": 0.0,
     "luma": "rec709",
+    "luma-rounding": "8-bit",
     "quantizer": "round",
     "sigma-unit": "px",
     "invalid": "zero",
@@ -128,9 +129,10 @@ def horner(x, coefficients):
     return total
 
 
-def luma(rgb, assumptions):
+def luma(rgb, assumptions, levels=1):
+    """Luma of 0 to `levels`."""
     weights = {"rec709": (0.2126, 0.7152, 0.0722), "rec601": (0.299, 0.587, 0.114), "mean": (1 / 3,) * 3}
-    r, g, b = (F(w / 255) for w in weights[assumptions["luma"]])
+    r, g, b = (F(w / 255 if levels == 1 else w) for w in weights[assumptions["luma"]])
     c = rgb.astype(F)
     return r * c[..., 0] + g * c[..., 1] + b * c[..., 2]
 
@@ -218,8 +220,11 @@ def single_view(
     confidence = np.ones(z.shape, F)
     if rgb is not None:
         key = plane_key(seed, camera, STAGE_GRAIN)
-        grain = F(a["grain"] / 255) * normals(key, frame, item, height, width)
-        confidence = sobel(luma(rgb, a) + grain, a["sobel-gain"])
+        grain = F(a["grain"]) * normals(key, frame, item, height, width)
+        shade = luma(rgb, a, 255)
+        if a["luma-rounding"] == "8-bit":
+            shade = np.trunc(shade + F(0.5))
+        confidence = sobel(shade + grain, a["sobel-gain"] / 255)
         t = F(p["confidenceThreshold"])
         lacking = ~{
             "complement": lambda: confidence >= F(1) - t,

@@ -1,7 +1,7 @@
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{
-    Camera, ImageSize, Intrinsics, LensModel, Rectification, RectifiedIntrinsics, RigidTransform,
-    stereo_rectify, stereo_rectify_to,
+    Camera, ImageSize, Intrinsics, LensModel, Rectification, RectifiedIntrinsics, RectifyError,
+    RigidTransform, stereo_rectify, stereo_rectify_to,
 };
 
 use crate::{Calibration, CalibrationError, Socket};
@@ -48,9 +48,14 @@ impl Calibration {
         let right_at_size = Camera::new(b.intrinsics.resized(a.size(), true), b.lens);
         let rectification =
             stereo_rectify(&a.camera(), &right_at_size, &right_from_left).map_err(|error| {
+                let place = match error {
+                    RectifyError::Lens("left") => format!("{}.distortionCoeff", a.place),
+                    RectifyError::Lens(_) => format!("{}.distortionCoeff", b.place),
+                    _ => self.baseline_place(left, right),
+                };
                 CalibrationError::Unsuited {
                     file: self.file_name.clone(),
-                    place: self.baseline_place(left, right),
+                    place,
                     what: error.to_string(),
                     remedy: "calibrate the stereo pair again",
                 }

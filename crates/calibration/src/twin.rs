@@ -35,11 +35,9 @@ pub fn twin(
     for camera in &mut twin.cameras {
         apply(camera, calibration, body, &mut findings);
     }
-    for depth in &mut twin.depth_sensors {
-        let camera = twin
-            .cameras
-            .iter()
-            .find(|camera| camera.spec.role == depth.spec.camera);
+    let sources = twin.depth_sensors.iter().map(|depth| twin.depth_camera(depth));
+    let sources: Vec<Option<TwinCamera>> = sources.collect();
+    for (depth, camera) in twin.depth_sensors.iter_mut().zip(sources) {
         if let Some(camera) = camera.filter(|camera| calibrated(calibration, camera).is_some()) {
             depth.focal_length_px = camera.intrinsics.fx.round();
         }

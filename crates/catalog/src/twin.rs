@@ -1,9 +1,13 @@
+use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{
-    Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RigidTransform, Usd,
+    Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RectifiedIntrinsics, RigidTransform,
+    Usd, stereo_rectify_to,
 };
+use oaktwin_diagnostic::fold_name;
+use oaktwin_parameter::Platform;
 use oaktwin_parameter::nvidia::Attributes;
 
-use crate::{Camera, DepthSensor, Device, Role};
+use crate::{Camera, DepthKind, DepthSensor, Device, Role};
 
 /// A device with the intrinsics, lens and pose of each camera: nominal values of the catalog, or those of one unit's
 /// calibration.
@@ -56,7 +60,7 @@ pub struct TwinCamera {
 pub struct TwinDepthSensor {
     /// The catalog's entry.
     pub spec: DepthSensor,
-    /// `focalLengthPixel` of this twin: the rounded fx of [`DepthSensor::camera`].
+    /// `focalLengthPixel` of this twin: the rounded fx of [`Twin::depth_camera`].
     pub focal_length_px: f64,
 }
 
@@ -76,6 +80,52 @@ impl Twin {
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&TwinCamera> {
         self.cameras.iter().find(|camera| camera.spec.role == role)
+    }
+
+    /// Returns the processor of the device, or `None` if it is unknown.
+    #[must_use]
+    pub fn platform(&self) -> Option<Platform> {
+        let generation = fold_name(&self.device.generation);
+        let mut all = [Platform::Rvc2, Platform::Rvc4].into_iter();
+        all.find(|platform| fold_name(platform.name()) == generation)
+    }
+
+    /// Returns the camera that the images of a depth sensor are from: a pinhole, because depth is rectified.
+    ///
+    /// The camera of a stereo pair has the left camera's centre. In a calibrated unit, it is rotated like the rectified left
+    /// image, and has the intrinsics that the device's processor gives to both images: those of the right camera on RVC2, of
+    /// the left camera otherwise.
+    #[must_use]
+    pub fn depth_camera(&self, sensor: &TwinDepthSensor) -> Option<TwinCamera> {
+        let mut camera = self.camera(sensor.spec.camera)?.clone();
+        if sensor.spec.kind == DepthKind::Stereo && camera.spec.role == Role::Left {
+            camera = self.rectified_left()?;
+        }
+        camera.lens = LensModel::Pinhole;
+        Some(camera)
+    }
+
+    /// Returns the rectified left camera, or `None` if the device has no left camera. Without a right camera, or extrinsics
+    /// that can be rectified, it is the left camera without its lens.
+    #[must_use]
+    pub fn rectified_left(&self) -> Option<TwinCamera> {
+        let mut left = self.camera(Role::Left)?.clone();
+        let optics = |camera: &TwinCamera| Optics::new(camera.intrinsics, camera.lens);
+        if let (Origin::Calibration { .. }, Some(right)) = (&self.origin, self.camera(Role::Right)) {
+            let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
+            let target = match self.platform() {
+                Some(Platform::Rvc2) => RectifiedIntrinsics::RightCamera,
+                Some(Platform::Rvc4) | None => RectifiedIntrinsics::LeftCamera,
+            };
+            if let Ok(pair) = stereo_rectify_to(&optics(&left), &optics(right), &right_from_left, target) {
+                let left_from_rectified = pair.rectified_from_left.transpose();
+                left.intrinsics = pair.left;
+                left.body_from_camera =
+                    left.body_from_camera * RigidTransform::new(left_from_rectified, DVec3::ZERO);
+            }
+        }
+        left.lens = LensModel::Pinhole;
+        Some(left)
     }
 }
 

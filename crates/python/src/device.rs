@@ -284,8 +284,8 @@ impl Device {
         roles.map(|role| Ok((role, self.placed(role)?))).collect()
     }
 
-    /// Returns the camera of a depth sensor's images: the rectified pinhole at the pose of its reference camera, with the depth
-    /// sensor's clipping range.
+    /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
+    /// stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
     ///
     /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
@@ -324,7 +324,7 @@ impl Device {
     /// The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
     ///
     /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
-    ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
+    ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
     ///
     /// Raises oaktwin.Error for a device without a stereo pair, or cameras that cannot be rectified.
     #[pyo3(signature = (*, intrinsics = "zero-disparity"))]

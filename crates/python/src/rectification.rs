@@ -14,7 +14,7 @@ use crate::threads;
 ///
 /// left, right: the cameras, with their poses on the device. `Device.rectification` returns that of a device.
 /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
-///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4).
+///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
 ///
 /// Raises oaktwin.Error if the cameras cannot be rectified.
 #[pyclass(frozen, module = "oaktwin")]
@@ -121,6 +121,10 @@ impl Rectification {
         let map = threads::run(py, || {
             undistort_rectify_map(camera, rotation, rectified).collect::<Vec<_>>()
         })?;
+        if let Some(at) = map.iter().flatten().position(|position| position.is_infinite()) {
+            let is = format!("the lens model has no finite position for pixel {}", at / 2);
+            return Err(wrong("distortion", is, "calibrate the camera again"));
+        }
         let shape = [rectified.size.height as usize, rectified.size.width as usize, 2];
         PyArray1::from_vec(py, map.into_flattened()).reshape(shape)
     }

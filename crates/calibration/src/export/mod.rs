@@ -40,17 +40,30 @@ pub struct Export {
 /// Exports a calibration. `raw` is the document that `calibration` was read from.
 ///
 /// # Errors
-/// Returns an error if the format cannot approximate a lens, or the baseline is zero.
+/// Returns an error if the format cannot approximate a lens, the baseline is zero, or a number of a file would not be finite.
 pub fn export(raw: &Raw, calibration: &Calibration, format: Format) -> Result<Export, CalibrationError> {
-    match format {
-        Format::Ros => ros::export(calibration),
-        Format::OpenCv => opencv::export(calibration),
-        Format::Kalibr => kalibr::export(calibration),
-        Format::DepthAi => Ok(Export {
-            files: vec![("calibration.json".to_owned(), raw.to_text())],
-            findings: Vec::new(),
-        }),
+    let export = match format {
+        Format::Ros => ros::export(calibration)?,
+        Format::OpenCv => opencv::export(calibration)?,
+        Format::Kalibr => kalibr::export(calibration)?,
+        Format::DepthAi => {
+            return Ok(Export {
+                files: vec![("calibration.json".to_owned(), raw.to_text())],
+                findings: Vec::new(),
+            });
+        }
+    };
+    for (name, text) in &export.files {
+        if let Some(field) = text::not_finite(text) {
+            return Err(CalibrationError::Unsuited {
+                file: calibration.file_name.clone(),
+                place: format!("{name}: {field}"),
+                what: "not finite, because a number of the calibration is far out of range".to_owned(),
+                remedy: "calibrate the unit again",
+            });
+        }
     }
+    Ok(export)
 }
 
 /// Returns the name of a camera in exports: `left`, `right`, `rgb` or `tof`, otherwise its socket, such as `cam_d`.

@@ -28,12 +28,12 @@ impl StereoRectify {
         right_from_left: &RigidTransform,
         options: &RectifyOptions,
     ) -> Result<Self, RectifyError> {
-        let mut geometry = stereo_rectify_to(left, right, right_from_left, RectifiedIntrinsics::LeftCamera)?;
         let target = match options.target {
-            Target::Left => left.intrinsics,
-            Target::Right => right.intrinsics,
+            Target::Left => RectifiedIntrinsics::LeftCamera,
+            Target::Right => RectifiedIntrinsics::RightCamera,
         };
-        (geometry.left, geometry.right) = (target, target);
+        let geometry = stereo_rectify_to(left, right, right_from_left, target)?;
+        let target = geometry.left;
         let method = options.method.for_camera(left);
         let one =
             |camera: &Camera, rotation| Rectify::new(camera, rotation, &target, method, options.edge_fill);

@@ -108,6 +108,16 @@ choice! {
 }
 
 choice! {
+    /// The rounding of luma before Sobel.
+    LumaRounding {
+        /// To whole levels of 8 bits: surfaces whose shade changes slowly have contour lines, and nothing between them.
+        EightBit = "8-bit",
+        /// None: a step of one colour channel is a step of luma.
+        None = "none",
+    }
+}
+
+choice! {
     /// The quantization of disparity to steps of `noiseMean`.
     Quantizer {
         /// To the nearest step, halves to even.
@@ -172,15 +182,17 @@ parameters! {
         /// The samples that are kept, by saturated Sobel magnitude s and `confidenceThreshold` t.
         confidence_comparison: ConfidenceComparison = ConfidenceComparison::default() => ("confidence-comparison".own("NVIDIA's wording and the vendor's images")),
         /// The factor of Sobel's magnitude, of kernels (1 2 1) and (−1 0 1) on luma from 0 to 1, before it saturates. With the
-        /// default of 255/8, luma that rises by one 8-bit level per pixel has full confidence. In the vendor's images,
-        /// smooth, evenly shaded faces are measured at thresholds that would empty them at a gain of 1.
+        /// default of 255/8, luma that rises by one 8-bit level per pixel has full confidence. In the vendor's images, a step
+        /// of one level is measured along edges at the sheet's threshold of 0.8, and also at its corners at Isaac Sim's
+        /// 0.95, which requires 17 to 36.
         sobel_gain: f64 = 255.0 / 8.0 => ("sobel-gain".positive().own("the vendor's images")),
-        /// The standard deviation of noise that is added to luma before Sobel, in 8-bit levels. The images of a path tracer
-        /// have some, which is why a lower threshold thins smooth faces gradually; without it an evenly lit face would be
-        /// lost as a whole.
-        grain_levels: f64 = 1.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).estimate()),
+        /// The standard deviation of noise that is added to luma before Sobel, in 8-bit levels. 1 fills smooth faces, as in
+        /// an image with the grain of a path tracer; the vendor's images have none.
+        grain_levels: f64 = 0.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).own("the vendor's images")),
         /// The weights of red, green and blue in luma, of non-linear sRGB values.
         luma: Luma = Luma::default() => ("luma".own("NVIDIA's wording and the vendor's images")),
+        /// The rounding of luma before Sobel.
+        luma_rounding: LumaRounding = LumaRounding::default() => ("luma-rounding".own("the vendor's images")),
         /// The quantization of disparity to steps of `noiseMean`.
         quantizer: Quantizer = Quantizer::default() => ("quantizer".own("NVIDIA's wording and the vendor's images")),
         /// The unit of `noiseSigma`.

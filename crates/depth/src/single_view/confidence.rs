@@ -3,11 +3,11 @@
 use super::assumptions::ConfidenceComparison;
 use super::plan::Plan;
 use crate::random::Plane;
+use oaktwin_simd::saturating_trunc;
 
-/// Computes the luma of a row of the colour image, 0 to 1.
+/// Computes the luma of a row of the colour image with the given weights.
 #[inline(always)]
-pub(super) fn luma(plan: &Plan, rgb: &[[u8; 4]], out: &mut [f32]) {
-    let [red, green, blue] = plan.luma;
+pub(super) fn luma([red, green, blue]: [f32; 3], rgb: &[[u8; 4]], out: &mut [f32]) {
     for (out, &pixel) in out.iter_mut().zip(rgb) {
         let word = u32::from_le_bytes(pixel);
         let channel = |shift: u32| ((word >> shift) & 0xFF).cast_signed() as f32;
@@ -15,7 +15,7 @@ pub(super) fn luma(plan: &Plan, rgb: &[[u8; 4]], out: &mut [f32]) {
     }
 }
 
-/// The luma of three rows around the current one. Beyond the image, its border is repeated.
+/// The luma in levels of 8 bits of three rows around the current one. Beyond the image, its border is repeated.
 #[derive(Debug, Default)]
 pub(super) struct Texture {
     /// Row y is at index y % 3, with one more column on either side.
@@ -72,7 +72,12 @@ impl Texture {
     fn read(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
         let row = self.rows[y % 3].as_mut_slice();
         let width = plan.width;
-        luma(plan, &rgb[y * width..][..width], &mut row[1..=width]);
+        luma(plan.levels, &rgb[y * width..][..width], &mut row[1..=width]);
+        if plan.rounds_levels {
+            for luma in &mut row[1..=width] {
+                *luma = saturating_trunc(*luma + 0.5) as f32;
+            }
+        }
         if plan.grain > 0.0 {
             grain.normals_here(y as u32, &mut self.grain);
             for (luma, grain) in row[1..=width].iter_mut().zip(&self.grain) {

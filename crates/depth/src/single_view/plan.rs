@@ -1,6 +1,6 @@
 use super::assumptions::{
-    Collision, ConfidenceAt, ConfidenceComparison, Depth, Direction, Luma, MaxDisparity, MaxDisparityUnit,
-    OutlierNeighbourhood, Quantizer, RangeCut, SigmaUnit,
+    Collision, ConfidenceAt, ConfidenceComparison, Depth, Direction, Luma, LumaRounding, MaxDisparity,
+    MaxDisparityUnit, OutlierNeighbourhood, Quantizer, RangeCut, SigmaUnit,
 };
 use super::{Assumptions, Parameters};
 
@@ -34,10 +34,15 @@ pub(super) struct Plan {
     pub(super) last_wins: bool,
     pub(super) outlier_range: usize,
     pub(super) outlier_diamond: bool,
-    /// The weights of red, green and blue for values of 0 to 255.
+    /// The weights of red, green and blue for luma of 0 to 1.
     pub(super) luma: [f32; 3],
+    /// The weights of red, green and blue for luma of 0 to 255.
+    pub(super) levels: [f32; 3],
+    /// Whether levels are rounded to whole ones.
+    pub(super) rounds_levels: bool,
+    /// The gain for luma of 0 to 255, so that whole levels have exact magnitudes.
     pub(super) sobel_gain: f32,
-    /// The standard deviation of the grain, for luma of 0 to 1.
+    /// The standard deviation of the grain, levels.
     pub(super) grain: f32,
     pub(super) threshold: f32,
     /// Whether a sample can have too little confidence.
@@ -106,8 +111,10 @@ impl Plan {
             },
             outlier_diamond: a.outlier_neighbourhood == OutlierNeighbourhood::Four,
             luma: luma.map(|weight| (weight / 255.0) as f32),
-            sobel_gain: a.sobel_gain as f32,
-            grain: (a.grain_levels / 255.0) as f32,
+            levels: luma.map(|weight| weight as f32),
+            rounds_levels: a.luma_rounding == LumaRounding::EightBit,
+            sobel_gain: (a.sobel_gain / 255.0) as f32,
+            grain: a.grain_levels as f32,
             threshold,
             can_lack,
             comparison: a.confidence_comparison,

@@ -255,7 +255,7 @@ impl<K: Key> Tile<'_, '_, K> {
         if let Some(imager) = &mut self.rows.imager
             && let Some(rgb) = self.picture
         {
-            confidence::luma(plan, &rgb[y * width..][..width], &mut imager[at.clone()]);
+            confidence::luma(plan.luma, &rgb[y * width..][..width], &mut imager[at.clone()]);
         }
         if let Some(view) = &mut self.rows.view {
             let view = &mut view[at];

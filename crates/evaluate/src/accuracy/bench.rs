@@ -37,12 +37,12 @@ impl Bench {
         let mut twin = twin.clone();
         let depth = depth_sensor(&twin, options.sensor.as_deref())?.clone();
         let own_width_px = twin
-            .camera(depth.spec.camera)
+            .depth_camera(&depth)
             .map(|camera| camera.intrinsics.size.width);
         let depth = options.optics.apply(&mut twin, &depth)?;
         let (devices, units, findings) = units(&twin, &depth, options)?;
         let intrinsics = twin
-            .camera(depth.spec.camera)
+            .depth_camera(&depth)
             .map(|camera| camera.intrinsics)
             .ok_or_else(|| AccuracyError::Sensor {
                 model: twin.device.name.clone(),

@@ -38,7 +38,7 @@ impl MeasuredOptics {
             (_, Some(width)) if !(16..=MAX_WIDTH_PX).contains(&width) => return wrong("width", &width),
             _ => {}
         }
-        let Some(own) = twin.camera(sensor.spec.camera).map(|camera| camera.intrinsics) else {
+        let Some(own) = twin.depth_camera(&sensor).map(|camera| camera.intrinsics) else {
             return Ok(sensor);
         };
         let changed = self.changed(own);

@@ -1,5 +1,7 @@
 //! The cameras of an OAK in a scene.
 
+use std::borrow::Cow;
+
 use oaktwin_render::Clip;
 
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
@@ -30,15 +32,14 @@ struct Candidate<'a> {
     prim: &'a str,
     names: Vec<String>,
     is_depth: bool,
-    camera: &'a TwinCamera,
+    camera: Cow<'a, TwinCamera>,
     clipping_range_m: (f64, f64),
     focus_distance: f64,
 }
 
 /// Returns the cameras of a twin with its body (x forward, y left, z up) at `world_from_body` in metres, and the findings.
 ///
-/// The camera of a depth sensor is the pinhole of its physical camera, at the same pose, as in an asset: an OAK's depth is
-/// rectified.
+/// The camera of a depth sensor is that of the rectified image, as in an asset: [`Twin::depth_camera`].
 ///
 /// # Errors
 /// Returns an error if a name is not that of a camera or an image size is invalid.
@@ -105,7 +106,7 @@ fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
         prim: &camera.spec.prim,
         names: vec![camera.spec.role.to_string(), camera.spec.prim.clone()],
         is_depth: false,
-        camera,
+        camera: Cow::Borrowed(camera),
         clipping_range_m: camera.spec.clipping_range_m,
         focus_distance: camera.spec.focus_distance,
     });
@@ -124,7 +125,7 @@ fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
                 render_product_name(prim),
             ],
             is_depth: true,
-            camera: twin.camera(sensor.spec.camera)?,
+            camera: Cow::Owned(twin.depth_camera(sensor)?),
             clipping_range_m: sensor.spec.clipping_range_m,
             focus_distance: sensor.spec.focus_distance,
         })
@@ -163,7 +164,7 @@ fn place(
 ) -> Result<PlacedCamera, CameraError> {
     let own = match candidate.is_depth {
         true => Camera::new(candidate.camera.intrinsics, LensModel::Pinhole),
-        false => twin.optics(candidate.camera, options.lens),
+        false => twin.optics(&candidate.camera, options.lens),
     };
     let path = format!("{}/{}", twin.device.name, candidate.prim);
     let size = options.size.unwrap_or(own.intrinsics.size);

@@ -68,7 +68,7 @@ impl DepthReport {
             baseline_m: spec.baseline_mm * 1e-3,
         };
         let hfov = twin
-            .camera(spec.camera)
+            .depth_camera(sensor)
             .map_or(0.0, |camera| camera.intrinsics.hfov());
         Self {
             prim: spec.prim.clone(),

@@ -46,7 +46,7 @@ pub(super) fn aligner(
             )
         ])
     })?;
-    let source = twin.camera(sensor.spec.camera).ok_or_else(|| {
+    let source = twin.depth_camera(sensor).ok_or_else(|| {
         SenseError::option(message![
             opt("align"),
             format!(": the position of {} is unknown; remove it", sensor.spec.prim)

@@ -195,7 +195,7 @@ impl<'a> Run<'a, '_, '_> {
         size: ImageSize,
     ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
-        let own = self.twin.camera(sequence.sensor.spec.camera).ok_or_else(|| {
+        let own = self.twin.depth_camera(sequence.sensor).ok_or_else(|| {
             SenseError::option(format!("the camera of {prim} is unknown; choose another model"))
         })?;
         let ImageCamera {
@@ -254,7 +254,7 @@ impl<'a> Run<'a, '_, '_> {
             output: OutputContext {
                 options,
                 camera: looked,
-                view: view(own, sequence.sensor, looked),
+                view: view(&own, sequence.sensor, looked),
                 reported,
                 align,
             },

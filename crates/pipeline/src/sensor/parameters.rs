@@ -21,7 +21,7 @@ pub fn single_view_parameters(
 /// Returns the geometry and image width of the stereo pair of a twin at its cameras' used resolution, or `None` if it has
 /// no pair.
 pub(super) fn stereo_pair(twin: &Twin) -> Option<(StereoGeometry, u32)> {
-    let (left, right) = (twin.camera(Role::Left)?, twin.camera(Role::Right)?);
+    let (left, right) = (twin.rectified_left()?, twin.camera(Role::Right)?);
     let baseline = left.body_from_camera.translation - right.body_from_camera.translation;
     let stereo = StereoGeometry {
         focal_length_px: left.intrinsics.fx,

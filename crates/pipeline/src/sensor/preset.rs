@@ -4,16 +4,14 @@ use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_depth::filter::Filter;
 use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, TimeOfFlightConfig};
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig};
-use oaktwin_diagnostic::{Finding, Level, fold_name};
+use oaktwin_diagnostic::{Finding, Level};
 
 use super::SensorOptions;
 
 /// Returns the processor of a twin's device, or `None` if it is unknown.
 #[must_use]
 pub fn platform(twin: &Twin) -> Option<Platform> {
-    let generation = fold_name(&twin.device.generation);
-    let mut all = [Platform::Rvc2, Platform::Rvc4].into_iter();
-    all.find(|platform| fold_name(platform.name()) == generation)
+    twin.platform()
 }
 
 /// Returns the preset that the options name for a depth sensor.

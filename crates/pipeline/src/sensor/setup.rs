@@ -35,7 +35,7 @@ pub(super) enum Source<'a> {
 
 impl<'a> Source<'a> {
     pub(super) fn twin(twin: &'a Twin, sensor: &'a TwinDepthSensor, options: &SensorOptions) -> Self {
-        let own = twin.camera(sensor.spec.camera).and_then(|camera| {
+        let own = twin.depth_camera(sensor).and_then(|camera| {
             let (image, own) = (options.image?, camera.intrinsics);
             let at_own_width = image.fx * f64::from(own.size.width) / f64::from(image.size.width);
             // NaN counts as different.
@@ -107,7 +107,7 @@ fn of_twin(
     options: &SensorOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Setup, ParameterError> {
-    let camera = twin.camera(sensor.spec.camera).map(|camera| camera.intrinsics);
+    let camera = twin.depth_camera(sensor).map(|camera| camera.intrinsics);
     if let (Some(image), Some(camera)) = (own, camera) {
         findings.push(own_focal_length(&image, &camera, &sensor.spec.prim));
     }

@@ -28,9 +28,9 @@ pub(super) struct Source {
 
 impl Source {
     /// The camera of the model whose images the sensor measures.
-    fn own(&self) -> PyResult<&TwinCamera> {
+    fn own(&self) -> PyResult<TwinCamera> {
         let spec = &self.depth.spec;
-        let own = self.twin.camera(spec.camera);
+        let own = self.twin.depth_camera(&self.depth);
         own.ok_or_else(|| wrong(&spec.prim, "its camera is not known", "choose another model"))
     }
 

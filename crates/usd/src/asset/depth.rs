@@ -30,7 +30,7 @@ pub(super) fn virtual_camera(
     sensor: &TwinDepthSensor,
     options: &AssetOptions,
 ) -> Result<Prim, AssetError> {
-    let camera = source(twin, sensor)?;
+    let camera = &source(twin, sensor)?;
     let traits = CameraTraits {
         name: &sensor.spec.prim,
         focus_distance: sensor.spec.focus_distance,
@@ -51,9 +51,9 @@ pub(super) fn virtual_camera(
     Ok(prim)
 }
 
-/// Returns the camera whose optics and pose a depth sensor uses.
-pub(super) fn source<'a>(twin: &'a Twin, sensor: &TwinDepthSensor) -> Result<&'a TwinCamera, AssetError> {
-    twin.camera(sensor.spec.camera)
+/// Returns the rectified camera whose optics and pose a depth sensor uses.
+pub(super) fn source(twin: &Twin, sensor: &TwinDepthSensor) -> Result<TwinCamera, AssetError> {
+    twin.depth_camera(sensor)
         .ok_or_else(|| AssetError::MissingCamera {
             model: twin.device.name.clone(),
             sensor: sensor.spec.prim.clone(),

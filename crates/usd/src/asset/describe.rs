@@ -104,7 +104,8 @@ pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinC
     );
     if lens::of_depth_camera(twin, camera).is_some() {
         text.push_str(
-            " Depth images are rectified: the lens schema carries the calibrated principal point and no distortion.",
+            " Depth images are rectified: the pose and the intrinsics are those of the device's rectified image, and the lens \
+             schema has no distortion.",
         );
     }
     text

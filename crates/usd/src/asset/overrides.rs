@@ -55,7 +55,7 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
     let mut products = Prim::over(PRODUCTS);
     for sensor in &twin.depth_sensors {
         let name = base.names.of(&sensor.spec.prim);
-        let source = depth::source(twin, sensor)?;
+        let source = &depth::source(twin, sensor)?;
         let mut prim = Prim::over(name);
         add_optics(&mut prim, &camera::optics(twin, source, options));
         if let Some(lens) = lens::of_depth_camera(twin, source) {

@@ -67,14 +67,14 @@ pub(crate) fn calibrated(mut twin: Twin, fisheye: bool) -> Twin {
             camera.body_from_camera.translation + DVec3::new(0.0011, 0.0002, -0.0003),
         );
     }
-    for sensor in 0..twin.depth_sensors.len() {
-        let role = twin.depth_sensors[sensor].spec.camera;
-        let fx = twin.camera(role).expect("its camera").intrinsics.fx;
-        twin.depth_sensors[sensor].focal_length_px = fx.round();
-    }
     twin.origin = Origin::Calibration {
         product_name: "OAK-D-UNIT".into(),
         file_name: "unit \"7\".json".into(),
     };
+    for sensor in 0..twin.depth_sensors.len() {
+        let camera = twin.depth_camera(&twin.depth_sensors[sensor]);
+        let fx = camera.expect("its camera").intrinsics.fx;
+        twin.depth_sensors[sensor].focal_length_px = fx.round();
+    }
     twin
 }

@@ -324,3 +324,123 @@ fn removes_outliers() {
     assert!(lone(2, &pair).pixels().iter().all(|&z| z == 0.0));
     assert_eq!(lone(3, &pair), pair);
 }
+
+/// A smoothly lit face in whole levels: the shade rises by a level in 13 rows, with a little smooth variation.
+fn lit_face(width: u32, height: u32) -> Image<[u8; 4]> {
+    let waves = [(1.0, 1.0, 0.3, 0.1), (0.7, 0.45, -0.5, 1.3), (0.5, 1.9, 0.7, 2.2)];
+    image(width, height, |x, y| {
+        let (x, y) = (f64::from(x), f64::from(y));
+        let wave = |(amplitude, u, v, phase): (f64, f64, f64, f64)| {
+            amplitude * (std::f64::consts::TAU * (u * x + v * y) / 150.0 + phase).sin()
+        };
+        let variation: f64 = waves.into_iter().map(wave).sum();
+        let level = (120.0 + y / 13.0 + 1.5 * variation) as u8;
+        [level, level, level, 255]
+    })
+}
+
+/// The shares of runs of 1, 2, 3 and 4 pixels, per cent.
+fn shares(lines: impl Iterator<Item = Vec<bool>>) -> [f64; 4] {
+    let mut counts = [0u32; 4];
+    let mut all = 0;
+    for line in lines {
+        for run in line.split(|measured| !measured).filter(|run| !run.is_empty()) {
+            all += 1;
+            if let Some(count) = counts.get_mut(run.len() - 1) {
+                *count += 1;
+            }
+        }
+    }
+    counts.map(|count| 100.0 * f64::from(count) / f64::from(all))
+}
+
+/// Counted in the vendor's pictures of a face at one depth: 21.4 % at the default threshold of Isaac Sim, and 14.7 % and
+/// 14.8 % at a lower one, probably the sheet's; and the lengths of runs down the columns and along the rows.
+#[test]
+fn a_smoothly_lit_face_keeps_the_lines_of_the_vendors_pictures() {
+    let (width, height) = (520u32, 450u32);
+    let (depth, picture) = (image(width, height, |_, _| 2.5f32), lit_face(width, height));
+    for (threshold, measured, down, along) in [
+        (0.95, 21.4, [39.0, 29.0, 21.0, 7.0], [39.0, 28.0, 16.0, 8.0]),
+        (0.8, 14.75, [45.0, 43.0, 9.0, 2.0], [46.0, 30.0, 13.0, 6.0]),
+    ] {
+        let parameters = Parameters {
+            confidence_threshold: threshold,
+            noise_sigma_px: 0.45,
+            noise_downscale_factor_px: 1.0,
+            // A part of an image that is 1920 px wide.
+            sensor_size_px: 1280.0 * f64::from(width) / 1920.0,
+            ..oak_d_pro()
+        };
+        let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+        let seen = |assumptions: Assumptions| {
+            let sensor = SingleView::new(parameters, assumptions).unwrap();
+            let seen = sensor.sense(&shot, &Stream::new(1, "left"), Wanted::default());
+            let rows = seen.distance.0.rows().skip(30).take(390);
+            let rows: Vec<Vec<bool>> = rows
+                .map(|row| row[80..440].iter().map(|z| *z > 0.0).collect())
+                .collect();
+            rows
+        };
+        let share = |rows: &[Vec<bool>]| {
+            let measured = rows.iter().flatten().filter(|measured| **measured).count();
+            100.0 * measured as f64 / (390.0 * 360.0)
+        };
+        let rows = seen(Assumptions::default());
+        assert!(
+            (share(&rows) - measured).abs() < 1.5,
+            "{threshold}: {}",
+            share(&rows)
+        );
+        let columns = (0..360).map(|x| rows.iter().map(|row| row[x]).collect());
+        for (found, expected) in [(shares(columns), down), (shares(rows.iter().cloned()), along)] {
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 6.0, "{threshold}: {found} {expected}");
+            }
+        }
+        // Grain fills the plateaus between the lines.
+        let mut grainy = Assumptions::default();
+        grainy.set("grain", "1").unwrap();
+        assert!(share(&seen(grainy)) > 60.0);
+    }
+}
+
+#[test]
+fn plateaus_and_a_plain_sky_are_empty_and_lines_are_measured() {
+    let (width, height) = (640u32, 200u32);
+    let depth = image(width, height, |_, _| 8.0f32);
+    // Steps of one level, 40 rows apart; a grid on the right half.
+    let picture = image(width, height, |x, y| {
+        let is_line = x >= 320 && (x % 40 < 2 || y % 50 < 2);
+        let level = if is_line { 90 } else { 140 + (y / 40) as u8 };
+        let sky = [level, level, level, 255];
+        if y >= 160 && !is_line {
+            [120, 160, 220, 255]
+        } else {
+            sky
+        }
+    });
+    let parameters = Parameters {
+        confidence_threshold: 0.95,
+        outlier_removal_range_px: 0,
+        noise_mean_px: 0.0,
+        ..oak_d_pro()
+    };
+    let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+    let seen = sensor(parameters).sense(&shot, &Stream::new(1, ""), Wanted::default());
+    let shift = (PX_M * 640.0 / 1280.0 / 8.0).round() as u32;
+    let is_measured = |x: u32, y: u32| *seen.distance.0.get(x + shift, y).unwrap() > 0.0;
+    for y in 0..height {
+        let is_step = y > 0 && y <= 160 && (y % 40 == 0 || y % 40 == 39);
+        for x in 4..300 {
+            assert_eq!(is_measured(x, y), is_step, "({x}, {y})");
+        }
+    }
+    for y in (6..height - 6).filter(|y| (4..46).contains(&(y % 50)) && !(y % 40 < 2 || y % 40 > 37)) {
+        for x in 325..620 {
+            let from_line = x % 40;
+            let is_edge = [39, 0, 1, 2].contains(&from_line);
+            assert_eq!(is_measured(x, y), is_edge, "({x}, {y})");
+        }
+    }
+}
