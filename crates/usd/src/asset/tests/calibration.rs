@@ -64,17 +64,17 @@ fn calibrated_assets_carry_all_calibrated_values() {
     // OpenUSD's sign and convention: h = −(646.25 + 0.5 − 640) · 3 µm, v = +(397.5 + 0.5 − 400) · 3 µm.
     near(number(left, "horizontalApertureOffset"), -0.02025, 1e-8);
     near(number(left, "verticalApertureOffset"), -0.006, 1e-8);
-    // The depth camera is the rectified left camera.
+    // The depth camera is the rectified left camera, which has the right camera's intrinsics on RVC2.
     let depth = prim(&made, "Camera_pseudo_depth");
-    near(
-        number(depth, "omni:lensdistortion:opencvPinhole:cx"),
-        646.25,
-        1e-4,
-    );
+    let right = unit.camera(Role::Right).unwrap().intrinsics;
+    for (name, expected) in [("cx", 645.25), ("fx", right.fx)] {
+        let name = format!("omni:lensdistortion:opencvPinhole:{name}");
+        near(number(depth, &name), expected, 1e-4);
+    }
     assert_eq!(number(depth, "omni:lensdistortion:opencvPinhole:k1"), 0.0);
     let product = prim(&made, "TemplateRenderProducts/Camera_pseudo_depth_render_product");
     let focal_length_px = number(product, "omni:rtx:post:depthSensor:focalLengthPixel");
-    assert_eq!(focal_length_px, fx.round());
+    assert_eq!(focal_length_px, right.fx.round());
     assert_eq!(number(product, "omni:rtx:post:depthSensor:noiseMean"), 0.25);
     // Tilt cannot be expressed; two of the three cameras have it.
     assert_eq!(
