@@ -113,7 +113,7 @@ def census(image: np.ndarray, bits: int, mask: int, p: Parameters) -> np.ndarray
 
 def costs(left, right, bits, full_width, p):
     """Height, width, candidates."""
-    mask = p.kernelMask or (MASKS[WINDOWS[p.kernelSize]] if full_width > 640 else 2**64 - 1)
+    mask = p.kernelMask or (MASKS[WINDOWS[p.kernelSize]] if full_width >= 1280 else 2**64 - 1)
     ours, theirs = census(left, bits, mask, p), census(right, bits, mask, p)
     height, width = left.shape
     most = min(p.alpha * 255 + p.beta * 8 * len(ours), 32 * p.linearEquationParameters_threshold)
@@ -354,5 +354,5 @@ def merge(full, half, p):
     bits = p.subpixelFractionalBits
     doubled = 2 * near + (p.disparityShift << bits)
     beyond = (candidates(p)[-1] - p.disparityShift) << bits
-    taken = (near > 0) & ((disparity == 0) | (doubled > beyond))
+    taken = (near > 0) & (doubled > beyond) & ((disparity == 0) | (sure > confidence))
     return np.where(taken, np.minimum(doubled, 65535), disparity), np.where(taken, sure, confidence)

@@ -17,8 +17,9 @@ pub(super) fn halve(image: &Source<'_>) -> (usize, usize, Vec<i16>) {
     (width, height, out)
 }
 
-/// Merges the disparities of half-size images: they replace those of the full-size images beyond `beyond` steps and
-/// where these are invalid. Disparities are doubled; `shift` is the disparity shift in steps.
+/// Merges the disparities of half-size images. Doubled, those beyond `beyond` steps, the range of the full-size images,
+/// replace less confident and invalid ones; all others are less accurate than those of the full-size images and are
+/// ignored. `shift` is the disparity shift in steps.
 pub(super) fn merge(
     half: (&Image<u16>, &Image<u8>),
     shift: u32,
@@ -42,14 +43,37 @@ pub(super) fn merge(
             let (Some(&found), Some(&sure)) = (half.0.pixels().get(at), half.1.pixels().get(at)) else {
                 return;
             };
-            if found == 0 {
-                continue;
-            }
             let doubled = 2 * u32::from(found) + shift;
-            if *own == 0 || doubled > beyond {
+            if found > 0 && doubled > beyond && (*own == 0 || sure > *own_confidence) {
                 *own = u16::try_from(doubled).unwrap_or(u16::MAX);
                 *own_confidence = sure;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Merges one half-size pixel with a full-size one.
+    fn merged(half: [u16; 2], full: [u16; 2]) -> [u16; 2] {
+        let one = |[disparity, confidence]: [u16; 2]| {
+            let confidence = u8::try_from(confidence).unwrap();
+            (Image::filled(1, 1, disparity), Image::filled(1, 1, confidence))
+        };
+        let (half, (mut disparity, mut confidence)) = (one(half), one(full));
+        merge((&half.0, &half.1), 0, 95, &mut disparity, &mut confidence);
+        [disparity.pixels()[0], confidence.pixels()[0].into()]
+    }
+
+    #[test]
+    fn only_disparities_beyond_the_range_are_used_and_only_if_they_are_more_confident() {
+        assert_eq!(merged([60, 90], [40, 80]), [120, 90]);
+        assert_eq!(merged([60, 80], [40, 80]), [40, 80]);
+        assert_eq!(merged([60, 10], [0, 80]), [120, 10]);
+        assert_eq!(merged([47, 90], [40, 80]), [40, 80]);
+        assert_eq!(merged([47, 90], [0, 80]), [0, 80]);
+        assert_eq!(merged([0, 90], [0, 80]), [0, 80]);
     }
 }

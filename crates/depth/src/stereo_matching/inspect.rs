@@ -2,7 +2,7 @@
 
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::pair::Pair;
+use super::pair::{Luminance, Pair};
 use super::parameters::Parameters;
 
 /// The number of columns and rows compared on each side of a point.
@@ -40,39 +40,9 @@ const SATURATED: f64 = 0.4;
 /// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
 #[must_use]
 pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
-    let warn =
-        |code, place: &str, message, remedy: &str| Finding::new(code, Level::Warning, place, message, remedy);
-    let mut findings = Vec::new();
     let (width, height) = (pair.width() as usize, pair.height() as usize);
     let last = parameters.max_disparity_px() as usize;
-    if last >= width {
-        findings.push(warn(
-            "range-beyond-image",
-            "disparity range",
-            format!("disparities up to {last} px exceed the image width of {width} px"),
-            "use larger images, or a smaller disparityShift",
-        ));
-    }
-    let more = pair.left().bits() - 8;
-    let grey = [pair.left(), pair.right()].map(|image| {
-        let levels = image.levels().into_iter();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 bits")]
-        let levels: Vec<u8> = levels.map(|level| (level >> more) as u8).collect();
-        levels
-    });
-    for (name, grey) in ["left image", "right image"].into_iter().zip(&grey) {
-        let bright = grey.iter().filter(|&&level| level >= 254).count();
-        #[expect(clippy::cast_precision_loss, reason = "a share")]
-        let share = bright as f64 / grey.len().max(1) as f64;
-        if share > SATURATED {
-            findings.push(warn(
-                "saturated",
-                name,
-                format!("{:.0} % of the pixels are saturated", share * 100.0),
-                "reduce the exposure",
-            ));
-        }
-    }
+    let grey = [pair.left(), pair.right()].map(grey_levels);
     let look = Look {
         width,
         height,
@@ -80,69 +50,50 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
         right: &grey[1],
         reach: last.min(width / 3),
     };
+    let mut findings = Vec::new();
+    if last >= width {
+        findings.push(warning(
+            "range-beyond-image",
+            "disparity range",
+            format!("disparities up to {last} px exceed the image width of {width} px"),
+            "use larger images, or a smaller disparityShift",
+        ));
+    }
+    findings.extend(saturated("left image", look.left));
+    findings.extend(saturated("right image", look.right));
     let points = look.points(look.left);
-    for (name, count) in [
-        ("left image", points.len()),
-        ("right image", look.points(look.right).len()),
-    ] {
-        if count < FEWEST {
-            findings.push(warn(
-                "no-texture",
-                name,
-                format!("too little texture: {count} matchable points"),
-                "add light, enable the dot projector, or use a textured scene",
-            ));
-            return findings;
-        }
-    }
-    if look.left == look.right {
-        findings.push(warn(
-            "same-image",
-            "stereo pair",
-            "the left and the right image are identical".to_owned(),
-            "give the images of both cameras",
-        ));
-        return findings;
-    }
-    let most = MOST_ROWS.cast_signed();
-    let by_rows = |is_swapped| {
-        let rows = -most..=most;
-        let all = rows.map(|rows| (look.difference(&points, rows, is_swapped), rows));
-        // Of equal differences, the smallest offset.
-        let least = all.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs())));
-        least.unwrap_or((f64::MAX, 0))
-    };
-    let (given, swapped) = (by_rows(false), by_rows(true));
-    let is_swapped = given.0 > BETTER * swapped.0.max(FLOOR);
-    if is_swapped {
-        findings.push(warn(
-            "pair-swapped",
-            "stereo pair",
-            "points of the left image are farther right in the right image".to_owned(),
-            "swap the left and the right image",
-        ));
-    }
-    let (least, rows) = if is_swapped { swapped } else { given };
-    if !is_swapped && look.is_by_chance(&points, least) {
-        findings.push(warn(
-            "unrelated",
-            "stereo pair",
-            "the images do not match, or all surfaces are nearer than the search range".to_owned(),
-            "give both images of the same moment; for near objects enable the extended disparity",
-        ));
-    } else if rows != 0 && look.difference(&points, 0, is_swapped) > BETTER * least.max(FLOOR) {
-        let to = if rows > 0 { "lower" } else { "higher" };
-        findings.push(warn(
-            "vertical-offset",
-            "stereo pair",
-            format!(
-                "the right image is about {} px {to} than the left one",
-                rows.abs()
-            ),
-            "rectify both with this unit's calibration",
-        ));
+    match look.unmatchable(&points) {
+        Some(finding) => findings.push(finding),
+        None => findings.extend(look.misplaced(&points)),
     }
     findings
+}
+
+fn warning(code: &'static str, place: &str, message: String, remedy: &'static str) -> Finding {
+    Finding::new(code, Level::Warning, place, message, remedy)
+}
+
+/// Returns the 8-bit grey levels of an image.
+fn grey_levels(image: Luminance<'_>) -> Vec<u8> {
+    let more = image.bits() - 8;
+    let levels = image.levels().into_iter();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 bits")]
+    let levels = levels.map(|level| (level >> more) as u8).collect();
+    levels
+}
+
+fn saturated(name: &str, grey: &[u8]) -> Option<Finding> {
+    let bright = grey.iter().filter(|&&level| level >= 254).count();
+    #[expect(clippy::cast_precision_loss, reason = "a share")]
+    let share = bright as f64 / grey.len().max(1) as f64;
+    (share > SATURATED).then(|| {
+        warning(
+            "saturated",
+            name,
+            format!("{:.0} % of the pixels are saturated", share * 100.0),
+            "reduce the exposure",
+        )
+    })
 }
 
 struct Look<'a> {
@@ -155,6 +106,73 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
+    /// Returns why the images cannot be compared: too little texture, or no difference.
+    fn unmatchable(&self, points: &[[usize; 2]]) -> Option<Finding> {
+        let counts = [
+            ("left image", points.len()),
+            ("right image", self.points(self.right).len()),
+        ];
+        if let Some((name, count)) = counts.into_iter().find(|&(_, count)| count < FEWEST) {
+            return Some(warning(
+                "no-texture",
+                name,
+                format!("too little texture: {count} matchable points"),
+                "add light, enable the dot projector, or use a textured scene",
+            ));
+        }
+        (self.left == self.right).then(|| {
+            warning(
+                "same-image",
+                "stereo pair",
+                "the left and the right image are identical".to_owned(),
+                "give the images of both cameras",
+            )
+        })
+    }
+
+    /// Returns the problems of how the images correspond.
+    fn misplaced(&self, points: &[[usize; 2]]) -> Vec<Finding> {
+        let most = MOST_ROWS.cast_signed();
+        let by_rows = |is_swapped| {
+            let all = (-most..=most).map(|rows| (self.difference(points, rows, is_swapped), rows));
+            // Of equal differences, the smallest offset.
+            let least = all.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs())));
+            least.unwrap_or((f64::MAX, 0))
+        };
+        let (given, swapped) = (by_rows(false), by_rows(true));
+        let is_swapped = given.0 > BETTER * swapped.0.max(FLOOR);
+        let (least, rows) = if is_swapped { swapped } else { given };
+        let mut findings = Vec::new();
+        if is_swapped {
+            findings.push(warning(
+                "pair-swapped",
+                "stereo pair",
+                "points of the left image are farther right in the right image".to_owned(),
+                "swap the left and the right image",
+            ));
+        }
+        if !is_swapped && self.is_by_chance(points, least) {
+            findings.push(warning(
+                "unrelated",
+                "stereo pair",
+                "the images do not match, or all surfaces are nearer than the search range".to_owned(),
+                "give both images of the same moment; for near objects enable the extended disparity",
+            ));
+        } else if rows != 0 && self.difference(points, 0, is_swapped) > BETTER * least.max(FLOOR) {
+            let to = if rows > 0 { "lower" } else { "higher" };
+            findings.push(warning(
+                "vertical-offset",
+                "stereo pair",
+                format!(
+                    "the right image is about {} px {to} than the left one",
+                    rows.abs()
+                ),
+                "rectify both with this unit's calibration",
+            ));
+        }
+        findings
+    }
+
     fn at(&self, image: &[u8], x: usize, y: usize) -> u32 {
         image.get(y * self.width + x).copied().unwrap_or_default().into()
     }

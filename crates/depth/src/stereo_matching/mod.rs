@@ -25,8 +25,9 @@
 //! 8. On RVC4, before pixels are lost: **holes** take the mean of their superpixel or are lost ([`HoleFilling`]), then pixels
 //!    of low confidence take the median of their neighbourhood ([`AdaptiveMedian`]).
 //! 9. **Losses**: pixels below the confidence threshold, and columns at the left border.
-//! 10. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images at half size; its disparities,
-//!     doubled, are used beyond the range of the full-size images, and where these have none.
+//! 10. **Extended disparity** ([`Parameters::extended_disparity`]): the same with both images at half size. Of its
+//!     disparities, doubled, only those beyond the range of the full-size images are used, where the full-size images have
+//!     none or a less confident one.
 //!
 //! Filters run between these steps and depth z = f·b/d, as in [`crate::stereo_noise`].
 //!

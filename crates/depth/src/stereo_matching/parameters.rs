@@ -92,7 +92,7 @@ parameters! {
         /// The window of the census transform.
         kernel_size: CensusKernel = CensusKernel::Auto => ("kernelSize"),
         /// The pixels of the window that are compared, row by row without the centre, the first in the highest bit. 0 is
-        /// `DepthAI`'s choice: every second pixel in images wider than 640 px, all pixels in others.
+        /// `DepthAI`'s choice: every second pixel in images at least 1280 px wide, all pixels in others.
         kernel_mask: u64 = 0 => ("kernelMask" as Hexadecimal),
         /// Whether pixels are compared with the mean of the window instead of its centre.
         mean_mode: bool = true => ("enableMeanMode"),

@@ -120,8 +120,26 @@ pub(super) enum Width {
     Wide,
 }
 
+impl Width {
+    /// Returns the widths for the largest cost of a path and the number of paths of both scans.
+    fn new(largest: u32, paths: [usize; 2]) -> Self {
+        let half = largest * counter(paths[0].max(paths[1]));
+        let sum = largest * counter(paths[0] + paths[1]);
+        match (largest, half, sum) {
+            (_, _, ..=255) => Self::Narrow,
+            (_, ..=255, ..=511) => Self::Short,
+            (..=255, _, _) => Self::Mixed,
+            _ => Self::Wide,
+        }
+    }
+}
+
 /// `DepthAI`'s masks: every other pixel of every other row, row by row without the centre.
 const MASKS: [u64; 3] = [0xA8_2415, 0xAA02_A815_4055, 0x2AA0_0AA8_0554_0155];
+
+/// The width from which on [`MASKS`] apply: `DepthAI` documents that they are disabled at 400P (640 px) and enabled at
+/// 720P (1280 px), and nothing between the two.
+const MASKED_WIDTH: usize = 1280;
 
 impl Parameters {
     /// Returns the mask of the window's pixels for images `width` px wide: [`kernel_mask`](Self::kernel_mask), or
@@ -129,7 +147,7 @@ impl Parameters {
     #[must_use]
     pub const fn mask_at(&self, width: usize) -> u64 {
         match (self.kernel_mask, self.kernel_size) {
-            (0, _) if width <= 640 => u64::MAX,
+            (0, _) if width < MASKED_WIDTH => u64::MAX,
             (0, CensusKernel::Auto | CensusKernel::Kernel5x5) => MASKS[0],
             (0, CensusKernel::Kernel7x7) => MASKS[1],
             (0, CensusKernel::Kernel7x9) => MASKS[2],
@@ -148,34 +166,7 @@ impl Plan {
         };
         let pixels = pixels(window, p.mask_at(width));
         let raw = Raw::new(p, pixels.len());
-        let penalties = match p.platform {
-            Platform::Rvc2 => {
-                let pair = |p1: u32, p2: u32| pair(p1 >> p.penalty_shift, p2 >> p.penalty_shift);
-                Penalties::Fixed([
-                    pair(p.horizontal_p1, p.horizontal_p2),
-                    pair(p.vertical_p1, p.vertical_p2),
-                ])
-            }
-            Platform::Rvc4 if p.p1.adaptive || p.p2.adaptive => {
-                let of = |penalty: &AdaptivePenalty, difference: u32| {
-                    if !penalty.adaptive {
-                        penalty.default
-                    } else if difference > p.edge_threshold {
-                        penalty.edge
-                    } else if difference < p.smooth_threshold {
-                        penalty.smooth
-                    } else {
-                        penalty.default
-                    }
-                };
-                let mut table = Box::new([[0; 2]; 256]);
-                for (difference, own) in (0..).zip(table.iter_mut()) {
-                    *own = pair(of(&p.p1, difference), of(&p.p2, difference));
-                }
-                Penalties::Adaptive(table)
-            }
-            Platform::Rvc4 => Penalties::Fixed([pair(p.p1.default, p.p2.default); 2]),
-        };
+        let penalties = Penalties::new(p);
         let paths = match p.paths {
             3 => [2, 1],
             4 => [2, 2],
@@ -183,9 +174,6 @@ impl Plan {
             6 => [4, 2],
             _ => [4, 4],
         };
-        let largest = (raw.most() + 4) / 8 + penalties.largest();
-        let half = largest * counter(paths[0].max(paths[1]));
-        let sum = largest * counter(paths[0] + paths[1]);
         let zones = zones(p);
         let rvc4 = Steps::new(p);
         let mut disparities = [0; MOST];
@@ -208,12 +196,7 @@ impl Plan {
             census_scale: p.noise_threshold_scale,
             raw,
             block: p.block_size_px as usize,
-            width: match (largest, half, sum) {
-                (_, _, ..=255) => Width::Narrow,
-                (_, ..=255, ..=511) => Width::Short,
-                (..=255, _, _) => Width::Mixed,
-                _ => Width::Wide,
-            },
+            width: Width::new((raw.most() + 4) / 8 + penalties.largest(), paths),
             penalties,
             paths,
             division: p.division_factor.max(1),
@@ -254,12 +237,46 @@ impl Plan {
 }
 
 impl Penalties {
+    fn new(p: &Parameters) -> Self {
+        match p.platform {
+            Platform::Rvc2 => {
+                let pair = |p1: u32, p2: u32| pair(p1 >> p.penalty_shift, p2 >> p.penalty_shift);
+                Self::Fixed([
+                    pair(p.horizontal_p1, p.horizontal_p2),
+                    pair(p.vertical_p1, p.vertical_p2),
+                ])
+            }
+            Platform::Rvc4 if p.p1.adaptive || p.p2.adaptive => {
+                let mut table = Box::new([[0; 2]; 256]);
+                for (difference, own) in (0..).zip(table.iter_mut()) {
+                    let of = |penalty: &AdaptivePenalty| adaptive(p, penalty, difference);
+                    *own = pair(of(&p.p1), of(&p.p2));
+                }
+                Self::Adaptive(table)
+            }
+            Platform::Rvc4 => Self::Fixed([pair(p.p1.default, p.p2.default); 2]),
+        }
+    }
+
     fn largest(&self) -> u32 {
         let all = match self {
             Self::Fixed(pairs) => pairs.as_slice(),
             Self::Adaptive(table) => table.as_slice(),
         };
         all.iter().map(|pair| u32::from(pair[1])).max().unwrap_or(0)
+    }
+}
+
+/// Returns an RVC4 penalty at a difference of neighbours in 8-bit grey levels.
+const fn adaptive(p: &Parameters, penalty: &AdaptivePenalty, difference: u32) -> u32 {
+    if !penalty.adaptive {
+        penalty.default
+    } else if difference > p.edge_threshold {
+        penalty.edge
+    } else if difference < p.smooth_threshold {
+        penalty.smooth
+    } else {
+        penalty.default
     }
 }
 
