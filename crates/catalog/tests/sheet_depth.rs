@@ -1,7 +1,5 @@
 //! Compares the depth sensors and fields of view of the catalog with the numbers that the parameter sheet prints.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
-
 mod common;
 
 use common::assert_printed;

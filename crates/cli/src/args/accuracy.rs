@@ -47,7 +47,7 @@ pub(crate) struct AccuracyArgs {
     #[command(flatten, next_help_heading = "A measured unit")]
     pub(crate) unit: MeasuredUnitArgs,
 
-    /// Compare with measured errors: CSV with the columns distance_m and depth_error_percent
+    /// Compare with measured errors: CSV with the columns `distance_m` and `depth_error_percent`
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "A measured unit")]
     pub(crate) measured: Option<PathBuf>,
 
