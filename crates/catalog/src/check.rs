@@ -10,7 +10,7 @@ use oaktwin_parameter::nvidia::Attributes;
 
 use crate::document::Document;
 use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
-use values::{text, prim_name, unique_prim, one_of, positive, not_negative, between, ascending};
+use values::{ascending, between, not_negative, one_of, positive, prim_name, text, unique_prim};
 
 type Checked = Result<(), CatalogError>;
 

@@ -55,7 +55,9 @@ fn layout(text: &str, height: f32) -> (Vec<(OutlinedGlyph, f32)>, f32) {
 
 /// Returns the scale at which capital letters have a height in pixels.
 fn scale(height: f32) -> PxScale {
-    let capital = FONT.outline(FONT.glyph_id('H')).map_or(1.0, |outline| outline.bounds.height().abs());
+    let capital = FONT
+        .outline(FONT.glyph_id('H'))
+        .map_or(1.0, |outline| outline.bounds.height().abs());
     PxScale::from(height * FONT.height_unscaled() / capital)
 }
 

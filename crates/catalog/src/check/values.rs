@@ -7,7 +7,11 @@ use crate::document::Document;
 
 pub(super) fn text(doc: &Document<'_>, place: &str, value: &str) -> Checked {
     if fold_name(value).is_empty() || value.contains(char::is_control) {
-        return Err(doc.error(place, format!("{value:?} is not a name"), "give a name on one line"));
+        return Err(doc.error(
+            place,
+            format!("{value:?} is not a name"),
+            "give a name on one line",
+        ));
     }
     Ok(())
 }
@@ -26,7 +30,12 @@ pub(super) fn prim_name(doc: &Document<'_>, place: &str, name: &str) -> Checked 
     Ok(())
 }
 
-pub(super) fn unique_prim<'a>(doc: &Document<'_>, place: &str, name: &'a str, taken: &mut Vec<&'a str>) -> Checked {
+pub(super) fn unique_prim<'a>(
+    doc: &Document<'_>,
+    place: &str,
+    name: &'a str,
+    taken: &mut Vec<&'a str>,
+) -> Checked {
     prim_name(doc, place, name)?;
     if taken.contains(&name) {
         return Err(doc.error(

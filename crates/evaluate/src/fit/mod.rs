@@ -242,7 +242,10 @@ fn check(options: &Options) -> Result<(), FitError> {
         ));
     }
     if !(options.from_m >= 0.0 && options.from_m.is_finite()) {
-        return wrong(format!("from: {} is out of range; give a distance in metres", options.from_m));
+        return wrong(format!(
+            "from: {} is out of range; give a distance in metres",
+            options.from_m
+        ));
     }
     Ok(())
 }

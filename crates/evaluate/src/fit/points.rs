@@ -231,7 +231,12 @@ pub(super) fn of_targets(seen: &[Observation], tilts: &Tilts, method: &dyn Metho
 
 /// Groups the places of a target by their true value; `distance_m` is that of the centre.
 #[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
-fn by_truth(one: &Observation, error_domain: ErrorDomain, distance_m: f64, tilt: Option<[f64; 2]>) -> Vec<Sum> {
+fn by_truth(
+    one: &Observation,
+    error_domain: ErrorDomain,
+    distance_m: f64,
+    tilt: Option<[f64; 2]>,
+) -> Vec<Sum> {
     let middle = error_domain.of_depth(distance_m);
     let mut sums: BTreeMap<i64, Sum> = BTreeMap::new();
     for place in &one.places {

@@ -197,8 +197,9 @@ pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observati
             observer.add(&image, truth.as_ref());
         }
     }
-    let observer =
-        observer.ok_or_else(|| FitError::Option(format!("{}: contains no images; remove it", recording.name).into()))?;
+    let observer = observer.ok_or_else(|| {
+        FitError::Option(format!("{}: contains no images; remove it", recording.name).into())
+    })?;
     Ok(observer.seen(recording))
 }
 
@@ -214,7 +215,10 @@ fn no_truth(files: &Files) -> FileError {
     let truth = files.truth.as_deref().unwrap_or(&files.sensed);
     FileError::new(
         truth,
-        format!("contains no image of the same size as the one in {}", files.sensed.display()),
+        format!(
+            "contains no image of the same size as the one in {}",
+            files.sensed.display()
+        ),
         "give the ground truth of each image in its size",
     )
 }
@@ -352,7 +356,9 @@ impl Observer {
                 continue;
             }
             let sum = if self.places.is_empty() {
-                self.by_truth.entry((truth / error_domain.bin()) as i64).or_default()
+                self.by_truth
+                    .entry((truth / error_domain.bin()) as i64)
+                    .or_default()
             } else {
                 let at = (i / columns / square) * columns.div_ceil(square) + i % columns / square;
                 match self.places.get_mut(at) {

@@ -49,7 +49,10 @@ impl Work<'_> {
                 ControlFlow::Break(()) => Err(FitError::Interrupted),
             }
         };
-        let seen: Vec<Observation> = recordings.par_iter().map(look_at).collect::<Result<_, FitError>>()?;
+        let seen: Vec<Observation> = recordings
+            .par_iter()
+            .map(look_at)
+            .collect::<Result<_, FitError>>()?;
         points::of_one_size(&seen, recordings)?;
         findings::of_targets(&seen, look.error_domain, &mut self.findings);
         if seen.iter().all(|one| one.values() == 0) {

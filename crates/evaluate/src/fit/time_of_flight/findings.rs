@@ -46,7 +46,10 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
             ));
         }
         count if count < least => {
-            return Some((format!("{count} distances are too few; {least} are required"), more));
+            return Some((
+                format!("{count} distances are too few; {least} are required"),
+                more,
+            ));
         }
         _ => {}
     }
@@ -83,8 +86,7 @@ pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding>
             "other-phase",
             Level::Warning,
             wiggling,
-            "the periodic error has the opposite sign of the engine's; 0 is the closest value"
-                .to_owned(),
+            "the periodic error has the opposite sign of the engine's; 0 is the closest value".to_owned(),
             "check the modulation frequencies, and whether the correction was enabled",
         ));
     }
