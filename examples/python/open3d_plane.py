@@ -79,7 +79,7 @@ def measure(device, sensor, distance, tilt_deg):
     camera = device.depth_camera().resized(*SIZE)
     scene, truth = tilted_wall(distance, tilt_deg)
     depth = scene.render(camera, np.eye(4))["distance_to_image_plane"]
-    cloud = point_cloud(sensor(depth), camera)
+    cloud = point_cloud(sensor(depth, frame=0), camera)
     points = np.asarray(cloud.points)
 
     per_square = error_of_depth(sensor)

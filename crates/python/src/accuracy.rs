@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::device::Device;
-use crate::error::{error, reading};
+use crate::error::{error, reading, wrong};
 use crate::finding;
 use crate::json;
 use crate::settings::sensor_options;
@@ -77,6 +77,11 @@ impl Distances {
     fn metres(self) -> PyResult<Vec<f64>> {
         match self {
             Self::Text(text) => parse_distances(&text).map_err(error),
+            Self::Metres(metres) if metres.is_empty() => Err(wrong(
+                "distances",
+                "is empty",
+                "pass at least one distance in metres",
+            )),
             Self::Metres(metres) => Ok(metres),
         }
     }

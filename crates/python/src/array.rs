@@ -4,9 +4,10 @@ use numpy::{
     Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn,
     PyUntypedArray, PyUntypedArrayMethods,
 };
+use pyo3::PyTypeInfo;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyMemoryView;
+use pyo3::types::{PyList, PyMemoryView, PyTuple};
 
 use crate::error::{error, wrong};
 
@@ -15,13 +16,19 @@ const HOST_MEMORY: [i32; 3] = [1, 3, 11];
 
 /// Converts an object to a NumPy array, sharing its memory if the object allows it.
 pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let numpy = object.py().import("numpy")?;
     if let Ok(array) = object.cast::<PyUntypedArray>() {
         return Ok(array.clone());
     }
-    let numpy = object.py().import("numpy")?;
     if object.hasattr("__dlpack__")? && object.hasattr("__dlpack_device__")? {
-        let (device, _): (i32, i32) = object.call_method0("__dlpack_device__")?.extract()?;
-        if !HOST_MEMORY.contains(&device) {
+        let device = object.call_method0("__dlpack_device__")?.get_item(0)?;
+        // Open3D returns an enumeration that is not a number.
+        let device = device
+            .extract::<i32>()
+            .or_else(|_| device.getattr("value")?.extract());
+        if let Ok(device) = device
+            && !HOST_MEMORY.contains(&device)
+        {
             return Err(wrong(
                 name,
                 format_args!("is in the memory of another device (DLPack device type {device})"),
@@ -54,6 +61,30 @@ pub(crate) fn is_of<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
 pub(crate) fn is_like<T: Element>(array: &Bound<'_, PyUntypedArray>) -> bool {
     let (own, wanted) = (array.dtype(), T::get_dtype(array.py()));
     own.kind() == wanted.kind() && own.itemsize() == wanted.itemsize()
+}
+
+/// Converts an object to a NumPy array for reading: what [`view`] takes, nested sequences, and masked arrays, whose masked
+/// values become 0, which is invalid.
+pub(crate) fn readable<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
+        let numpy = object.py().import("numpy")?;
+        let array = numpy.call_method1("asarray", (object,)).map_err(|cause| {
+            let is = format!("is not an array ({cause})");
+            wrong(name, is, "pass rows of equal length")
+        })?;
+        return Ok(array.cast_into()?);
+    }
+    let array = view(name, object)?;
+    let is_plain = object.get_type().is(PyUntypedArray::type_object(object.py()));
+    if !is_plain && array.hasattr("filled")? {
+        return Ok(array.call_method1("filled", (0,))?.cast_into()?);
+    }
+    Ok(array)
+}
+
+/// Whether an array has floating-point numbers of any precision.
+pub(crate) fn is_float(array: &Bound<'_, PyUntypedArray>) -> bool {
+    array.dtype().kind() == b'f'
 }
 
 /// A C-contiguous array for reading: the array itself if possible, otherwise a copy.
@@ -122,7 +153,7 @@ pub(crate) fn triples<T: Element + Copy>(
     object: &Bound<'_, PyAny>,
     dtype: &str,
 ) -> PyResult<Vec<[T; 3]>> {
-    let array = view(name, object)?;
+    let array = readable(name, object)?;
     let kind = array.getattr("dtype")?.getattr("kind")?.extract::<String>()?;
     let fits = if dtype.starts_with("int") { "iu" } else { "fiu" };
     if !fits.contains(&kind) || array.ndim() != 2 || array.shape().last() != Some(&3) {

@@ -1,12 +1,17 @@
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use numpy::{PyArray1, PyArray2};
 use oaktwin::camera::{
     self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
 };
 use oaktwin::render::{Clip, PlacedCamera, check_size};
+use oaktwin::sense::{check_hfov, field_of_view};
 use pyo3::prelude::*;
 
+use crate::arguments::Size;
 use crate::choice::choose;
 use crate::error::{error, wrong};
+use crate::finding::warn;
 use crate::pose::{matrix, numbers, one_pose, rows};
 
 /// A camera: intrinsics, lens, and its pose on a device.
@@ -25,8 +30,8 @@ use crate::pose::{matrix, numbers, one_pose, rows};
 /// name: the name in messages.
 ///
 /// Raises oaktwin.Error for an image without pixels, an invalid K or field of view, and too many coefficients.
-#[pyclass(frozen, module = "oaktwin")]
-#[derive(Clone, Debug)]
+#[pyclass(frozen, eq, module = "oaktwin")]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Camera {
     pub(crate) name: String,
     pub(crate) camera: camera::Camera,
@@ -184,7 +189,8 @@ impl Camera {
     #[expect(non_snake_case, reason = "the usual name of the camera matrix")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn new(
-        size: (u32, u32),
+        py: Python<'_>,
+        size: Size,
         K: Option<Bound<'_, PyAny>>,
         hfov_deg: Option<f64>,
         distortion: Option<Vec<f64>>,
@@ -195,12 +201,14 @@ impl Camera {
         name: &str,
     ) -> PyResult<Self> {
         let size = ImageSize::new(size.0, size.1);
-        check_size(size).map_err(error)?;
+        check_size(size).map_err(|found| error(format!("size: {found}")))?;
+        warn(py, hfov_deg.and_then(check_hfov).as_slice())?;
         let intrinsics = intrinsics(size, K.as_ref(), hfov_deg)?;
         let default = if distortion.is_some() { "opencv" } else { "pinhole" };
         let coefficients = distortion.unwrap_or_default();
         let lens = self::lens(lens.unwrap_or(default), &coefficients)?;
-        if !(near > 0.0 && far > near) {
+        // A smaller distance has no normal reciprocal in single precision.
+        if !(near >= f64::from(f32::MIN_POSITIVE) && far > near) {
             let is = format!("{near} to {far} m is not a valid range");
             return Err(wrong(
                 "near, far",
@@ -270,16 +278,24 @@ impl Camera {
         self.size().1
     }
 
-    /// Horizontal field of view of the ideal pinhole, degrees.
+    /// Horizontal field of view through the principal point, degrees; with a fisheye lens that of the lens, otherwise that of
+    /// the pinhole.
     #[getter]
     fn hfov_deg(&self) -> f64 {
-        self.camera.intrinsics.hfov().to_degrees()
+        field_of_view(&self.camera)[0].to_degrees()
     }
 
-    /// Vertical field of view of the ideal pinhole, degrees.
+    /// Vertical field of view, likewise.
     #[getter]
     fn vfov_deg(&self) -> f64 {
-        self.camera.intrinsics.vfov().to_degrees()
+        field_of_view(&self.camera)[1].to_degrees()
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        let k = self.camera.intrinsics.opencv_matrix();
+        (&self.name, self.size(), k.map(|row| row.map(f64::to_bits))).hash(&mut hasher);
+        hasher.finish()
     }
 
     /// The clipping range (near, far), metres.

@@ -73,6 +73,14 @@ impl Filter {
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (numbers, shape) = Numbers::read("image", image)?;
+        if let Some(filter) = self
+            .filters
+            .iter()
+            .find(|filter| rgb.is_none() && filter.needs_rgb())
+        {
+            let is = format!("is required by the filter {}", filter.name());
+            return Err(wrong("rgb", is, "pass the colour image of the same camera"));
+        }
         let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
         let rgb = rgb.as_deref();

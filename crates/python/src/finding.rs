@@ -1,7 +1,9 @@
 use std::ffi::CString;
+use std::sync::{Mutex, PoisonError};
 
 use oaktwin::diagnostic::{self, Level};
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::error::{FindingWarning, text};
 
@@ -12,11 +14,11 @@ use crate::error::{FindingWarning, text};
 /// place: the path of the field or prim concerned.
 /// message: what was found.
 /// remedy: what to do about it; empty if nothing is required.
-#[pyclass(frozen, module = "oaktwin")]
-#[derive(Debug)]
+#[pyclass(frozen, eq, hash, module = "oaktwin")]
+#[derive(Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Finding {
     #[pyo3(get)]
-    code: &'static str,
+    code: String,
     #[pyo3(get)]
     level: String,
     #[pyo3(get)]
@@ -30,6 +32,19 @@ pub(crate) struct Finding {
 
 #[pymethods]
 impl Finding {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let restore = py.import("oaktwin._oaktwin")?.getattr("_finding")?;
+        let state = [
+            &self.code[..],
+            &self.level,
+            &self.place,
+            &self.message,
+            &self.remedy,
+            &self.line,
+        ];
+        Ok((restore, PyTuple::new(py, state)?))
+    }
+
     fn __str__(&self) -> &str {
         &self.line
     }
@@ -39,10 +54,30 @@ impl Finding {
     }
 }
 
+/// Restores the finding of a pickle.
+#[pyfunction]
+pub(crate) fn _finding(
+    code: String,
+    level: String,
+    place: String,
+    message: String,
+    remedy: String,
+    line: String,
+) -> Finding {
+    Finding {
+        code,
+        level,
+        place,
+        message,
+        remedy,
+        line,
+    }
+}
+
 /// Converts findings to a Python list.
 pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
     let one = |finding: &diagnostic::Finding| Finding {
-        code: finding.code,
+        code: finding.code.to_owned(),
         level: finding.level.to_string(),
         place: finding.place.clone(),
         message: text(&finding.message),
@@ -50,6 +85,32 @@ pub(crate) fn list(findings: &[diagnostic::Finding]) -> Vec<Finding> {
         line: text(finding),
     };
     findings.iter().map(one).collect()
+}
+
+/// The findings about the inputs of an object, each of which is shown once.
+#[derive(Debug, Default)]
+pub(crate) struct Notices(Mutex<Vec<diagnostic::Finding>>);
+
+impl Notices {
+    /// Keeps a finding and issues it as a Python warning, unless the object has one of its code.
+    pub(crate) fn notice(&self, py: Python<'_>, finding: Option<diagnostic::Finding>) -> PyResult<()> {
+        let Some(finding) = finding else {
+            return Ok(());
+        };
+        {
+            let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+            if known.iter().any(|known| known.code == finding.code) {
+                return Ok(());
+            }
+            known.push(finding.clone());
+        }
+        warn(py, &[finding])
+    }
+
+    /// The findings so far.
+    pub(crate) fn all(&self) -> Vec<diagnostic::Finding> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
 }
 
 /// Issues warnings and errors as Python warnings.

@@ -9,7 +9,7 @@ use oaktwin::stereo::luma;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::{contiguous, is_like, view};
+use crate::array::{contiguous, is_like, readable};
 use crate::error::{error, wrong};
 use crate::images::array;
 
@@ -28,7 +28,7 @@ pub(crate) struct Images {
 
 /// Reads (H, W) or (N, H, W) uint8, or uint16 with 10 bits; colours (..., H, W, 3 or 4) uint8 are converted to luma.
 pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Images> {
-    let array = view(name, object)?;
+    let array = readable(name, object)?;
     let is_wide = is_like::<u16>(&array);
     if !is_wide && !is_like::<u8>(&array) {
         return Err(PyTypeError::new_err(format!(

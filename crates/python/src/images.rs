@@ -12,7 +12,7 @@ use oaktwin::render::check_size;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::{contiguous, is_like, is_of, view, writable, zeros};
+use crate::array::{contiguous, is_float, is_like, is_of, readable, view, writable, zeros};
 use crate::error::{error, wrong};
 
 /// The shape of an image, or of a batch of images.
@@ -21,14 +21,18 @@ pub(crate) struct Shape {
     /// The number of images; `None` for a single image.
     pub(crate) batch: Option<usize>,
     pub(crate) size: ImageSize,
+    /// Whether the array has a last dimension of 1.
+    pub(crate) has_channel: bool,
 }
 
 impl Shape {
-    /// Parses (H, W) or (N, H, W).
+    /// Parses (H, W), (H, W, 1), (N, H, W) or (N, H, W, 1).
     fn of(name: &str, shape: &[usize]) -> PyResult<Self> {
-        let (batch, height, width) = match *shape {
-            [height, width] => (None, height, width),
-            [count, height, width] => (Some(count), height, width),
+        let (batch, height, width, has_channel) = match *shape {
+            [height, width] => (None, height, width, false),
+            [height, width, 1] => (None, height, width, true),
+            [count, height, width] => (Some(count), height, width, false),
+            [count, height, width, 1] => (Some(count), height, width, true),
             _ => {
                 let is = format!("has shape {shape:?}");
                 return Err(wrong(name, is, "pass an image (H, W), or a batch (N, H, W)"));
@@ -37,7 +41,11 @@ impl Shape {
         let side = |length: usize| u32::try_from(length).unwrap_or(u32::MAX);
         let size = ImageSize::new(side(width), side(height));
         check_size(size).map_err(|found| error(format!("{name}: {found}")))?;
-        Ok(Self { batch, size })
+        Ok(Self {
+            batch,
+            size,
+            has_channel,
+        })
     }
 
     pub(crate) fn count(self) -> usize {
@@ -54,6 +62,12 @@ impl Shape {
     }
 
     pub(crate) fn dims(self) -> Vec<usize> {
+        let channel = self.has_channel.then_some(1);
+        self.rows().into_iter().chain(channel).collect()
+    }
+
+    /// The dimensions without that of the channel.
+    fn rows(self) -> Vec<usize> {
         let rows = [self.size.height as usize, self.size.width as usize];
         self.batch.into_iter().chain(rows).collect()
     }
@@ -77,16 +91,16 @@ pub(crate) enum DepthSlice<'a> {
 }
 
 impl<'py> Depth<'py> {
-    /// Reads (H, W) or (N, H, W), float32 or uint16.
+    /// Reads floating-point metres, or uint16 millimetres.
     pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
-        let array = view(name, object)?;
-        let depth = if is_like::<f32>(&array) {
+        let array = readable(name, object)?;
+        let depth = if is_float(&array) {
             Self::Metres(contiguous(name, &array)?)
         } else if is_like::<u16>(&array) {
             Self::Millimetres(contiguous(name, &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
-                "{name}: unsupported dtype {}; pass float32 metres or uint16 millimetres",
+                "{name}: unsupported dtype {}; pass floating-point metres or uint16 millimetres",
                 array.dtype()
             )));
         };
@@ -110,6 +124,14 @@ impl<'a> DepthSlice<'a> {
         }
     }
 
+    /// Some of the values in metres, evenly spaced.
+    pub(crate) fn sampled(self) -> Vec<f32> {
+        match self {
+            Self::Metres(values) => sampled(values),
+            Self::Millimetres(values) => to_metres(&sampled(values)),
+        }
+    }
+
     /// The part that begins at the pixel `from`.
     pub(crate) fn part(self, from: usize, pixels: usize) -> Self {
         match self {
@@ -124,6 +146,14 @@ impl<'a> DepthSlice<'a> {
             Self::Millimetres(values) => bytes(values),
         }
     }
+}
+
+fn sampled<T: Copy>(values: &[T]) -> Vec<T> {
+    values
+        .iter()
+        .copied()
+        .step_by((values.len() / 256).max(1))
+        .collect()
 }
 
 /// The part of a slice, shortened at its end.
@@ -154,16 +184,16 @@ pub(crate) enum NumbersSlice<'a> {
 
 impl<'py> Numbers<'py> {
     pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
-        let array = view(name, object)?;
+        let array = readable(name, object)?;
         let numbers = if is_like::<u16>(&array) {
             Self::U16(contiguous(name, &array)?)
         } else if is_like::<u8>(&array) {
             Self::U8(contiguous(name, &array)?)
-        } else if is_like::<f32>(&array) {
+        } else if is_float(&array) {
             Self::F32(contiguous(name, &array)?)
         } else {
             return Err(PyTypeError::new_err(format!(
-                "{name}: unsupported dtype {}; pass uint16, uint8 or float32 metres",
+                "{name}: unsupported dtype {}; pass uint16, uint8 or floating-point metres",
                 array.dtype()
             )));
         };
@@ -305,6 +335,14 @@ fn made<'py, T: Element>(
 }
 
 impl OutSlice<'_> {
+    /// Whether nothing was measured.
+    pub(crate) fn is_empty(&self) -> bool {
+        match self {
+            Self::Metres(values) => values.iter().all(|metres| *metres == 0.0),
+            Self::Millimetres(values) => values.iter().all(|millimetres| *millimetres == 0),
+        }
+    }
+
     /// Returns an error if the output overlaps the input.
     pub(crate) fn check_apart(&self, depth: DepthSlice<'_>) -> PyResult<()> {
         match (self, depth) {
@@ -349,7 +387,7 @@ pub(crate) struct Pictures<'py> {
 
 impl<'py> Pictures<'py> {
     pub(crate) fn read(object: &Bound<'py, PyAny>, shape: Shape) -> PyResult<Self> {
-        let array: Bound<'py, PyUntypedArray> = view("rgb", object)?;
+        let array: Bound<'py, PyUntypedArray> = readable("rgb", object)?;
         if !is_like::<u8>(&array) {
             return Err(PyTypeError::new_err(format!(
                 "rgb: unsupported dtype {}; pass uint8, sRGB",
@@ -357,7 +395,7 @@ impl<'py> Pictures<'py> {
             )));
         }
         let channels = array.shape().last().copied().unwrap_or(0);
-        let wanted = shape.dims();
+        let wanted = shape.rows();
         let is_of_depth = array
             .shape()
             .split_last()

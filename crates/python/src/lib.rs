@@ -10,6 +10,7 @@
 
 mod accuracy;
 mod align;
+mod arguments;
 mod array;
 mod asset;
 mod camera;
@@ -52,7 +53,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::filter::Filter;
     #[pymodule_export]
-    use super::finding::Finding;
+    use super::finding::{_finding, Finding};
     #[pymodule_export]
     use super::images::_read_from;
     #[pymodule_export]

@@ -6,6 +6,7 @@ use oaktwin::camera::{Axes, RigidTransform};
 use oaktwin::render;
 use pyo3::prelude::*;
 
+use crate::arguments::vector;
 use crate::array::contiguous;
 use crate::choice::choose;
 use crate::error::{error, wrong};
@@ -96,10 +97,12 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     let mut pose = RigidTransform::from_rows([*a, *b, *c, [0.0, 0.0, 0.0, 1.0]]);
     let off = pose.orthonormality_error();
     if off > TOLERANCE || pose.rotation.determinant() < 0.0 {
-        let is = format!(
-            "the 3x3 part is not a rotation (error {off:.2}, determinant {:.3})",
-            pose.rotation.determinant()
-        );
+        let determinant = pose.rotation.determinant();
+        let is = if determinant < 0.0 {
+            format!("the 3x3 part is a reflection, not a rotation (determinant {determinant:.3})")
+        } else {
+            format!("the 3x3 part is not a rotation (error {off:.2}, determinant {determinant:.3})")
+        };
         return Err(wrong(
             name,
             is,
@@ -123,18 +126,19 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
 ///
 /// Raises oaktwin.Error if eye and target are equal, or if the view direction is parallel to up.
 #[pyfunction]
-#[pyo3(signature = (eye, target, up = [0.0, 0.0, 1.0], *, frame = "camera"))]
+#[pyo3(signature = (eye, target, up = None, *, frame = "camera"))]
 #[pyo3(text_signature = "(eye, target, up=(0.0, 0.0, 1.0), *, frame='camera')")]
 pub(crate) fn look_at<'py>(
     py: Python<'py>,
-    eye: [f64; 3],
-    target: [f64; 3],
-    up: [f64; 3],
+    eye: &Bound<'py, PyAny>,
+    target: &Bound<'py, PyAny>,
+    up: Option<&Bound<'py, PyAny>>,
     frame: &str,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let axes = choose("frame", frame, &[("camera", Axes::OpenCv), ("body", Axes::Ros)])?;
+    let up = up.map_or(Ok(DVec3::Z), |up| vector("up", up))?;
     let world_from_body =
-        render::look_at(DVec3::from(eye), DVec3::from(target), DVec3::from(up)).map_err(error)?;
+        render::look_at(vector("eye", eye)?, vector("target", target)?, up).map_err(error)?;
     let body_from_frame = RigidTransform::new(Axes::Ros.rotation_from(axes), DVec3::ZERO);
     rows(py, &(world_from_body * body_from_frame))
 }

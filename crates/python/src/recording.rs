@@ -11,6 +11,7 @@ use oaktwin::recording::{
 };
 use pyo3::prelude::*;
 
+use crate::arguments::FrameNumber;
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::error::{error, writing, wrong};
@@ -87,7 +88,7 @@ impl Recording {
     ///
     /// Raises oaktwin.Error for images whose size differs from the camera's, a different camera with the same name, an invalid
     /// time, or a closed recording; OSError if the file cannot be written.
-    #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = 0, depth = None, measured = None,
+    #[pyo3(signature = (camera, world_from_camera, *, time = None, frame = None, depth = None, measured = None,
         measured_camera = None, rgb = None, points = true, name = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn log(
@@ -96,7 +97,7 @@ impl Recording {
         camera: &Camera,
         world_from_camera: &Bound<'_, PyAny>,
         time: Option<f64>,
-        frame: u64,
+        frame: Option<FrameNumber>,
         depth: Option<Bound<'_, PyAny>>,
         measured: Option<Bound<'_, PyAny>>,
         measured_camera: Option<Bound<'_, Camera>>,
@@ -108,7 +109,7 @@ impl Recording {
         let world_from_mount = one_pose("world_from_camera", world_from_camera)?;
         let time = match time {
             Some(seconds) => Time::from_seconds(seconds),
-            None => Time::of_frame(frame, 30.0),
+            None => Time::of_frame(frame.map_or(0, |frame| frame.0), 30.0),
         };
         let time = time.map_err(error)?;
         let depth = depth.map(|depth| image("depth", &depth, camera)).transpose()?;
@@ -120,10 +121,12 @@ impl Recording {
         let measured_shape = Shape {
             batch: None,
             size: of_measured.camera.intrinsics.size,
+            has_channel: false,
         };
         let shape = Shape {
             batch: None,
             size: camera.camera.intrinsics.size,
+            has_channel: false,
         };
         let rgb = rgb.map(|rgb| Pictures::read(&rgb, shape)).transpose()?;
         let rgb = rgb.as_ref().map(Pictures::rgba).transpose()?;

@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::math::DAffine3;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
@@ -14,6 +14,7 @@ use oaktwin::scene::{self, Instance, Label, Mesh, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
+use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::array::triples;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
@@ -22,7 +23,8 @@ use crate::error::{error, reading, wrong};
 use crate::finding::{self, Finding};
 use crate::frames::Frames;
 use crate::pair::{self, PairSettings};
-use crate::pose::{one_pose, poses, rows};
+use crate::pose::{matrix, one_pose, poses, rows};
+use crate::settings::whole_number;
 use crate::threads;
 
 /// A scene to render on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
@@ -185,13 +187,13 @@ impl Scene {
         py: Python<'py>,
         camera: &Camera,
         world_from_camera: &Bound<'py, PyAny>,
-        annotators: Option<Vec<String>>,
+        annotators: Option<Annotators>,
         backend: &str,
         smooth_edges: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let backend: Backend = named("backend", backend)?;
         let asked = match annotators {
-            Some(names) => names
+            Some(Annotators(names)) => names
                 .iter()
                 .map(|name| scene_annotator(name))
                 .collect::<PyResult<_>>()?,
@@ -240,32 +242,33 @@ impl Scene {
     ///
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
-    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
-        device_seed = None, frame = 0))]
+    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
+        device_seed = None, frame = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
         &self,
         py: Python<'py>,
         device: &Device,
         world_from_body: &Bound<'py, PyAny>,
-        size: Option<(u32, u32)>,
+        size: Option<Size>,
         projector: f64,
         ambient: f64,
         imager: Option<&Bound<'py, PyAny>>,
-        seed: u64,
+        seed: Option<&Bound<'py, PyAny>>,
         device_seed: Option<u64>,
-        frame: u64,
+        frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = PairSettings {
-            size,
+            size: size.map(|Size(width, height)| (width, height)),
             projector,
             ambient,
             imager,
-            seed,
+            seed: seed.map_or(Ok(0), |seed| whole_number("seed", seed))?,
             device_seed,
         };
         let options = settings.options(device)?;
         let world_from_body = one_pose("world_from_body", world_from_body)?;
+        let frame = frame.map_or(0, |frame| frame.0);
         py.check_signals()?;
         let pair = threads::run(py, || {
             let cameras = PairCameras::new(&device.twin, &options)?;
@@ -357,9 +360,10 @@ impl Scene {
 
     /// The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty.
     #[getter]
-    fn bounds(&self) -> Option<[[f64; 3]; 2]> {
-        let bounds = self.renderer.scene().bounds()?;
-        Some([bounds.min.to_array(), bounds.max.to_array()])
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let bounds = self.renderer.scene().bounds();
+        let bounds = bounds.map(|bounds| matrix(py, &[bounds.min.to_array(), bounds.max.to_array()]));
+        bounds.transpose()
     }
 
     fn __repr__(&self) -> String {

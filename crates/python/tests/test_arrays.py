@@ -47,7 +47,7 @@ def test_nothing_is_copied(sensor, room):
         if isinstance(same, Capsule):
             address = same.values.ctypes.data
         assert _read_from(same) == address
-        assert np.array_equal(sensor(same), sensor(depth))
+        assert np.array_equal(sensor(same, frame=0), sensor(depth, frame=0))
     millimetres = np.full((4, 5), 700, np.uint16)
     assert _read_from(millimetres) == millimetres.ctypes.data
     batch = np.stack([depth, depth])
@@ -68,19 +68,19 @@ def test_non_contiguous_arrays_are_copied(sensor, room):
     wide = np.repeat(depth, 2, axis=1)[:, ::2]
     for other in [np.asfortranarray(depth), depth[::-1][::-1].copy(order="F"), wide, depth.astype(">f4"), crooked]:
         assert _read_from(other) != other.ctypes.data
-        assert np.array_equal(sensor(other), sensor(depth))
+        assert np.array_equal(sensor(other, frame=0), sensor(depth, frame=0))
     column = np.full((5, 1), 2.0, np.float32)
-    assert np.array_equal(sensor(np.asfortranarray(column)), sensor(column))
+    assert np.array_equal(sensor(np.asfortranarray(column), frame=0), sensor(column, frame=0))
 
 
 def test_results_are_written_in_place(sensor, room):
     depth, _ = room
     out = np.full(depth.shape, -1, np.float32)
-    expected = sensor(depth)
-    assert sensor(depth, out=out) is out and np.array_equal(out, expected)
+    expected = sensor(depth, frame=0)
+    assert sensor(depth, out=out, frame=0) is out and np.array_equal(out, expected)
     plain = array.array("f", bytes(4 * depth.size))
     view = memoryview(plain).cast("B").cast("f", depth.shape)
-    assert sensor(depth, out=view) is view
+    assert sensor(depth, out=view, frame=0) is view
     assert np.array_equal(np.frombuffer(plain, np.float32).reshape(depth.shape), expected)
     # Consecutive rows of a larger array.
     whole = np.zeros((3, *depth.shape), np.float32)
@@ -122,8 +122,8 @@ def test_jax(sensor, room):
     depth = jax.numpy.asarray(room[0])
     own = depth.unsafe_buffer_pointer()
     assert _read_from(depth) == own
-    expected = sensor(room[0])
-    assert np.array_equal(sensor(depth), expected)
+    expected = sensor(room[0], frame=0)
+    assert np.array_equal(sensor(depth, frame=0), expected)
     # The result can be read by DLPack without a copy.
     back = jax.dlpack.from_dlpack(expected, copy=None)
     assert np.array_equal(back, expected)

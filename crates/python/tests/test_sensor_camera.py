@@ -32,7 +32,7 @@ def test_the_principal_point_is_the_cameras(tof, camera):
     # The centre of the first pixel is 0 in K, and 0.5 in `principalPoint`.
     assert sensor.parameters["principalPoint"] == "61.75,71"
     assert float(sensor.parameters["focalLength"]) == 110
-    measured = sensor(room())
+    measured = sensor(room(), frame=0)
     by_name = oaktwin.DepthSensor(tof, seed=3, fx=110, parameters={"principalPoint": "61.75,71"})
     assert np.array_equal(measured, by_name(room()))
     centred = oaktwin.DepthSensor(tof, seed=3, fx=110)
@@ -53,7 +53,7 @@ def test_the_models_own_camera_changes_nothing(tof):
 def test_stereo_has_the_cameras_focal_length(camera):
     device = oaktwin.Device("OAK4-D")
     sensors = [oaktwin.DepthSensor(device, seed=1, **said) for said in [{"camera": camera}, {"fx": 110}]]
-    assert np.array_equal(*(sensor(room()) for sensor in sensors))
+    assert np.array_equal(*(sensor(room(), frame=0) for sensor in sensors))
     assert sensors[0].parameters == sensors[1].parameters
 
 
@@ -90,11 +90,11 @@ def test_the_same_said_twice_and_a_contradiction(tof, camera):
 
 def test_images_of_another_size_are_not_the_cameras(tof, camera):
     sensor = oaktwin.DepthSensor(tof, camera=camera)
-    before = sensor(room())
+    before = sensor(room(), frame=0)
     for call in [lambda: sensor(room((80, 60))), lambda: sensor(room((80, 60))[None]), lambda: sensor.align(room((80, 60)))]:
         with pytest.raises(oaktwin.Error, match="camera: its images are 160x120 instead of 80x60"):
             call()
-    assert np.array_equal(sensor(room()), before)
+    assert np.array_equal(sensor(room(), frame=0), before)
     half = oaktwin.DepthSensor(tof, camera=camera.resized(80, 60))
     assert half(room((80, 60))).shape == (60, 80)
 
@@ -109,6 +109,6 @@ def test_pickles_have_the_camera(tof, camera):
     sensor = oaktwin.DepthSensor(tof, seed=2, camera=camera, filters=["decimation:factor=2"])
     again = pickle.loads(pickle.dumps(sensor))
     measured = again(room())
-    assert again.parameters == sensor.parameters and np.array_equal(measured, sensor(room()))
+    assert again.parameters == sensor.parameters and np.array_equal(measured, sensor(room(), frame=0))
     # The output of a decimating sensor still belongs to its camera.
     assert np.array_equal(again.align(measured, "left"), sensor.align(measured, "left"))

@@ -231,7 +231,7 @@ def test_image_types(matcher, textured):
         (np.zeros(12, np.uint8), np.zeros(12, np.uint8), oaktwin.Error, r"left: has shape \[12\]"),
         (np.zeros((9, 12, 3), np.uint16), np.zeros((9, 12, 3), np.uint16), TypeError, "left: unsupported dtype uint16 for colours"),
         (np.full((9, 12), 1024, np.uint16), np.zeros((9, 12), np.uint16), oaktwin.Error, "left: .*up to 1024; .*>> 6"),
-        ([[1, 2], [3, 4]], np.zeros((2, 2), np.uint8), TypeError, "left: list is not an array"),
+        ([[1, 2], [3, 4]], np.zeros((2, 2), np.uint8), TypeError, "left: unsupported dtype int64"),
         (np.zeros((2, 2), np.uint8), None, TypeError, "right: NoneType is not an array"),
     ],
 )

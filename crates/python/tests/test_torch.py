@@ -17,7 +17,7 @@ def sensor(device):
 def test_in_without_a_copy(sensor, room):
     depth = torch.from_numpy(room[0].copy())
     assert _read_from(depth) == depth.data_ptr()
-    assert np.array_equal(sensor(depth), sensor(room[0]))
+    assert np.array_equal(sensor(depth, frame=0), sensor(room[0], frame=0))
     millimetres = torch.full((4, 5), 700, dtype=torch.uint16)
     assert _read_from(millimetres) == millimetres.data_ptr()
     assert sensor(millimetres).dtype == np.uint16
@@ -36,7 +36,7 @@ def test_results_are_written_in_the_tensor(sensor, room):
     out = torch.full(depth.shape, -1.0)
     address = out.data_ptr()
     assert sensor(depth, out=out) is out and out.data_ptr() == address
-    assert np.array_equal(out.numpy(), sensor(room[0]))
+    assert np.array_equal(out.numpy(), sensor(room[0], frame=0))
     with pytest.raises(oaktwin.Error, match="pass a separate array"):
         sensor(out, out=out)
 
@@ -53,7 +53,7 @@ def test_non_contiguous_tensors(sensor, room):
     depth = torch.from_numpy(room[0])
     turned = depth.T.contiguous().T
     assert _read_from(turned) != turned.data_ptr()
-    assert np.array_equal(sensor(turned), sensor(depth))
+    assert np.array_equal(sensor(turned, frame=0), sensor(depth, frame=0))
     with pytest.raises(oaktwin.Error, match="C-contiguous"):
         sensor(depth, out=turned)
     with pytest.raises(TypeError, match="pass float32 metres"):

@@ -13,6 +13,7 @@ mod camera;
 mod options;
 mod picture;
 mod plan;
+mod plausible;
 mod rig;
 mod run;
 mod shot;
@@ -22,10 +23,11 @@ use std::io;
 use std::path::PathBuf;
 
 pub use crate::input::InputKind;
-pub use camera::image_camera;
+pub use camera::{field_of_view, image_camera};
 pub use oaktwin_dataset::CloudAxes;
 pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use plan::STANDARD_INPUT;
+pub use plausible::{DepthUnit, check_hfov, check_measured, check_unit};
 pub use rig::align_to;
 pub use run::{Output, Sensed, sense};
 

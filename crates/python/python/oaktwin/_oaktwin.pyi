@@ -2,7 +2,7 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Final, Literal, TypedDict, TypeVar, final, overload
+from typing import Any, Final, Literal, Protocol, TypedDict, TypeVar, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,7 @@ __all__ = [
     "__version__",
     "_camera",
     "_device",
+    "_finding",
     "_read_from",
     "accuracy",
     "align",
@@ -104,6 +105,18 @@ _Out = TypeVar("_Out")
 _Image = TypeVar("_Image", np.float32, np.uint16, np.uint8)
 _Depth = TypeVar("_Depth", np.float32, np.uint16)
 
+# Anything that NumPy reads: arrays, nested sequences, and objects with the buffer protocol, DLPack or `__array_interface__`.
+class _DLPack(Protocol):
+    def __dlpack__(self, *, stream: int | None = None) -> object: ...
+    def __dlpack_device__(self) -> tuple[object, int]: ...
+
+class _Interface(Protocol):
+    @property
+    def __array_interface__(self) -> dict[str, Any]: ...
+
+_Array = npt.ArrayLike | _DLPack | _Interface
+_Measured = npt.NDArray[np.float32] | npt.NDArray[np.uint16] | npt.NDArray[np.uint8]
+
 _Grey = npt.NDArray[np.uint8] | npt.NDArray[np.uint16]
 
 class _Matched(TypedDict):
@@ -136,12 +149,15 @@ class Finding:
     def message(self) -> str: ...
     @property
     def remedy(self) -> str: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
 
 @final
 class Camera:
     def __new__(
         cls,
-        size: tuple[int, int],
+        size: Sequence[int],
         *,
         K: npt.ArrayLike | None = None,
         hfov_deg: float | None = None,
@@ -176,6 +192,8 @@ class Camera:
     def body_from_camera(self) -> _Float64: ...
     def resized(self, width: int, height: int, *, keep_aspect_ratio: bool = True) -> Camera: ...
     def cropped(self, x: float, y: float, width: int, height: int) -> Camera: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
@@ -276,18 +294,41 @@ class DepthSensor:
     ) -> DepthSensor: ...
     @overload
     def __call__(
-        self, depth: npt.NDArray[_Depth], rgb: object | None = None, *, frame: int = 0, out: None = None
+        self,
+        depth: npt.NDArray[_Depth],
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: None = None,
     ) -> npt.NDArray[_Depth]: ...
     @overload
     def __call__(
-        self, depth: object, rgb: object | None = None, *, frame: int = 0, out: None = None
-    ) -> npt.NDArray[Any]: ...
+        self,
+        depth: _Array,
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: None = None,
+    ) -> _Measured: ...
     @overload
-    def __call__(self, depth: object, rgb: object | None = None, *, frame: int = 0, out: _Out) -> _Out: ...
+    def __call__(
+        self,
+        depth: _Array,
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: _Out,
+    ) -> _Out: ...
     def __getnewargs_ex__(self) -> tuple[tuple[Device], dict[str, Any]]: ...
     def annotate(
-        self, depth: object, rgb: object | None = None, *, annotators: Sequence[_Annotator], frame: int = 0
-    ) -> dict[str, npt.NDArray[Any]]: ...
+        self, depth: _Array, rgb: _Array | None = None, *, annotators: Sequence[_Annotator], frame: int | None = None
+    ) -> dict[_Annotator, npt.NDArray[np.float32] | npt.NDArray[np.uint8]]: ...
     def reset(self) -> None: ...
     @overload
     def align(
@@ -295,27 +336,27 @@ class DepthSensor:
         depth: npt.NDArray[_Depth],
         to: _Role = "rgb",
         *,
-        size: tuple[int, int] | None = None,
+        size: Sequence[int] | None = None,
         fill: _Fill = "footprint",
         out: None = None,
     ) -> npt.NDArray[_Depth]: ...
     @overload
     def align(
         self,
-        depth: object,
+        depth: _Array,
         to: _Role = "rgb",
         *,
-        size: tuple[int, int] | None = None,
+        size: Sequence[int] | None = None,
         fill: _Fill = "footprint",
         out: None = None,
-    ) -> npt.NDArray[Any]: ...
+    ) -> _Measured: ...
     @overload
     def align(
         self,
-        depth: object,
+        depth: _Array,
         to: _Role = "rgb",
         *,
-        size: tuple[int, int] | None = None,
+        size: Sequence[int] | None = None,
         fill: _Fill = "footprint",
         out: _Out,
     ) -> _Out: ...
@@ -335,12 +376,12 @@ class Filter:
     def __new__(cls, *filters: str) -> Filter: ...
     @overload
     def __call__(
-        self, image: npt.NDArray[_Image], rgb: object | None = None, *, out: None = None
+        self, image: npt.NDArray[_Image], rgb: _Array | None = None, *, out: None = None
     ) -> npt.NDArray[_Image]: ...
     @overload
-    def __call__(self, image: object, rgb: object | None = None, *, out: None = None) -> npt.NDArray[Any]: ...
+    def __call__(self, image: _Array, rgb: _Array | None = None, *, out: None = None) -> _Measured: ...
     @overload
-    def __call__(self, image: object, rgb: object | None = None, *, out: _Out) -> _Out: ...
+    def __call__(self, image: _Array, rgb: _Array | None = None, *, out: _Out) -> _Out: ...
     def __getnewargs__(self) -> tuple[str, ...]: ...
     def reset(self) -> None: ...
 
@@ -357,7 +398,7 @@ class Scene:
     ) -> Scene: ...
     @staticmethod
     def from_triangles(
-        vertices: object, faces: object, *, up: _Up = "z", label: str | None = None
+        vertices: _Array, faces: _Array, *, up: _Up = "z", label: str | None = None
     ) -> Scene: ...
     def render(
         self,
@@ -373,13 +414,13 @@ class Scene:
         device: Device,
         world_from_body: npt.ArrayLike,
         *,
-        size: tuple[int, int] | None = None,
+        size: Sequence[int] | None = None,
         projector: float = 0.0,
         ambient: float = 1.0,
         imager: Mapping[str, object] | None = None,
-        seed: int = 0,
+        seed: int | None = None,
         device_seed: int | None = None,
-        frame: int = 0,
+        frame: int | None = None,
     ) -> _Pair: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     @property
@@ -391,7 +432,7 @@ class Scene:
     @property
     def triangle_count(self) -> int: ...
     @property
-    def bounds(self) -> list[list[float]] | None: ...
+    def bounds(self) -> _Float64 | None: ...
 
 @final
 class StereoMatcher:
@@ -412,7 +453,7 @@ class StereoMatcher:
         extended_disparity: bool = False,
         # End of the generated part.
     ) -> StereoMatcher: ...
-    def __call__(self, left: object, right: object) -> _Matched: ...
+    def __call__(self, left: _Array, right: _Array) -> _Matched: ...
     def __getnewargs_ex__(self) -> tuple[tuple[Device | None], dict[str, Any]]: ...
     def reset(self) -> None: ...
     @property
@@ -437,11 +478,11 @@ class Recording:
         world_from_camera: npt.ArrayLike,
         *,
         time: float | None = None,
-        frame: int = 0,
-        depth: object | None = None,
-        measured: object | None = None,
+        frame: int | None = None,
+        depth: _Array | None = None,
+        measured: _Array | None = None,
         measured_camera: Camera | None = None,
-        rgb: object | None = None,
+        rgb: _Array | None = None,
         points: bool = True,
         name: str | None = None,
     ) -> None: ...
@@ -477,17 +518,17 @@ def align(
 ) -> npt.NDArray[_Depth]: ...
 @overload
 def align(
-    depth: object,
+    depth: _Array,
     source: Camera,
     target: Camera,
     *,
     target_from_source: npt.ArrayLike | None = None,
     fill: _Fill = "footprint",
     out: None = None,
-) -> npt.NDArray[Any]: ...
+) -> _Measured: ...
 @overload
 def align(
-    depth: object,
+    depth: _Array,
     source: Camera,
     target: Camera,
     *,
@@ -525,4 +566,5 @@ def _device(
     catalog: str | PathLike[str] | None,
     calibration: tuple[str, str, bool] | None,
 ) -> Device: ...
-def _read_from(depth: object) -> int: ...
+def _finding(code: str, level: str, place: str, message: str, remedy: str, line: str) -> Finding: ...
+def _read_from(depth: _Array) -> int: ...

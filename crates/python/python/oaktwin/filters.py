@@ -11,11 +11,12 @@ another dtype.
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from ._oaktwin import Filter
+
+if TYPE_CHECKING:
+    from ._oaktwin import _Array, _Measured
 
 __all__ = ["brightness", "decimation", "median", "spatial", "speckle", "temporal", "threshold"]
 
@@ -25,25 +26,25 @@ def _text(name: str, **settings: object) -> str:
     return f"{name}:{settings_text}"
 
 
-def _run(text: str, image: object, rgb: object | None, out: Any) -> npt.NDArray[Any]:
-    result: npt.NDArray[Any] = Filter(text)(image, rgb, out=out)
+def _run(text: str, image: _Array, rgb: _Array | None, out: Any) -> _Measured:
+    result: _Measured = Filter(text)(image, rgb, out=out)
     return result
 
 
-def median(image: object, *, size: int | None = None, out: object | None = None) -> npt.NDArray[Any]:
+def median(image: _Array, *, size: int | None = None, out: object | None = None) -> _Measured:
     """Median filter; `size` is the width of its kernel, 3, 5 or 7 px."""
     return _run(_text("median", size=size), image, None, out)
 
 
 def spatial(
-    image: object,
+    image: _Array,
     *,
     alpha: float | None = None,
     delta: int | None = None,
     radius: int | None = None,
     iterations: int | None = None,
     out: object | None = None,
-) -> npt.NDArray[Any]:
+) -> _Measured:
     """Edge-preserving smoothing along rows and columns.
 
     alpha: the weight of the pixel itself, 0 to 1. delta: the minimum step of an edge, 0 to 255, in the image's units.
@@ -53,29 +54,29 @@ def spatial(
 
 
 def speckle(
-    image: object, *, range: int | None = None, difference: int | None = None, out: object | None = None
-) -> npt.NDArray[Any]:
+    image: _Array, *, range: int | None = None, difference: int | None = None, out: object | None = None
+) -> _Measured:
     """Removes regions of up to `range` pixels, in which neighbours differ by at most `difference` in the image's units."""
     return _run(_text("speckle", range=range, difference=difference), image, None, out)
 
 
 def decimation(
-    image: object, *, factor: int | None = None, mode: str | None = None, out: object | None = None
-) -> npt.NDArray[Any]:
+    image: _Array, *, factor: int | None = None, mode: str | None = None, out: object | None = None
+) -> _Measured:
     """Reduces the image size by `factor`, 1 to 4; `mode` is DepthAI's name of the method."""
     return _run(_text("decimation", factor=factor, mode=mode), image, None, out)
 
 
 def threshold(
-    image: object, *, min: int | None = None, max: int | None = None, out: object | None = None
-) -> npt.NDArray[Any]:
+    image: _Array, *, min: int | None = None, max: int | None = None, out: object | None = None
+) -> _Measured:
     """Invalidates pixels closer than `min` or farther than `max`, millimetres."""
     return _run(_text("threshold", min=min, max=max), image, None, out)
 
 
 def brightness(
-    image: object, rgb: object, *, min: int | None = None, max: int | None = None, out: object | None = None
-) -> npt.NDArray[Any]:
+    image: _Array, rgb: _Array, *, min: int | None = None, max: int | None = None, out: object | None = None
+) -> _Measured:
     """Invalidates pixels darker than `min` or brighter than `max`, 0 to 255, in the colour image `rgb`, (..., H, W, 3 or 4) uint8."""
     return _run(_text("brightness", min=min, max=max), image, rgb, out)
 

@@ -37,11 +37,16 @@ impl Source {
     /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise that of the
     /// model.
     pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
+        self.eye_with(size, &self.options)
+    }
+
+    /// Creates such a sensor with other options.
+    pub(super) fn eye_with(&self, size: Option<ImageSize>, options: &SensorOptions) -> PyResult<Eye> {
         let Self {
             twin,
             depth,
-            options,
             field_of_view,
+            ..
         } = self;
         let own = self.own()?;
         let size = size.unwrap_or(match field_of_view {

@@ -2,7 +2,9 @@ mod annotate;
 mod eye;
 mod image_camera;
 mod sense;
+mod units;
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
@@ -19,13 +21,15 @@ use pyo3::types::PyDict;
 use annotate::{sensor_annotator, sensor_array};
 use eye::{Eye, Source};
 use image_camera::field_of_view;
+use units::Units;
 
 use crate::align::aligned;
+use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::error::{error, wrong};
-use crate::finding::{self, Finding};
+use crate::finding::{self, Finding, Notices};
 use crate::images::{Depth, Out, Pictures};
 use crate::settings::{keywords, sensor_options};
 use crate::threads;
@@ -51,15 +55,20 @@ use crate::threads;
 /// Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
 /// a camera whose field of view contradicts fx or hfov_deg.
 ///
-/// A call, `sensor(depth, rgb=None, *, frame=0, out=None)`, returns the measurement of exact depth:
+/// A call, `sensor(depth, rgb=None, *, frame=None, seed=None, device_seed=None, out=None)`, returns the measurement of exact depth:
 ///
 /// depth: one image (H, W), or a batch (N, H, W) of simultaneous images, such as the environments of a simulator, each
-///     with its own noise. float32 metres along the optical axis, or uint16 millimetres. Values that are not finite or
+///     with its own noise; with or without a last dimension of 1. Floating-point metres along the optical axis (float32 is read without
+///     a copy), or uint16 millimetres. Masked pixels are invalid. Values that are not finite or
 ///     not above 0 are invalid. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array interface in
 ///     CPU memory; C-contiguous arrays are read without a copy.
 /// rgb: the colour images of the same camera, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4), used for the texture in
 ///     the confidence and for the brightness in filters. Three channels are copied.
-/// frame: the number of the frame in the sequence. Noise differs between frames and is reproducible for each.
+/// frame: the number of the frame in the sequence. Noise differs between frames and is reproducible for each. By default,
+///     the calls of a sensor without `frame` are numbered from 0 on, and again after `reset()`.
+/// seed, device_seed: for a batch, a sequence of N seeds. Item i is measured like the image of a DepthSensor with `seed[i]`,
+///     or by the unit with `device_seed[i]`. By default all items have the sensor's seeds, and their index distinguishes their
+///     noise.
 /// out: the output array: C-contiguous, with the shape of the result, float32 for metres or uint16 for millimetres, not
 ///     overlapping the depth.
 ///
@@ -80,6 +89,10 @@ pub(crate) struct DepthSensor {
     camera: Option<Camera>,
     lens: LensChoice,
     eye: Mutex<Eye>,
+    /// The frame number of the next call without one.
+    next_frame: AtomicU64,
+    notices: Notices,
+    units: Units,
 }
 
 #[pymethods]
@@ -87,7 +100,9 @@ impl DepthSensor {
     #[new]
     #[pyo3(signature = (device, *, sensor = None, fx = None, hfov_deg = None, camera = None, name = None, **options))]
     #[pyo3(text_signature = None)]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
+        py: Python<'_>,
         device: &Bound<'_, Device>,
         sensor: Option<&str>,
         fx: Option<f64>,
@@ -115,6 +130,8 @@ impl DepthSensor {
             options,
             field_of_view: field_of_view(fx, hfov_deg, camera.as_ref())?,
         };
+        let notices = Notices::default();
+        notices.notice(py, hfov_deg.and_then(sensing::check_hfov))?;
         Ok(Self {
             device: whole.clone().unbind(),
             // Reports invalid settings immediately.
@@ -122,6 +139,9 @@ impl DepthSensor {
             source,
             camera,
             lens: device.lens,
+            next_frame: AtomicU64::new(0),
+            notices,
+            units: Units::default(),
         })
     }
 
@@ -142,13 +162,16 @@ impl DepthSensor {
     }
 
     /// Measures a depth image or a batch; see the class.
-    #[pyo3(signature = (depth, rgb = None, *, frame = 0, out = None))]
+    #[pyo3(signature = (depth, rgb = None, *, frame = None, seed = None, device_seed = None, out = None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn __call__<'py>(
         &self,
         py: Python<'py>,
         depth: &Bound<'py, PyAny>,
         rgb: Option<&Bound<'py, PyAny>>,
-        frame: u64,
+        frame: Option<FrameNumber>,
+        seed: Option<&Bound<'py, PyAny>>,
+        device_seed: Option<&Bound<'py, PyAny>>,
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (depth, shape) = Depth::read("depth", depth)?;
@@ -160,12 +183,14 @@ impl DepthSensor {
         let values = depth.slice()?;
         let mut room = out.slice()?;
         room.check_apart(values)?;
+        let items = self.items(shape, &sensor, seed, device_seed)?;
+        let frame = self.frame(frame);
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
         let rgb = rgb.as_deref();
         if shape.batch.is_some() {
             self.batch(
                 py,
-                &sensor,
+                &items,
                 values,
                 rgb,
                 shape,
@@ -177,6 +202,7 @@ impl DepthSensor {
             drop(sensor);
             self.image(py, values, rgb, shape.size, frame, &mut room)?;
         }
+        self.notice(py, values, &room)?;
         Ok(result)
     }
 
@@ -195,17 +221,17 @@ impl DepthSensor {
     ///
     /// Raises oaktwin.Error for unknown names, for outputs that the engine does not support, and for a missing colour
     /// image.
-    #[pyo3(signature = (depth, rgb = None, *, annotators, frame = 0))]
+    #[pyo3(signature = (depth, rgb = None, *, annotators, frame = None))]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn annotate<'py>(
         &self,
         py: Python<'py>,
         depth: &Bound<'py, PyAny>,
         rgb: Option<&Bound<'py, PyAny>>,
-        annotators: Vec<String>,
-        frame: u64,
+        annotators: Annotators,
+        frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = annotators.iter().map(|name| sensor_annotator(name));
+        let asked = annotators.0.iter().map(|name| sensor_annotator(name));
         let asked = asked.collect::<PyResult<Vec<_>>>()?;
         let (depth, shape) = Depth::read("depth", depth)?;
         if shape.batch.is_some() {
@@ -223,6 +249,7 @@ impl DepthSensor {
                 .and_then(|rgb| Image::new(width, height, rgb.into_owned())),
             ..Frame::default()
         };
+        let frame = self.frame(frame);
         py.detach(|| {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let eye = self.look(&mut eye, shape.size)?;
@@ -242,8 +269,9 @@ impl DepthSensor {
         Ok(all)
     }
 
-    /// Resets the state of temporal filters.
+    /// Starts a new sequence: resets the state of temporal filters, and the frame number of calls without `frame` to 0.
     fn reset(&self, py: Python<'_>) {
+        self.next_frame.store(0, Ordering::Relaxed);
         py.detach(|| {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::make_mut(&mut eye.sensor).reset();
@@ -268,13 +296,13 @@ impl DepthSensor {
         py: Python<'py>,
         depth: &Bound<'py, PyAny>,
         to: &str,
-        size: Option<(u32, u32)>,
+        size: Option<Size>,
         fill: &str,
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let to = AlignTo {
             camera: named("to", to)?,
-            size: size.map(|(width, height)| ImageSize::new(width, height)),
+            size: size.map(|Size(width, height)| ImageSize::new(width, height)),
             fill: named("fill", fill)?,
         };
         let (depth, shape) = Depth::read("depth", depth)?;
@@ -343,10 +371,15 @@ impl DepthSensor {
             .collect())
     }
 
-    /// Findings about the settings, for the most recent image size.
+    /// Findings about the settings, for the most recent image size, and about the images measured so far: "depth-unit" (metres
+    /// that look like millimetres, or the reverse), "nothing-measured" (an image all of whose pixels were lost),
+    /// "field-of-view-unit" (degrees that look like radians). Those about images are also shown once as an
+    /// oaktwin.FindingWarning.
     #[getter]
     fn findings(&self, py: Python<'_>) -> PyResult<Vec<Finding>> {
-        Ok(finding::list(&self.now(py, None)?.findings))
+        let mut findings = self.now(py, None)?.findings;
+        findings.extend(self.notices.all());
+        Ok(finding::list(&findings))
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

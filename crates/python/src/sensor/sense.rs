@@ -4,8 +4,10 @@ use oaktwin::camera::ImageSize;
 use oaktwin::image::ImageView;
 use oaktwin::sensor::{Sensor, Shot};
 use pyo3::prelude::*;
+use rayon::prelude::*;
 
 use super::DepthSensor;
+use super::units::Items;
 use crate::error::{error, wrong};
 use crate::images::{DepthSlice, OutSlice, Shape, part};
 use crate::threads;
@@ -61,7 +63,7 @@ impl DepthSensor {
     pub(super) fn batch(
         &self,
         py: Python<'_>,
-        sensor: &Sensor,
+        items: &Items,
         depth: DepthSlice<'_>,
         rgb: Option<&[[u8; 4]]>,
         shape: Shape,
@@ -86,8 +88,20 @@ impl DepthSensor {
             })?;
             threads::run(py, || {
                 let metres = depth.metres();
-                out.fill(first * out_pixels, many * out_pixels, |room| {
-                    sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
+                out.fill(first * out_pixels, many * out_pixels, |room| match items {
+                    Items::Same(sensor) => {
+                        sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
+                    }
+                    Items::Own(items) => {
+                        let own = part(items, first, many)
+                            .par_iter()
+                            .zip(room.par_chunks_mut(out_pixels.max(1)));
+                        own.enumerate().try_for_each(|(index, ((sensor, number), room))| {
+                            let depth = part(&metres, index * pixels, pixels);
+                            let rgb = rgb.map(|rgb| part(rgb, index * pixels, pixels));
+                            sensor.sense_batch(depth, rgb, [1, height, width], frame, *number, room)
+                        })
+                    }
                 })
             })?
             .map_err(error)?;

@@ -10,7 +10,7 @@ fn sets_and_reads_every_parameter() {
         let other = match now.as_str() {
             "true" => "false".to_owned(),
             "false" => "true".to_owned(),
-            "RVC2" => "RVC4".to_owned(),
+            "rvc2" => "rvc4".to_owned(),
             "nearest" => "truncate".to_owned(),
             "AUTO" => "KERNEL_7x9".to_owned(),
             "LINES" => "PARABOLA_5".to_owned(),

@@ -1,0 +1,121 @@
+//! The items of a batch: each with the sensor of its own unit, or all with the same.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin::camera::ImageSize;
+use oaktwin::sense::{self as sensing, DepthUnit};
+use oaktwin::sensor::{Sensor, SensorOptions};
+use pyo3::prelude::*;
+
+use super::DepthSensor;
+use crate::arguments::FrameNumber;
+use crate::error::wrong;
+use crate::images::{DepthSlice, OutSlice, Shape};
+use crate::settings::mistyped;
+
+/// The sensors of units by seed and device seed, for one image size.
+#[derive(Debug, Default)]
+pub(super) struct Units(Mutex<(Option<ImageSize>, BySeeds)>);
+
+type BySeeds = BTreeMap<(u64, Option<u64>), Arc<Sensor>>;
+
+/// The items of a batch.
+pub(super) enum Items {
+    /// All with one sensor.
+    Same(Arc<Sensor>),
+    /// Each with its own sensor and item number.
+    Own(Vec<(Arc<Sensor>, u32)>),
+}
+
+impl DepthSensor {
+    /// Returns the frame number of a call.
+    pub(super) fn frame(&self, given: Option<FrameNumber>) -> u64 {
+        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
+        given.map_or_else(next, |frame| frame.0)
+    }
+
+    /// Returns the sensors of the items of a batch.
+    pub(super) fn items(
+        &self,
+        shape: Shape,
+        sensor: &Arc<Sensor>,
+        seed: Option<&Bound<'_, PyAny>>,
+        device_seed: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Items> {
+        let read = |name: &str, seeds: &Bound<'_, PyAny>| -> PyResult<Vec<u64>> {
+            let Some(count) = shape.batch else {
+                return Err(wrong(name, "is for batches", "set it in the constructor"));
+            };
+            let seeds: Vec<u64> = seeds
+                .try_iter()
+                .and_then(|all| all.map(|one| one?.extract()).collect())
+                .map_err(|_| mistyped(name, seeds, "a sequence of whole numbers from 0 to 2**64 - 1"))?;
+            if seeds.len() == count {
+                return Ok(seeds);
+            }
+            let is = format!("has {} seeds, but the batch {count} images", seeds.len());
+            Err(wrong(name, is, "pass a seed for each image"))
+        };
+        let seeds = seed.map(|seeds| read("seed", seeds)).transpose()?;
+        let device_seeds = device_seed.map(|seeds| read("device_seed", seeds)).transpose()?;
+        if seeds.is_none() && device_seeds.is_none() {
+            return Ok(Items::Same(Arc::clone(sensor)));
+        }
+        let mut items = Vec::with_capacity(shape.count());
+        for item in 0..shape.count() {
+            let own = &self.source.options;
+            let seed = seeds.as_ref().map_or(own.seed, |seeds| seeds[item]);
+            let device_seed = device_seeds
+                .as_ref()
+                .map_or(own.device_seed, |seeds| Some(seeds[item]));
+            // An item with its own seed is the only image of its sensor.
+            let number = if seeds.is_some() {
+                0
+            } else {
+                u32::try_from(item).unwrap_or(u32::MAX)
+            };
+            items.push((self.unit(shape.size, seed, device_seed)?, number));
+        }
+        Ok(Items::Own(items))
+    }
+
+    /// Returns the sensor of a unit, which is kept for the next call.
+    fn unit(&self, size: ImageSize, seed: u64, device_seed: Option<u64>) -> PyResult<Arc<Sensor>> {
+        let mut units = self.units.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let (own_size, sensors) = &mut *units;
+        if *own_size != Some(size) {
+            sensors.clear();
+            *own_size = Some(size);
+        }
+        if let Some(sensor) = sensors.get(&(seed, device_seed)) {
+            return Ok(Arc::clone(sensor));
+        }
+        let options = SensorOptions {
+            seed,
+            device_seed,
+            ..self.source.options.clone()
+        };
+        let sensor = self.source.eye_with(Some(size), &options)?.sensor;
+        sensors.insert((seed, device_seed), Arc::clone(&sensor));
+        Ok(sensor)
+    }
+
+    /// Reports depth that is probably in another unit, and an image that was lost.
+    pub(super) fn notice(&self, py: Python<'_>, depth: DepthSlice<'_>, out: &OutSlice<'_>) -> PyResult<()> {
+        let (unit, sample) = match depth {
+            DepthSlice::Metres(_) => (DepthUnit::Metres, depth.sampled()),
+            DepthSlice::Millimetres(_) => (DepthUnit::Millimetres, depth.sampled()),
+        };
+        if let Some(finding) = sensing::check_unit(&sample, unit) {
+            return self.notices.notice(py, Some(finding));
+        }
+        if out.is_empty() {
+            return self
+                .notices
+                .notice(py, sensing::check_measured(&depth.metres(), &[]));
+        }
+        Ok(())
+    }
+}
