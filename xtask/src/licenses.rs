@@ -45,7 +45,9 @@ pub(crate) fn run() -> Result<(), String> {
 fn dependencies() -> Result<Vec<Dependency>, String> {
     let mut command = workspace::cargo();
     command.args(["metadata", "--format-version", "1", "--locked"]);
-    let done = command.output().map_err(|error| format!("cargo metadata: {error}"))?;
+    let done = command
+        .output()
+        .map_err(|error| format!("cargo metadata: {error}"))?;
     if !done.status.success() {
         return Err(String::from_utf8_lossy(&done.stderr).into_owned());
     }
@@ -67,7 +69,9 @@ fn dependencies() -> Result<Vec<Dependency>, String> {
         }
         for dependency in list(&nodes[&id], "deps") {
             // Build and development dependencies are not compiled in.
-            let is_compiled_in = list(&dependency, "dep_kinds").iter().any(|kind| kind["kind"].is_null());
+            let is_compiled_in = list(&dependency, "dep_kinds")
+                .iter()
+                .any(|kind| kind["kind"].is_null());
             if is_compiled_in {
                 pending.push(text(&dependency, "pkg"));
             }
@@ -81,7 +85,10 @@ fn dependencies() -> Result<Vec<Dependency>, String> {
             version: text(package, "version"),
             expression: text(package, "license"),
             source: text(package, "repository"),
-            texts: Path::new(&text(package, "manifest_path")).parent().map(texts).unwrap_or_default(),
+            texts: Path::new(&text(package, "manifest_path"))
+                .parent()
+                .map(texts)
+                .unwrap_or_default(),
         })
         .collect();
     found.sort_by(|a, b| (&a.name, &a.version).cmp(&(&b.name, &b.version)));
@@ -96,7 +103,11 @@ fn texts(folder: &Path) -> Vec<String> {
         .flatten()
         .map(|entry| entry.path())
         .filter(|path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+            let name = path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .to_lowercase();
             path.is_file() && NAMES.iter().any(|start| name.starts_with(start))
         })
         .collect();

@@ -106,11 +106,21 @@ mod tests {
     #[test]
     fn a_centred_principal_point_stays_in_the_centre() {
         let centred = Intrinsics::from_hfov(ImageSize::new(1280, 800), 1.2);
-        for (width, height, keep) in [(640, 400, true), (320, 300, true), (100, 900, false), (640, 480, true)] {
+        for (width, height, keep) in [
+            (640, 400, true),
+            (320, 300, true),
+            (100, 900, false),
+            (640, 480, true),
+        ] {
             let size = ImageSize::new(width, height);
-            let c = centred.resized_about_centre(size, keep).principal_point::<OpenCv>();
+            let c = centred
+                .resized_about_centre(size, keep)
+                .principal_point::<OpenCv>();
             let middle = (f64::from(width - 1) / 2.0, f64::from(height - 1) / 2.0);
-            assert!((c.x - middle.0).abs() < 1e-9 && (c.y - middle.1).abs() < 1e-9, "{c:?}");
+            assert!(
+                (c.x - middle.0).abs() < 1e-9 && (c.y - middle.1).abs() < 1e-9,
+                "{c:?}"
+            );
         }
     }
 

@@ -38,7 +38,11 @@ pub(crate) struct Mesh {
 
 impl Mesh {
     /// Creates a mesh without a material.
-    pub(crate) fn plain(py: Python<'_>, vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub(crate) fn plain(
+        py: Python<'_>,
+        vertices: &Bound<'_, PyAny>,
+        faces: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
         Ok(Self {
             mesh: triangles(vertices, faces)?,
             material: None,
@@ -68,27 +72,52 @@ impl Mesh {
     ) -> PyResult<Self> {
         let options = PyDict::new(py);
         let copy = py.import("copy")?.getattr("deepcopy")?;
-        let arrays = [("color", color), ("normals", normals), ("uvs", uvs), ("texture", texture), ("emissive", emissive)];
-        for (name, array) in arrays.into_iter().filter_map(|(name, array)| Some((name, array?))) {
+        let arrays = [
+            ("color", color),
+            ("normals", normals),
+            ("uvs", uvs),
+            ("texture", texture),
+            ("emissive", emissive),
+        ];
+        for (name, array) in arrays
+            .into_iter()
+            .filter_map(|(name, array)| Some((name, array?)))
+        {
             options.set_item(name, copy.call1((array,))?)?;
         }
         options.set_item("metallic", metallic)?;
         options.set_item("roughness", roughness)?;
         for (name, share) in [("metallic", metallic), ("roughness", roughness)] {
             if !(0.0..=1.0).contains(&share) {
-                return Err(wrong(name, format_args!("{share} is out of range"), "pass a number from 0 to 1"));
+                return Err(wrong(
+                    name,
+                    format_args!("{share} is out of range"),
+                    "pass a number from 0 to 1",
+                ));
             }
         }
         let mut mesh = triangles(vertices, faces)?;
         let count = mesh.positions.len();
-        let unit = |n: [f32; 3]| DVec3::from(n.map(f64::from)).normalize_or_zero().as_vec3().to_array();
+        let unit = |n: [f32; 3]| {
+            DVec3::from(n.map(f64::from))
+                .normalize_or_zero()
+                .as_vec3()
+                .to_array()
+        };
         let normals_of = |object| rows::<3>("normals", object, count);
         mesh.normals = normals
             .map(normals_of)
             .transpose()?
             .map(|normals| Attribute::Vertex(normals.into_iter().map(unit).collect()));
-        mesh.uvs = uvs.map(|object| rows::<2>("uvs", object, count)).transpose()?.map(Attribute::Vertex);
-        let mut material = Material { metallic, roughness, ..Material::default() };
+        mesh.uvs = uvs
+            .map(|object| rows::<2>("uvs", object, count))
+            .transpose()?
+            .map(Attribute::Vertex);
+        let mut material = Material {
+            metallic,
+            roughness,
+            ..Material::default()
+        };
         if let Some(color) = color {
             match Color::read(color, count)? {
                 Color::One(color) => material.base_color = Some(color),
@@ -101,7 +130,11 @@ impl Mesh {
         let texture = texture.map(self::texture).transpose()?;
         if texture.is_some() {
             if mesh.uvs.is_none() {
-                return Err(wrong("texture", "requires texture coordinates", "pass uvs as well"));
+                return Err(wrong(
+                    "texture",
+                    "requires texture coordinates",
+                    "pass uvs as well",
+                ));
             }
             material.base_color_texture = Some(TextureUse::new(0));
         }
@@ -167,13 +200,22 @@ fn rows<const N: usize>(name: &str, object: &Bound<'_, PyAny>, vertices: usize) 
     let (shape, array) = numbers(name, object)?;
     if shape != [vertices, N] {
         let is = format!("has shape {shape:?}");
-        return Err(wrong(name, is, format_args!("pass one row per vertex, shape ({vertices}, {N})")));
+        return Err(wrong(
+            name,
+            is,
+            format_args!("pass one row per vertex, shape ({vertices}, {N})"),
+        ));
     }
     let values = array.as_slice().map_err(error)?;
     if values.iter().any(|number| !number.is_finite()) {
         return Err(wrong(name, "contains non-finite values", "replace them"));
     }
-    Ok(values.as_chunks::<N>().0.iter().map(|row| row.map(|x| x as f32)).collect())
+    Ok(values
+        .as_chunks::<N>()
+        .0
+        .iter()
+        .map(|row| row.map(|x| x as f32))
+        .collect())
 }
 
 /// Linear colours.
@@ -216,12 +258,22 @@ fn emission(object: &Bound<'_, PyAny>) -> PyResult<[f32; 3]> {
     let emissive = match *values {
         [grey] => [grey; 3],
         [r, g, b] => [r, g, b],
-        _ => return Err(wrong("emissive", format_args!("has shape {shape:?}"), "pass one number, or three")),
+        _ => {
+            return Err(wrong(
+                "emissive",
+                format_args!("has shape {shape:?}"),
+                "pass one number, or three",
+            ));
+        }
     };
     if emissive.iter().all(|x| x.is_finite() && *x >= 0.0) {
         Ok(emissive.map(|x| x as f32))
     } else {
-        Err(wrong("emissive", "contains values out of range", "pass finite numbers, 0 or greater"))
+        Err(wrong(
+            "emissive",
+            "contains values out of range",
+            "pass finite numbers, 0 or greater",
+        ))
     }
 }
 
@@ -230,7 +282,11 @@ fn texture(object: &Bound<'_, PyAny>) -> PyResult<Texture> {
     let source = if let Ok(path) = object.extract::<PathBuf>() {
         if !path.is_file() {
             let is = format!("{} does not exist", path.display());
-            return Err(wrong("texture", is, "pass an image array, or the path of an image file"));
+            return Err(wrong(
+                "texture",
+                is,
+                "pass an image array, or the path of an image file",
+            ));
         }
         TextureSource::File(std::path::absolute(&path).unwrap_or(path))
     } else {
@@ -238,20 +294,38 @@ fn texture(object: &Bound<'_, PyAny>) -> PyResult<Texture> {
         let shape = array.shape().to_vec();
         let (&[height, width, channels @ (3 | 4)], true) = (&shape[..], is_like::<u8>(&array)) else {
             let is = format!("has shape {shape:?} and dtype {}", array.dtype());
-            return Err(wrong("texture", is, "pass an image (H, W, 3 or 4) of uint8, sRGB"));
+            return Err(wrong(
+                "texture",
+                is,
+                "pass an image (H, W, 3 or 4) of uint8, sRGB",
+            ));
         };
         let array = contiguous::<u8>("texture", &array)?;
         let values = array.as_slice().map_err(error)?;
         let pixels = if channels == 4 {
             values.as_chunks::<4>().0.to_vec()
         } else {
-            values.as_chunks::<3>().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect()
+            values
+                .as_chunks::<3>()
+                .0
+                .iter()
+                .map(|&[r, g, b]| [r, g, b, 255])
+                .collect()
         };
         let side = |length: usize| u32::try_from(length).unwrap_or(0);
         let image = Image::new(side(width), side(height), pixels)
             .filter(|image| !image.pixels().is_empty())
-            .ok_or_else(|| wrong("texture", format_args!("has shape {shape:?}"), "pass an image with pixels"))?;
+            .ok_or_else(|| {
+                wrong(
+                    "texture",
+                    format_args!("has shape {shape:?}"),
+                    "pass an image with pixels",
+                )
+            })?;
         TextureSource::Pixels(Arc::new(image))
     };
-    Ok(Texture { source, color_space: ColorSpace::Srgb })
+    Ok(Texture {
+        source,
+        color_space: ColorSpace::Srgb,
+    })
 }

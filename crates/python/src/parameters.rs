@@ -32,7 +32,11 @@ pub(crate) fn parameters<'py>(py: Python<'py>, group: &str, platform: &str) -> P
 #[pyfunction]
 #[pyo3(signature = (platform = "rvc2"))]
 pub(crate) fn presets(platform: &str) -> PyResult<Vec<&'static str>> {
-    let all = [("rvc2", Some(Platform::Rvc2)), ("rvc4", Some(Platform::Rvc4)), ("tof", None)];
+    let all = [
+        ("rvc2", Some(Platform::Rvc2)),
+        ("rvc4", Some(Platform::Rvc4)),
+        ("tof", None),
+    ];
     Ok(match choice::choose("platform", platform, &all)? {
         Some(platform) => Preset::names_on(platform),
         None => TIME_OF_FLIGHT_PRESETS.to_vec(),
@@ -64,12 +68,18 @@ fn typed<'py>(py: Python<'py>, kind: Kind, text: &str) -> PyResult<Bound<'py, Py
         None => text.parse().ok(),
     };
     let value = match kind {
-        Kind::Flag => text.parse().ok().map(|flag| PyBool::new(py, flag).to_owned().into_any()),
+        Kind::Flag => text
+            .parse()
+            .ok()
+            .map(|flag| PyBool::new(py, flag).to_owned().into_any()),
         Kind::Integer => match integer() {
             Some(number) => Some(number.into_pyobject(py)?.into_any()),
             None => None,
         },
-        Kind::Number => text.parse().ok().map(|number| PyFloat::new(py, number).into_any()),
+        Kind::Number => text
+            .parse()
+            .ok()
+            .map(|number| PyFloat::new(py, number).into_any()),
         Kind::Choice(_) | Kind::Text(_) => None,
     };
     Ok(value.unwrap_or_else(|| PyString::new(py, text).into_any()))

@@ -36,7 +36,10 @@ pub(crate) fn project<'py>(
     };
     let depth: Bound<'py, PyArrayDyn<f64>> = zeros(py, rest)?;
     let pixels: Bound<'py, PyArrayDyn<f64>> = zeros(py, &[rest, &[2]].concat())?;
-    let mut writable = (pixels.try_readwrite().map_err(error)?, depth.try_readwrite().map_err(error)?);
+    let mut writable = (
+        pixels.try_readwrite().map_err(error)?,
+        depth.try_readwrite().map_err(error)?,
+    );
     let out = (
         writable.0.as_slice_mut().map_err(error)?.as_chunks_mut::<2>().0,
         writable.1.as_slice_mut().map_err(error)?,
@@ -99,7 +102,11 @@ pub(crate) fn unproject<'py>(
     let size = camera.camera.intrinsics.size;
     if shape.size != size {
         let is = format!("is {} px, but the camera has {size} px", shape.size);
-        return Err(wrong("depth", is, "use the camera of these images, see resized()"));
+        return Err(wrong(
+            "depth",
+            is,
+            "use the camera of these images, see resized()",
+        ));
     }
     let (poses, _) = match world_from_camera {
         Some(object) => poses("world_from_camera", object)?,
@@ -107,7 +114,11 @@ pub(crate) fn unproject<'py>(
     };
     if poses.len() != 1 && poses.len() != shape.count() {
         let is = format!("has {} poses for {} images", poses.len(), shape.count());
-        return Err(wrong("world_from_camera", is, "pass one pose, or one for each image"));
+        return Err(wrong(
+            "world_from_camera",
+            is,
+            "pass one pose, or one for each image",
+        ));
     }
     let array: Bound<'py, PyArrayDyn<f32>> = zeros(py, &[&shape.dims()[..], &[3]].concat())?;
     let mut writable = array.try_readwrite().map_err(error)?;
@@ -141,7 +152,10 @@ pub(crate) fn undistortion_maps<'py>(
     target: Option<&Camera>,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
     if let Some(target) = target.filter(|target| target.camera.lens != LensModel::Pinhole) {
-        let is = format!("has a lens with distortion, {}", target.camera.lens.names().option);
+        let is = format!(
+            "has a lens with distortion, {}",
+            target.camera.lens.names().option
+        );
         return Err(wrong("target", is, "pass a pinhole camera"));
     }
     let target = target.map_or(camera.camera.intrinsics, |target| target.camera.intrinsics);

@@ -58,12 +58,12 @@ pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera}
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
 pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
-pub use save::{SAVED_EXTENSIONS, save_usd};
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};
+pub use save::{SAVED_EXTENSIONS, save_usd};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
 pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};

@@ -13,7 +13,11 @@ pub const SAVED_EXTENSIONS: [&str; 2] = ["usda", "usd"];
 /// Returns an error for an extension other than `.usda` and `.usd`, for a texture that cannot be decoded, and if a file cannot be
 /// written.
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
-    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    let extension = path
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase();
     if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
         return Err(FileError::new(
             path,
@@ -22,7 +26,8 @@ pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
         ));
     }
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let saved = scene_file(scene, &format!("{name}_textures")).map_err(|error| FileError::codec(path, &error))?;
+    let saved =
+        scene_file(scene, &format!("{name}_textures")).map_err(|error| FileError::codec(path, &error))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for (image, bytes) in &saved.images {
         let image = folder.join(image.trim_start_matches("./"));

@@ -10,8 +10,8 @@ use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
-    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SAVED_EXTENSIONS, SceneFile, save_usd,
-    scene_cameras,
+    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SAVED_EXTENSIONS, SceneCameraOptions,
+    SceneFile, save_usd, scene_cameras,
 };
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
@@ -47,7 +47,10 @@ pub(crate) struct Scene {
 
 /// The origin of a scene, which is stored in a pickle.
 enum Origin {
-    File { path: PathBuf, options: OpenOptions },
+    File {
+        path: PathBuf,
+        options: OpenOptions,
+    },
     /// The meshes by name.
     Meshes(Vec<(String, Py<Mesh>)>),
 }
@@ -151,15 +154,25 @@ impl Scene {
         let mesh = |(name, mesh): (String, Bound<'_, PyAny>)| {
             let mesh = mesh.cast_into::<Mesh>().map_err(|_| {
                 let remedy = "pass oaktwin.Mesh(vertices, faces)";
-                wrong("meshes", format_args!("the value of {name} is not a mesh"), remedy)
+                wrong(
+                    "meshes",
+                    format_args!("the value of {name} is not a mesh"),
+                    remedy,
+                )
             })?;
             Ok((name, mesh.unbind()))
         };
         let label = |(name, label): (String, Bound<'_, PyAny>)| Ok((name, label.extract()?));
         let parts = Parts {
-            meshes: items("meshes", Some(meshes))?.into_iter().map(mesh).collect::<PyResult<_>>()?,
+            meshes: items("meshes", Some(meshes))?
+                .into_iter()
+                .map(mesh)
+                .collect::<PyResult<_>>()?,
             poses: parts::poses(poses)?.into_iter().collect(),
-            labels: items("labels", labels)?.into_iter().map(label).collect::<PyResult<_>>()?,
+            labels: items("labels", labels)?
+                .into_iter()
+                .map(label)
+                .collect::<PyResult<_>>()?,
         };
         Self::of_parts(parts, up)
     }
@@ -199,7 +212,11 @@ impl Scene {
     /// Raises oaktwin.Error for another extension, and OSError if a file cannot be written.
     #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     fn save_usd(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .to_lowercase();
         if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
             let is = "scenes are written in USD's text format";
             return Err(wrong(path.display(), is, "use a name that ends in .usda or .usd"));
@@ -260,8 +277,7 @@ impl Scene {
                 world_from_camera: *world_from_camera,
                 clip: camera.clip,
             };
-            let (frame, findings) =
-                threads::run(py, || renderer.annotate(&view, &asked, backend, &options))?;
+            let (frame, findings) = threads::run(py, || renderer.annotate(&view, &asked, backend, &options))?;
             if number == 0 {
                 finding::warn(py, &findings)?;
             }

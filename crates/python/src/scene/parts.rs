@@ -40,7 +40,11 @@ impl Stage {
     pub(super) fn new(scene: scene::Scene) -> Self {
         let part = |instance: &Instance| {
             let (pose, rest) = instance.pose_and_rest();
-            Part { path: instance.path.clone(), pose, rest }
+            Part {
+                path: instance.path.clone(),
+                pose,
+                rest,
+            }
         };
         Self {
             parts: scene.instances.iter().map(part).collect(),
@@ -61,7 +65,8 @@ impl Stage {
             self.parts[*index].pose = *pose;
         }
         self.moved.extend(found.iter().map(|(index, _)| *index));
-        let placed = |(index, pose): (usize, RigidTransform)| (index, Instance::placed(&pose, self.parts[index].rest));
+        let placed =
+            |(index, pose): (usize, RigidTransform)| (index, Instance::placed(&pose, self.parts[index].rest));
         self.renderer.set_poses(found.into_iter().map(placed));
         Ok(())
     }
@@ -70,7 +75,10 @@ impl Stage {
         let path = path(name);
         let found = self.parts.iter().position(|part| part.path == path);
         found.ok_or_else(|| {
-            let names = self.parts.iter().map(|part| part.path.strip_prefix("/World/").unwrap_or(&part.path));
+            let names = self
+                .parts
+                .iter()
+                .map(|part| part.path.strip_prefix("/World/").unwrap_or(&part.path));
             wrong(name, "the scene has no such part", suggest(name, names))
         })
     }
@@ -78,7 +86,11 @@ impl Stage {
 
 /// The prim path of a name.
 fn path(name: &str) -> String {
-    if name.starts_with('/') { name.to_owned() } else { format!("/World/{name}") }
+    if name.starts_with('/') {
+        name.to_owned()
+    } else {
+        format!("/World/{name}")
+    }
 }
 
 /// The items of an optional mapping from names.
@@ -131,7 +143,11 @@ impl Parts {
             let path = path(name);
             let is_valid = |element: &str| !element.is_empty() && !element.contains(char::is_control);
             if !path.split('/').skip(1).all(is_valid) {
-                return Err(wrong(name, "is not a valid name", "pass names such as \"arm/link_1\""));
+                return Err(wrong(
+                    name,
+                    "is not a valid name",
+                    "pass names such as \"arm/link_1\"",
+                ));
             }
             let number = *numbers
                 .entry(mesh.as_ptr())
@@ -235,7 +251,10 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
     let stage = scene.read(py);
     let call = |make: &str, options| partial.call((own.getattr(make)?,), Some(options));
     match &scene.origin {
-        Origin::File { path, options: opened } => {
+        Origin::File {
+            path,
+            options: opened,
+        } => {
             options.set_item("time", opened.time)?;
             options.set_item("subdivide", opened.subdivide)?;
             options.set_item("up", opened.up.map(Up::name))?;

@@ -32,7 +32,10 @@ pub(super) fn prim(light: &Light, materials: &Materials<'_>) -> Prim {
     let brightest = light.radiance.into_iter().fold(0.0, f32::max);
     let scale = if brightest > 0.0 { brightest } else { 1.0 };
     prim.set("inputs:intensity", Value::Float(brightest));
-    prim.set("inputs:color", Value::Color3f(light.radiance.map(|channel| channel / scale)));
+    prim.set(
+        "inputs:color",
+        Value::Color3f(light.radiance.map(|channel| channel / scale)),
+    );
     if light.normalize {
         prim.set("inputs:normalize", Value::Bool(true));
     }

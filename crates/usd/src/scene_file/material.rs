@@ -71,7 +71,9 @@ impl<'a> Materials<'a> {
         rebind(root, &path);
         let mut looks = Prim::def("Scope", scope);
         for (index, material) in (0..).zip(&self.scene.materials) {
-            looks.children.push(self.prim(material, name(index), &format!("{path}/{}", name(index))));
+            looks
+                .children
+                .push(self.prim(material, name(index), &format!("{path}/{}", name(index))));
         }
         root.children.push(looks);
     }
@@ -88,8 +90,8 @@ impl<'a> Materials<'a> {
         surface.set("inputs:metallic", Value::Float(material.metallic));
         surface.set("inputs:roughness", Value::Float(material.roughness));
         let mut nodes = Vec::new();
-        if let Some((texture, file)) = (material.base_color_texture)
-            .and_then(|texture| Some((texture, self.image(texture.texture)?)))
+        if let Some((texture, file)) =
+            (material.base_color_texture).and_then(|texture| Some((texture, self.image(texture.texture)?)))
         {
             let mut input = Attribute::without_value("inputs:diffuseColor", "color3f");
             input.connections = vec![format!("{path}/Texture.outputs:rgb")];
@@ -114,7 +116,13 @@ impl<'a> Materials<'a> {
 }
 
 /// The texture of the base colour, with the nodes that give its coordinates.
-fn texture_nodes(used: &TextureUse, file: &str, space: ColorSpace, color: Option<[f32; 3]>, path: &str) -> Vec<Prim> {
+fn texture_nodes(
+    used: &TextureUse,
+    file: &str,
+    space: ColorSpace,
+    color: Option<[f32; 3]>,
+    path: &str,
+) -> Vec<Prim> {
     let mut image = shader("Texture", "UsdUVTexture");
     image.set("inputs:file", Value::Asset(file.to_owned()));
     let space = match space {
@@ -152,7 +160,10 @@ fn texture_nodes(used: &TextureUse, file: &str, space: ColorSpace, color: Option
     let [[a, b, x], [c, d, y]] = used.image_from_uv;
     let scale = a.hypot(c);
     let mut turn = shader("Transform", "UsdTransform2d");
-    turn.set("inputs:scale", Value::Float2([scale, (a * d - b * c) / scale.max(f32::MIN_POSITIVE)]));
+    turn.set(
+        "inputs:scale",
+        Value::Float2([scale, (a * d - b * c) / scale.max(f32::MIN_POSITIVE)]),
+    );
     turn.set("inputs:rotation", Value::Float(c.atan2(a).to_degrees()));
     turn.set("inputs:translation", Value::Float2([x, y]));
     let mut input = Attribute::without_value("inputs:in", "float2");

@@ -8,7 +8,10 @@ pub(super) fn prim(mesh: &Mesh, instance: &Instance, materials: &Materials<'_>) 
     let mut prim = Prim::def("Mesh", "");
     prim.set("extent", Value::Float3Array(extent(&mesh.positions)));
     prim.set("faceVertexCounts", Value::IntArray(vec![3; mesh.triangles.len()]));
-    prim.set("faceVertexIndices", Value::IntArray(integers(mesh.triangles.as_flattened())));
+    prim.set(
+        "faceVertexIndices",
+        Value::IntArray(integers(mesh.triangles.as_flattened())),
+    );
     prim.set("points", Value::Point3fArray(mesh.positions.clone()));
     prim.set_uniform("subdivisionScheme", Value::token("none"));
     if mesh.double_sided {
@@ -44,7 +47,10 @@ fn primvar<T: Copy>(prim: &mut Prim, name: &str, data: &Data<T>, value: impl Fn(
     attribute.interpolation = Some(interpolation);
     prim.add(attribute);
     if let Data::Corner { indices, .. } = data {
-        prim.set(format!("primvars:{name}:indices"), Value::IntArray(integers(indices.as_flattened())));
+        prim.set(
+            format!("primvars:{name}:indices"),
+            Value::IntArray(integers(indices.as_flattened())),
+        );
     }
 }
 
@@ -52,7 +58,10 @@ fn primvar<T: Copy>(prim: &mut Prim, name: &str, data: &Data<T>, value: impl Fn(
 fn label(prim: &mut Prim, instance: &Instance) {
     let mut taxonomies: Vec<(&str, Vec<String>)> = Vec::new();
     for label in &instance.labels {
-        match taxonomies.iter_mut().find(|(taxonomy, _)| *taxonomy == label.taxonomy) {
+        match taxonomies
+            .iter_mut()
+            .find(|(taxonomy, _)| *taxonomy == label.taxonomy)
+        {
             Some((_, names)) => names.push(label.name.clone()),
             None => taxonomies.push((&label.taxonomy, vec![label.name.clone()])),
         }
@@ -66,13 +75,19 @@ fn label(prim: &mut Prim, instance: &Instance) {
 
 /// Adds a subset of the faces for each material.
 fn subsets(prim: &mut Prim, spans: &[MaterialSpan], materials: &Materials<'_>) {
-    prim.set_uniform("subsetFamily:materialBind:familyType", Value::token("nonOverlapping"));
+    prim.set_uniform(
+        "subsetFamily:materialBind:familyType",
+        Value::token("nonOverlapping"),
+    );
     let mut start = 0;
     for (i, span) in spans.iter().enumerate() {
         let mut subset = Prim::def("GeomSubset", format!("subset_{i}"));
         subset.set_uniform("elementType", Value::token("face"));
         subset.set_uniform("familyName", Value::token("materialBind"));
-        subset.set("indices", Value::IntArray((start..span.end).map(integer).collect()));
+        subset.set(
+            "indices",
+            Value::IntArray((start..span.end).map(integer).collect()),
+        );
         materials.relate(&mut subset, span.material);
         prim.children.push(subset);
         start = span.end;
@@ -92,7 +107,8 @@ fn extent(points: &[[f32; 3]]) -> Vec<[f32; 3]> {
         return Vec::new();
     };
     let bound = |pick: fn(f32, f32) -> f32| {
-        let wider = |bound: [f32; 3], point: &[f32; 3]| std::array::from_fn(|axis| pick(bound[axis], point[axis]));
+        let wider =
+            |bound: [f32; 3], point: &[f32; 3]| std::array::from_fn(|axis| pick(bound[axis], point[axis]));
         points.iter().fold(first, wider)
     };
     vec![bound(f32::min), bound(f32::max)]

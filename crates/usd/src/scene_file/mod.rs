@@ -55,7 +55,10 @@ pub fn scene_file(scene: &Scene, folder: &str) -> Result<SceneFile, CodecError> 
         prims: vec![root],
         ..Layer::default()
     };
-    Ok(SceneFile { layer, images: materials.into_images() })
+    Ok(SceneFile {
+        layer,
+        images: materials.into_images(),
+    })
 }
 
 /// Sets the transform of a prim. `resets` ignores those of its parents.
@@ -70,6 +73,9 @@ fn place(prim: &mut Prim, world_from_prim: &DAffine3, resets: bool) {
     ];
     prim.set("xformOp:transform", Value::Matrix4d(rows));
     let reset = resets.then(|| "!resetXformStack!".to_owned());
-    let order = reset.into_iter().chain(["xformOp:transform".to_owned()]).collect();
+    let order = reset
+        .into_iter()
+        .chain(["xformOp:transform".to_owned()])
+        .collect();
     prim.set_uniform("xformOpOrder", Value::TokenArray(order));
 }

@@ -20,8 +20,14 @@ fn scene() -> Scene {
             indices: vec![[0, 1, 0], [1, 1, 0]],
         }),
         materials: vec![
-            MaterialSpan { end: 1, material: Some(0) },
-            MaterialSpan { end: 2, material: Some(1) },
+            MaterialSpan {
+                end: 1,
+                material: Some(0),
+            },
+            MaterialSpan {
+                end: 2,
+                material: Some(1),
+            },
         ],
         double_sided: true,
         ..Mesh::default()
@@ -30,7 +36,10 @@ fn scene() -> Scene {
         normals: None,
         uvs: None,
         colors: Some(Attribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
-        materials: vec![MaterialSpan { end: 2, material: Some(2) }],
+        materials: vec![MaterialSpan {
+            end: 2,
+            material: Some(2),
+        }],
         ..square.clone()
     };
     let turned = DAffine3::from_rotation_translation(DQuat::from_rotation_z(0.5), DVec3::new(1.0, 2.0, 3.0));
@@ -51,7 +60,11 @@ fn scene() -> Scene {
         wrap_t: Wrap::Mirror,
         ..TextureUse::new(0)
     };
-    let material = |name: &str, base_color| Material { name: name.into(), base_color, ..Material::default() };
+    let material = |name: &str, base_color| Material {
+        name: name.into(),
+        base_color,
+        ..Material::default()
+    };
     let light = |path: &str, kind| Light {
         path: path.into(),
         kind,
@@ -62,13 +75,31 @@ fn scene() -> Scene {
     Scene {
         meshes: vec![square, painted],
         instances: vec![
-            instance(0, "/World/arm/link 1", turned, vec![label("/World/arm/link 1", "arm")]),
-            instance(1, "/World/arm/link 1/tool", DAffine3::from_scale(DVec3::splat(0.01)), Vec::new()),
+            instance(
+                0,
+                "/World/arm/link 1",
+                turned,
+                vec![label("/World/arm/link 1", "arm")],
+            ),
+            instance(
+                1,
+                "/World/arm/link 1/tool",
+                DAffine3::from_scale(DVec3::splat(0.01)),
+                Vec::new(),
+            ),
             instance(1, "/World/2nd", turned, vec![label("/World/2nd", "box")]),
         ],
         materials: vec![
-            Material { metallic: 1.0, roughness: 0.25, emissive: [0.5, 0.0, 0.0], ..material("red", Some([1.0, 0.0, 0.0])) },
-            Material { base_color_texture: Some(textured), ..material("wood", Some([1.0; 3])) },
+            Material {
+                metallic: 1.0,
+                roughness: 0.25,
+                emissive: [0.5, 0.0, 0.0],
+                ..material("red", Some([1.0, 0.0, 0.0]))
+            },
+            Material {
+                base_color_texture: Some(textured),
+                ..material("wood", Some([1.0; 3]))
+            },
             material("own", None),
         ],
         textures: vec![Texture {
@@ -77,7 +108,13 @@ fn scene() -> Scene {
         }],
         lights: vec![
             light("/World/sun", LightKind::Distant { angle: 0.01 }),
-            light("/World/lamp", LightKind::Rect { width: 2.0, height: 0.5 }),
+            light(
+                "/World/lamp",
+                LightKind::Rect {
+                    width: 2.0,
+                    height: 0.5,
+                },
+            ),
         ],
         up: Up::Z,
         ..Scene::default()
@@ -100,34 +137,74 @@ fn a_written_scene_reads_back() {
     assert_eq!(read.findings, [], "{}", file.layer.text());
     let got = read.scene;
     assert_eq!((got.up, got.meters_per_unit), (Up::Z, scene.meters_per_unit));
-    let paths: Vec<&str> = got.instances.iter().map(|instance| instance.path.as_str()).collect();
-    assert_eq!(paths, ["/World/arm/link_1", "/World/arm/link_1/tool", "/World/_2nd"]);
+    let paths: Vec<&str> = got
+        .instances
+        .iter()
+        .map(|instance| instance.path.as_str())
+        .collect();
+    assert_eq!(
+        paths,
+        ["/World/arm/link_1", "/World/arm/link_1/tool", "/World/_2nd"]
+    );
     for (found, expected) in got.instances.iter().zip(&scene.instances) {
         assert!(found.world_from_mesh.abs_diff_eq(expected.world_from_mesh, 1e-15));
-        let (found_mesh, mesh) = (&got.meshes[found.mesh as usize], &scene.meshes[expected.mesh as usize]);
-        assert_eq!((&found_mesh.positions, &found_mesh.triangles), (&mesh.positions, &mesh.triangles));
+        let (found_mesh, mesh) = (
+            &got.meshes[found.mesh as usize],
+            &scene.meshes[expected.mesh as usize],
+        );
+        assert_eq!(
+            (&found_mesh.positions, &found_mesh.triangles),
+            (&mesh.positions, &mesh.triangles)
+        );
         assert_eq!(found_mesh.double_sided, mesh.double_sided);
         for i in 0..2_u32 {
             let at = (i as usize, mesh.triangles[i as usize]);
-            let corners = |mesh: &Mesh| (
-                mesh.uvs.as_ref().and_then(|uvs| uvs.corners(at.0, at.1)),
-                mesh.normals.as_ref().and_then(|normals| normals.corners(at.0, at.1)),
-                mesh.colors.as_ref().and_then(|colors| colors.corners(at.0, at.1)),
-            );
+            let corners = |mesh: &Mesh| {
+                (
+                    mesh.uvs.as_ref().and_then(|uvs| uvs.corners(at.0, at.1)),
+                    mesh.normals
+                        .as_ref()
+                        .and_then(|normals| normals.corners(at.0, at.1)),
+                    mesh.colors.as_ref().and_then(|colors| colors.corners(at.0, at.1)),
+                )
+            };
             assert_eq!(corners(found_mesh), corners(mesh));
             let of = |scene: &Scene, mesh: &Mesh| {
                 let material = scene.materials[mesh.material(i).unwrap() as usize].clone();
-                (material.base_color, material.emissive, material.metallic, material.roughness, material.base_color_texture)
+                (
+                    material.base_color,
+                    material.emissive,
+                    material.metallic,
+                    material.roughness,
+                    material.base_color_texture,
+                )
             };
             assert_eq!(of(&got, found_mesh), of(&scene, mesh));
         }
-        let names = |instance: &Instance| instance.labels.iter().map(|label| label.name.clone()).collect::<Vec<_>>();
-        let expected_names = if expected.path.ends_with("tool") { vec!["arm".to_owned()] } else { names(expected) };
+        let names = |instance: &Instance| {
+            instance
+                .labels
+                .iter()
+                .map(|label| label.name.clone())
+                .collect::<Vec<_>>()
+        };
+        let expected_names = if expected.path.ends_with("tool") {
+            vec!["arm".to_owned()]
+        } else {
+            names(expected)
+        };
         assert_eq!(names(found), expected_names);
     }
     for (found, expected) in got.lights.iter().zip(&scene.lights) {
-        assert_eq!((found.radiance, found.normalize), (expected.radiance, expected.normalize));
-        assert!(found.world_from_light.abs_diff_eq(expected.world_from_light, 1e-15));
+        assert_eq!(
+            (found.radiance, found.normalize),
+            (expected.radiance, expected.normalize)
+        );
+        assert!(
+            found
+                .world_from_light
+                .abs_diff_eq(expected.world_from_light, 1e-15)
+        );
     }
     assert_eq!(got.lights.len(), 2);
 }

@@ -30,15 +30,24 @@ struct Level {
 
 impl Tree {
     pub(super) fn insert(&mut self, path: &str, prim: Prim, world_from_prim: &DAffine3) {
-        let elements = path.split('/').filter(|element| !element.is_empty()).map(str::to_owned);
-        self.nodes.push(Node { elements: elements.collect(), prim, world_from_prim: *world_from_prim });
+        let elements = path
+            .split('/')
+            .filter(|element| !element.is_empty())
+            .map(str::to_owned);
+        self.nodes.push(Node {
+            elements: elements.collect(),
+            prim,
+            world_from_prim: *world_from_prim,
+        });
     }
 
     /// Builds the hierarchy: the first element of all paths is the root if they share one that has no mesh itself.
     pub(super) fn into_root(self) -> Prim {
         let first = self.nodes.first().and_then(|node| node.elements.first().cloned());
         let shared = first.filter(|first| {
-            self.nodes.iter().all(|node| node.elements.len() > 1 && node.elements.first() == Some(first))
+            self.nodes
+                .iter()
+                .all(|node| node.elements.len() > 1 && node.elements.first() == Some(first))
         });
         let mut root = Level::default();
         for node in self.nodes {
@@ -49,7 +58,11 @@ impl Tree {
             }
             if level.prim.is_some() {
                 // Two prims of one path: the second gets a name of its own.
-                let name = format!("{}_{}", node.elements.last().map_or("prim", String::as_str), level.children.len());
+                let name = format!(
+                    "{}_{}",
+                    node.elements.last().map_or("prim", String::as_str),
+                    level.children.len()
+                );
                 level = level.child(&name);
             }
             level.prim = Some((node.prim, node.world_from_prim));
@@ -81,7 +94,8 @@ impl Level {
         let mut taken = BTreeMap::new();
         for (child, level) in self.children {
             let name = free(&identifier(&child), &mut taken);
-            prim.children.push(level.into_prim(name, is_below_transform || has_transform));
+            prim.children
+                .push(level.into_prim(name, is_below_transform || has_transform));
         }
         prim
     }
@@ -105,5 +119,9 @@ pub(super) fn identifier(name: &str) -> String {
         .chars()
         .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
         .collect();
-    if is_identifier(&plain) { plain } else { format!("_{plain}") }
+    if is_identifier(&plain) {
+        plain
+    } else {
+        format!("_{plain}")
+    }
 }
