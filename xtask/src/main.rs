@@ -6,6 +6,7 @@ mod bench;
 mod conformance;
 mod counts;
 mod docs;
+mod licenses;
 mod python;
 mod report;
 mod schema;
@@ -40,6 +41,8 @@ enum Task {
     Docs,
     /// Regenerate the JSON schemas and other generated files.
     Schema,
+    /// Regenerate the licences that the Python wheel contains.
+    Licenses,
 }
 
 fn main() -> ExitCode {
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
         Task::Bench(bench) => bench::run(&bench),
         Task::Docs => docs::run(),
         Task::Schema => schema::run(),
+        Task::Licenses => licenses::run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -64,6 +64,21 @@ impl Intrinsics {
         Self::new(size, self.fx * scale, self.fy * scale, centre)
     }
 
+    /// Returns the intrinsics at another image size, like [`resized`](Self::resized), but with a centred principal point
+    /// staying in the centre: pixels are areas, so that the first pixel's centre is half a pixel from the border at any size. This is
+    /// how images are resized, for example by `cv2.resize`.
+    #[must_use]
+    pub fn resized_about_centre(&self, size: ImageSize, keep_aspect_ratio: bool) -> Self {
+        let resized = self.resized(size, keep_aspect_ratio);
+        let shift = |scale: f64| (scale - 1.0) / 2.0;
+        let c = resized.principal_point::<OpenCv>();
+        let centre = PixelPoint::<OpenCv>::new(
+            c.x + shift(resized.fx / self.fx),
+            c.y + shift(resized.fy / self.fy),
+        );
+        Self::new(size, resized.fx, resized.fy, centre)
+    }
+
     /// Returns the intrinsics of a part of the image: `size` pixels from `top_left`, which may be outside the image.
     #[must_use]
     pub fn cropped(&self, top_left: PixelPoint<OpenCv>, size: ImageSize) -> Self {
@@ -84,6 +99,27 @@ mod tests {
             assert!(
                 (got - expected).abs() <= tolerance.max(3e-7 * expected.abs()),
                 "{from:?} to {size:?} (keep {keep}): {got} is not {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_centred_principal_point_stays_in_the_centre() {
+        let centred = Intrinsics::from_hfov(ImageSize::new(1280, 800), 1.2);
+        for (width, height, keep) in [
+            (640, 400, true),
+            (320, 300, true),
+            (100, 900, false),
+            (640, 480, true),
+        ] {
+            let size = ImageSize::new(width, height);
+            let c = centred
+                .resized_about_centre(size, keep)
+                .principal_point::<OpenCv>();
+            let middle = (f64::from(width - 1) / 2.0, f64::from(height - 1) / 2.0);
+            assert!(
+                (c.x - middle.0).abs() < 1e-9 && (c.y - middle.1).abs() < 1e-9,
+                "{c:?}"
             );
         }
     }

@@ -1,5 +1,7 @@
 //! What must hold in a file beyond its form.
 
+mod values;
+
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_diagnostic::{fold_name, nearest};
@@ -8,6 +10,7 @@ use oaktwin_parameter::nvidia::Attributes;
 
 use crate::document::Document;
 use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
+use values::{ascending, between, not_negative, one_of, positive, prim_name, text, unique_prim};
 
 type Checked = Result<(), CatalogError>;
 
@@ -386,95 +389,4 @@ fn indexed(device: &Device, about: &str) -> String {
         _ => None,
     };
     index.map_or_else(|| about.to_owned(), |index| format!("{table}.{index}.{key}"))
-}
-
-fn text(doc: &Document<'_>, place: &str, value: &str) -> Checked {
-    if fold_name(value).is_empty() || value.contains(char::is_control) {
-        return Err(doc.error(place, format!("{value:?} is no name"), "give it one, on one line"));
-    }
-    Ok(())
-}
-
-/// A name that a USD prim can have: what an asset's prims and files are called.
-fn prim_name(doc: &Document<'_>, place: &str, name: &str) -> Checked {
-    let mut chars = name.chars();
-    let first = chars.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
-    if !(first && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')) {
-        return Err(doc.error(
-            place,
-            format!("{name:?} cannot name a prim"),
-            "use letters, digits and underscores, and begin with no digit",
-        ));
-    }
-    Ok(())
-}
-
-fn unique_prim<'a>(doc: &Document<'_>, place: &str, name: &'a str, taken: &mut Vec<&'a str>) -> Checked {
-    prim_name(doc, place, name)?;
-    if taken.contains(&name) {
-        return Err(doc.error(
-            place,
-            format!("a second prim '{name}'"),
-            "give each prim its own name",
-        ));
-    }
-    taken.push(name);
-    Ok(())
-}
-
-/// A token that USD allows.
-fn one_of(doc: &Document<'_>, place: &str, value: &str, allowed: &[&str]) -> Checked {
-    if allowed.contains(&value) {
-        return Ok(());
-    }
-    let allowed: Vec<String> = allowed.iter().map(|token| format!("'{token}'")).collect();
-    Err(doc.error(
-        place,
-        format!("unknown value {value:?}"),
-        format!("use one of {}", allowed.join(", ")),
-    ))
-}
-
-fn positive(doc: &Document<'_>, place: &str, value: f64) -> Checked {
-    if value > 0.0 {
-        Ok(())
-    } else {
-        Err(doc.error(
-            place,
-            format!("{value} where only more than 0 makes sense"),
-            "give a positive number",
-        ))
-    }
-}
-
-fn not_negative(doc: &Document<'_>, place: &str, value: f64) -> Checked {
-    if value >= 0.0 {
-        Ok(())
-    } else {
-        Err(doc.error(
-            place,
-            format!("{value} where less than 0 makes no sense"),
-            "give 0 or more",
-        ))
-    }
-}
-
-fn between(doc: &Document<'_>, place: &str, value: f64, limit: f64, remedy: &str) -> Checked {
-    if value > 0.0 && value < limit {
-        Ok(())
-    } else {
-        Err(doc.error(place, format!("a field of view of {value} degrees"), remedy))
-    }
-}
-
-fn ascending(doc: &Document<'_>, place: &str, (near, far): (f64, f64)) -> Checked {
-    if near > 0.0 && far > near {
-        Ok(())
-    } else {
-        Err(doc.error(
-            place,
-            format!("a range from {near} to {far}"),
-            "give the nearer end first, both more than 0",
-        ))
-    }
 }

@@ -246,7 +246,7 @@ fn invalid_values_have_a_line_and_a_remedy() {
         (
             "name = \"My camera\"",
             "name = \"My\\ncamera\"",
-            "\"My\\ncamera\" is no name; give it one, on one line",
+            "\"My\\ncamera\" is not a name; give a name on one line",
         ),
         (
             "id = \"mine\"",

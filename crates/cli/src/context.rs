@@ -14,7 +14,7 @@ pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 /// The result of a command that completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
-    Good,
+    Success,
     Findings,
     Error,
     Interrupted,
@@ -23,7 +23,7 @@ pub(crate) enum Exit {
 impl Exit {
     pub(crate) const fn code(self) -> u8 {
         match self {
-            Self::Good => 0,
+            Self::Success => 0,
             Self::Findings => 1,
             Self::Error => 2,
             // The code that shells report for a program ended by Ctrl-C.

@@ -37,7 +37,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 fn finish(result: Result<Exit>) -> u8 {
     match result {
         Ok(exit) => exit.code(),
-        Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Good.code(),
+        Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Success.code(),
         Err(error) => {
             output::say(&format!("error: {error}"));
             Exit::Error.code()
@@ -67,6 +67,6 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Accuracy(args) => commands::accuracy::run(&context, args),
         Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
-        Command::Completions(_) | Command::Man(_) => Ok(Exit::Good),
+        Command::Completions(_) | Command::Man(_) => Ok(Exit::Success),
     }
 }

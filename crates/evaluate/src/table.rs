@@ -7,7 +7,7 @@ use oaktwin_files::{self as files, FileError};
 
 const MAX_ROWS: usize = 10_000;
 
-/// What is wrong with a table, and what to do.
+/// A problem of a table and its remedy.
 #[derive(Debug)]
 pub(crate) struct Wrong {
     pub(crate) what: String,
@@ -22,7 +22,7 @@ pub(crate) fn wrong(what: impl Into<String>, remedy: impl Into<String>) -> Wrong
 }
 
 impl Wrong {
-    /// Returns the error about the file at `path`.
+    /// Returns the error for the file at `path`.
     pub(crate) fn of(self, path: &Path) -> FileError {
         FileError::new(path, self.what, self.remedy)
     }
@@ -31,13 +31,14 @@ impl Wrong {
 /// Reads the text of a small table; `what` describes it in errors (`a measured curve`).
 pub(crate) fn text(path: &Path, what: &str) -> Result<String, FileError> {
     let bytes = files::read(path, 1 << 20, what)?;
-    String::from_utf8(bytes).map_err(|_| FileError::new(path, "is no text", "give a CSV file in UTF-8"))
+    String::from_utf8(bytes)
+        .map_err(|_| FileError::new(path, "is not UTF-8 text", "give a CSV file in UTF-8"))
 }
 
-/// The requested fields of a row, in the order of the request; empty where the row is too short.
+/// The requested fields of a row in the order of the request; empty if the row is too short.
 #[derive(Clone, Debug)]
 pub(crate) struct Row<const N: usize> {
-    /// The line in the file, from 1.
+    /// The line number in the file, starting at 1.
     pub(crate) line: usize,
     pub(crate) fields: [String; N],
     names: [&'static str; N],
@@ -83,7 +84,7 @@ pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Resu
         }
     }
     if rows.is_empty() {
-        return Err(wrong("has no row below its header", "give at least one"));
+        return Err(wrong("has no rows below its header", "give at least one"));
     }
     Ok(rows)
 }
@@ -101,7 +102,7 @@ fn missing(header: &StringRecord, name: &str, wanted: &str) -> Wrong {
     match separator {
         Some(c) => wrong(
             format!("line 1: there is no column {name}: the columns are separated by {c:?}"),
-            "separate them by commas, with points in the numbers",
+            "separate them with commas, and use decimal points in numbers",
         ),
         None => wrong(
             format!("line 1: there is no column {name}"),
@@ -110,7 +111,7 @@ fn missing(header: &StringRecord, name: &str, wanted: &str) -> Wrong {
     }
 }
 
-/// The records that are not blank, each with the line that it starts in.
+/// Returns the records that are not blank, each with the number of its first line.
 fn records(text: &str) -> impl Iterator<Item = Result<(usize, StringRecord), Wrong>> {
     let reader = ReaderBuilder::new()
         .has_headers(false)
@@ -125,7 +126,7 @@ fn records(text: &str) -> impl Iterator<Item = Result<(usize, StringRecord), Wro
     })
 }
 
-/// A record's position is that of the blank lines before it.
+/// The position of a record is that of the blank lines before it.
 fn start_line(text: &str, record: &StringRecord) -> usize {
     let position = record.position();
     let [line, byte] = position.map_or([1, 0], |at| [at.line(), at.byte()]);
@@ -139,7 +140,7 @@ fn position(header: &StringRecord, name: &str) -> Option<usize> {
     header.iter().position(|field| plain(field) == name)
 }
 
-/// A field without the quotes that a space before them has kept.
+/// Removes quotes that a leading space has preserved.
 fn plain(field: &str) -> &str {
     field.trim_matches('"').trim()
 }
@@ -149,7 +150,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn columns_in_any_order() {
+    fn accepts_columns_in_any_order() {
         let text = "\u{feff}b,\"a\", c\r\n1, x ,2\r\n\r\n3\r\n";
         let rows = rows(text, ["a", "b"]).unwrap();
         assert_eq!(

@@ -8,7 +8,6 @@ mod bytes;
 pub mod colormap;
 pub mod contact_sheet;
 mod depth;
-pub mod draw;
 mod error;
 pub mod exr;
 mod limits;

@@ -1,6 +1,6 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use numpy::{PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn};
 use oaktwin::camera::{
     self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
 };
@@ -13,6 +13,7 @@ use crate::choice::choose;
 use crate::error::{error, wrong};
 use crate::finding::warn;
 use crate::pose::{matrix, numbers, one_pose, rows};
+use crate::projection;
 
 /// A camera: intrinsics, lens, and its pose on a device.
 ///
@@ -315,13 +316,79 @@ impl Camera {
     ///
     /// width, height: px.
     /// keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
+    /// keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
+    ///     without regard to the half pixel between the border and the first pixel's centre (default).
     ///
     /// Raises oaktwin.Error for an image without pixels.
-    #[pyo3(signature = (width, height, *, keep_aspect_ratio = true))]
-    fn resized(&self, width: u32, height: u32, keep_aspect_ratio: bool) -> PyResult<Self> {
+    #[pyo3(signature = (width, height, *, keep_aspect_ratio = true, keep_center = false))]
+    fn resized(&self, width: u32, height: u32, keep_aspect_ratio: bool, keep_center: bool) -> PyResult<Self> {
         let size = ImageSize::new(width, height);
         check_size(size).map_err(error)?;
-        self.with(self.camera.intrinsics.resized(size, keep_aspect_ratio))
+        let own = &self.camera.intrinsics;
+        self.with(if keep_center {
+            own.resized_about_centre(size, keep_aspect_ratio)
+        } else {
+            own.resized(size, keep_aspect_ratio)
+        })
+    }
+
+    /// Projects points to pixels, with the lens's distortion.
+    ///
+    /// points: (..., 3), metres, in the camera's frame, or in the world if world_from_camera is given.
+    /// world_from_camera: (4, 4), the camera's pose.
+    ///
+    /// Returns (pixels, depth): (..., 2) float64 px, which may be outside the image, NaN behind the camera and outside the lens's
+    /// field of view; and (...) float64 metres along the optical axis, negative behind the camera.
+    ///
+    /// Raises oaktwin.Error for other shapes.
+    #[pyo3(signature = (points, world_from_camera = None))]
+    fn project<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        world_from_camera: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<projection::Projected<'py>> {
+        projection::project(py, self, points, world_from_camera)
+    }
+
+    /// Converts depth images to points.
+    ///
+    /// depth: (H, W), or a batch (N, H, W), of this camera's size: float32 metres along the optical axis, or uint16 millimetres.
+    /// world_from_camera: (4, 4), the camera's pose, or (N, 4, 4) for a batch; by default the points are in the camera's frame.
+    ///
+    /// Returns the point of each pixel, (..., H, W, 3) float32 metres; NaN where the depth is invalid.
+    ///
+    /// Raises oaktwin.Error for images of another size.
+    #[pyo3(signature = (depth, world_from_camera = None))]
+    fn unproject<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        world_from_camera: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
+        projection::unproject(py, self, depth, world_from_camera)
+    }
+
+    /// Returns the unit direction in which each pixel's centre sees, (H, W, 3) float32 in the camera's frame; NaN outside the
+    /// lens's field of view.
+    fn rays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
+        projection::rays(py, self)
+    }
+
+    /// The position in this camera's image of each pixel of an undistorted image, (x, y) in px, (H, W, 2) float32, for
+    /// `cv2.remap(image, maps, None, cv2.INTER_LINEAR)`.
+    ///
+    /// target: the camera of the undistorted image, a pinhole, whose size and K are used; by default those of this camera.
+    ///
+    /// Positions may lie outside the image; they are NaN outside the lens's field of view. Raises oaktwin.Error for a target with
+    /// distortion.
+    #[pyo3(signature = (target = None))]
+    fn undistortion_maps<'py>(
+        &self,
+        py: Python<'py>,
+        target: Option<&Self>,
+    ) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        projection::undistortion_maps(py, self, target)
     }
 
     /// Returns the camera of a part of the image: width x height pixels with the upper left corner (x, y).

@@ -20,13 +20,16 @@ mod error;
 mod export;
 mod filter;
 mod finding;
+mod fit;
 mod frames;
 mod grey;
 mod images;
 mod json;
+mod mesh;
 mod pair;
 mod parameters;
 mod pose;
+mod projection;
 mod recording;
 mod rectification;
 mod scene;
@@ -59,13 +62,17 @@ mod _oaktwin {
     #[pymodule_export]
     use super::main;
     #[pymodule_export]
+    use super::mesh::Mesh;
+    #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]
     use super::rectification::Rectification;
     #[pymodule_export]
-    use super::scene::{Scene, annotators};
+    use super::scene::Scene;
+    #[pymodule_export]
+    use super::scene::annotators::annotators;
     #[pymodule_export]
     use super::sensor::DepthSensor;
     #[pymodule_export]
@@ -73,7 +80,9 @@ mod _oaktwin {
     #[pymodule_export]
     use crate::accuracy::accuracy;
     #[pymodule_export]
-    use crate::parameters::parameters;
+    use crate::fit::fit;
+    #[pymodule_export]
+    use crate::parameters::{parameters, presets};
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -13,7 +13,7 @@ use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::{FixedDisparity, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
 use crate::camera::Camera;
 use crate::choice::maybe_named;
@@ -22,6 +22,7 @@ use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
+use crate::parameters::by_name;
 use crate::settings::{keywords, sensor_options};
 use crate::threads;
 use source::Source;
@@ -314,11 +315,11 @@ impl StereoMatcher {
         self.ask(py, |matcher| matcher.method().map(Method::name))
     }
 
-    /// The matcher's parameters by name, in the format of `parameters=`, for the most recent image size.
+    /// The matcher's parameters by name, with values of their types, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.ask(py, |matcher| matcher.sensor().engine().parameters())
-            .into_py_dict(py)
+        let values = self.ask(py, |matcher| matcher.sensor().engine().parameters());
+        by_name(py, "stereo-matching", values)
     }
 
     /// The filters, in the format of `filters=`.

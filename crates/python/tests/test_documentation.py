@@ -26,7 +26,7 @@ NOT_RUN = {
 # Commands that end with 1 where they report findings, as they may about these inputs.
 REPORTS_FINDINGS = {"accuracy", "check", "fit", "stereo"}
 # Pages whose snippets are excerpts of an example's program, which has a test of its own: only their syntax is checked.
-EXCERPTS = {
+EXCERPTS = {"docs/python/record_wall.md", 
     "docs/python/isaac_lab_batch.md",
     "docs/python/isaac_sim.md",
     "docs/python/mujoco_table.md",

@@ -26,7 +26,7 @@ def test_a_wall(wall, device):
     assert np.allclose(ranges, 3 * length, rtol=1e-6)
     away = wall.render(camera, oaktwin.look_at((0, 0, 0), (0, 0, -1), (0, 1, 0)))
     assert np.isposinf(away["distance_to_image_plane"]).all()
-    assert repr(wall) == "<oaktwin.Scene from triangles: 1 meshes, 1 instances, 1 triangles, 0 lights, y up>"
+    assert repr(wall) == "<oaktwin.Scene from meshes: 1 meshes, 1 instances, 1 triangles, 0 lights, y up>"
     assert wall.triangle_count == 1 and wall.up == "y" and wall.findings == []
     assert np.array_equal(wall.bounds, [[-50, -50, 3], [50, 80, 3]])
 

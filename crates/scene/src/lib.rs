@@ -12,8 +12,10 @@ pub mod import;
 mod light;
 mod material;
 mod mesh;
+mod placement;
 pub mod polygon;
 pub mod shape;
+pub mod srgb;
 mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};

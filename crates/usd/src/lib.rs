@@ -8,6 +8,7 @@ mod lens;
 pub mod materialx;
 mod nvidia;
 pub mod optics;
+pub mod scene_file;
 pub mod stage;
 pub mod text;
 pub mod usdz;

@@ -16,15 +16,17 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     mut_arg("stereo_width", |arg| arg.help(
         "The width of its matcher's images: 1280 at 800P, 640 at 480P and 400P"
     )),
-    after_help = "RECORDING is a folder of depth images of a flat target, perpendicular to the camera, and a table \
-    distances.csv in it: the columns file (an image, an NPY batch, or a folder of images) and distance_m. Or a folder in \
-    the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance. Or a CSV of errors with \
-    the columns distance_m and depth_error_percent: then bias, pixel locking and focal length, or bias and wiggling, alone. Images without true \
-    distances tell the noise alone. Depth is along the optical axis, NPY in metres or 16-bit PNG, EXR, PFM; record without \
-    post filters, several frames of each distance, at distances on all phases of a pixel of disparity, or with time of \
-    flight of its wiggling, which repeats every 0.4 m or so.\n\n\
-    PARAMS.toml is for --params of sense, accuracy and render.\n\n\
-    Ends with 1 where a parameter cannot be found, or something is odd in the recording."
+    after_help = "RECORDING is one of:\n\
+    - A folder of depth images of a flat target, perpendicular to the camera, with a table distances.csv of the columns \
+    file (an image, an NPY batch, or a folder of images) and distance_m. Without true distances only the noise is fitted.\n\
+    - A folder in the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance.\n\
+    - A CSV file of errors with the columns distance_m and depth_error_percent. Only bias, pixel locking and focal length, \
+    or bias and wiggling, are fitted.\n\n\
+    Depth is along the optical axis, as NPY in metres or as 16-bit PNG, EXR or PFM. Record without post filters, several \
+    frames at each distance. Cover all phases of a pixel of disparity, or for time of flight those of wiggling, which \
+    repeats about every 0.4 m.\n\n\
+    PARAMS.toml is read by --params of sense, accuracy and render.\n\n\
+    The exit code is 1 if a parameter cannot be fitted or the recording has findings."
 )]
 pub(crate) struct FitArgs {
     /// Folders of depth images, tables of distances, or a curve of errors
@@ -43,11 +45,11 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "KIND|PRIM")]
     pub(crate) sensor: Option<String>,
 
-    /// Fit this too: the focal length, by which distances become disparities
+    /// Fit the focal length as well, which converts distances to disparities
     #[arg(long, value_parser = parser::<Also>(), value_name = "WHAT")]
     pub(crate) fit: Vec<Also>,
 
-    /// Errors count from this distance on, metres
+    /// Ignore errors at smaller distances, metres
     #[arg(
         long,
         value_name = "METRES",
@@ -56,11 +58,11 @@ pub(crate) struct FitArgs {
     )]
     pub(crate) from: f64,
 
-    /// The side of the region in the middle that is measured, percent of the image's
+    /// The side of the measured central region, percent of the image's side
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION, allow_negative_numbers = true)]
     pub(crate) region: f64,
 
-    /// Metres to a unit of whole numbers
+    /// Metres per unit of integer images
     #[arg(
         long,
         value_name = "METRES",
@@ -75,7 +77,7 @@ pub(crate) struct FitArgs {
     #[command(flatten, next_help_heading = "The recorded unit")]
     pub(crate) unit: MeasuredUnitArgs,
 
-    /// Draw the errors, the curve through them and what it leaves: svg or png
+    /// Draw the errors, the fitted curve and the residuals as SVG or PNG
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
     pub(crate) plot: Option<PathBuf>,
 

@@ -11,7 +11,7 @@ use crate::context::Result;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SensorArgs(Given);
 
-/// Those of them that stereo matching of image pairs has.
+/// The options that also apply to matching image pairs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MatcherArgs(Given);
 

@@ -52,7 +52,11 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
     output::say_findings(about, &findings);
-    Ok(if report.passed { Exit::Good } else { Exit::Findings })
+    Ok(if report.passed {
+        Exit::Success
+    } else {
+        Exit::Findings
+    })
 }
 
 fn options(args: &AccuracyArgs) -> Result<Options> {

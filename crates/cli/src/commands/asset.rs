@@ -35,7 +35,7 @@ pub(crate) fn run(context: &Context, args: &AssetArgs) -> Result<Exit> {
             output::print(&format!("{}\n", file.path.display()))?;
         }
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {

@@ -41,7 +41,7 @@ fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
         output::print(&text(&args.file, &summary, device))?;
     }
     let failed = findings.iter().any(|finding| finding.level == Level::Error);
-    Ok(if failed { Exit::Error } else { Exit::Good })
+    Ok(if failed { Exit::Error } else { Exit::Success })
 }
 
 fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> String {

@@ -29,7 +29,7 @@ pub(crate) fn run(context: &Context, args: &CheckArgs) -> Result<Exit> {
     Ok(if report.worst() >= Some(Level::Warning) {
         Exit::Findings
     } else {
-        Exit::Good
+        Exit::Success
     })
 }
 

@@ -27,5 +27,5 @@ pub(crate) fn run(context: &Context, args: &CompareArgs) -> Result<Exit> {
             )?;
         }
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }

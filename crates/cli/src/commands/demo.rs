@@ -67,7 +67,7 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
         tables.join("\n"),
         next_steps(&args.output)
     ))?;
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 fn next_steps(folder: &std::path::Path) -> String {

@@ -31,7 +31,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
             }
         }
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 /// Opens a calibration file or, if there is no such file, the nominal calibration of a model.

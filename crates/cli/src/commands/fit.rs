@@ -60,5 +60,9 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         .as_deref()
         .unwrap_or(Path::new(&twin.device.name));
     output::say_findings(about, &findings);
-    Ok(if report.passed { Exit::Good } else { Exit::Findings })
+    Ok(if report.passed {
+        Exit::Success
+    } else {
+        Exit::Findings
+    })
 }

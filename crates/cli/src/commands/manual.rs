@@ -11,7 +11,7 @@ pub(crate) fn completions(args: &CompletionsArgs) -> Result<Exit> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "oaktwin", &mut script);
     output::print(&String::from_utf8(script)?)?;
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 pub(crate) fn man(args: &ManArgs) -> Result<Exit> {
@@ -30,5 +30,5 @@ pub(crate) fn man(args: &ManArgs) -> Result<Exit> {
     let mut page = Vec::new();
     clap_mangen::Man::new(command).render(&mut page)?;
     output::print(&String::from_utf8(page)?)?;
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }

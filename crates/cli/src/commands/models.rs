@@ -31,7 +31,7 @@ pub(crate) fn run(context: &Context, args: &JsonArgs) -> Result<Exit> {
     } else {
         output::print(&output::text_table(&table(&devices)))?;
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 fn model(device: &Device) -> Model<'_> {

@@ -37,7 +37,7 @@ pub(crate) fn run(context: &Context, args: &ParamsArgs) -> Result<Exit> {
         (None, true) => output::print_json(&groups)?,
         (None, false) => output::print(&list(&groups))?,
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 /// The parameters of a group with their defaults on a platform or of a model.

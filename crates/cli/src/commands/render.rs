@@ -107,7 +107,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     Ok(if report.is_interrupted {
         Exit::Interrupted
     } else {
-        Exit::Good
+        Exit::Success
     })
 }
 

@@ -42,7 +42,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let exit = if sensed.is_interrupted {
         Exit::Interrupted
     } else {
-        Exit::Good
+        Exit::Success
     };
     Report::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
     Ok(exit)

@@ -15,7 +15,7 @@ pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
     } else {
         output::print(&text(&report, args.provenance))?;
     }
-    Ok(Exit::Good)
+    Ok(Exit::Success)
 }
 
 /// Formats the report: the device, then its cameras, depth sensors, accuracy and notes.

@@ -27,12 +27,12 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     };
     let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch))?;
     let Some(matched) = matched? else {
-        return Ok(Exit::Good);
+        return Ok(Exit::Success);
     };
     let exit = match (matched.is_interrupted, matched.has_warnings()) {
         (true, _) => Exit::Interrupted,
         (false, true) => Exit::Findings,
-        (false, false) => Exit::Good,
+        (false, false) => Exit::Success,
     };
     Report::new(args, unit, matched).print(args)?;
     Ok(exit)

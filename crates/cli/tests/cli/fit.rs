@@ -67,7 +67,7 @@ fn a_recording() {
     insta::assert_snapshot!(format!("{text}\n{file}"));
     let svg = fs::read_to_string(program.path("unit.svg")).unwrap();
     assert!(
-        svg.contains("95 % of the curve") && svg.contains("What the curve leaves"),
+        svg.contains("95 % of the curve") && svg.contains("Residuals of the fitted curve"),
         "{svg}"
     );
     let json = program.good(&[&arguments[..], &["--json", "--threads", "1"]].concat());
@@ -176,7 +176,7 @@ fn a_recording_of_time_of_flight() {
     insta::assert_snapshot!(format!("{text}\n{file}"));
     let svg = fs::read_to_string(program.path("unit.svg")).unwrap();
     assert!(
-        svg.contains("95 % of the curve") && svg.contains("error of depth [mm], above 0 is too far"),
+        svg.contains("95 % of the curve") && svg.contains("error of depth [mm], positive if too far"),
         "{svg}"
     );
     let json = program.good(&[&arguments[..], &["--json", "--threads", "1"]].concat());

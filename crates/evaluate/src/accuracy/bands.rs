@@ -1,37 +1,37 @@
-//! The vendor's accuracy at a distance.
+//! The published accuracy of a depth sensor.
 
 use serde::Serialize;
 
 use oaktwin_catalog::{Accuracy, AccuracyBand, DepthKind, Device, Source};
 
-/// The published accuracy that a sensor is held against.
+/// The published accuracy with which a sensor is compared.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bands {
-    /// Where the figures come from: the vendor's page, or else what there is.
+    /// The source of the figures: the vendor's page if it states any, otherwise another source.
     pub source: Source,
-    /// What they are of.
+    /// The quantity that is limited.
     pub measure: String,
-    /// Near to far; of several at one distance, each with its condition.
+    /// The bands in order of distance. Bands at the same distance differ in their condition.
     pub bands: Vec<Band>,
 }
 
-/// The error that is allowed in a range of distances.
+/// The maximum error in a range of distances.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Band {
-    /// From here.
+    /// The start of the range.
     pub from_m: f64,
-    /// To before here; the farthest band includes its end.
+    /// The end of the range, exclusive except for the last band.
     pub to_m: f64,
-    /// The error stays below this.
+    /// The upper limit of the error.
     pub error_percent: f64,
-    /// `indoors`, say.
+    /// The condition, such as `indoors`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub condition: Option<String>,
 }
 
 impl Bands {
-    /// The vendor's page on this kind of sensor; where it says nothing, the first of what other sources say. `None` where
-    /// nobody says anything.
+    /// Returns the bands of the vendor's page for a kind of sensor, or those of the first other source that has any; `None` if
+    /// there are none.
     #[must_use]
     pub fn of(device: &Device, kind: DepthKind) -> Option<Self> {
         let about = || device.accuracy.iter().filter(|table| table.sensor == kind);
@@ -45,13 +45,13 @@ impl Bands {
         })
     }
 
-    /// The farthest distance that has a band, m.
+    /// Returns the maximum distance of all bands in metres.
     #[must_use]
     pub fn end_m(&self) -> Option<f64> {
         self.bands.iter().map(|band| band.to_m).reduce(f64::max)
     }
 
-    /// The bands at a distance, the strictest first.
+    /// Returns the bands at a distance, the strictest first.
     #[must_use]
     pub fn at(&self, distance_m: f64) -> Vec<&Band> {
         let end = self.end_m();
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn the_vendors_page_comes_first() {
+    fn prefers_the_vendors_page() {
         let pro = bands("oak-d-pro-poe", DepthKind::Stereo).unwrap();
         assert_eq!(pro.source, Source::VendorPage);
         assert_eq!(percents(&pro, 3.99), [2.0]);
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn conditions_are_bands_of_their_own() {
+    fn each_condition_has_its_own_bands() {
         let tof = bands("oak-d-tof", DepthKind::Tof).unwrap();
         assert_eq!(percents(&tof, 5.0), [1.0, 2.0]);
         assert!(percents(&tof, 0.1).is_empty());

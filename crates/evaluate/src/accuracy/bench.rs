@@ -5,11 +5,11 @@ use crate::measure::{Region, r_squared};
 use oaktwin_depth::random::Stream;
 use rayon::prelude::*;
 
-use super::eyes::Eyes;
 use super::measured::Curve;
+use super::stereo_camera::StereoCamera;
 use super::test_rig::{Effort, TestRig, Unit};
 use super::units::units;
-use super::vendor::differences;
+use super::vendor::protocol_deviations;
 use super::{
     AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, distances,
 };
@@ -18,7 +18,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::sensor::{ParameterError, default_engine, depth_sensor};
 
-/// A twin's depth sensor, ready to be measured.
+/// A depth sensor of a twin, ready to be measured.
 #[derive(Debug)]
 pub struct Bench {
     pub(super) report: Report,
@@ -28,10 +28,10 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Sets a twin up. The findings are what the sensor does otherwise.
+    /// Prepares the measurement of a twin and returns findings about the sensor's settings.
     ///
     /// # Errors
-    /// An option that cannot be.
+    /// Returns an error if an option is invalid.
     pub fn new(twin: &Twin, options: &Options) -> Result<(Self, Vec<Finding>), AccuracyError> {
         options.check()?;
         let mut twin = twin.clone();
@@ -54,7 +54,7 @@ impl Bench {
         let scale = own_width_px.map_or(1.0, |own| f64::from(size.width) / f64::from(own));
         let rig = TestRig {
             intrinsics,
-            eyes: eyes(&units, scale, options)?,
+            stereo_camera: stereo_camera(&units, scale, options)?,
             units,
             random: Stream::new(options.engine.seed, &depth.spec.prim),
             region,
@@ -81,7 +81,7 @@ impl Bench {
             region_width_px: rig.region.columns.end - rig.region.columns.start,
             region_height_px: rig.region.rows.end - rig.region.rows.start,
             captures: options.captures,
-            protocol_deviations: differences(&rig, options, depth.spec.kind, own_width_px),
+            protocol_deviations: protocol_deviations(&rig, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
@@ -96,10 +96,12 @@ impl Bench {
         Ok((bench, findings))
     }
 
-    /// Measures, and lays somebody's measurements (from a file of this name) over the curve.
+    /// Measures the sensor. With a measured curve and the path of its file, it also measures at the curve's distances and compares
+    /// the errors.
     ///
     /// # Errors
-    /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
+    /// Returns an error if a parameter is invalid, a rendered pair cannot be matched, or `watch` interrupts the
+    /// measurement.
     pub fn measure(
         mut self,
         measured: Option<(&Path, &Curve)>,
@@ -107,11 +109,11 @@ impl Bench {
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
         let own: Vec<f64> = self.report.distances.iter().map(|row| row.distance_m).collect();
-        let theirs = measured
+        let points = measured
             .map(|(_, curve)| curve.points.as_slice())
             .unwrap_or_default();
-        let theirs: Vec<f64> = theirs.iter().map(|point| point.distance_m).collect();
-        let (before, total) = (own.len() as u64, (own.len() + theirs.len()) as u64);
+        let measured_distances: Vec<f64> = points.iter().map(|point| point.distance_m).collect();
+        let (before, total) = (own.len() as u64, (own.len() + measured_distances.len()) as u64);
         let from = |done: u64| {
             move |progress: Progress| {
                 watch(Progress {
@@ -123,8 +125,8 @@ impl Bench {
         let captures = self.report.captures;
         let effort = |quality: bool| Effort { captures, quality };
         self.report.distances = self.rows(&own, effort(true), &from(0))?;
-        let theirs = self.rows(&theirs, effort(false), &from(before))?;
-        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &theirs));
+        let compared = self.rows(&measured_distances, effort(false), &from(before))?;
+        self.report.measured = measured.map(|(path, curve)| self.comparison(path, curve, &compared));
         let verdicts = || self.report.distances.iter().map(|row| row.verdict);
         self.report.passed = verdicts().all(|verdict| verdict != Verdict::Outside)
             && verdicts().any(|verdict| verdict != Verdict::NothingMeasured);
@@ -186,11 +188,16 @@ impl Bench {
     }
 }
 
-/// What takes the pictures of engines that match them.
-fn eyes(units: &[Unit], scale: f64, options: &Options) -> Result<Option<Eyes>, ParameterError> {
+/// Creates the stereo cameras for engines that match pairs.
+fn stereo_camera(
+    units: &[Unit],
+    scale: f64,
+    options: &Options,
+) -> Result<Option<StereoCamera>, ParameterError> {
     let baseline_m = units.first().and_then(|unit| unit.engine.baseline_m());
-    let eyes = baseline_m.map(|baseline_m| Eyes::new(baseline_m, scale, options.engine.seed));
-    eyes.transpose()
+    let stereo_camera =
+        baseline_m.map(|baseline_m| StereoCamera::new(baseline_m, scale, options.engine.seed));
+    stereo_camera.transpose()
 }
 
 fn default_distances(rig: &TestRig, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! The board that is measured, as the camera sees it.
+//! The board in front of the camera.
 
 use std::sync::Arc;
 
@@ -14,50 +14,50 @@ use oaktwin_scene::{
     TextureUse, Up,
 };
 
-/// The side of the smallest squares in the image, px, at every distance: coarse enough to be seen, fine enough that every
-/// window of a matcher has several.
+/// The side of the smallest squares in pixels of the image at every distance: coarse enough to be resolved, and fine enough
+/// that every matching window contains several.
 const GRAIN_PX: f64 = 3.0;
 
-/// Before a pair, the angle that the smallest squares subtend, the same to every lens: 13.4 px at the 794 px of the 800P unit
-/// to whose error curve it is fitted. What the vendor's board looks like is not published.
-const GRAIN_OF_PAIR_RAD: f64 = 13.4 / 794.0;
+/// The angle that the smallest squares subtend in a stereo pair, the same for every lens: 13.4 px at the focal length of 794 px of
+/// the 800P unit to whose error curve it is fitted. The vendor's board is not published.
+const PAIR_GRAIN_RAD: f64 = 13.4 / 794.0;
 
-/// How far the board goes on beyond the image, px.
-const BEYOND_PX: f64 = 8.0;
+/// How far the board extends beyond the image, px.
+const MARGIN_PX: f64 = 8.0;
 
-/// The smallest squares on a side of the pattern, which repeats.
+/// The number of the smallest squares on a side of the pattern, which repeats.
 const SQUARES: u16 = 256;
 
-/// Squares have so many sizes, each twice the one before, and all have the same contrast: detail is as strong on every
-/// scale, as in pictures of nature (Field 1987).
+/// The number of sizes of squares, each twice the previous one. All have the same contrast, so detail is equally strong at
+/// every scale, as in natural images (Field 1987).
 const SIZES: u16 = 4;
 
-/// Grey levels between the darkest and the brightest square of one size: so many that little of their sum is clipped.
+/// Grey levels between the darkest and the brightest square of one size, chosen so that little of their sum is clipped.
 const CONTRAST: f32 = 114.0;
 
-/// What the camera sees of a board.
+/// A rendered view of a board.
 pub(super) struct Sight {
     pub(super) depth: ZDepth,
     pub(super) rgb: Image<[u8; 4]>,
 }
 
-/// A board that a stereo pair looks at.
+/// A board in front of a stereo pair.
 pub(super) struct Board {
     renderer: Renderer,
 }
 
 impl Board {
-    /// Perpendicular to the optical axis at a distance; both cameras see nothing else.
+    /// Creates a board perpendicular to the optical axis at a distance, which fills both images.
     pub(super) fn new(intrinsics: Intrinsics, distance_m: f64) -> Self {
-        // The right camera sees what lies farther right, by less than this.
+        // The right camera's view extends farther to the right, by less than this.
         let beyond = 8.0 + 2.0 * f64::from(intrinsics.size.width);
-        let grain = GRAIN_OF_PAIR_RAD * intrinsics.fx;
+        let grain = PAIR_GRAIN_RAD * intrinsics.fx;
         Self {
             renderer: Renderer::new(scene(&intrinsics, distance_m, (grain, beyond))),
         }
     }
 
-    /// The light that a camera collects which stands `right_m` to the right of the first.
+    /// Renders the light that reaches a camera `right_m` to the right of the first one.
     pub(super) fn light(&self, intrinsics: Intrinsics, right_m: f64) -> Image<f32> {
         let view = View {
             camera: Camera::new(intrinsics, LensModel::Pinhole),
@@ -68,15 +68,14 @@ impl Board {
     }
 }
 
-/// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that fills the image and goes
-/// on beyond it.
-pub(super) fn look(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
+/// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that extends beyond the image.
+pub(super) fn render(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
     let view = View {
         camera: Camera::new(intrinsics, LensModel::Pinhole),
         world_from_camera: RigidTransform::IDENTITY,
         clip: Clip::default(),
     };
-    let renderer = Renderer::new(scene(&intrinsics, distance_m, (GRAIN_PX, BEYOND_PX)));
+    let renderer = Renderer::new(scene(&intrinsics, distance_m, (GRAIN_PX, MARGIN_PX)));
     let wanted = [Annotator::Rgb, Annotator::DistanceToImagePlane];
     let (frame, _) = renderer.annotate(&view, &wanted, Backend::Auto, &AnnotateOptions::default());
     Some(Sight {
@@ -88,15 +87,15 @@ pub(super) fn look(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
 #[expect(clippy::cast_possible_truncation, reason = "a mesh is float32")]
 fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, f64)) -> Scene {
     let size = intrinsics.size;
-    let [left, right] = [-BEYOND_PX, f64::from(size.width) + beyond_px];
-    let [top, bottom] = [-BEYOND_PX, f64::from(size.height) + BEYOND_PX];
+    let [left, right] = [-MARGIN_PX, f64::from(size.width) + beyond_px];
+    let [top, bottom] = [-MARGIN_PX, f64::from(size.height) + MARGIN_PX];
     // Counter-clockwise for the camera, whose y points down.
     let corners = [[left, top], [left, bottom], [right, bottom], [right, top]];
     let position = |[x, y]: [f64; 2]| {
         let point = intrinsics.normalized_from_pixel(PixelPoint::<Usd>::new(x, y)) * distance_m;
         [point.x as f32, point.y as f32, distance_m as f32]
     };
-    // From the optical axis: a part of an image sees the same board as the whole.
+    // Texture coordinates start at the optical axis, so that a part of an image shows the same board as the whole image.
     let axis = intrinsics.principal_point::<Usd>();
     let uv =
         |[x, y]: [f64; 2]| [x - axis.x, y - axis.y].map(|c| (c / (grain_px * f64::from(SQUARES))) as f32);
@@ -141,17 +140,17 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
     }
 }
 
-/// Squares of random grey, of several sizes upon each other.
+/// Returns squares of random grey values in several superimposed sizes.
 fn pattern() -> Image<[u8; 4]> {
     let squares = (0..SQUARES).flat_map(|y| (0..SQUARES).map(move |x| (x, y)));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
     let grey = squares.map(|(x, y)| {
-        let of_size = |size: u16| {
-            // Their corners are not all in one place.
+        let square = |size: u16| {
+            // Each size is offset so that the corners of different sizes do not coincide.
             let [x, y] = [(x, 7), (y, 13)].map(|(at, by)| ((at + by * size) % SQUARES) >> size);
             noise::white(x.into(), y.into(), 77 + u32::from(size)) - 0.5
         };
-        (127.5 + CONTRAST * (0..SIZES).map(of_size).sum::<f32>()) as u8
+        (127.5 + CONTRAST * (0..SIZES).map(square).sum::<f32>()) as u8
     });
     let mut image = Image::filled(u32::from(SQUARES), u32::from(SQUARES), [255; 4]);
     for (pixel, grey) in image.pixels_mut().iter_mut().zip(grey) {
@@ -166,18 +165,18 @@ mod tests {
     use oaktwin_camera::ImageSize;
 
     #[test]
-    fn the_board_is_flat_textured_and_everywhere() {
+    fn board_is_flat_and_textured_and_fills_the_image() {
         let size = ImageSize::new(96, 64);
         let intrinsics = Intrinsics::new(size, 805.0, 805.0, PixelPoint::<Usd>::new(150.0, -40.0));
         for distance in [0.2, 1.7, 12.0, 65.0] {
-            let sight = look(intrinsics, distance).unwrap();
-            let off = sight
+            let sight = render(intrinsics, distance).unwrap();
+            let errors = sight
                 .depth
                 .0
                 .pixels()
                 .iter()
                 .map(|z| (f64::from(*z) / distance - 1.0).abs());
-            assert!(off.fold(0.0, f64::max) < 1e-6);
+            assert!(errors.fold(0.0, f64::max) < 1e-6);
             let grey: Vec<f64> = sight
                 .rgb
                 .pixels()

@@ -1,18 +1,18 @@
-//! At which distances to measure.
+//! The distances to measure.
 
 use super::AccuracyError;
 use crate::table::{Row, Wrong, wrong};
 
-/// Where a depth image in whole millimetres ends.
+/// The maximum distance of a depth image in whole millimetres.
 pub const FARTHEST_M: f64 = 65.535;
 
-/// As many distances as fit on a page.
-const MOST: u32 = 24;
+/// The maximum number of default distances, so that the report fits on a page.
+const MAX_DEFAULTS: u32 = 24;
 
-/// Distances as people type them, apart by commas: numbers of metres, and ranges `FROM:TO:STEP`.
+/// Parses a comma-separated list of distances in metres and ranges `FROM:TO:STEP`.
 ///
 /// # Errors
-/// What is no distance, and more than 10 000 of them.
+/// Returns an error if an item is not a distance or there are more than 10 000 distances.
 pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
     let wrong = |part: &str, what: &str| AccuracyError::Distances {
         text: part.to_owned(),
@@ -24,7 +24,7 @@ pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
             .split(':')
             .map(|number| number.trim().parse::<f64>())
             .collect::<Result<Vec<f64>, _>>()
-            .map_err(|_| wrong(part, "is no number"))?;
+            .map_err(|_| wrong(part, "is not a number"))?;
         match numbers[..] {
             [distance] => distances.push(check(distance).map_err(|what| wrong(part, what))?),
             [from, to, step] => {
@@ -33,7 +33,7 @@ pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
                 }
                 let steps = (to - from) / step;
                 if !(step > 0.0 && (0.0..10_000.0).contains(&steps)) {
-                    return Err(wrong(part, "goes nowhere, or in too many steps"));
+                    return Err(wrong(part, "is empty or has too many steps"));
                 }
                 #[expect(
                     clippy::cast_possible_truncation,
@@ -54,17 +54,17 @@ pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
     Ok(distances)
 }
 
-/// Whether something can be measured so far away.
+/// Returns an error if a distance cannot be measured.
 pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
     match distance_m {
-        z if !z.is_finite() => Err("is no finite number"),
+        z if !z.is_finite() => Err("is not a finite number"),
         z if z <= 0.0 => Err("is not above 0"),
         z if z > FARTHEST_M => Err("is farther than 65.535 m, where a depth image in millimetres ends"),
         z => Ok(z),
     }
 }
 
-/// The distance in a row of a table.
+/// Parses the distance in a row of a table.
 pub(crate) fn in_row<const N: usize>(row: &Row<N>, at: usize) -> Result<f64, Wrong> {
     let distance_m = row.number(at)?;
     check(distance_m).map_err(|what| {
@@ -75,18 +75,18 @@ pub(crate) fn in_row<const N: usize>(row: &Row<N>, at: usize) -> Result<f64, Wro
     })
 }
 
-/// Round distances from the nearest to the farthest, both included where the nearest is rounded up to 0.1 m.
+/// Returns round distances between two limits, and the limits; the first one is rounded up to 0.1 m.
 pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
     let from = (nearest_m * 10.0 - 1e-6).ceil().max(1.0) / 10.0;
     let to = farthest_m.clamp(from, FARTHEST_M);
     let steps = [0.1, 0.25, 0.5, 1.0, 2.5, 5.0];
     let step = steps
         .into_iter()
-        .find(|step| (to - from) / step < f64::from(MOST - 1))
+        .find(|step| (to - from) / step < f64::from(MAX_DEFAULTS - 1))
         .unwrap_or(5.0);
     let mut distances = vec![from];
     let first = (from / step + 1e-9).floor() + 1.0;
-    let inner = (0..MOST).map(|i| tidy((first + f64::from(i)) * step));
+    let inner = (0..MAX_DEFAULTS).map(|i| tidy((first + f64::from(i)) * step));
     distances.extend(inner.take_while(|z| *z < to - 1e-9));
     if to > from {
         distances.push(to);
@@ -94,7 +94,7 @@ pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
     distances
 }
 
-/// Without the last digits, which multiplication left.
+/// Removes rounding errors of multiplications.
 fn tidy(metres: f64) -> f64 {
     (metres * 1e6).round() / 1e6
 }
@@ -104,14 +104,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_and_ranges() {
+    fn parses_lists_and_ranges() {
         assert_eq!(parse("2, 1,0.5,2").unwrap(), [0.5, 1.0, 2.0]);
         assert_eq!(parse("0.1:0.4:0.1,9").unwrap(), [0.1, 0.2, 0.3, 0.4, 9.0]);
         assert_eq!(parse("1:1:0.5").unwrap(), [1.0]);
     }
 
     #[test]
-    fn what_is_no_distance() {
+    fn rejects_invalid_distances() {
         for text in [
             "",
             "0",
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn defaults_are_round() {
+    fn default_distances_are_round() {
         let stereo = between(0.636, 10.5);
         assert_eq!(
             (stereo.first(), stereo.get(1), stereo.last()),
@@ -146,6 +146,6 @@ mod tests {
         assert_eq!(between(0.2, 5.0)[..3], [0.2, 0.25, 0.5]);
         assert_eq!(between(2.0, 2.0), [2.0]);
         assert_eq!(between(3.0, 2.0), [3.0]);
-        assert!(between(0.0, 1e9).len() <= MOST as usize);
+        assert!(between(0.0, 1e9).len() <= MAX_DEFAULTS as usize);
     }
 }

@@ -1,52 +1,52 @@
 use oaktwin_files::FileError;
 use oaktwin_pipeline::sensor::ParameterError;
 
-/// Why nothing was measured.
+/// The reason why nothing was measured.
 #[derive(Debug, thiserror::Error)]
 pub enum AccuracyError {
-    /// A file could not be read, or is no measured curve.
+    /// A file cannot be read or is not a measured curve.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A parameter of the sensor.
+    /// A parameter of the sensor is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// What is no distance.
-    #[error("distances: `{text}` {what}; give metres apart by commas, or FROM:TO:STEP, up to 65.535 m")]
+    /// A distance is invalid.
+    #[error("distances: `{text}` {what}; give comma-separated metres or FROM:TO:STEP, up to 65.535 m")]
     Distances {
-        /// The part that is none.
+        /// The invalid item.
         text: String,
-        /// What is wrong with it.
+        /// The problem.
         what: String,
     },
-    /// A name that is no depth sensor's.
+    /// The depth sensor does not exist.
     #[error("{model}: there is no depth sensor `{name}`; {hint}")]
     Sensor {
-        /// The model.
+        /// The name of the model.
         model: String,
-        /// The name.
+        /// The requested name.
         name: String,
-        /// What there is.
+        /// The available sensors.
         hint: String,
     },
-    /// Optics that no camera has.
-    #[error("{option}: {value} px is no camera's; give that of the measured unit")]
+    /// The optics are out of range.
+    #[error("{option}: {value} px is out of range; give the value of the measured unit")]
     Optics {
-        /// Which.
+        /// The name of the option.
         option: String,
-        /// What was given.
+        /// The invalid value.
         value: String,
     },
-    /// Whoever watched wanted no more.
+    /// The measurement was interrupted.
     #[error("interrupted; nothing was measured")]
     Interrupted,
-    /// A number of devices or captures, or a region, that cannot be.
+    /// A number of devices or captures, or a region, is out of range.
     #[error("{option}: {what}; {remedy}")]
     Option {
-        /// Which.
+        /// The name of the option.
         option: &'static str,
-        /// What is wrong.
+        /// The problem.
         what: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
 }

@@ -1,4 +1,4 @@
-//! Somebody's measurements of a camera's error over distance.
+//! Measured curves of a camera's error over distance.
 
 use std::path::Path;
 
@@ -8,28 +8,28 @@ use crate::table::{self, Wrong};
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
 
-/// A measured error, percent of the distance: [`Curve`].
+/// A measured error; see [`Curve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// True distance, m.
+    /// The true distance in metres.
     pub distance_m: f64,
-    /// Percent of it.
+    /// The error in percent of the true distance.
     pub error_percent: f64,
 }
 
-/// A measured curve.
+/// A measured curve of errors over distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// In the file's order.
+    /// The points in the order of the file.
     pub points: Vec<Point>,
-    /// Whether the errors have lost their sign: none is below 0.
+    /// Whether the errors are absolute: none is negative.
     pub is_absolute: bool,
 }
 
 /// Reads a CSV file with the columns `distance_m` and `depth_error_percent` among others.
 ///
 /// # Errors
-/// It cannot be read; a column is missing; a number is none, or not finite; there is no row.
+/// Returns an error if the file cannot be read, a column is missing, a number is invalid, or there are no rows.
 pub fn read(path: &Path) -> Result<Curve, AccuracyError> {
     let text = table::text(path, "a measured curve")?;
     let points = parse(&text).map_err(|wrong| wrong.of(path))?;
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn columns_in_any_order() {
+    fn accepts_columns_in_any_order() {
         let text = "\u{feff}unit,\"depth_error_percent\", distance_m\r\nA, 1.5 ,2\r\n\r\nB,-0.25,3.5\r\n";
         let points = parse(text).ok().unwrap();
         let expected = [(2.0, 1.5), (3.5, -0.25)].map(|(distance_m, error_percent)| Point {
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_its_line() {
+    fn reports_the_line_of_an_error() {
         for (text, expected) in [
             ("", "is empty"),
             ("distance_m,depth_error_percent\n", "no row"),

@@ -3,36 +3,41 @@ use super::{AccuracyError, Bench, Devices, Report, plot};
 use crate::figure::Figure;
 use oaktwin_pipeline::progress::Watch;
 
-/// Places along the curve of a plot.
-const CURVE_OF_ONE: u32 = 400;
-const CURVE_OF_MANY: u32 = 200;
+/// The number of distances on the curve of a single device.
+const SINGLE_DEVICE_POINTS: u32 = 400;
+/// The number of distances on the median curve of several devices.
+const POPULATION_POINTS: u32 = 200;
 
-/// What was measured, and the means to measure between.
+/// A completed measurement, which can measure further distances for a figure.
 #[derive(Debug)]
 pub struct Measurement {
     pub(super) bench: Bench,
 }
 
 impl Measurement {
-    /// The numbers.
+    /// Returns the results.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.bench.report
     }
 
-    /// The error over distance as a figure. The curve is measured anew at many places; of many devices by one capture of
-    /// each instead of several, whose noise the median over the devices averages out.
+    /// Draws the error over distance, measured at many distances. A population of devices needs only one capture each because the
+    /// median over the devices suppresses the noise.
     ///
     /// # Errors
-    /// A parameter of the sensor, or [`AccuracyError::Interrupted`].
+    /// Returns an error if a parameter is invalid or `watch` interrupts the measurement.
     pub fn figure(&self, watch: &Watch<'_>) -> Result<Figure, AccuracyError> {
         let report = &self.bench.report;
         let points = report.measured.iter().flat_map(|measured| &measured.points);
-        let places =
+        let distances_m =
             (report.distances.iter().map(|row| row.distance_m)).chain(points.map(|point| point.distance_m));
-        let (near, far) = places.fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
+        let (near, far) = distances_m.fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
         let many = matches!(report.devices, Devices::Population { .. });
-        let count = if many { CURVE_OF_MANY } else { CURVE_OF_ONE };
+        let count = if many {
+            POPULATION_POINTS
+        } else {
+            SINGLE_DEVICE_POINTS
+        };
         let step = (far - near) / f64::from(count);
         let mut distances: Vec<f64> = (0..=count).map(|i| near + step * f64::from(i)).collect();
         distances.dedup();

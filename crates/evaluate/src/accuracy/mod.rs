@@ -1,29 +1,29 @@
-//! The twin measured as the vendor measures the camera.
+//! Measures a twin as the vendor measures the camera.
 //!
-//! A textured board, perpendicular to the optical axis, is rendered at each distance; the sensor looks at its middle ten
-//! times, without post filters and with five subpixel bits; of each image's region what is invalid and the top and bottom
-//! 5 % are dropped, and the mean of the medians is held against the true distance. The vendor's figures are those of the
-//! median device: so by default 200 devices are measured, each with the calibration bias of its seed, and the median of
-//! their absolute errors has the verdict.
+//! A textured board, perpendicular to the optical axis, is rendered at each distance. The sensor captures it ten times, without
+//! post filters and with five subpixel bits. In a region at the centre of each capture, invalid pixels and the top and bottom 5 %
+//! are dropped; the mean of the medians is compared with the true distance. The vendor publishes the error of the median
+//! device, so by default 200 devices are measured, each with the calibration bias of its seed, and the median of their absolute
+//! errors is compared with the published bands.
 //!
-//! The engine that matches has its board rendered as a pair, as its image sensors record it; a device's bias is then how much
-//! farther left its right image lies than its calibration says.
+//! For an engine that matches images, the board is rendered as a pair, as the image sensors record it. The bias of a device
+//! then shifts its right image relative to its calibration.
 //!
-//! Only the part of the image that has a say in the region is rendered and sensed; what comes out is the same, but that a matcher's paths
-//! begin nearer.
+//! Only the part of the image that affects the region is rendered and sensed. The result is the same, except that a matcher's
+//! paths start closer to the region.
 
 mod bands;
 mod bench;
 mod board;
 pub(crate) mod distances;
 mod error;
-mod eyes;
 pub mod measured;
 mod measurement;
 mod optics;
 mod options;
 mod plot;
 mod report;
+mod stereo_camera;
 mod test_rig;
 #[cfg(test)]
 mod tests;
@@ -39,14 +39,14 @@ pub use optics::MeasuredOptics;
 pub use options::Options;
 pub use report::{ComparedPoint, Comparison, Devices, Reading, Report, Row, Verdict};
 
-/// As many devices as are measured by default.
+/// The default number of devices.
 pub const DEVICES: u32 = 200;
 
-/// As many of them where each has a pair of images to match.
+/// The default number of devices for an engine that matches pairs.
 pub const MATCHING_DEVICES: u32 = 25;
 
-/// As many captures as the vendor averages.
+/// The number of captures that the vendor averages.
 pub const CAPTURES: u32 = 10;
 
-/// The side of the region by default, as a share of the image's.
+/// The default side of the region as a share of the image's side.
 pub const REGION: f64 = 0.05;

@@ -1,13 +1,13 @@
-//! A twin with the optics of another unit.
+//! Replaces the optics of a twin with those of a measured unit.
 
 use super::AccuracyError;
 use oaktwin_camera::{ImageSize, Intrinsics, PixelPoint, Usd};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 
-/// Images wider than this are no camera's.
-const WIDEST_PX: u32 = 16_384;
+/// The maximum image width in pixels.
+const MAX_WIDTH_PX: u32 = 16_384;
 
-/// What a unit was measured with.
+/// The optics with which a unit was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeasuredOptics {
     /// The focal length at [`MeasuredOptics::width_px`], px.
@@ -17,11 +17,11 @@ pub struct MeasuredOptics {
 }
 
 impl MeasuredOptics {
-    /// Gives them to the cameras of a depth sensor and to the sensor itself. The principal point keeps its place in the
-    /// image, the image its shape; a width alone scales the focal length.
+    /// Applies the optics to the cameras of a depth sensor and to the sensor. The principal point keeps its relative position and
+    /// the image its aspect ratio; a width alone scales the focal length.
     ///
     /// # Errors
-    /// A focal length or width that no camera has.
+    /// Returns an error if the focal length or the width is out of range.
     pub fn apply(&self, twin: &mut Twin, sensor: &TwinDepthSensor) -> Result<TwinDepthSensor, AccuracyError> {
         let mut sensor = sensor.clone();
         if *self == Self::default() {
@@ -35,7 +35,7 @@ impl MeasuredOptics {
         };
         match (self.focal_length_px, self.width_px) {
             (Some(f), _) if !(f > 0.0 && f.is_finite()) => return wrong("focal length", &f),
-            (_, Some(width)) if !(16..=WIDEST_PX).contains(&width) => return wrong("width", &width),
+            (_, Some(width)) if !(16..=MAX_WIDTH_PX).contains(&width) => return wrong("width", &width),
             _ => {}
         }
         let Some(own) = twin.depth_camera(&sensor).map(|camera| camera.intrinsics) else {
@@ -72,7 +72,7 @@ mod tests {
     use oaktwin_pipeline::sensor::stereo_noise_parameters;
 
     #[test]
-    fn a_unit_of_other_optics() {
+    fn applies_the_optics_of_a_unit() {
         let catalog = Catalog::builtin();
         let mut twin = catalog.nominal(catalog.device("oak-d-pro-poe").unwrap());
         let sensor = twin.depth_sensors[0].clone();
@@ -93,7 +93,7 @@ mod tests {
         assert_eq!(left.principal_point::<Usd>(), PixelPoint::new(320.0, 200.0));
         let noise = stereo_noise_parameters(&twin).unwrap();
         assert_eq!((noise.stereo.focal_length_px, noise.width_px), (454.0, 640));
-        // A width alone is the same lens.
+        // A width alone keeps the lens.
         let optics = MeasuredOptics {
             focal_length_px: None,
             width_px: Some(1280),
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn optics_that_no_camera_has() {
+    fn rejects_impossible_optics() {
         let catalog = Catalog::builtin();
         let mut twin = catalog.nominal(catalog.device("oak4-d").unwrap());
         let sensor = twin.depth_sensors[0].clone();

@@ -1,4 +1,4 @@
-//! Error over distance as a figure.
+//! The figure of error over distance.
 
 use super::{Bands, Devices, Report, Row};
 use crate::figure::{Axis, Figure, Layer, Shape};
@@ -9,7 +9,7 @@ const OTHER: [u8; 3] = [176, 96, 20];
 const MEASURED: [u8; 3] = [190, 40, 70];
 const BANDS: [[u8; 3]; 2] = [[70, 150, 90], [130, 130, 140]];
 
-/// Of many devices, and of somebody's errors without their sign, what is drawn has no sign either.
+/// Draws a report. The errors are absolute if they are medians of several devices or compared with absolute measured errors.
 pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figure {
     let many = matches!(report.devices, Devices::Population { .. });
     let is_absolute = is_absolute && (many || report.measured.is_some());
@@ -52,7 +52,11 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         layers.push(Layer { label, color, shape });
     };
     if !spread.is_empty() {
-        add("the middle half of them".to_owned(), CURVE, Shape::Area(spread));
+        add(
+            "the middle half of the devices".to_owned(),
+            CURVE,
+            Shape::Area(spread),
+        );
     }
     if range[0] < 0.0 {
         add(
@@ -139,7 +143,7 @@ fn subtitle(report: &Report) -> String {
     )
 }
 
-/// One layer for each condition, from the widest band to the strictest.
+/// Returns one layer for each condition, from the widest band to the narrowest.
 fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
     let Some(published) = published else {
         return Vec::new();
@@ -180,7 +184,7 @@ fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
     layers
 }
 
-/// All that is drawn, but no more than a few times what is published.
+/// Returns the range of all values, limited to a multiple of the published accuracy.
 fn vertical(
     published: Option<&Bands>,
     far_m: f64,
@@ -199,17 +203,17 @@ fn vertical(
     let (low, high) = values.fold((0.0f64, 0.0f64), |(low, high), value| {
         (low.min(value), high.max(value))
     });
-    let most = if widest > 0.0 {
+    let limit = if widest > 0.0 {
         40.0 * widest
     } else {
         f64::INFINITY
     };
-    let high = high.max(widest).min(most).max(1e-3) * 1.08;
-    // Carried depth is off by the last digit: that is no error below 0.
+    let high = high.max(widest).min(limit).max(1e-3) * 1.08;
+    // The rounding errors of carried depth do not count as negative errors.
     let low = if is_absolute || low > -1e-3 {
         0.0
     } else {
-        low.min(-widest).max(-most) * 1.08
+        low.min(-widest).max(-limit) * 1.08
     };
     [low, high]
 }

@@ -1,4 +1,4 @@
-//! What a measurement says, units in its names.
+//! The results of a measurement, with units in their names.
 
 use crate::measure::{median, quantile};
 use serde::Serialize;
@@ -6,63 +6,63 @@ use serde::Serialize;
 use super::bands::{Band, Bands};
 use super::test_rig::{Measured, MeasuredUnit};
 
-/// How accurate a twin is.
+/// The accuracy of a twin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// The model's name.
+    /// The name of the model.
     pub model: String,
-    /// The prim of its depth sensor.
+    /// The prim of the depth sensor.
     pub sensor: String,
-    /// The engine: `stereo-noise`.
+    /// The name of the engine, such as `stereo-noise`.
     pub engine: &'static str,
-    /// Whether Isaac Sim's sensor carries the rendered depth along (each row's own reading) instead of computing it from
-    /// disparity; other engines have no such choice.
+    /// Whether Isaac Sim's sensor carries the rendered depth along (in each row's own reading) instead of computing it from
+    /// disparity; `None` for other engines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub carries_depth: Option<bool>,
-    /// Which devices.
+    /// The measured devices.
     pub devices: Devices,
     /// The focal length in pixels of an image that is [`Report::image_width_px`] wide.
     pub focal_length_px: f64,
-    /// Of the whole depth image.
+    /// The width of the whole depth image.
     pub image_width_px: u32,
-    /// Of the whole depth image.
+    /// The height of the whole depth image.
     pub image_height_px: u32,
-    /// Disparity times depth, px·m, in the pixels that the engine counts disparity in.
+    /// Disparity times depth in px·m, in the pixels in which the engine counts disparity.
     pub disparity_times_depth_px_m: f64,
-    /// The measured region in the middle of the image.
+    /// The width of the measured region at the centre of the image.
     pub region_width_px: u32,
-    /// The measured region in the middle of the image.
+    /// The height of the measured region.
     pub region_height_px: u32,
-    /// Images of each board.
+    /// The number of captures of each board.
     pub captures: u32,
-    /// What is not as the vendor measures; empty where all is.
+    /// The deviations from the vendor's protocol.
     pub protocol_deviations: Vec<String>,
-    /// The published accuracy; `None` where there is none.
+    /// The published accuracy, if there is any.
     pub published: Option<Bands>,
-    /// What was measured, near to far.
+    /// The results in order of distance.
     pub distances: Vec<Row>,
-    /// Somebody's measurements beside it.
+    /// The comparison with a measured curve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Comparison>,
-    /// Whether no distance lies outside its band and something was measured.
+    /// Whether something was measured and no distance is outside its band.
     pub passed: bool,
 }
 
 impl Report {
-    /// Whether Isaac Sim's sensor was told, as by default, to carry the rendered depth along.
+    /// Whether Isaac Sim's sensor carries the rendered depth along, as it does by default.
     #[must_use]
     pub fn is_carried(&self) -> bool {
         self.carries_depth == Some(true)
     }
 }
 
-/// Which devices were measured.
+/// The measured devices.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Devices {
-    /// Many, each with a bias of its own: their median counts.
+    /// Several devices with different biases; results are medians.
     Population {
-        /// How many: those of the device seeds from 0 on.
+        /// The number of devices; their seeds start at 0.
         count: u32,
     },
     /// The device of a seed.
@@ -70,76 +70,75 @@ pub enum Devices {
         /// The seed.
         device_seed: u64,
     },
-    /// One that is as its parameters say: nothing about it is drawn.
+    /// A device that is fully defined by its parameters.
     AsGiven,
 }
 
-/// What was measured at a distance.
+/// The results at a distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
     /// The true distance.
     pub distance_m: f64,
-    /// What the sensor reports: of many devices the medians.
+    /// The sensor's measurement; for several devices the medians.
     #[serde(flatten)]
     pub reading: Reading,
-    /// For Isaac Sim's sensor, which carries the rendered depth along: what it would report if it computed depth from the
-    /// disparity that it quantizes and jitters. Or the other way round where it was told to compute.
+    /// For Isaac Sim's sensor, the measurement under the other documented reading: depth computed from the quantized and
+    /// jittered disparity, or carried along.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_reading: Option<Reading>,
-    /// For Isaac Sim's sensor, one sigma of the jitter of disparity in percent of the disparity: what a pixel's depth would
-    /// be off to first order.
+    /// For Isaac Sim's sensor, one sigma of the jitter of disparity in percent of the disparity: to first order the error of
+    /// a pixel's depth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jitter_percent_of_disparity: Option<f64>,
-    /// For Isaac Sim's sensor, the share (0 to 1) of the carried depths that computing turns into no measurement.
+    /// For Isaac Sim's sensor, the share (0 to 1) of the carried depths that would be invalid if they were computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub invalid_if_recomputed: Option<f64>,
-    /// The published accuracy here, the strictest first.
+    /// The published bands at this distance, the strictest first.
     pub bands: Vec<Band>,
-    /// Whether it is kept: the strictest decides.
+    /// Whether the error is within the strictest band.
     pub verdict: Verdict,
 }
 
-/// One reading of the board; of many devices each figure is the median. `None` where nothing, or too little, was
-/// measured.
+/// A measurement of the board; for several devices each figure is the median. `None` if too little was measured.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Reading {
-    /// The vendor's error: of one device with its sign, above 0 too far; of many the median of the absolute errors.
+    /// The vendor's error: of one device with its sign, positive if too far; of several the median of the absolute errors.
     pub error_percent: Option<f64>,
-    /// The quartiles of many devices' absolute errors.
+    /// The quartiles of the absolute errors of several devices.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_quartiles_percent: Option<[f64; 2]>,
-    /// Pixels with a value, 0 to 1.
+    /// The share of valid pixels, 0 to 1.
     pub fill_rate: f64,
-    /// Spatial noise: RMS from the fitted plane.
+    /// Spatial noise: the RMS distance from the fitted plane.
     pub plane_fit_rms_mm: Option<f64>,
-    /// The same in disparity.
+    /// Spatial noise in pixels of disparity.
     pub subpixel_rms_px: Option<f64>,
-    /// Temporal noise: the median pixel's standard deviation over time.
+    /// Temporal noise: the median over the pixels of the standard deviation over time.
     pub temporal_noise_mm: Option<f64>,
-    /// The standard deviation over time of the region's mean.
+    /// The standard deviation over time of the mean of the region.
     pub precision_mm: Option<f64>,
-    /// The signed median distance from the truth, the board's tilt taken out.
+    /// The signed median distance from the true distance, corrected for the tilt of the board.
     pub z_accuracy_mm: Option<f64>,
-    /// What the median pixel is off, without its sign.
+    /// The median absolute error of a pixel.
     pub pixel_error_percent: Option<f64>,
 }
 
-/// How a distance compares with what is published.
+/// The comparison of a distance with the published accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Within the band.
+    /// The error is within the band.
     Inside,
-    /// The error is larger.
+    /// The error exceeds the band.
     Outside,
     /// Nothing is published for this distance.
     NoBand,
-    /// The sensor reports nothing at this distance.
+    /// The sensor measures nothing at this distance.
     NothingMeasured,
 }
 
 impl Verdict {
-    /// As people read it.
+    /// Returns the verdict in words.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -151,35 +150,35 @@ impl Verdict {
     }
 }
 
-/// Somebody's measurements and the twin at the same distances.
+/// A measured curve and the errors of the twin at the same distances.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    /// The file.
+    /// The path of the file.
     pub file: String,
-    /// Whether the measured errors have no sign: the twin's are then compared without theirs.
+    /// Whether the measured errors are absolute; the twin's are then compared as absolute values.
     pub is_absolute: bool,
-    /// Nearer points do not count.
+    /// The distance below which points are ignored.
     pub from_m: f64,
-    /// The coefficient of determination of the error in percent; `None` where too little can be compared.
+    /// The coefficient of determination of the error in percent; `None` if there are too few points.
     pub r_squared: Option<f64>,
-    /// Root mean square of the difference of the errors.
+    /// The root mean square of the difference of the errors.
     pub rms_difference_percent: Option<f64>,
-    /// How many points count.
+    /// The number of compared points.
     pub compared_points: usize,
-    /// How many of them were left out since the twin reports nothing there.
+    /// The number of points at which the twin measures nothing.
     pub unmeasured_points: usize,
-    /// All, in the file's order.
+    /// All points in the order of the file.
     pub points: Vec<ComparedPoint>,
 }
 
-/// One of somebody's measurements.
+/// A point of a measured curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ComparedPoint {
     /// The true distance.
     pub distance_m: f64,
-    /// What the file says.
+    /// The measured error.
     pub measured_error_percent: f64,
-    /// What the twin says.
+    /// The error of the twin.
     pub twin_error_percent: Option<f64>,
 }
 
@@ -202,7 +201,7 @@ impl Row {
         }
     }
 
-    /// With what the parameters of Isaac Sim's sensor say of it.
+    /// Adds the quantities of Isaac Sim's sensor.
     pub(super) fn with_single_view(
         mut self,
         jitter_times_depth: Option<f64>,
@@ -217,14 +216,14 @@ impl Row {
         self
     }
 
-    /// How the other reading compares.
+    /// Returns the verdict of the other reading.
     #[must_use]
     pub fn other_verdict(&self) -> Option<Verdict> {
         Some(verdict(self.other_reading.as_ref()?, &self.bands))
     }
 }
 
-/// Of bands the strictest comes first.
+/// Compares an error with the strictest band, which is the first.
 fn verdict(reading: &Reading, bands: &[Band]) -> Verdict {
     match (reading.error_percent, bands.first()) {
         (None, _) => Verdict::NothingMeasured,
@@ -243,7 +242,7 @@ impl Reading {
         let millimetres = |metres: Option<f64>| metres.map(|metres| metres * 1e3);
         let percent = |unit: &Measured| Some(unit.vendor.error(truth_m)? * 100.0);
         let is_population = units.len() > 1;
-        // A device that reports nothing is worse than any that does.
+        // A device that measures nothing counts as worse than any other.
         let absolute: Vec<f64> = units
             .iter()
             .map(|unit| percent(unit).map_or(f64::INFINITY, f64::abs))

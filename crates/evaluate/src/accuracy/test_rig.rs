@@ -14,12 +14,12 @@ use rayon::prelude::*;
 
 use super::AccuracyError;
 use super::board::{self, Board, Sight};
-use super::eyes::Eyes;
+use super::stereo_camera::StereoCamera;
 use crate::measure::{Optics, Quality, Region, Vendor, quality, vendor};
 
 /// The margin around the measured region in which textures affect it, besides windows and neighbourhoods, px.
 const AROUND_PX: u32 = 4;
-/// The margin with filters: some carry values along whole rows, halving them at each pixel.
+/// The margin with filters. Some of them propagate values along whole rows, halving their weight at each pixel.
 const AROUND_FILTERS_PX: u32 = 72;
 
 /// Units of one camera model that are measured one after the other.
@@ -30,10 +30,10 @@ pub(super) struct TestRig {
     /// The measured region of the depth image.
     pub(super) region: Region,
     pub(super) units: Vec<Unit>,
-    /// The noise; each unit has its own.
+    /// The noise, which differs between units.
     pub(super) random: Stream,
     /// The stereo cameras, for engines that match pairs.
-    pub(super) eyes: Option<Eyes>,
+    pub(super) stereo_camera: Option<StereoCamera>,
 }
 
 /// One unit of the camera.
@@ -61,7 +61,7 @@ pub(super) struct Measured {
     pub(super) quality: Quality,
 }
 
-/// How much is measured.
+/// The extent of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
     pub(super) captures: u32,
@@ -78,7 +78,7 @@ pub(super) struct MeasuredUnit {
 }
 
 impl TestRig {
-    /// Measures every unit at a distance in metres.
+    /// Measures every unit at the given distance.
     pub(super) fn measure(
         &self,
         distance_m: f64,
@@ -106,14 +106,14 @@ impl TestRig {
         self.units.first().map(|unit| &*unit.engine)
     }
 
-    /// Disparity times depth in the pixels in which the engine counts disparity, px·m.
+    /// Returns disparity times depth in the pixels in which the engine counts disparity, px·m.
     pub(super) fn disparity_times_depth(&self) -> f64 {
         let width = self.intrinsics.size.width;
         self.engine()
             .map_or(0.0, |engine| engine.disparity_times_depth(width))
     }
 
-    /// The smallest distance that can be measured, m.
+    /// Returns the minimum measurable distance in metres.
     pub(super) fn nearest_m(&self) -> f64 {
         let width = self.intrinsics.size.width;
         self.engine().map_or(0.0, |engine| engine.nearest_m(width))
@@ -125,7 +125,7 @@ impl TestRig {
         Some(engine.assumptions().depth == Depth::Carried)
     }
 
-    /// One sigma of the jitter of Isaac Sim's sensor as a share of the disparity at 1 m; `None` for other engines.
+    /// Returns one sigma of the jitter of Isaac Sim's sensor as a share of the disparity at 1 m; `None` for other engines.
     pub(super) fn jitter_times_depth(&self) -> Option<f64> {
         let p = self.engine()?.downcast_ref::<SingleView>()?.parameters();
         let is_on = p.noise_mean_px > 0.0;
@@ -165,7 +165,7 @@ impl TestRig {
         })
     }
 
-    /// The part of the image that affects the region; only this is rendered.
+    /// Returns the part of the image that affects the region. Only this part is rendered.
     fn part(&self, distance_m: f64) -> Part {
         let size = self.intrinsics.size;
         let is_filtered = self.units.iter().any(|unit| !unit.filters.is_empty());
@@ -209,19 +209,19 @@ struct Scenery<'a> {
     /// Rendered depth and colour, for engines that require depth.
     sight: Option<Sight>,
     /// The board, the cameras, and the light on the left one, for engines that require pairs.
-    pair: Option<(Board, &'a Eyes, Image<f32>)>,
+    pair: Option<(Board, &'a StereoCamera, Image<f32>)>,
 }
 
 impl<'a> Scenery<'a> {
     fn new(rig: &'a TestRig, part: &Part, distance_m: f64) -> Self {
-        let pair = rig.eyes.as_ref().map(|eyes| {
+        let pair = rig.stereo_camera.as_ref().map(|stereo_camera| {
             let board = Board::new(part.intrinsics, distance_m);
-            let left = eyes.left(&board, part.intrinsics);
-            (board, eyes, left)
+            let left = stereo_camera.left(&board, part.intrinsics);
+            (board, stereo_camera, left)
         });
         let sight = match pair {
             Some(_) => None,
-            None => board::look(part.intrinsics, distance_m),
+            None => board::render(part.intrinsics, distance_m),
         };
         Self {
             distance_m,
@@ -239,11 +239,12 @@ impl<'a> Scenery<'a> {
         part: &Part,
         count: u32,
     ) -> Result<Vec<ZDepth>, AccuracyError> {
-        if let Some((board, eyes, left)) = &self.pair {
-            let right = eyes.right(board, part.intrinsics, unit.bias_px);
+        if let Some((board, stereo_camera, left)) = &self.pair {
+            let right = stereo_camera.right(board, part.intrinsics, unit.bias_px);
             let captures = (0..count).map(|frame| {
-                let [left, right] = eyes.record([left, &right], &part.intrinsics, (frame.into(), item));
-                let pair = Pair::new(&left, &right).map_err(unusable)?;
+                let [left, right] =
+                    stereo_camera.record([left, &right], &part.intrinsics, (frame.into(), item));
+                let pair = Pair::new(&left, &right).map_err(region_error)?;
                 Ok(sensor.capture(Input::Pair(pair), &[])?.distance)
             });
             return captures.collect();
@@ -261,8 +262,8 @@ impl<'a> Scenery<'a> {
     }
 }
 
-/// Reports a rendered pair that cannot be matched.
-fn unusable(error: PairError) -> ParameterError {
+/// Converts the error of a rendered pair that cannot be matched.
+fn region_error(error: PairError) -> ParameterError {
     ParameterError {
         name: "region".to_owned(),
         what: error.what,
@@ -282,7 +283,7 @@ struct Part {
 }
 
 impl Part {
-    /// The region and intrinsics in the sensor's image of the part, which filters may have decimated.
+    /// Returns the region and the intrinsics in the sensor's output image, which filters may have decimated.
     fn in_image(&self, image: Option<&ZDepth>) -> (Region, Intrinsics) {
         let own = self.intrinsics.size;
         let size = image.map_or(own, |image| ImageSize::new(image.0.width(), image.0.height()));

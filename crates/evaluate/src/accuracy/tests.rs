@@ -36,7 +36,7 @@ fn matching(parameters: &[(&str, &str)]) -> SensorOptions {
     }
 }
 
-/// The twin of a unit against what was measured of it.
+/// Returns the R² between a twin that has a unit's optics and the measurements of that unit.
 fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_m: f64) -> f64 {
     let data = std::env::var_os("OAKTWIN_TEST_DATA").expect("OAKTWIN_TEST_DATA names the test data");
     let path = PathBuf::from(data).join("data/accuracy").join(file);
@@ -64,7 +64,7 @@ fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_
 
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
-fn the_vendors_measured_curve_at_800p() {
+fn agrees_with_the_vendors_measured_curve_at_800p() {
     let optics = MeasuredOptics {
         focal_length_px: Some(794.0),
         width_px: None,
@@ -73,14 +73,14 @@ fn the_vendors_measured_curve_at_800p() {
     let noise = with_parameters(&[("bias", "-0.22"), ("pixelLocking", "0.13")]);
     let r2 = r_squared_of(curve, noise, optics, 2.5);
     assert!(r2 >= 0.95, "{r2}");
-    // No parameter tells the matcher of pixel locking; its board was chosen by this curve.
+    // The matcher has no pixel-locking parameter. Its board was chosen to fit this curve.
     let r2 = r_squared_of(curve, matching(&[("bias", "-0.22")]), optics, 2.5);
     assert!(r2 >= 0.9, "{r2}");
 }
 
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
-fn the_vendors_measured_curve_at_480p() {
+fn agrees_with_the_vendors_measured_curve_at_480p() {
     let optics = MeasuredOptics {
         focal_length_px: Some(454.0),
         width_px: Some(640),
@@ -88,14 +88,14 @@ fn the_vendors_measured_curve_at_480p() {
     let curve = "depth_error_480p_75mm_measured.csv";
     let r2 = r_squared_of(curve, with_parameters(&[("bias", "0")]), optics, 0.0);
     assert!(r2 >= 0.85, "{r2}");
-    // The board was not chosen by this one.
+    // The board was not chosen to fit this curve.
     let r2 = r_squared_of(curve, matching(&[("bias", "0")]), optics, 0.0);
     assert!(r2 >= 0.3, "{r2}");
 }
 
-/// The median of 200 devices, at places in every band and on every phase of the error that repeats with disparity.
+/// The distances cover every band and every phase of the periodic error.
 #[test]
-fn the_median_device_is_inside_the_bands() {
+fn the_median_device_is_within_the_bands() {
     for model in ["oak-d-pro-poe", "oak-d-pro-w-poe", "oak4-d", "oak4-d-wide"] {
         let options = Options {
             distances_m: Some(vec![0.7, 1.53, 3.07, 3.41, 3.96, 4.7, 6.4, 6.9, 7.97, 8.2, 8.9]),
@@ -118,9 +118,9 @@ fn the_median_device_is_inside_the_bands() {
     }
 }
 
-/// A bias of β px and nothing else is off by z β / (f b), up to the step of 1/32 px.
+/// On its own, a bias of β px causes a relative error of z β / (f b), up to the disparity step of 1/32 px.
 #[test]
-fn a_bias_in_closed_form() {
+fn bias_matches_the_closed_form() {
     let options = Options {
         engine: with_parameters(&[("bias", "-0.25"), ("pixelLocking", "0"), ("jitter", "0")]),
         distances_m: Some(vec![2.0, 5.0, 9.0]),
@@ -140,9 +140,9 @@ fn a_bias_in_closed_form() {
     assert_eq!(report.protocol_deviations, ["2 captures instead of 10"]);
 }
 
-/// Jitter is found again as temporal noise and as plane-fit RMS in pixels.
+/// Jitter appears as temporal noise and as plane-fit RMS in pixels.
 #[test]
-fn jitter_is_found_again() {
+fn recovers_the_jitter() {
     let options = Options {
         engine: with_parameters(&[("bias", "0"), ("pixelLocking", "0"), ("jitter", "0.2")]),
         distances_m: Some(vec![4.0]),
@@ -162,7 +162,8 @@ fn jitter_is_found_again() {
     );
 }
 
-/// The time-of-flight camera written as stereo: exact as long as depth is carried, useless if it was computed.
+/// A time-of-flight camera described as stereo is exact if the depth is carried along and useless if it is recomputed from the
+/// disparity.
 #[test]
 fn both_readings_of_the_time_of_flight_parameters() {
     let options = Options {
@@ -186,7 +187,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
     let [near, far] = [&report.distances[0], &report.distances[1]];
     assert!((near.jitter_percent_of_disparity.unwrap() - 8.75).abs() < 0.01);
     assert!((far.jitter_percent_of_disparity.unwrap() - 218.8).abs() < 0.1);
-    // Half a step or more below 0 px, and one half of the normal distribution.
+    // The noise is so large that about half of the normal distribution lies more than half a step below 0 px.
     assert!(near.invalid_if_recomputed.unwrap() < 1e-9);
     assert!((far.invalid_if_recomputed.unwrap() - 0.5).abs() < 0.1, "{far:?}");
 
@@ -197,14 +198,14 @@ fn both_readings_of_the_time_of_flight_parameters() {
         },
         ..options
     };
-    let turned = measured("oak-d-tof", &recomputed);
-    assert_eq!(turned.carries_depth, Some(false));
-    assert_eq!(Some(&turned.distances[1].reading), far.other_reading.as_ref());
-    assert!(!turned.passed);
+    let report = measured("oak-d-tof", &recomputed);
+    assert_eq!(report.carries_depth, Some(false));
+    assert_eq!(Some(&report.distances[1].reading), far.other_reading.as_ref());
+    assert!(!report.passed);
 }
 
 #[test]
-fn time_of_flight_is_inside_its_bands() {
+fn time_of_flight_is_within_its_bands() {
     let options = Options {
         distances_m: Some(vec![0.25, 1.0, 2.5, 5.0]),
         devices: Some(5),
@@ -219,7 +220,7 @@ fn time_of_flight_is_inside_its_bands() {
 }
 
 #[test]
-fn devices_as_they_are_asked_for() {
+fn selects_the_requested_devices() {
     let devices = |options: &Options| bench("oak4-d", options).report.devices;
     let seeded = SensorOptions {
         device_seed: Some(7),
@@ -247,7 +248,7 @@ fn devices_as_they_are_asked_for() {
 }
 
 #[test]
-fn the_same_on_any_number_of_threads() {
+fn result_does_not_depend_on_the_thread_count() {
     let options = Options {
         distances_m: Some(vec![1.0, 4.0]),
         devices: Some(5),
@@ -267,7 +268,7 @@ fn the_same_on_any_number_of_threads() {
 }
 
 #[test]
-fn nothing_is_measured_too_near() {
+fn nothing_is_measured_at_close_range() {
     let options = Options {
         distances_m: Some(vec![0.2, 0.5]),
         devices: Some(3),
@@ -285,20 +286,20 @@ fn nothing_is_measured_too_near() {
 }
 
 #[test]
-fn options_that_cannot_be() {
+fn rejects_invalid_options() {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("oak-d-tof").unwrap());
-    let refused = |change: &dyn Fn(&mut Options)| {
+    let error = |change: &dyn Fn(&mut Options)| {
         let mut options = Options::default();
         change(&mut options);
         Bench::new(&twin, &options).unwrap_err().to_string()
     };
-    assert!(refused(&|o| o.captures = 0).contains("captures"));
-    assert!(refused(&|o| o.devices = Some(0)).contains("devices"));
-    assert!(refused(&|o| o.region = f64::NAN).contains("region"));
-    assert!(refused(&|o| o.from_m = -1.0).contains("from"));
-    assert!(refused(&|o| o.distances_m = Some(vec![1.0, f64::NAN])).contains("NaN"));
-    assert!(refused(&|o| o.sensor = Some("steroe".to_owned())).contains("did you mean 'stereo'?"));
+    assert!(error(&|o| o.captures = 0).contains("captures"));
+    assert!(error(&|o| o.devices = Some(0)).contains("devices"));
+    assert!(error(&|o| o.region = f64::NAN).contains("region"));
+    assert!(error(&|o| o.from_m = -1.0).contains("from"));
+    assert!(error(&|o| o.distances_m = Some(vec![1.0, f64::NAN])).contains("NaN"));
+    assert!(error(&|o| o.sensor = Some("steroe".to_owned())).contains("did you mean 'stereo'?"));
     let stereo = Options {
         sensor: Some("stereo".to_owned()),
         ..Options::default()

@@ -8,7 +8,7 @@ use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::sensor::{EngineInput, ParameterError, SensorOptions, sensor};
 
-/// The devices that are measured: many only where they differ.
+/// Returns the devices to measure: several only if they differ.
 pub(super) fn units(
     twin: &Twin,
     depth: &TwinDepthSensor,

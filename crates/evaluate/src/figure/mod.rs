@@ -76,7 +76,7 @@ pub enum Shape {
     Dots(Vec<[f64; 2]>),
 }
 
-/// A figure that could not be drawn.
+/// The error of a figure that cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the figure cannot be drawn: {0}")]
 pub struct FigureError(String);

@@ -15,7 +15,7 @@ const HEIGHT: u32 = 560;
 const IMAGE_SCALE: u32 = 2;
 /// Samples per pixel of an image and axis.
 const SAMPLES: u32 = 3;
-/// The library places marks at whole units; in an SVG a unit is this part of a pixel.
+/// Units per pixel of an SVG, because the plotting library places marks only at whole units.
 const SVG_SCALE: u32 = 8;
 
 /// Draws figures one below the other as an SVG document, 960 × 560 px each.

@@ -1,24 +1,24 @@
-//! What is odd in a recording.
+//! Findings about a recording.
 
-use super::counting::Counting;
-use super::target::Seen;
+use super::error_domain::ErrorDomain;
+use super::target::Observation;
 use oaktwin_diagnostic::{Finding, Level};
 
-/// Less of a region than this is a poor target.
+/// The share of valid pixels below which a target is reported.
 const LEAST_FILL: f64 = 0.5;
 
-/// More mismatches than this are no exception.
+/// The share of mismatches above which a target is reported.
 const MOST_MISMATCHES: f64 = 0.05;
 
-pub(super) fn of_targets(seen: &[Seen], counting: Counting, findings: &mut Vec<Finding>) {
-    let [brighter, filled] = match counting {
-        Counting::Disparity { .. } => [
+pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findings: &mut Vec<Finding>) {
+    let [brighter, filled] = match error_domain {
+        ErrorDomain::Disparity { .. } => [
             "give the target more texture, or the region another size",
             "does the target fill the region?",
         ],
-        Counting::Depth => [
+        ErrorDomain::Depth => [
             "give a brighter target, or the region another size",
-            "does the target fill the region? of little light wrong periods are found",
+            "does the target fill the region? in low light, phases are unwrapped to wrong periods",
         ],
     };
     for one in seen {
@@ -30,16 +30,16 @@ pub(super) fn of_targets(seen: &[Seen], counting: Counting, findings: &mut Vec<F
             add(
                 "nothing-measured",
                 format!(
-                    "no pixel of the region has a value in any of {} frames: left out",
+                    "no pixel of the region is valid in any of {} frames: ignored",
                     one.frames
                 ),
-                "is it nearer than the sensor measures?",
+                "is it nearer than the minimum distance of the sensor?",
             );
         } else if one.fill_rate < LEAST_FILL {
             add(
                 "few-pixels",
                 format!(
-                    "only {:.0} % of the region's pixels have a value",
+                    "only {:.0} % of the region's pixels are valid",
                     percent(one.fill_rate)
                 ),
                 brighter,
@@ -49,7 +49,7 @@ pub(super) fn of_targets(seen: &[Seen], counting: Counting, findings: &mut Vec<F
             add(
                 "mismatches",
                 format!(
-                    "{:.1} % of the region's pixels are far from the others",
+                    "{:.1} % of the region's pixels differ greatly from the others",
                     percent(one.mismatch_rate)
                 ),
                 filled,

@@ -1,4 +1,4 @@
-//! What a sensor records of a board, and what is fitted to it, for the tests of all methods.
+//! Simulated recordings of a board and their fits, for the tests of all methods.
 
 use std::fmt::Write;
 use std::fs;
@@ -19,7 +19,7 @@ pub(super) fn twin(model: &str) -> Twin {
     catalog.nominal(catalog.device(model).unwrap())
 }
 
-/// The depth of a board through (0, 0, z) that is turned about the vertical.
+/// Returns the depth of a board through (0, 0, z), rotated about the vertical axis.
 pub(super) fn board(size: ImageSize, focal_px: f64, z: f64, turned_deg: f64) -> Image<f32> {
     let slope = turned_deg.to_radians().tan();
     let pixels = (0..size.width * size.height).map(|i| {
@@ -31,7 +31,7 @@ pub(super) fn board(size: ImageSize, focal_px: f64, z: f64, turned_deg: f64) -> 
     Image::new(size.width, size.height, pixels.collect()).unwrap()
 }
 
-/// A file of all frames for each board, as `sense` measures it, and the table of the distances that are said of them.
+/// Writes a file of all frames for each board, as `sense` measures it, and the table of distances.
 pub(super) fn record(
     folder: &Path,
     boards: impl IntoIterator<Item = (Image<f32>, f64)>,
@@ -59,7 +59,7 @@ pub(super) fn record(
     fs::write(folder.join(TABLE), table).unwrap();
 }
 
-/// What is fitted, drawn and read again.
+/// Fits, draws and parses the result.
 pub(super) fn fitted(
     model: &str,
     paths: &[&Path],

@@ -1,48 +1,48 @@
-//! Robust non-linear least squares of a few parameters: Gauss and Newton's steps, damped (Marquardt 1963), with weights
-//! that fall off for outliers (Huber 1964).
+//! Robust non-linear least squares for a few parameters: damped Gauss-Newton steps (Marquardt 1963) with weights that decrease
+//! for outliers (Huber 1964).
 
-/// From so many standard deviations on, an outlier's pull no longer grows.
+/// The deviation, in standard deviations, from which the influence of an outlier is constant.
 const HUBER: f64 = 1.345;
 
 const STEPS: usize = 60;
 
-/// The most parameters that are fitted at once.
+/// The maximum number of parameters.
 pub(super) const MOST: usize = 4;
 
-/// What is to be made small: of point `i` its deviation, in units of its standard deviation where that is known.
+/// A problem to solve: the deviation of each point, in units of its standard deviation if that is known.
 pub(super) trait Problem {
-    /// How many points.
+    /// Returns the number of points.
     fn points(&self) -> usize;
-    /// A point's deviation under these parameters.
+    /// Returns the deviation of a point for these parameters.
     fn deviation(&self, parameters: &[f64], i: usize) -> f64;
 }
 
-/// Where the deviations are least.
+/// The minimum.
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
     pub(super) parameters: Vec<f64>,
-    /// Of the parameters, row by row; `None` where the points do not tell them apart.
+    /// The covariance of the parameters, row by row; `None` if the points do not determine them.
     pub(super) covariance: Option<Vec<Vec<f64>>>,
-    /// Points less parameters.
+    /// The number of points minus the number of parameters.
     pub(super) freedom: usize,
     /// The weighted sum of squares.
     pub(super) squares: f64,
 }
 
 impl Solution {
-    /// The standard error of a parameter.
+    /// Returns the standard error of a parameter.
     pub(super) fn error(&self, at: usize) -> Option<f64> {
         let variance = *self.covariance.as_ref()?.get(at)?.get(at)?;
         (variance >= 0.0 && variance.is_finite()).then(|| variance.sqrt())
     }
 
-    /// How much the first two stand for one another, −1 to 1; `None` where they cannot be told apart at all.
+    /// Returns the correlation of the first two parameters, −1 to 1; `None` if the points do not determine them.
     pub(super) fn correlation(&self) -> Option<f64> {
         let c = self.covariance.as_ref()?;
         Some(c.first()?.get(1)? / (c.first()?.first()? * c.get(1)?.get(1)?).sqrt())
     }
 
-    /// Half of the interval of 95 % of what follows from the parameters; `None` where they have none.
+    /// Returns half of the 95 % interval of a function of the parameters; `None` without a covariance.
     pub(super) fn half_width(&self, value: impl Fn(&[f64]) -> f64, is_known: bool) -> Option<f64> {
         let slopes = derivatives(value, &self.parameters);
         let covariance = self.covariance.as_ref()?;
@@ -54,14 +54,14 @@ impl Solution {
         Some(self.factor(is_known) * variance.max(0.0).sqrt())
     }
 
-    /// The interval of 95 % of a parameter, times `scale`.
+    /// Returns the 95 % interval of a parameter, multiplied by `scale`.
     pub(super) fn interval(&self, at: usize, scale: f64, is_known: bool) -> Option<[f64; 2]> {
         let half = self.factor(is_known) * self.error(at)?;
         let value = *self.parameters.get(at)?;
         Some([(value - half) * scale, (value + half) * scale])
     }
 
-    /// The factor of a standard error for an interval of 95 %.
+    /// Returns the factor of a standard error for a 95 % interval.
     pub(super) fn factor(&self, is_known: bool) -> f64 {
         if is_known {
             NORMAL_95
@@ -71,10 +71,11 @@ impl Solution {
     }
 }
 
-/// The normal distribution's 97.5 %.
+/// The 97.5 % quantile of the normal distribution.
 pub(super) const NORMAL_95: f64 = 1.959_964;
 
-/// Student's 97.5 % of so many degrees of freedom: exact up to 3, else by Fisher and Cornish's series, within 0.5 %.
+/// Returns the 97.5 % quantile of Student's t distribution: exact up to 3 degrees of freedom, otherwise by the Cornish-Fisher
+/// expansion, within 0.5 %.
 pub(super) fn student_95(freedom: usize) -> f64 {
     let z = NORMAL_95;
     match freedom {
@@ -91,8 +92,8 @@ pub(super) fn student_95(freedom: usize) -> f64 {
     }
 }
 
-/// Goes downhill from `start`. `is_known`: whether the deviations are in units of known standard deviations; the
-/// covariance is then widened where the points scatter more than that, and never narrowed.
+/// Minimizes from `start`. `is_known` states whether the deviations are in units of known standard deviations; the covariance
+/// is then increased if the points scatter more, and never decreased.
 pub(super) fn solve(problem: &impl Problem, start: &[f64], is_known: bool) -> Solution {
     let count = start.len();
     let mut parameters = start.to_vec();
@@ -146,7 +147,7 @@ pub(super) fn solve(problem: &impl Problem, start: &[f64], is_known: bool) -> So
         f64::NAN
     };
     let variance = if is_known {
-        // `max` passes over what is no number.
+        // `max` ignores NaN.
         by_scatter.max(1.0)
     } else {
         by_scatter
@@ -165,14 +166,14 @@ pub(super) fn solve(problem: &impl Problem, start: &[f64], is_known: bool) -> So
     }
 }
 
-/// How much usual points deviate.
+/// Returns the robust scale of the deviations.
 fn spread(problem: &impl Problem, parameters: &[f64], is_known: bool) -> f64 {
     let mut deviations: Vec<f64> = (0..problem.points())
         .map(|i| problem.deviation(parameters, i).abs())
         .collect();
     deviations.sort_unstable_by(f64::total_cmp);
     let middle = deviations.get(deviations.len() / 2).copied().unwrap_or_default();
-    // Of a normal distribution, the median of the absolute values to the standard deviation.
+    // The ratio of the standard deviation to the median absolute value of a normal distribution.
     let spread = middle * 1.4826;
     if is_known {
         spread.max(1.0)
@@ -204,7 +205,7 @@ fn huber_cost(problem: &impl Problem, parameters: &[f64], scale: f64) -> f64 {
         .sum()
 }
 
-/// Of the weighted points: the products of their derivatives, and those with their deviations.
+/// Returns the normal equations: the weighted products of the derivatives with each other, and with the deviations.
 fn normal_equations(problem: &impl Problem, parameters: &[f64], scale: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
     let count = parameters.len();
     let mut normal = vec![vec![0.0; count]; count];
@@ -223,7 +224,7 @@ fn normal_equations(problem: &impl Problem, parameters: &[f64], scale: f64) -> (
     (normal, gradient)
 }
 
-/// By each parameter, from differences on both sides.
+/// Returns the derivatives by central differences.
 fn derivatives(value: impl Fn(&[f64]) -> f64, parameters: &[f64]) -> [f64; MOST] {
     let mut slopes = [0.0; MOST];
     let mut moved = parameters.to_vec();
@@ -238,8 +239,8 @@ fn derivatives(value: impl Fn(&[f64]) -> f64, parameters: &[f64]) -> [f64; MOST]
     slopes
 }
 
-/// A small symmetric matrix' inverse, by Gauss and Jordan, after each parameter is brought to one scale; `None` where
-/// it has none, or next to none.
+/// Inverts a small symmetric matrix by Gauss-Jordan elimination after scaling the parameters; `None` if it is singular or
+/// nearly so.
 fn inverted(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let count = matrix.len();
     let scales: Vec<f64> = (0..count).map(|i| matrix[i][i].sqrt()).collect();
@@ -303,7 +304,7 @@ mod tests {
         }
     }
 
-    /// In closed form: y = 1 + 2 x with deviations of ±0.1 in turn.
+    /// Closed form: y = 1 + 2 x with deviations of alternately ±0.1.
     #[test]
     fn a_straight_line() {
         let points: Vec<[f64; 2]> = (0..8)
@@ -316,11 +317,11 @@ mod tests {
         let solution = solve(&Line(&points), &[0.0, 0.0], false);
         assert!((solution.parameters[1] - 2.0).abs() < 1e-6, "{solution:?}");
         assert!((solution.parameters[0] - 1.0).abs() < 1e-6);
-        // s² = 8·0.01/6; of the slope s²/Σ(x − x̄)² = s²/42.
+        // s² = 8·0.01/6; the variance of the slope is s²/Σ(x − x̄)² = s²/42.
         let expected = (0.08f64 / 6.0 / 42.0).sqrt();
         assert!((solution.error(1).unwrap() / expected - 1.0).abs() < 1e-4);
         assert_eq!(solution.freedom, 6);
-        // Where the points scatter less than is known, what is known counts.
+        // If the points scatter less than their known errors, the known errors determine the interval.
         let known = solve(&Line(&points), &[0.0, 0.0], true);
         assert!((known.error(1).unwrap() / (1.0f64 / 42.0).sqrt() - 1.0).abs() < 1e-4);
     }

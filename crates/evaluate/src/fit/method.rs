@@ -1,60 +1,60 @@
-//! What is an engine's own in a fit; all else is the same for all.
+//! The parts of a fit that are specific to an engine.
 
 use std::fmt::Debug;
 
-use super::counting::Counting;
+use super::error_domain::ErrorDomain;
 use super::least_squares::Solution;
 use super::points::{OfTarget, Point};
 use super::report::Report;
-use super::target::Seen;
+use super::target::Observation;
 use super::work::Work;
 
 /// An engine that can be fitted.
 pub(super) trait Method: Sync {
-    /// In what its errors are counted.
-    fn counting(&self) -> Counting;
-    /// The least step that tells anything.
+    /// Returns the quantity in which its errors are counted.
+    fn error_domain(&self) -> ErrorDomain;
+    /// Returns the smallest significant step.
     fn step(&self) -> f64;
-    /// The focal length, px, of images so many px wide.
+    /// Returns the focal length in pixels of images of a given width.
     fn focal_length_px(&self) -> (f64, u32);
-    /// Whether whole units are those below, not the nearest.
+    /// Whether depth is rounded down to whole units rather than to the nearest.
     fn is_truncated(&self) -> bool {
         false
     }
-    /// What only images tell.
+    /// The parts that require images.
     fn noise_names(&self) -> &'static [&'static str];
-    /// Finds how pixels vary over time.
-    fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>);
-    /// The variance of a pixel over time, steps and all.
-    fn variance(&self, one: &Seen) -> Option<f64>;
-    /// That of the mean of so many values, by noise.
-    fn variance_of_mean(&self, one: &Seen, values: u64) -> Option<f64>;
-    /// That of what is left of rounding in such a mean.
-    fn variance_of_rounding(&self, one: &Seen) -> f64;
-    /// Whether a point counts that is not too near; says why where it does not.
+    /// Estimates the noise of pixels over time.
+    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>);
+    /// Returns the variance of a pixel over time, including that of steps.
+    fn variance(&self, one: &Observation) -> Option<f64>;
+    /// Returns the variance of the mean of a number of values due to noise.
+    fn variance_of_mean(&self, one: &Observation, values: u64) -> Option<f64>;
+    /// Returns the variance of such a mean due to rounding.
+    fn variance_of_rounding(&self, one: &Observation) -> f64;
+    /// Returns an error with the reason if a point must be ignored.
     fn is_used(&self, _point: &OfTarget, _work: &mut Work<'_>) -> bool {
         true
     }
-    /// Finds the systematic error.
+    /// Fits the systematic error.
     fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>>;
-    /// What was given belongs to the unit as much as what was fitted.
+    /// Adds known parameters, which describe the unit as much as the fitted ones.
     fn given(&self, _work: &mut Work<'_>) {}
 }
 
 /// A fitted curve of errors over distance.
 pub(super) trait Fitted: Debug + Send + Sync {
-    /// In what errors are counted.
-    fn counting(&self) -> Counting;
-    /// The error of depth, a share of it.
+    /// Returns the quantity in which errors are counted.
+    fn error_domain(&self) -> ErrorDomain;
+    /// Returns the error as a share of depth.
     fn error(&self, depth_m: f64) -> f64;
-    /// Half of the interval of 95 % of the curve, a share of the depth.
+    /// Returns half of the 95 % interval of the curve as a share of depth.
     fn half_width(&self, depth_m: f64) -> Option<f64>;
-    /// Depths close enough to draw it.
+    /// Returns depths that are close enough to draw the curve.
     fn places(&self, near_m: f64, far_m: f64) -> Vec<f64>;
-    /// What it is, in a few words.
+    /// Returns a short description of the curve.
     fn name(&self, report: &Report) -> String;
-    /// The noise that was found beside it, in a few words.
+    /// Returns a short description of the noise.
     fn noise(&self, report: &Report) -> String;
-    /// How it was found, and whether the points' standard errors were known.
+    /// Returns the solution, and whether the standard errors of the points were known.
     fn solution(&self) -> (&Solution, bool);
 }

@@ -1,34 +1,34 @@
-//! The parameters of an engine from what a real device reported of a flat target.
+//! Estimates the parameters of an engine from a real device's recordings of a flat target.
 //!
 //! A recording is a folder of depth images of a flat target, perpendicular to the camera, and a table
-//! ([`TABLE`], `file,distance_m`) of its true distances; or a folder in Replicator's layout that holds ground truth beside
-//! what a sensor reported; or, for the systematic error alone, a curve of errors as vendors publish them
-//! ([`measured`](crate::accuracy::measured)). Images without true distances tell the noise alone.
+//! ([`TABLE`], `file,distance_m`) of its true distances; or a folder in Replicator's layout with ground truth beside the
+//! sensor's images; or, for the systematic error alone, a curve of errors over distance
+//! ([`measured`](crate::accuracy::measured)). Images without true distances determine only the noise.
 //!
 //! # `stereo_noise`
-//! * σ (`jitter`): half of the variance of the differences of frames one after the other, less what whole steps of
-//!   disparity and whole millimetres add (step²/12), over distances where millimetres are not coarser than the noise.
-//! * The window of its correlation (`window`): how the covariance of those differences falls with the distance in pixels;
-//!   under a square window in a straight line. Its interval is that of 200 draws among the pairs of frames.
-//! * β (`bias`) and a (`pixelLocking`): the mean over time and region at each distance, mismatches dropped, against the
-//!   truth, by robust least squares; where it is asked for the focal length too. Points weigh by what noise and rounding
-//!   leave uncertain in them. Intervals are those of the linear approximation, wider where the points scatter more than
-//!   their noise explains.
+//! * σ (`jitter`): half of the variance of the differences of consecutive frames, minus the variance of rounding to whole
+//!   steps of disparity and whole millimetres (step²/12), over distances at which a millimetre is not coarser than the noise.
+//! * The window of its correlation (`window`): the covariance of those differences decreases linearly with the distance in
+//!   pixels under a square window. Its interval is that of 200 bootstrap samples of the pairs of frames.
+//! * β (`bias`), a (`pixelLocking`) and, on request, the focal length: robust least squares of the mean over time and region
+//!   at each distance, without mismatches, against the true distance. Points are weighted by their uncertainty due to noise
+//!   and rounding. Intervals are those of the linear approximation, wider if the points scatter more than their noise
+//!   explains.
 //!
 //! # `time_of_flight`
-//! * σ at each distance: half of the variance of such differences, by what frames share with the next (half of their
-//!   noise or none, as frames two apart tell), less whole millimetres (unit²/12).
-//! * Light (`signal`, `ambient`): σ over distance by robust least squares of its logarithm. Noise tells but
-//!   contrast²·albedo·signal, from where the light itself is most of it, and (ambient·albedo + read noise²) over
-//!   (contrast·albedo·signal)², from where it is not: contrast, albedo and read noise are those of the engine's parameters,
-//!   and ambient light too where one distance, or distances too alike, do not tell it from the signal.
-//! * Bias (`bias`) and wiggling (`wigglingResidual`, or `wiggling` where its correction is off): the mean over time and
-//!   region against the truth, as above. Of targets beyond the range, or off by whole periods, nothing is made.
+//! * σ at each distance: half of the variance of such differences, corrected for the noise that consecutive frames share
+//!   (half of it or none, as the differences of every second frame show), minus that of whole millimetres (unit²/12).
+//! * Light (`signal`, `ambient`): robust least squares of the logarithm of σ over distance. Noise determines only
+//!   contrast²·albedo·signal, where the light itself dominates, and (ambient·albedo + read noise²) over
+//!   (contrast·albedo·signal)², where it does not. Contrast, albedo and read noise are those of the engine's parameters, and so
+//!   is ambient light if the distances are too few or too similar to separate it from the signal.
+//! * Bias (`bias`) and wiggling (`wigglingResidual`, or `wiggling` if its correction is off): the mean over time and region
+//!   against the true distance, as above. Targets beyond the range, or off by whole periods, are ignored.
 //!
-//! A target's turn is that of the planes through its images, all distances together; up to a few degrees it is put into
-//! the truth, pixel by pixel. The given distances are those at the region's middle.
+//! The rotation of a target is that of the planes through its images, over all distances; up to a few degrees it is applied
+//! to the true distances, pixel by pixel. The stated distances are those at the centre of the region.
 
-mod counting;
+mod error_domain;
 mod findings;
 #[cfg(test)]
 mod fixture;
@@ -65,22 +65,22 @@ use stereo_noise::Stereo;
 use time_of_flight::Tof;
 use work::Work;
 
-/// How to fit.
+/// The settings of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The depth sensor by prim or kind; by default that of the engine, or the device's own.
     pub sensor: Option<String>,
-    /// The engine, and what of it is known: its subpixel bits, say.
+    /// The engine and its known parameters, such as its subpixel bits.
     pub engine: SensorOptions,
-    /// The unit's optics, where they are not the model's.
+    /// The unit's optics, if they differ from the model's.
     pub optics: MeasuredOptics,
-    /// The side of the measured region as a share (0 to 1) of the image's.
+    /// The side of the measured region as a share (0 to 1) of the image's side.
     pub region: f64,
-    /// Metres to a unit of whole numbers.
+    /// Metres per unit of integer images.
     pub depth_scale: f64,
-    /// Errors nearer than this do not count, m.
+    /// The distance in metres below which errors are ignored.
     pub from_m: f64,
-    /// Whether the focal length is fitted too.
+    /// Whether to fit the focal length as well.
     pub fits_focal_length: bool,
 }
 
@@ -98,27 +98,27 @@ impl Default for Options {
     }
 }
 
-/// Why nothing was fitted.
+/// The reason why nothing was fitted.
 #[derive(Debug, thiserror::Error)]
 pub enum FitError {
-    /// A file that cannot be read or understood.
+    /// A file cannot be read or understood.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A parameter of the sensor.
+    /// A parameter of the sensor is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// A sensor or optics that cannot be.
+    /// The sensor or the optics are invalid.
     #[error(transparent)]
     Accuracy(#[from] AccuracyError),
-    /// An option or recording that cannot be: `WHAT: what is wrong; what to do`.
+    /// An option or recording is invalid: `WHAT: what is wrong; what to do`.
     #[error("{0}")]
     Option(Message),
-    /// Whoever watched wanted no more.
+    /// The fit was interrupted.
     #[error("interrupted; nothing was fitted")]
     Interrupted,
 }
 
-/// A fit, and the means to draw it.
+/// A fit, from which a figure can be drawn.
 #[derive(Debug)]
 pub struct Fit {
     report: Report,
@@ -126,24 +126,24 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// The numbers.
+    /// Returns the results.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// The error over distance with the fitted curve, and what it leaves.
+    /// Draws the error over distance with the fitted curve, and the residuals.
     #[must_use]
     pub fn figures(&self) -> Vec<Figure> {
         plot::figures(&self.report, self.found.as_deref())
     }
 }
 
-/// Fits the parameters of a twin's depth sensor to recordings; the findings are what is odd in them.
+/// Fits the parameters of a twin's depth sensor to recordings. The findings are about the recordings.
 ///
 /// # Errors
-/// A recording that cannot be read, holds nothing, or is not of a flat target that stands straight; options that cannot
-/// be; [`FitError::Interrupted`].
+/// Returns an error if a recording cannot be read, is empty, or does not show a flat, perpendicular target; if an option is
+/// invalid; or if `watch` interrupts.
 pub fn fit(
     twin: &Twin,
     recordings: &[PathBuf],
@@ -187,7 +187,7 @@ pub fn fit(
         model: twin.device.name.clone(),
         sensor: depth.spec.prim.clone(),
         engine: kind.name,
-        unit: method.counting().unit(),
+        unit: method.error_domain().unit(),
         parameters: Vec::new(),
         not_found: Vec::new(),
         focal_length_px,
@@ -214,7 +214,7 @@ pub fn fit(
             work.without_images(&path, method.noise_names());
             points::of_curve(&curve)
         }
-        Recording::Stands(stands) => work.look(&stands, method.as_mut(), watch)?,
+        Recording::Targets(recordings) => work.look(&recordings, method.as_mut(), watch)?,
     };
     let found = work.systematic(&points, method.as_ref());
     method.given(&mut work);
@@ -231,18 +231,21 @@ fn check(options: &Options) -> Result<(), FitError> {
     let wrong = |text: String| Err(FitError::Option(text.into()));
     if !(options.region > 0.0 && options.region <= 1.0) {
         return wrong(format!(
-            "region: {} is no share of an image; give a share above 0, up to 1",
+            "region: {} is out of range; give a share above 0, up to 1",
             options.region
         ));
     }
     if !(options.depth_scale > 0.0 && options.depth_scale.is_finite()) {
         return wrong(format!(
-            "depth scale: {} is no scale; give metres a unit, above 0",
+            "depth scale: {} is out of range; give metres per unit, above 0",
             options.depth_scale
         ));
     }
     if !(options.from_m >= 0.0 && options.from_m.is_finite()) {
-        return wrong(format!("from: {} is no distance; give metres", options.from_m));
+        return wrong(format!(
+            "from: {} is out of range; give a distance in metres",
+            options.from_m
+        ));
     }
     Ok(())
 }

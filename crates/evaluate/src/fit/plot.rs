@@ -1,4 +1,4 @@
-//! Errors, the curve through them, and what it leaves.
+//! The figure of a fit: errors, curve and residuals.
 
 use super::method::Fitted;
 use super::report::{FittedPoint, Report, number};
@@ -46,9 +46,9 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
         "error"
     };
     let (of, far_is) = if report.unit == "px" {
-        ("disparity", ", below 0 is too far")
+        ("disparity", ", negative if too far")
     } else {
-        ("depth", ", above 0 is too far")
+        ("depth", ", positive if too far")
     };
     let side = if report.is_absolute { "" } else { far_is };
     let mut figures = vec![Figure {
@@ -61,7 +61,7 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
         },
         layers,
     }];
-    // In thousandths: longer numbers have no room beside the axis.
+    // In thousandths: longer numbers do not fit beside the axis.
     let left = pick(true, &|point| Some(1e3 * to_one * (point.error - point.fitted?)));
     if !left.is_empty() {
         let spread: Vec<[f64; 3]> = report
@@ -83,13 +83,13 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
                 Shape::Area(spread),
             ));
         }
-        layers.push(layer("measured less the curve", MEASURED, Shape::Dots(left)));
+        layers.push(layer("measured minus fitted", MEASURED, Shape::Dots(left)));
         figures.push(Figure {
-            title: "What the curve leaves".to_owned(),
+            title: "Residuals of the fitted curve".to_owned(),
             subtitle: String::new(),
             x,
             y: Axis {
-                label: format!("deviation [{unit} / 1000]"),
+                label: format!("residual [{unit} / 1000]"),
                 range,
             },
             layers,
@@ -112,9 +112,9 @@ fn line(far: f64, at: f64) -> Layer {
 
 fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
     let (_, to_one) = report.shown_unit();
-    let counting = found.counting();
+    let error_domain = found.error_domain();
     let at = |z: f64, off: f64| {
-        let value = to_one * counting.of_error(found.error(z) + off, z);
+        let value = to_one * error_domain.of_error(found.error(z) + off, z);
         if report.is_absolute { value.abs() } else { value }
     };
     let places = found.places(near, far);
@@ -147,7 +147,7 @@ fn subtitle(report: &Report, found: Option<&dyn Fitted>) -> String {
     )
 }
 
-/// All, with some room; 0 among it.
+/// Returns the range of all values, with a margin and including 0.
 fn vertical(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let (low, high) = values
         .filter(|value| value.is_finite())

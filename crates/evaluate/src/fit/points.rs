@@ -1,44 +1,44 @@
-//! From what was seen to errors at known distances.
+//! Errors at known distances.
 
 use std::collections::BTreeMap;
 
 use super::FitError;
-use super::counting::Counting;
+use super::error_domain::ErrorDomain;
 use super::method::Method;
-use super::recording::Stand;
+use super::recording::TargetRecording;
 use super::report::Target;
-use super::target::{Seen, Sum};
+use super::target::{Observation, Sum};
 use crate::accuracy::measured::Curve;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
-/// A target that is turned farther is no measurement of a distance.
+/// The rotation above which a target does not measure a distance.
 const MOST_TILT_DEG: f64 = 5.0;
 
-/// A turn that is less than this, or than so many standard errors, is none.
+/// The rotation, in degrees and in standard errors, below which it is ignored.
 const LEAST_TILT_DEG: f64 = 0.3;
 const LEAST_ERRORS: f64 = 4.0;
 
 /// A measured error at a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Point {
-    /// True depth, m.
+    /// The true depth in metres.
     pub(super) depth_m: f64,
-    /// How much too far, as a share of the depth.
+    /// The error as a share of the depth, positive if too far.
     pub(super) error: f64,
-    /// The standard error, where it is known.
+    /// The standard error, if it is known.
     pub(super) sigma: Option<f64>,
 }
 
 /// An error of one target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OfTarget {
-    /// Which.
+    /// The index of the target.
     pub(super) target: Option<usize>,
     pub(super) point: Point,
 }
 
-/// The errors of a measured curve.
+/// Returns the errors of a measured curve.
 pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
     let points = curve.points.iter().map(|point| OfTarget {
         target: None,
@@ -51,15 +51,15 @@ pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
     points.collect()
 }
 
-/// Refuses images of several sizes.
-pub(super) fn of_one_size(seen: &[Seen], stands: &[Stand]) -> Result<(), FitError> {
-    let mut both = seen.iter().zip(stands);
+/// Returns an error if the images differ in size.
+pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) -> Result<(), FitError> {
+    let mut both = seen.iter().zip(recordings);
     let Some((first, _)) = both.next() else {
         return Ok(());
     };
     match both.find(|(one, _)| one.size != first.size) {
-        Some((other, stand)) => {
-            let path = stand
+        Some((other, recording)) => {
+            let path = recording
                 .files
                 .first()
                 .map(|files| files.sensed.clone())
@@ -71,12 +71,11 @@ pub(super) fn of_one_size(seen: &[Seen], stands: &[Stand]) -> Result<(), FitErro
     }
 }
 
-/// How targets are turned: of each how much inverse depth grows to the right and down, as a share of it, to a unit at
-/// depth 1.
+/// The rotation of targets: the relative change of inverse depth to the right and down per unit at depth 1.
 pub(super) struct Tilts {
-    /// Of each target by itself, with the standard error, and the plane's scatter; in their order.
+    /// The rotation of each target with its standard error and the scatter of its plane.
     own: BTreeMap<String, Own>,
-    /// What is put into the truth.
+    /// The rotation to apply to the true distances.
     common: Option<[f64; 2]>,
 }
 
@@ -97,10 +96,10 @@ fn degrees([right, down]: [f64; 2]) -> f64 {
     right.hypot(down).atan().to_degrees()
 }
 
-/// Of targets without images of the truth. What repeats bends the plane through one target, which spans less than a
-/// period: all together tell.
+/// Estimates the rotation of targets without ground truth images. A periodic error bends the plane through a target that
+/// spans less than a period, so all targets are combined.
 pub(super) fn tilts(
-    seen: &[Seen],
+    seen: &[Observation],
     method: &dyn Method,
     findings: &mut Vec<Finding>,
 ) -> Result<Tilts, FitError> {
@@ -111,10 +110,10 @@ pub(super) fn tilts(
         };
         let variance = match method.variance_of_mean(one, one.values()) {
             Some(variance) => variance.max(1e-8),
-            // As if neighbours were alike over a window of 7.
+            // Neighbours are assumed to be correlated over a window of 7.
             None => rms * rms * 49.0 / one.values() as f64 + 1e-8,
         };
-        let sign = method.counting().per_inverse_depth();
+        let sign = method.error_domain().per_inverse_depth();
         let of = Own {
             slope: [sign * right / middle, sign * down / middle],
             error: one.extent().map(|squares| (variance / squares).sqrt() / middle),
@@ -159,7 +158,7 @@ pub(super) fn tilts(
             "turned",
             Level::Note,
             "target",
-            format!("is turned by {angle:.2}°: that is put into the truth"),
+            format!("is rotated by {angle:.2}°; the true distances are corrected for this"),
             "",
         ));
     }
@@ -169,8 +168,8 @@ pub(super) fn tilts(
     })
 }
 
-/// What there is to say about a target.
-pub(super) fn target(one: &Seen, tilts: &Tilts, method: &dyn Method) -> Target {
+/// Reports problems of a target.
+pub(super) fn target(one: &Observation, tilts: &Tilts, method: &dyn Method) -> Target {
     let own = tilts.own.get(&one.name);
     let variance = method.variance(one);
     let step = method.step();
@@ -193,27 +192,27 @@ pub(super) fn target(one: &Seen, tilts: &Tilts, method: &dyn Method) -> Target {
     }
 }
 
-/// The errors of targets whose truth is known.
-pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
-    let counting = method.counting();
+/// Returns the errors of targets with a known true distance.
+pub(super) fn of_targets(seen: &[Observation], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
+    let error_domain = method.error_domain();
     let mut points = Vec::new();
     for (target, one) in seen.iter().enumerate() {
         let sums = match one.distance_m {
             _ if !one.by_truth.is_empty() => one.by_truth.clone(),
-            Some(distance_m) => by_truth(one, counting, distance_m, tilts.common),
+            Some(distance_m) => by_truth(one, error_domain, distance_m, tilts.common),
             None => continue,
         };
         for sum in sums.into_iter().filter(|sum| sum.values > 0) {
-            // As it was given, where it is one.
+            // The stated distance, if there is one.
             let depth_m = match one
                 .distance_m
                 .filter(|_| one.by_truth.is_empty() && tilts.common.is_none())
             {
                 Some(distance_m) => distance_m,
-                None => counting.depth_m(sum.mean_truth()),
+                None => error_domain.depth_m(sum.mean_truth()),
             };
             let [truth, measured] =
-                [sum.mean_truth(), sum.mean_measured()].map(|value| counting.depth_m(value));
+                [sum.mean_truth(), sum.mean_measured()].map(|value| error_domain.depth_m(value));
             let variance = method
                 .variance_of_mean(one, sum.values)
                 .map(|noise| noise + method.variance_of_rounding(one));
@@ -230,16 +229,21 @@ pub(super) fn of_targets(seen: &[Seen], tilts: &Tilts, method: &dyn Method) -> V
     points
 }
 
-/// The places of a target put together by their truth, of which `distance_m` is that in the middle.
+/// Groups the places of a target by their true value; `distance_m` is that of the centre.
 #[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
-fn by_truth(one: &Seen, counting: Counting, distance_m: f64, tilt: Option<[f64; 2]>) -> Vec<Sum> {
-    let middle = counting.of_depth(distance_m);
+fn by_truth(
+    one: &Observation,
+    error_domain: ErrorDomain,
+    distance_m: f64,
+    tilt: Option<[f64; 2]>,
+) -> Vec<Sum> {
+    let middle = error_domain.of_depth(distance_m);
     let mut sums: BTreeMap<i64, Sum> = BTreeMap::new();
     for place in &one.places {
         let [right, down] = tilt.unwrap_or_default();
         let turned = distance_m / (1.0 + right * place.at[0] + down * place.at[1]);
-        let truth = counting.of_depth(turned);
-        let bin = ((truth - middle) / counting.turned_bin()).round() as i64;
+        let truth = error_domain.of_depth(turned);
+        let bin = ((truth - middle) / error_domain.turned_bin()).round() as i64;
         let sum = sums.entry(bin).or_default();
         sum.truth += truth * place.sum.values as f64;
         sum.measured += place.sum.measured;

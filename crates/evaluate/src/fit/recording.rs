@@ -1,4 +1,4 @@
-//! What somebody recorded: which files are of which distance, and what is known of the truth.
+//! Recordings: the files of each distance, and the true distances.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,45 +13,45 @@ use oaktwin_pipeline::input::name::Name;
 use oaktwin_pipeline::input::replicator;
 use oaktwin_pipeline::sense::InputKind;
 
-/// The table of distances in a folder.
+/// The name of the table of distances in a folder.
 pub const TABLE: &str = "distances.csv";
 
 const SENSED: &str = "depth_sensor_distance";
 const EXTENSIONS: [&str; 4] = ["npy", "png", "exr", "pfm"];
 
-/// All that was given.
+/// The content of the inputs.
 pub(super) enum Recording {
     /// Errors over distance, without images.
     Curve(PathBuf, Curve),
-    /// Images, near to far.
-    Stands(Vec<Stand>),
+    /// Images in order of distance.
+    Targets(Vec<TargetRecording>),
 }
 
-/// Images of a target that stood still, or with their truth beside them.
+/// Images of a static target, or with the ground truth of each.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stand {
-    /// For people.
+pub(super) struct TargetRecording {
+    /// The path to report.
     pub(super) name: String,
-    /// Along the optical axis, m, where it is known.
+    /// The depth along the optical axis in metres, if it is known.
     pub(super) distance_m: Option<f64>,
-    /// In the order of time.
+    /// The images in chronological order.
     pub(super) files: Vec<Files>,
 }
 
-/// What a sensor reported, and what was there.
+/// A measured image and its ground truth.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Files {
     pub(super) sensed: PathBuf,
-    /// Depth along the axis, m.
+    /// The true depth along the optical axis in metres.
     pub(super) truth: Option<PathBuf>,
 }
 
-/// A file or folder, and its images.
+/// A file or folder and its images.
 type Named = (PathBuf, Vec<Files>);
 
-/// Reads what was given: one curve, or images. Of a folder by camera, that of `prim` where there is one.
+/// Reads the inputs: one curve, or images. In a folder with several cameras, `prim` selects the camera.
 pub(super) fn open(paths: &[PathBuf], prim: &str) -> Result<Recording, FitError> {
-    let mut stands: Vec<Stand> = Vec::new();
+    let mut recordings: Vec<TargetRecording> = Vec::new();
     let mut distances: BTreeMap<u64, Vec<Named>> = BTreeMap::new();
     for path in paths {
         let is_table = path
@@ -76,36 +76,36 @@ pub(super) fn open(paths: &[PathBuf], prim: &str) -> Result<Recording, FitError>
                 distances.entry(distance_m.to_bits()).or_default().push(of);
             }
         } else if path.is_dir() {
-            stands.extend(folder(path, prim)?);
+            recordings.extend(folder(path, prim)?);
         } else {
-            stands.push(Stand {
+            recordings.push(TargetRecording {
                 name: path.display().to_string(),
                 distance_m: None,
                 files: vec![alone(path.clone())],
             });
         }
     }
-    // Bits of numbers above 0 are in their order.
+    // The bit patterns of positive numbers are in the order of the numbers.
     for (bits, of) in distances {
         let name = match &of[..] {
             [(name, _)] => name.display().to_string(),
             [(first, _), ..] => format!("{} and {} more", first.display(), of.len() - 1),
             [] => continue,
         };
-        stands.push(Stand {
+        recordings.push(TargetRecording {
             name,
             distance_m: Some(f64::from_bits(bits)),
             files: of.into_iter().flat_map(|(_, files)| files).collect(),
         });
     }
-    Ok(Recording::Stands(stands))
+    Ok(Recording::Targets(recordings))
 }
 
 fn alone(sensed: PathBuf) -> Files {
     Files { sensed, truth: None }
 }
 
-/// The rows of a table of distances: of each the distance, m, and the file or folder with its images.
+/// Returns the rows of a table of distances: the distance in metres, and the file or folder of images.
 fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
     let text = table::text(file, "a table of distances")?;
     let folder = file.parent().unwrap_or(Path::new(""));
@@ -116,13 +116,13 @@ fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
         let name = row.fields[0].as_str();
         let line = row.line;
         if name.is_empty() {
-            let what = format!("line {line}: file: there is no name");
+            let what = format!("line {line}: file: the name is missing");
             return Err(in_table(wrong(what, "name a file or folder beside the table")));
         }
         let distance_m = distances::in_row(&row, 1).map_err(in_table)?;
         if let Some(before) = seen.insert(name.to_owned(), line) {
-            let what = format!("line {line}: {name} stands in line {before} too");
-            return Err(in_table(wrong(what, "leave one of them out")));
+            let what = format!("line {line}: {name} is also in line {before}");
+            return Err(in_table(wrong(what, "remove one of them")));
         }
         let path = folder.join(name);
         let images = if path.is_dir() {
@@ -137,7 +137,7 @@ fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
             let names = names(folder)?;
             let near = nearest(name, names.iter().map(String::as_str));
             let remedy = if near.is_empty() {
-                "name files and folders as they are beside the table".to_owned()
+                "name files and folders that lie beside the table".to_owned()
             } else {
                 format!("did you mean {}?", near.join(" or "))
             };
@@ -149,14 +149,14 @@ fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
     Ok(all)
 }
 
-/// A folder without a table: with ground truth beside the sensor's images, or images alone.
-fn folder(path: &Path, prim: &str) -> Result<Vec<Stand>, FileError> {
+/// Reads a folder without a table: with ground truth beside the sensor's images, or images alone.
+fn folder(path: &Path, prim: &str) -> Result<Vec<TargetRecording>, FileError> {
     let Ok(cameras) = replicator::cameras(path) else {
         let files = images(path)?;
         if files.is_empty() {
             return Err(nothing(path));
         }
-        return Ok(vec![Stand {
+        return Ok(vec![TargetRecording {
             name: path.display().to_string(),
             distance_m: None,
             files: files.into_iter().map(alone).collect(),
@@ -164,7 +164,7 @@ fn folder(path: &Path, prim: &str) -> Result<Vec<Stand>, FileError> {
     };
     let is_of_sensor = |name: &Path| name == Path::new(prim);
     let any = cameras.iter().any(|camera| is_of_sensor(&camera.name));
-    let mut stands = Vec::new();
+    let mut recordings = Vec::new();
     for camera in cameras {
         if any && !is_of_sensor(&camera.name) {
             continue;
@@ -184,7 +184,7 @@ fn folder(path: &Path, prim: &str) -> Result<Vec<Stand>, FileError> {
             if frame.kind != InputKind::Z {
                 return Err(FileError::new(
                     &frame.depth,
-                    "is the distance from the camera, and the truth is needed along its axis",
+                    "is the distance from the camera, but depth along the optical axis is required",
                     "render distance_to_image_plane",
                 ));
             }
@@ -194,32 +194,32 @@ fn folder(path: &Path, prim: &str) -> Result<Vec<Stand>, FileError> {
             });
         }
         if !files.is_empty() {
-            stands.push(Stand {
+            recordings.push(TargetRecording {
                 name: own.display().to_string(),
                 distance_m: None,
                 files,
             });
         }
     }
-    if stands.is_empty() {
+    if recordings.is_empty() {
         return Err(FileError::new(
             path,
-            format!("holds ground truth and nothing that a sensor reported: no {SENSED}_0000.npy"),
+            format!("contains ground truth but no output of a depth sensor ({SENSED}_0000.npy)"),
             format!("name the sensor's own recording, with a {TABLE} of file,distance_m"),
         ));
     }
-    Ok(stands)
+    Ok(recordings)
 }
 
 fn nothing(path: &Path) -> FileError {
     FileError::new(
         path,
-        "holds no depth images",
+        "contains no depth images",
         format!("give NPY, 16-bit PNG, EXR or PFM files, and a {TABLE} of file,distance_m beside them"),
     )
 }
 
-/// The depth images in a folder by name: what a sensor reported where names say so.
+/// Returns the depth images of a folder by name, those of a depth sensor if the names distinguish them.
 fn images(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let is_image = |path: &PathBuf| {
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
@@ -237,7 +237,7 @@ fn images(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if images.iter().any(is_sensed) {
         images.retain(is_sensed);
     }
-    // In time: by number first, so that 10 comes after 9.
+    // Chronologically: by number first, so that 10 follows 9.
     images.sort_by(|(a, a_path), (b, b_path)| (&a.base, a.number, a_path).cmp(&(&b.base, b.number, b_path)));
     Ok(images.into_iter().map(|(_, path)| path).collect())
 }

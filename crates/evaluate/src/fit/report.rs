@@ -1,150 +1,151 @@
-//! What a fit says: units are in its names, or in [`Report::unit`].
+//! The results of a fit. Units are in the names, or in [`Report::unit`].
 
 use serde::Serialize;
 
 use oaktwin_pipeline::sensor::EngineKind;
 
-/// The parameters of an engine, and how well they are known.
+/// The fitted parameters of an engine and their uncertainty.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// The model's name.
+    /// The name of the model.
     pub model: String,
-    /// The prim of its depth sensor.
+    /// The prim of the depth sensor.
     pub sensor: String,
-    /// The engine: `stereo-noise`, `time-of-flight`.
+    /// The name of the engine: `stereo-noise` or `time-of-flight`.
     pub engine: &'static str,
-    /// Of errors and noise: px of disparity, or m of depth along the axis.
+    /// The unit of errors and noise: pixels of disparity, or metres of depth along the optical axis.
     pub unit: &'static str,
-    /// What was found.
+    /// The fitted parameters.
     pub parameters: Vec<Parameter>,
-    /// What was not, and why.
+    /// The parameters that were not fitted, with the reasons.
     pub not_found: Vec<NotFound>,
-    /// With which focal length it was looked, px at [`Report::width_px`]: the fitted one where it was free.
+    /// The focal length in pixels at [`Report::width_px`]: the fitted one if it was free.
     pub focal_length_px: f64,
-    /// The width of its images, px.
+    /// The width of the images in pixels.
     pub width_px: u32,
-    /// The baseline, m, of stereo.
+    /// The baseline of a stereo camera in metres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub baseline_m: Option<f64>,
-    /// The step of disparity, px, of stereo.
+    /// The step of disparity of a stereo camera in pixels.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_px: Option<f64>,
-    /// Whether the errors had lost their sign.
+    /// Whether the errors are absolute.
     pub is_absolute: bool,
-    /// Nearer than this nothing counts, m.
+    /// The distance in metres below which errors were ignored.
     pub from_m: f64,
-    /// How well the curve fits; `None` without true distances.
+    /// The quality of the fit; `None` without true distances.
     pub curve: Option<Curve>,
-    /// The turn of the targets, as it was put into the truth; `None` where they are perpendicular, as far as can be told.
+    /// The rotation of the targets that was applied to the true distances; `None` if they are perpendicular within the
+    /// uncertainty.
     pub tilt_deg: Option<f64>,
-    /// The files and folders.
+    /// The input files and folders.
     pub sources: Vec<String>,
-    /// Of each target; empty for a curve of errors.
+    /// The targets; empty for a curve of errors.
     pub targets: Vec<Target>,
-    /// Of each distance, or each step of disparity of a target that has many.
+    /// The points: one per distance, or one per step of disparity of an oblique target.
     pub points: Vec<FittedPoint>,
-    /// Whether nothing was left out or odd.
+    /// Whether all parameters were fitted and nothing was reported.
     pub passed: bool,
 }
 
 /// A fitted parameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parameter {
-    /// As `--param` takes it.
+    /// The name as in `--param`.
     pub name: &'static str,
-    /// In its own unit.
+    /// The value in the parameter's unit.
     pub value: f64,
-    /// Where it lies in 95 of 100 such recordings; `None` where too little was recorded to say.
+    /// The 95 % confidence interval; `None` if the recording is too small for one.
     #[serde(rename = "confidence_interval_95")]
     pub interval_95: Option<[f64; 2]>,
-    /// Of the value.
+    /// The unit of the value.
     pub unit: &'static str,
-    /// What it is.
+    /// A description.
     #[serde(rename = "description")]
     pub what: &'static str,
-    /// Whether it was measured, or given.
+    /// Whether the value was measured rather than given.
     pub is_fitted: bool,
 }
 
-/// A parameter that the recording does not tell.
+/// A parameter that the recording does not determine.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct NotFound {
-    /// As `--param` takes it.
+    /// The name as in `--param`.
     pub name: &'static str,
-    /// Why.
+    /// The reason.
     #[serde(rename = "reason")]
     pub why: String,
 }
 
-/// How well a curve fits its points.
+/// The quality of a fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Curve {
-    /// Points that counted.
+    /// The number of points used.
     pub points: usize,
-    /// The root mean square of their deviations.
+    /// The root mean square of the residuals.
     pub rms: f64,
-    /// The same, percent of the distance.
+    /// The root mean square of the residuals in percent of the distance.
     pub rms_percent: f64,
-    /// Of the errors in percent; `None` where they do not vary.
+    /// The coefficient of determination of the errors in percent; `None` if they do not vary.
     pub r_squared: Option<f64>,
-    /// The scatter of the points over that which their noise explains, 1 where it explains all; `None` where their noise is
-    /// not known.
+    /// The ratio of the scatter of the points to that explained by their noise, 1 if the noise explains all of it; `None` if
+    /// the noise is unknown.
     #[serde(rename = "reduced_chi")]
     pub scatter: Option<f64>,
 }
 
-/// What was seen of one target.
+/// The measurements of one target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Target {
-    /// Its file or folder.
+    /// The file or folder.
     pub name: String,
-    /// The true distance, where it was given.
+    /// The true distance, if it was given.
     pub distance_m: Option<f64>,
-    /// Images.
+    /// The number of images.
     pub frames: usize,
-    /// The share of the region's pixels that have a value.
+    /// The share of the region's pixels that are valid.
     pub fill_rate: f64,
-    /// The share of those that are far from all others.
+    /// The share of valid pixels that are mismatches.
     #[serde(rename = "outlier_rate")]
     pub mismatch_rate: f64,
-    /// How far it is turned, by the plane through its points.
+    /// The rotation of the plane through its points.
     pub tilt_deg: Option<f64>,
-    /// The standard deviation of a pixel over time, with what steps add.
+    /// The standard deviation of a pixel over time, including that of steps.
     pub temporal_noise: Option<f64>,
-    /// What is left over space of the mean over time, px: the same in every frame.
+    /// The standard deviation over space of the mean over time: the pattern that is the same in every frame.
     pub fixed_pattern: Option<f64>,
 }
 
-/// A measured error, and the curve there.
+/// A measured error and the fitted one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FittedPoint {
-    /// Which of [`Report::targets`], from 0; `None` of a curve of errors.
+    /// The index in [`Report::targets`]; `None` for a curve of errors.
     pub target: Option<usize>,
-    /// True distance.
+    /// The true distance.
     pub distance_m: f64,
-    /// Of the measured one, above 0 it is too far.
+    /// The measured error, positive if too far.
     pub error_percent: f64,
-    /// The same in [`Report::unit`]: of disparity, below 0 it is too far.
+    /// The measured error in [`Report::unit`]; an error of disparity is negative if too far.
     pub error: f64,
     /// The standard error.
     #[serde(rename = "standard_error")]
     pub sigma: Option<f64>,
-    /// The curve's.
+    /// The error of the fitted curve.
     pub fitted_percent: Option<f64>,
-    /// The curve's.
+    /// The error of the fitted curve in [`Report::unit`].
     pub fitted: Option<f64>,
-    /// Whether it counted.
+    /// Whether the point was used.
     pub is_used: bool,
 }
 
 impl Report {
-    /// A fitted parameter by name.
+    /// Returns a fitted parameter by name.
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<&Parameter> {
         self.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    /// For people: the unit, and how many there are to one of [`Report::unit`].
+    /// Returns a readable unit, and its number per [`Report::unit`].
     #[must_use]
     pub fn shown_unit(&self) -> (&'static str, f64) {
         match self.unit {
@@ -153,13 +154,13 @@ impl Report {
         }
     }
 
-    /// The engine.
+    /// Returns the engine.
     #[must_use]
     pub fn engine_kind(&self) -> Option<&'static EngineKind> {
         EngineKind::parse(self.engine).ok()
     }
 
-    /// As a file that `--params` reads.
+    /// Formats the parameters as a file for `--params`.
     #[must_use]
     pub fn toml(&self) -> String {
         let text = |text: &str| toml::Value::String(text.to_owned()).to_string();
@@ -188,14 +189,14 @@ impl Report {
         }
         for missing in &self.not_found {
             lines.push(format!(
-                "# {}: not found, {}",
+                "# {}: not fitted, {}",
                 missing.name,
                 missing.why.replace(['\n', '\r'], " ")
             ));
         }
         lines.extend([
             String::new(),
-            "# For people: nothing reads what follows.".to_owned(),
+            "# Information only; the following is not read.".to_owned(),
             "[fit]".to_owned(),
             format!("model = {}", text(&self.model)),
             format!("sensor = {}", text(&self.sensor)),
@@ -230,7 +231,7 @@ impl Report {
     }
 }
 
-/// With as many digits as mean something.
+/// Formats a number with its significant digits.
 pub(super) fn number(value: f64) -> String {
     let digits = match value.abs() {
         size if size >= 10.0 => 2,

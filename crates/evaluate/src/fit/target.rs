@@ -1,44 +1,44 @@
-//! What was seen of a target, frame by frame.
+//! The evaluation of a target, frame by frame.
 
 use std::collections::BTreeMap;
 
 use crate::measure::{Autocovariance, Region, median};
 
 use super::FitError;
-use super::counting::Counting;
-use super::recording::{Files, Stand};
+use super::error_domain::ErrorDomain;
+use super::recording::{Files, TargetRecording};
 use oaktwin_camera::ImageSize;
 use oaktwin_files::FileError;
 use oaktwin_image::Image;
 use oaktwin_pipeline::input::source::Source;
 
-/// Covariances are taken up to so many pixels apart.
+/// The maximum lag of covariances in pixels.
 const MOST_LAGS: usize = 48;
 
-/// What is farther from the region's median than so many times the usual is a mismatch.
+/// The distance from the region's median, as a multiple of the median deviation, above which a value is a mismatch.
 const MISMATCH: f64 = 6.0;
 
-/// Places of a region that are kept apart; larger regions are averaged over squares.
+/// The maximum number of separate places in a region; larger regions are averaged over squares.
 const MOST_PLACES: f64 = 4096.0;
 
-/// How to look.
+/// The settings of an evaluation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
-    /// In what.
-    pub(super) counting: Counting,
-    /// The least step that tells anything: what is within is no mismatch.
+    /// The quantity in which errors are counted.
+    pub(super) error_domain: ErrorDomain,
+    /// The smallest significant step: values within it are not mismatches.
     pub(super) step: f64,
-    /// Focal length over width.
+    /// The focal length divided by the width.
     pub(super) focal_of_width: f64,
-    /// The side of the region as a share of the image's.
+    /// The side of the region as a share of the image's side.
     pub(super) region: f64,
-    /// Metres to a unit of whole numbers.
+    /// Metres per unit of integer images.
     pub(super) unit_m: f64,
-    /// Whether whole units are those below, not the nearest.
+    /// Whether depth is rounded down to whole units rather than to the nearest.
     pub(super) is_truncated: bool,
 }
 
-/// Sums of values at one place or of one truth.
+/// Sums of values at one place or of one true value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Sum {
     pub(super) truth: f64,
@@ -56,47 +56,47 @@ impl Sum {
     }
 }
 
-/// A part of the region, and where it is seen at depth 1, from the region's middle.
+/// A part of the region, and its position at depth 1 relative to the centre of the region.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) at: [f64; 2],
     pub(super) sum: Sum,
 }
 
-/// What was seen of one target.
+/// The measurements of one target.
 #[derive(Clone, Debug)]
-pub(super) struct Seen {
+pub(super) struct Observation {
     pub(super) name: String,
     pub(super) distance_m: Option<f64>,
     pub(super) size: ImageSize,
     pub(super) frames: usize,
-    /// Of the region's pixels.
+    /// The share of the region's pixels that are valid.
     pub(super) fill_rate: f64,
-    /// Of its valid pixels, mismatches.
+    /// The share of the valid pixels that are mismatches.
     pub(super) mismatch_rate: f64,
-    /// Without images of the truth, the mean over time at each place.
+    /// Without images of the ground truth, the mean over time at each place.
     pub(super) places: Vec<Place>,
-    /// With them, the sums by truth.
+    /// With ground truth, the sums by true value.
     pub(super) by_truth: Vec<Sum>,
-    /// Of each pair of frames one after the other, half of their difference's.
+    /// The covariance of half of the differences of consecutive frames.
     pub(super) pairs: Vec<Autocovariance>,
-    /// Of each pair of frames two apart, half of their difference's, of a pixel with itself.
+    /// The variance of half of the differences of frames two apart.
     pub(super) apart: Autocovariance,
-    /// The side of the squares that are averaged, px.
+    /// The side of the averaged squares in pixels.
     pub(super) square: u32,
-    /// The mean depth, m.
+    /// The mean depth in metres.
     pub(super) depth_m: f64,
-    /// A whole unit of depth at the middle; 0 where depth is not in whole units.
+    /// The size of a unit of depth at the centre; 0 if depth is not in whole units.
     pub(super) unit: f64,
 }
 
-impl Seen {
-    /// Half of the variance of a pixel's differences, steps and all.
+impl Observation {
+    /// Returns half of the variance of a pixel's differences, including that of steps.
     pub(super) fn variance(&self) -> Option<f64> {
         self.noise()?.at(0)
     }
 
-    /// Of all pairs together.
+    /// Returns the covariance over all pairs of frames.
     pub(super) fn noise(&self) -> Option<Autocovariance> {
         let mut pairs = self.pairs.iter();
         let mut all = pairs.next()?.clone();
@@ -104,13 +104,13 @@ impl Seen {
         Some(all)
     }
 
-    /// What whole steps and whole units add to the variance of a pixel.
+    /// Returns the variance that rounding to steps and units adds to a pixel.
     pub(super) fn rounding(&self, step: f64) -> f64 {
         (step * step + self.unit * self.unit) / 12.0
     }
 
-    /// A plane through the values: at the middle, and to the right and down, to a unit at depth 1; and the root mean
-    /// square of what deviates from it.
+    /// Fits a plane to the values: its value at the centre, its slopes to the right and down per unit at depth 1, and the root
+    /// mean square of the residuals.
     pub(super) fn plane(&self) -> Option<([f64; 3], f64)> {
         let places = || self.places.iter().filter(|place| place.sum.values > 0);
         let (mut weight, mut mean) = (0.0, [0.0; 3]);
@@ -148,7 +148,7 @@ impl Seen {
         Some(([middle, right, down], rest.sqrt()))
     }
 
-    /// The mean squares of the places' offsets to the right and down.
+    /// Returns the mean squares of the places' offsets to the right and down.
     pub(super) fn extent(&self) -> [f64; 2] {
         let weight = self
             .places
@@ -164,17 +164,17 @@ impl Seen {
         })
     }
 
-    /// How many values count, in all frames.
+    /// Returns the number of valid values in all frames.
     pub(super) fn values(&self) -> u64 {
         let places = self.places.iter().map(|place| place.sum.values);
         places.chain(self.by_truth.iter().map(|sum| sum.values)).sum()
     }
 }
 
-/// Looks at all images of a target.
-pub(super) fn look(stand: &Stand, look: &Look) -> Result<Seen, FitError> {
-    let mut eye: Option<Eye> = None;
-    for files in &stand.files {
+/// Evaluates all images of a target.
+pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observation, FitError> {
+    let mut observer: Option<Observer> = None;
+    for files in &recording.files {
         let mut sensed = Source::open(&files.sensed, look.unit_m)?;
         let mut truth = files
             .truth
@@ -183,9 +183,9 @@ pub(super) fn look(stand: &Stand, look: &Look) -> Result<Seen, FitError> {
             .transpose()?;
         while let Some(image) = sensed.next_image()? {
             let size = ImageSize::new(image.width(), image.height());
-            let eye = eye.get_or_insert_with(|| Eye::new(*look, size, stand));
-            if size != eye.size {
-                return Err(differs(files, size, eye.size, &stand.files[0]).into());
+            let observer = observer.get_or_insert_with(|| Observer::new(*look, size, recording));
+            if size != observer.size {
+                return Err(differs(files, size, observer.size, &recording.files[0]).into());
             }
             let truth = match &mut truth {
                 Some(source) => match source.next_image()? {
@@ -194,12 +194,13 @@ pub(super) fn look(stand: &Stand, look: &Look) -> Result<Seen, FitError> {
                 },
                 None => None,
             };
-            eye.add(&image, truth.as_ref());
+            observer.add(&image, truth.as_ref());
         }
     }
-    let eye =
-        eye.ok_or_else(|| FitError::Option(format!("{}: contains no images; remove it", stand.name).into()))?;
-    Ok(eye.seen(stand))
+    let observer = observer.ok_or_else(|| {
+        FitError::Option(format!("{}: contains no images; remove it", recording.name).into())
+    })?;
+    Ok(observer.seen(recording))
 }
 
 fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> FileError {
@@ -214,12 +215,15 @@ fn no_truth(files: &Files) -> FileError {
     let truth = files.truth.as_deref().unwrap_or(&files.sensed);
     FileError::new(
         truth,
-        format!("has no image of the size of that in {}", files.sensed.display()),
-        "give the truth of each image, in its size",
+        format!(
+            "contains no image of the same size as the one in {}",
+            files.sensed.display()
+        ),
+        "give the ground truth of each image in its size",
     )
 }
 
-struct Eye {
+struct Observer {
     look: Look,
     size: ImageSize,
     region: Region,
@@ -231,14 +235,14 @@ struct Eye {
     square: u32,
     places: Vec<Place>,
     by_truth: BTreeMap<i64, Sum>,
-    /// The frame before, and that before it.
+    /// The two previous frames.
     before: [Option<(Vec<f32>, Vec<f32>)>; 2],
     apart: Autocovariance,
     pairs: Vec<Autocovariance>,
 }
 
-impl Eye {
-    fn new(look: Look, size: ImageSize, stand: &Stand) -> Self {
+impl Observer {
+    fn new(look: Look, size: ImageSize, recording: &TargetRecording) -> Self {
         let region = Region::centred(size.width, size.height, look.region);
         let [columns, rows] = [region.columns.len(), region.rows.len()];
         #[expect(
@@ -247,7 +251,7 @@ impl Eye {
             reason = "below an image's side"
         )]
         let square = ((region.pixels() as f64 / MOST_PLACES).sqrt().ceil() as u32).max(1);
-        let has_truth = stand.files.iter().any(|files| files.truth.is_some());
+        let has_truth = recording.files.iter().any(|files| files.truth.is_some());
         let focal_px = look.focal_of_width * f64::from(size.width);
         let side = |pixels: usize| pixels.div_ceil(square as usize);
         let place = |i: usize| {
@@ -292,7 +296,7 @@ impl Eye {
         } else {
             0.0
         };
-        let counting = self.look.counting;
+        let error_domain = self.look.error_domain;
         let depths = |image: &Image<f32>| -> Vec<f32> {
             self.region.rows_of(image.into()).flatten().copied().collect()
         };
@@ -306,7 +310,7 @@ impl Eye {
         }
         let value = |z: f32, below: f64| {
             if z.is_finite() && z > 0.0 {
-                counting.of_depth(f64::from(z) + below)
+                error_domain.of_depth(f64::from(z) + below)
             } else {
                 f64::NAN
             }
@@ -328,8 +332,8 @@ impl Eye {
             let pairs = offs.iter().zip(before).zip(shift.iter().zip(old_shift));
             pairs
                 .map(|((&new, &old), (&a, &b))| {
-                    // What moved has another error of those that repeat.
-                    let is_same = f64::from((a - b).abs()) <= counting.still();
+                    // A moving surface has another periodic error.
+                    let is_same = f64::from((a - b).abs()) <= error_domain.still();
                     if is_same { (new - old) * half } else { f32::NAN }
                 })
                 .collect()
@@ -352,7 +356,9 @@ impl Eye {
                 continue;
             }
             let sum = if self.places.is_empty() {
-                self.by_truth.entry((truth / counting.bin()) as i64).or_default()
+                self.by_truth
+                    .entry((truth / error_domain.bin()) as i64)
+                    .or_default()
             } else {
                 let at = (i / columns / square) * columns.div_ceil(square) + i % columns / square;
                 match self.places.get_mut(at) {
@@ -368,7 +374,7 @@ impl Eye {
         *older = last.replace((offs, shift));
     }
 
-    fn seen(self, stand: &Stand) -> Seen {
+    fn seen(self, recording: &TargetRecording) -> Observation {
         let pixels = (self.region.pixels() * self.frames).max(1);
         let sums = || {
             self.places
@@ -378,10 +384,10 @@ impl Eye {
         };
         let values = sums().map(|sum| sum.values).sum::<u64>();
         let mean = sums().map(|sum| sum.measured).sum::<f64>() / values as f64;
-        let depth_m = self.look.counting.depth_m(mean);
-        Seen {
-            name: stand.name.clone(),
-            distance_m: stand.distance_m,
+        let depth_m = self.look.error_domain.depth_m(mean);
+        Observation {
+            name: recording.name.clone(),
+            distance_m: recording.distance_m,
             size: self.size,
             frames: self.frames,
             fill_rate: self.valid as f64 / pixels as f64,
@@ -392,12 +398,13 @@ impl Eye {
             apart: self.apart,
             square: self.square,
             depth_m,
-            unit: self.look.counting.of_unit(self.unit_m, depth_m),
+            unit: self.look.error_domain.of_unit(self.unit_m, depth_m),
         }
     }
 }
 
-/// Makes mismatches NaN: what is farther from the middle than several times the median deviation. How many.
+/// Replaces mismatches, which differ from the median by several times the median deviation, by NaN, and returns their
+/// number.
 fn drop_mismatches(offs: &mut [f32], step: f64) -> u64 {
     let finite: Vec<f64> = offs
         .iter()

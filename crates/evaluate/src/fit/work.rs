@@ -1,4 +1,4 @@
-//! What is being made of recordings, whatever the engine.
+//! The evaluation of recordings, common to all engines.
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -9,14 +9,14 @@ use rayon::prelude::*;
 
 use super::method::{Fitted, Method};
 use super::points::{self, OfTarget, Point};
-use super::recording::Stand;
+use super::recording::TargetRecording;
 use super::report::{Curve, FittedPoint, NotFound, Parameter, Report};
-use super::target::{self, Look, Seen};
+use super::target::{self, Look, Observation};
 use super::{FitError, Options, findings};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_pipeline::progress::{Progress, Watch};
 
-/// What is being made.
+/// The state of a fit.
 pub(super) struct Work<'a> {
     pub(super) report: Report,
     pub(super) options: &'a Options,
@@ -24,38 +24,41 @@ pub(super) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Looks at all images: the noise, the targets, and the errors where the truth is known.
+    /// Evaluates all images: the noise, the targets, and the errors where the true distance is known.
     pub(super) fn look(
         &mut self,
-        stands: &[Stand],
+        recordings: &[TargetRecording],
         method: &mut dyn Method,
         watch: &Watch<'_>,
     ) -> Result<Vec<OfTarget>, FitError> {
         let (focal_length_px, width_px) = method.focal_length_px();
         let look = Look {
-            counting: method.counting(),
+            error_domain: method.error_domain(),
             step: method.step(),
             focal_of_width: focal_length_px / f64::from(width_px),
             region: self.options.region,
             unit_m: self.options.depth_scale,
             is_truncated: method.is_truncated(),
         };
-        let (done, total) = (AtomicU64::new(0), stands.len() as u64);
-        let look_at = |stand| {
-            let seen = target::look(stand, &look)?;
+        let (done, total) = (AtomicU64::new(0), recordings.len() as u64);
+        let look_at = |recording| {
+            let seen = target::look(recording, &look)?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             match watch(Progress { done, total }) {
                 ControlFlow::Continue(()) => Ok(seen),
                 ControlFlow::Break(()) => Err(FitError::Interrupted),
             }
         };
-        let seen: Vec<Seen> = stands.par_iter().map(look_at).collect::<Result<_, FitError>>()?;
-        points::of_one_size(&seen, stands)?;
-        findings::of_targets(&seen, look.counting, &mut self.findings);
+        let seen: Vec<Observation> = recordings
+            .par_iter()
+            .map(look_at)
+            .collect::<Result<_, FitError>>()?;
+        points::of_one_size(&seen, recordings)?;
+        findings::of_targets(&seen, look.error_domain, &mut self.findings);
         if seen.iter().all(|one| one.values() == 0) {
             return Err(FitError::Option(message![
                 self.report.sources.join(", "),
-                ": nothing was measured in the middle of any image; record again, or increase ",
+                ": the centre of every image is invalid; record again, or increase ",
                 opt("region")
             ]));
         }
@@ -92,7 +95,7 @@ impl Work<'_> {
         ));
     }
 
-    /// Puts the systematic error's parameters before those of the noise.
+    /// Moves the parameters of the systematic error before those of the noise.
     pub(super) fn put_first(&mut self, mut parameters: Vec<Parameter>) {
         parameters.append(&mut self.report.parameters);
         self.report.parameters = parameters;
@@ -108,10 +111,10 @@ impl Work<'_> {
         let used = points.iter().zip(&are_used).filter(|(_, is_used)| **is_used);
         let used: Vec<Point> = used.map(|(one, _)| one.point).collect();
         let found = method.systematic(&used, self);
-        let counting = method.counting();
+        let error_domain = method.error_domain();
         let is_absolute = self.report.is_absolute;
         let counted = |error: f64, depth_m: f64| {
-            let error = counting.of_error(error, depth_m);
+            let error = error_domain.of_error(error, depth_m);
             if is_absolute { error.abs() } else { error }
         };
         let fitted_point = |(one, &is_used): (&OfTarget, &bool)| {

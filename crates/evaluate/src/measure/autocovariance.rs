@@ -1,6 +1,6 @@
-/// Mean products of an image's values with those so many pixels farther along rows and columns, summed up image by image.
+/// The autocovariance of images along rows and columns, accumulated image by image.
 ///
-/// The values are deviations, of mean 0; NaN is none.
+/// The values are deviations with mean 0; NaN is invalid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Autocovariance {
     products: Vec<f64>,
@@ -8,7 +8,7 @@ pub struct Autocovariance {
 }
 
 impl Autocovariance {
-    /// For distances of 0 to `lags − 1` px.
+    /// Creates an empty autocovariance for lags of 0 to `lags − 1` px.
     #[must_use]
     pub fn new(lags: usize) -> Self {
         Self {
@@ -17,7 +17,7 @@ impl Autocovariance {
         }
     }
 
-    /// Adds an image of rows that are `width` px wide.
+    /// Adds an image whose rows are `width` px wide.
     pub fn add(&mut self, values: &[f32], width: usize) {
         let width = width.max(1);
         for (lag, (product, count)) in self.products.iter_mut().zip(&mut self.counts).enumerate() {
@@ -42,7 +42,7 @@ impl Autocovariance {
         }
     }
 
-    /// Adds what another, for as many lags, has summed up.
+    /// Adds another autocovariance with the same number of lags.
     pub fn merge(&mut self, other: &Self) {
         for (sum, more) in self.products.iter_mut().zip(&other.products) {
             *sum += more;
@@ -52,20 +52,20 @@ impl Autocovariance {
         }
     }
 
-    /// The covariance so many pixels apart; `None` where no two values are.
+    /// Returns the covariance at a lag in pixels; `None` without pairs of values.
     #[must_use]
     pub fn at(&self, lag: usize) -> Option<f64> {
         let count = *self.counts.get(lag)?;
         (count > 0).then(|| self.products.get(lag).copied().unwrap_or_default() / count as f64)
     }
 
-    /// How many values were added.
+    /// Returns the number of values.
     #[must_use]
     pub fn values(&self) -> u64 {
         self.counts.first().copied().unwrap_or_default()
     }
 
-    /// How many lags.
+    /// Returns the number of lags.
     #[must_use]
     pub fn lags(&self) -> usize {
         self.products.len()
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn products_along_rows_and_columns() {
+    fn averages_products_along_rows_and_columns() {
         let mut sums = Autocovariance::new(3);
         sums.add(&[1.0, 2.0, f32::NAN, 4.0, 5.0, 6.0], 3);
         // 1 4 25 36 16; 1·2 4·5 5·6 and 1·4 2·5; 4·6.

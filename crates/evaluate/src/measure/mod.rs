@@ -1,12 +1,12 @@
-//! How good a depth camera is, from its images of a flat board at a known distance: numbers, no opinions.
+//! Measures the quality of a depth camera from images of a flat board at a known distance.
 //!
-//! [`vendor`] measures as Luxonis does (its documentation of depth accuracy): of each capture's region drop what is
-//! invalid and the top and bottom 5 %, take the median; the mean of that over the captures against the true distance is
-//! the error. [`quality`] has the measures of the field beside it, as librealsense's depth quality tool defines them:
+//! [`vendor`] implements Luxonis' method (documentation of depth accuracy): in the region of each capture it drops invalid
+//! pixels and the top and bottom 5 % and takes the median; the error is the mean of the medians over the captures compared
+//! with the true distance. [`quality`] returns the field's other measures as librealsense's depth quality tool defines them:
 //! fill rate, plane-fit RMS in metres and in pixels of disparity, Z accuracy, temporal noise.
 //!
-//! Images are metres along the optical axis; what is not finite and above 0 is no value. Captures are images of one
-//! camera that does not move, in one size. Nothing here is limited to stereo but the RMS in pixels.
+//! Images are in metres along the optical axis; values that are not finite or not above 0 are invalid. Captures are images
+//! of one size from a camera that does not move. Only the RMS in pixels is specific to stereo.
 
 mod autocovariance;
 mod plane;
@@ -22,7 +22,7 @@ pub use region::Region;
 pub use statistics::{median, quantile, r_squared};
 pub use vendor::{TRIMMED, Vendor, vendor};
 
-/// Whether something was measured.
+/// Whether a value is valid.
 fn is_valid(z: f32) -> bool {
     z.is_finite() && z > 0.0
 }

@@ -3,19 +3,17 @@ use oaktwin_camera::math::DVec3;
 /// A plane in the camera's frame (x right, y down, z forward; metres): the points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Of unit length, away from the camera.
+    /// The unit normal, which points away from the camera.
     pub normal: DVec3,
-    /// From the optical centre, m; above 0.
+    /// The distance from the optical centre in metres, above 0.
     pub distance_m: f64,
 }
 
 impl Plane {
-    /// The plane that fits points seen by a depth camera; `None` where they do not make one, or where it would go through
-    /// the camera.
+    /// Fits a plane to points seen by a depth camera; `None` if they do not define one, or if it would pass through the camera.
     ///
-    /// The inverse depth of a plane is linear in the image: what is least in sum are the squared errors of inverse depth,
-    /// that is of disparity. Unlike a fit by the points' distances it holds where noise along the rays is larger than
-    /// what is seen of the board.
+    /// The inverse depth of a plane is linear in the image, so the fit minimizes the squared errors of inverse depth, that is of
+    /// disparity. Unlike a fit of distances, it works where the noise along the rays exceeds the visible extent of the board.
     #[must_use]
     pub fn fitted(points: &[DVec3]) -> Option<Self> {
         let count = points.len() as f64;
@@ -31,7 +29,7 @@ impl Plane {
             yw += off.y * off.z;
         }
         let determinant = xx * yy - xy * xy;
-        // In a row, up to rounding.
+        // The points are collinear up to rounding.
         if determinant.is_nan() || determinant <= 1e-12 * (xx + yy).powi(2) {
             return None;
         }
@@ -50,7 +48,7 @@ impl Plane {
         })
     }
 
-    /// How far behind the plane a point lies, m.
+    /// Returns the distance of a point behind the plane in metres.
     #[must_use]
     pub fn signed_distance(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.distance_m
@@ -80,9 +78,9 @@ mod tests {
         }
     }
 
-    /// Metres of noise on a board of which half a metre is seen.
+    /// The noise is metres deep, and only half a metre of the board is visible.
     #[test]
-    fn noise_does_not_turn_the_plane() {
+    fn noise_does_not_tilt_the_plane() {
         let points: Vec<DVec3> = (0..400u16)
             .map(|i| {
                 let ray = DVec3::new(f64::from(i % 20) / 400.0, f64::from(i / 20) / 400.0, 1.0);
@@ -96,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_no_plane() {
+    fn rejects_points_that_define_no_plane() {
         let line: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i), 0.0, 2.0)).collect();
         for points in [&[][..], &[DVec3::Z], &[DVec3::Z; 5], &line] {
             assert_eq!(Plane::fitted(points), None);

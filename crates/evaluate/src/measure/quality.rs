@@ -5,38 +5,38 @@ use oaktwin_image::ImageView;
 use super::statistics::{mean, median_in_place};
 use super::{Plane, Region, is_valid};
 
-/// With which optics depth images were taken.
+/// The optics of depth images.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Optics {
-    /// Of the images; a pinhole.
+    /// The intrinsics of the images, without distortion.
     pub intrinsics: Intrinsics,
-    /// Focal length times baseline in the pixels that disparity is counted in, px·m.
+    /// Focal length times baseline in px·m, in the pixels in which disparity is counted.
     pub disparity_times_depth: f64,
 }
 
-/// The field's measures of a flat board, as librealsense's depth quality tool has them; the plane is fitted in inverse
-/// depth ([`Plane::fitted`]). `None` where too little was measured.
+/// Quality measures on a flat board, as in librealsense's depth quality tool; the plane is fitted in inverse depth
+/// ([`Plane::fitted`]). `None` if too little was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
-    /// The share of the region's pixels that have a value, 0 to 1; the mean over the captures.
+    /// The share of the region's pixels that are valid, 0 to 1; the mean over the captures.
     pub fill_rate: f64,
-    /// Spatial noise: the root mean square of the distances of a capture's points from the plane fitted to them, m; the
-    /// mean over the captures.
+    /// Spatial noise: the root mean square distance of a capture's points from the plane fitted to them in metres; the mean
+    /// over the captures.
     pub plane_fit_rms_m: Option<f64>,
-    /// The same in disparity: of `f b / z − f b / z'`, where z' is the fitted plane's depth at the pixel, px.
+    /// Spatial noise in disparity: the same of `f b / z − f b / z'`, where z' is the depth of the fitted plane at the pixel, px.
     pub subpixel_rms_px: Option<f64>,
-    /// Z accuracy: the median of the points' distances from the fitted plane, which is turned perpendicular first, and of
-    /// that plane's from the true distance, m; above 0 it is too far. The mean over the captures.
+    /// Z accuracy in metres, positive if too far: the median distance of the points from the fitted plane, which is first
+    /// turned perpendicular, plus that plane's distance from the true one. The mean over the captures.
     pub z_accuracy_m: Option<f64>,
-    /// The median of |z − truth| over all points of all captures, m: half of the pixels are off by more. The mean would say
-    /// nothing where disparity comes close to 0.
+    /// The median of |z − truth| over all points of all captures in metres. A mean is meaningless where disparity is close
+    /// to 0.
     pub pixel_error_m: Option<f64>,
-    /// The median over the pixels of the standard deviation over time (of the sample), of pixels with a value in at
-    /// least two captures, m.
+    /// The median over the pixels of the standard deviation over time (of the sample) in metres, for pixels that are valid in
+    /// at least two captures.
     pub temporal_noise_m: Option<f64>,
 }
 
-/// Measures the images of a flat board in a region of captures of one size.
+/// Measures the quality of images of a flat board in a region.
 #[must_use]
 pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics, truth_m: f64) -> Quality {
     let mut deviations = Deviations::new(region.pixels());
@@ -70,7 +70,7 @@ pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics
     }
 }
 
-/// The points at depth 1 that the region's pixels see, row by row.
+/// Returns the points at depth 1 on the rays of the region's pixels, row by row.
 fn rays(region: &Region, intrinsics: &Intrinsics) -> Vec<DVec3> {
     let pixel = |x: u32, y: u32| {
         let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
@@ -81,7 +81,7 @@ fn rays(region: &Region, intrinsics: &Intrinsics) -> Vec<DVec3> {
         .collect()
 }
 
-/// One capture's.
+/// The measures of a single capture.
 struct Spatial {
     rms_m: f64,
     rms_px: f64,
@@ -96,7 +96,7 @@ impl Spatial {
         for point in points {
             let distance = plane.signed_distance(*point);
             squares_m += distance * distance;
-            // Along the pixel's ray, the plane is at this share of the point's depth.
+            // On the pixel's ray, the depth of the plane is this share of the point's depth.
             let share = plane.distance_m / (plane.distance_m + distance);
             let off_px = disparity_times_depth / point.z * (1.0 - 1.0 / share);
             squares_px += off_px * off_px;
@@ -112,7 +112,7 @@ impl Spatial {
     }
 }
 
-/// The deviation of each pixel over time, summed up capture by capture (Welford 1962).
+/// The deviation of each pixel over time, accumulated capture by capture (Welford 1962).
 struct Deviations {
     count: Vec<u32>,
     mean: Vec<f64>,
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn a_perfect_board() {
+    fn perfect_board_has_no_error() {
         let quality = of(&[board(|_, _| 4.0), board(|_, _| 4.0)], 3.5);
         assert_eq!((quality.fill_rate, quality.temporal_noise_m), (1.0, Some(0.0)));
         assert!(quality.plane_fit_rms_m.unwrap() < 1e-9 && quality.subpixel_rms_px.unwrap() < 1e-9);
@@ -183,9 +183,9 @@ mod tests {
         assert_eq!(quality.pixel_error_m, Some(0.5));
     }
 
-    /// A tilted board is flat all the same, and its distance is that of its plane.
+    /// A tilted board is flat, and its distance is that of its plane.
     #[test]
-    fn a_tilted_board() {
+    fn tilt_is_not_an_error() {
         let normal = DVec3::new(0.2, -0.1, 1.0).normalize();
         let rays = rays(&Region::centred(40, 20, 1.0), &optics().intrinsics);
         let image = board(|x, y| 2.0 / normal.dot(rays[(y * 40 + x) as usize]));
@@ -196,10 +196,9 @@ mod tests {
         assert_eq!(quality.temporal_noise_m, None);
     }
 
-    /// Every other pixel half a pixel of disparity nearer or farther: the RMS is half a pixel, z²/(f b) times that in
-    /// metres.
+    /// A checkerboard of half a pixel of disparity: the RMS is half a pixel, and z²/(f b) times that in metres.
     #[test]
-    fn a_checkerboard_of_disparity() {
+    fn rms_of_a_disparity_checkerboard() {
         let off = |x: u32, y: u32| if (x + y).is_multiple_of(2) { 0.01 } else { -0.01 };
         let quality = of(&[board(|x, y| 60.0 / (15.0 + off(x, y)))], 4.0);
         assert!(
@@ -214,8 +213,8 @@ mod tests {
     }
 
     #[test]
-    fn holes_and_time() {
-        // A quarter of the columns is never seen; the rest goes up and down by 1 cm.
+    fn measures_fill_rate_and_temporal_noise() {
+        // A quarter of the columns is never valid; the rest oscillates by 1 cm.
         let at = |z: f64| board(|x, _| if x.is_multiple_of(4) { f64::NAN } else { z });
         let quality = of(&[at(2.01), at(1.99), at(2.01), at(1.99)], 2.0);
         assert!((quality.fill_rate - 0.75).abs() < 1e-12);
@@ -228,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn too_little_is_none() {
+    fn returns_none_without_enough_values() {
         let nothing = of(&[board(|_, _| 0.0)], 2.0);
         assert_eq!(nothing, Quality::default());
         assert_eq!(of(&[], 2.0), Quality::default());

@@ -2,17 +2,18 @@ use std::ops::Range;
 
 use oaktwin_image::ImageView;
 
-/// A rectangle of an image, px.
+/// A rectangle of an image in pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Region {
-    /// From the first to before the last.
+    /// The columns.
     pub columns: Range<u32>,
-    /// From the first to before the last.
+    /// The rows.
     pub rows: Range<u32>,
 }
 
 impl Region {
-    /// In the middle of an image: a share (0 to 1) of its width and height, at least one pixel of an image that has any.
+    /// Creates a region at the centre of an image with a share (0 to 1) of its width and height, at least one pixel if the image
+    /// has any.
     #[must_use]
     pub fn centred(width: u32, height: u32, share: f64) -> Self {
         let middle = |length: u32| {
@@ -31,13 +32,13 @@ impl Region {
         }
     }
 
-    /// How many pixels.
+    /// Returns the number of pixels.
     #[must_use]
     pub fn pixels(&self) -> usize {
         self.columns.len() * self.rows.len()
     }
 
-    /// Its rows in an image, left to right; of what lies outside the image, nothing.
+    /// Returns the rows of the region in an image, cropped to the image.
     pub fn rows_of<'a>(&self, image: ImageView<'a, f32>) -> impl Iterator<Item = &'a [f32]> + use<'a> {
         let width = image.width();
         let columns = self.columns.start.min(width) as usize..self.columns.end.min(width) as usize;
@@ -56,7 +57,7 @@ mod tests {
     use oaktwin_image::Image;
 
     #[test]
-    fn the_middle_of_an_image() {
+    fn selects_the_middle_of_an_image() {
         let region = Region::centred(1280, 800, 0.05);
         assert_eq!(
             (region.columns.clone(), region.rows.clone()),
@@ -70,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_end_with_the_image() {
+    fn rows_are_cropped_to_the_image() {
         let image = Image::new(3, 2, vec![0.0f32, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap();
         let region = Region {
             columns: 1..9,

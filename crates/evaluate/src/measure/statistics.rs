@@ -1,12 +1,12 @@
-/// The value in the middle of some, the mean of the two in the middle of an even number; `None` of none. NaN counts as
-/// larger than everything.
+/// Returns the median; the mean of the two middle values if their number is even, `None` without values. NaN is larger than
+/// any number.
 #[must_use]
 pub fn median(values: &[f64]) -> Option<f64> {
     quantile(values, 0.5)
 }
 
-/// The value below which a share (0 to 1) of all lies, between neighbours in proportion (`NumPy`'s `linear` method);
-/// `None` of none. NaN counts as larger than everything.
+/// Returns the quantile of a share (0 to 1), interpolated linearly (`NumPy`'s `linear` method); `None` without values. NaN is
+/// larger than any number.
 #[must_use]
 pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
     let mut sorted = values.to_vec();
@@ -19,8 +19,8 @@ pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
     Some(if part > 0.0 { a + (b - a) * part } else { a })
 }
 
-/// The coefficient of determination, 1 − Σ(measured − modelled)² / Σ(measured − mean)²: 1 where the model says all, 0
-/// where it says no more than the mean; below that it says less. `None` for fewer than two pairs, or where nothing varies.
+/// Returns the coefficient of determination, 1 − Σ(measured − modelled)² / Σ(measured − mean)²: 1 for a perfect model, 0 for
+/// one that is as good as the mean, negative for a worse one. `None` for fewer than two pairs or without variation.
 #[must_use]
 pub fn r_squared(measured_and_modelled: &[[f64; 2]]) -> Option<f64> {
     let count = measured_and_modelled.len();
@@ -39,7 +39,7 @@ pub fn r_squared(measured_and_modelled: &[[f64; 2]]) -> Option<f64> {
     (total > 0.0 && rest.is_finite()).then(|| 1.0 - rest / total)
 }
 
-/// The median of what was measured; puts the values into another order.
+/// Returns the median and reorders the values.
 pub(super) fn median_in_place(values: &mut [f32]) -> Option<f64> {
     let middle = values.len() / 2;
     if values.is_empty() {
@@ -59,7 +59,7 @@ pub(super) fn median_in_place(values: &mut [f32]) -> Option<f64> {
     Some(f64::midpoint(lower, upper))
 }
 
-/// The standard deviation of a sample (over n − 1), of at least two values.
+/// Returns the standard deviation of a sample (over n − 1) of at least two values.
 pub(super) fn standard_deviation(values: &[f64]) -> Option<f64> {
     let count = values.len();
     if count < 2 {
@@ -70,7 +70,7 @@ pub(super) fn standard_deviation(values: &[f64]) -> Option<f64> {
     Some((squares / (count - 1) as f64).sqrt())
 }
 
-/// The mean of what is there.
+/// Returns the mean; `None` without values.
 pub(super) fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let (sum, count) = values
         .into_iter()
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn r_squared_in_closed_form() {
+    fn r_squared_matches_the_closed_form() {
         assert_eq!(r_squared(&[[1.0, 1.0], [2.0, 2.0]]), Some(1.0));
         assert_eq!(r_squared(&[[1.0, 2.0], [3.0, 2.0]]), Some(0.0));
         assert_eq!(r_squared(&[[1.0, 3.0], [3.0, 1.0]]), Some(-3.0));
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn deviations_in_closed_form() {
+    fn deviations_match_the_closed_form() {
         assert_eq!(standard_deviation(&[1.0, 3.0]), Some(2f64.sqrt()));
         assert_eq!(standard_deviation(&[5.0]), None);
     }

@@ -6,27 +6,27 @@ use super::{Region, is_valid};
 /// The share of a region's valid pixels that is dropped at each end.
 pub const TRIMMED: f64 = 0.05;
 
-/// What the vendor's method says. `None` where nothing was measured.
+/// The results of the vendor's method; `None` if nothing was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vendor {
-    /// The mean over the captures of the region's median, m.
+    /// The mean over the captures of the region's median in metres.
     pub depth_m: Option<f64>,
-    /// The standard deviation over the captures of the region's mean, m; `None` also for fewer than two captures.
+    /// The standard deviation over the captures of the region's mean in metres; `None` for fewer than two captures.
     pub precision_m: Option<f64>,
-    /// How many captures had a valid pixel in the region.
+    /// The number of captures with a valid pixel in the region.
     pub captures: u32,
 }
 
 impl Vendor {
-    /// How much too far, as a share of the true distance; below 0 it is too near.
+    /// Returns the error as a share of the true distance, positive if too far.
     #[must_use]
     pub fn error(&self, truth_m: f64) -> Option<f64> {
         Some((self.depth_m? - truth_m) / truth_m)
     }
 }
 
-/// Measures the distance of what fills a region, as the vendor does. As many pixels are dropped from the top as from the
-/// bottom: the median does not change by it, the mean does.
+/// Measures the distance of the surface in a region as the vendor does. The same number of pixels is dropped at the top and at
+/// the bottom, which affects the mean but not the median.
 #[must_use]
 pub fn vendor(captures: &[ImageView<'_, f32>], region: &Region) -> Vendor {
     let mut values: Vec<f32> = Vec::with_capacity(region.pixels());
@@ -43,12 +43,12 @@ pub fn vendor(captures: &[ImageView<'_, f32>], region: &Region) -> Vendor {
     Vendor {
         depth_m: mean(medians.iter().copied()),
         precision_m: standard_deviation(&means),
-        #[expect(clippy::cast_possible_truncation, reason = "as many as there are images")]
+        #[expect(clippy::cast_possible_truncation, reason = "the number of images is small")]
         captures: medians.len() as u32,
     }
 }
 
-/// What is left without the least and the largest.
+/// Returns the values without the smallest and the largest ones.
 fn trimmed(values: &mut [f32]) -> &mut [f32] {
     #[expect(
         clippy::cast_possible_truncation,
@@ -77,8 +77,8 @@ mod tests {
     }
 
     #[test]
-    fn outliers_and_holes_do_not_count() {
-        // 100 values: 4 wild, 6 none, the rest from 2 m in steps of 1 mm.
+    fn ignores_outliers_and_holes() {
+        // 100 values: 4 outliers, 6 invalid, the rest from 2 m in steps of 1 mm.
         let mut pixels: Vec<f32> = (0..90u16).map(|i| 2.0 + f32::from(i) * 1e-3).collect();
         pixels.extend([
             90.0,
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn precision_is_over_time() {
+    fn precision_is_the_deviation_over_time() {
         let images = [1.0f32, 1.25, 1.5].map(|z| Image::filled(4, 4, z));
         let views = images.each_ref().map(ImageView::from);
         let measured = vendor(&views, &all(4, 4));
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_measured_is_none() {
+    fn returns_none_without_valid_pixels() {
         let image = Image::filled(4, 4, 0.0f32);
         assert_eq!(vendor(&[(&image).into()], &all(4, 4)), Vendor::default());
         assert_eq!(vendor(&[], &all(4, 4)).error(1.0), None);
@@ -125,7 +125,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn as_if_sorted(values in proptest::collection::vec(0.1f32..20.0, 1..200)) {
+        fn trimming_equals_sorting_and_slicing(values in proptest::collection::vec(0.1f32..20.0, 1..200)) {
             let mut sorted = values.clone();
             sorted.sort_by(f32::total_cmp);
             let dropped = values.len() / 20;

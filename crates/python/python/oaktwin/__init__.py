@@ -17,6 +17,7 @@ images, and all objects are thread-safe. Builds of Python without the GIL are no
 
 from . import filters
 from ._accuracy import Accuracy, accuracy
+from ._fit import Fit, fit
 from ._oaktwin import (
     Camera,
     DepthSensor,
@@ -25,6 +26,7 @@ from ._oaktwin import (
     Filter,
     Finding,
     FindingWarning,
+    Mesh,
     Recording,
     Rectification,
     Scene,
@@ -35,6 +37,7 @@ from ._oaktwin import (
     look_at,
     models,
     parameters,
+    presets,
 )
 
 __all__ = [
@@ -46,6 +49,8 @@ __all__ = [
     "Filter",
     "Finding",
     "FindingWarning",
+    "Fit",
+    "Mesh",
     "Recording",
     "Rectification",
     "Scene",
@@ -55,7 +60,9 @@ __all__ = [
     "align",
     "annotators",
     "filters",
+    "fit",
     "look_at",
     "models",
     "parameters",
+    "presets",
 ]

@@ -16,6 +16,7 @@ __all__ = [
     "Filter",
     "Finding",
     "FindingWarning",
+    "Mesh",
     "Recording",
     "Rectification",
     "Scene",
@@ -28,10 +29,12 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "fit",
     "look_at",
     "main",
     "models",
     "parameters",
+    "presets",
 ]
 
 __version__: Final[str]
@@ -190,7 +193,17 @@ class Camera:
     def clip(self) -> tuple[float, float]: ...
     @property
     def body_from_camera(self) -> _Float64: ...
-    def resized(self, width: int, height: int, *, keep_aspect_ratio: bool = True) -> Camera: ...
+    def resized(
+        self, width: int, height: int, *, keep_aspect_ratio: bool = True, keep_center: bool = False
+    ) -> Camera: ...
+    def project(
+        self, points: npt.ArrayLike, world_from_camera: npt.ArrayLike | None = None
+    ) -> tuple[_Float64, _Float64]: ...
+    def unproject(
+        self, depth: object, world_from_camera: npt.ArrayLike | None = None
+    ) -> npt.NDArray[np.float32]: ...
+    def rays(self) -> npt.NDArray[np.float32]: ...
+    def undistortion_maps(self, target: Camera | None = None) -> npt.NDArray[np.float32]: ...
     def cropped(self, x: float, y: float, width: int, height: int) -> Camera: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -365,7 +378,7 @@ class DepthSensor:
     @property
     def engine(self) -> _Engine: ...
     @property
-    def parameters(self) -> dict[str, str]: ...
+    def parameters(self) -> dict[str, bool | int | float | str]: ...
     @property
     def filters(self) -> list[str]: ...
     @property
@@ -386,6 +399,23 @@ class Filter:
     def reset(self) -> None: ...
 
 @final
+class Mesh:
+    def __new__(
+        cls,
+        vertices: object,
+        faces: object,
+        *,
+        color: npt.ArrayLike | None = None,
+        normals: npt.ArrayLike | None = None,
+        uvs: npt.ArrayLike | None = None,
+        texture: npt.NDArray[np.uint8] | str | PathLike[str] | None = None,
+        metallic: float = 0.0,
+        roughness: float = 0.5,
+        emissive: npt.ArrayLike | None = None,
+    ) -> Mesh: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[npt.NDArray[np.float32], npt.NDArray[np.uint32]], dict[str, Any]]: ...
+
+@final
 class Scene:
     @staticmethod
     def open(
@@ -400,6 +430,19 @@ class Scene:
     def from_triangles(
         vertices: _Array, faces: _Array, *, up: _Up = "z", label: str | None = None
     ) -> Scene: ...
+    @staticmethod
+    def from_meshes(
+        meshes: Mapping[str, Mesh],
+        *,
+        poses: Mapping[str, npt.ArrayLike] | None = None,
+        labels: Mapping[str, str] | None = None,
+        up: _Up = "z",
+    ) -> Scene: ...
+    def set_pose(self, name: str, world_from_part: npt.ArrayLike) -> None: ...
+    def set_poses(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
+    @property
+    def poses(self) -> dict[str, _Float64]: ...
+    def save_usd(self, path: str | PathLike[str]) -> None: ...
     def render(
         self,
         camera: Camera,
@@ -423,6 +466,7 @@ class Scene:
         frame: int | None = None,
     ) -> _Pair: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
+    def __setstate__(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
     @property
     def cameras(self) -> dict[str, tuple[Camera, _Float64]]: ...
     @property
@@ -463,7 +507,7 @@ class StereoMatcher:
     @property
     def rectify(self) -> Literal["homography", "mesh", "full"] | None: ...
     @property
-    def parameters(self) -> dict[str, str]: ...
+    def parameters(self) -> dict[str, bool | int | float | str]: ...
     @property
     def filters(self) -> list[str]: ...
     @property
@@ -550,6 +594,20 @@ def accuracy(
     width_px: int | None = None,
     **options: Unpack[_SensorOptions],
 ) -> dict[str, Any]: ...
+def fit(
+    device: Device,
+    recordings: Sequence[str | PathLike[str]],
+    *,
+    sensor: str | None = None,
+    region: float = ...,
+    depth_scale: float = 0.001,
+    measured_from: float = 0.0,
+    focal_px: float | None = None,
+    width_px: int | None = None,
+    fits_focal_length: bool = False,
+    **options: Unpack[_SensorOptions],
+) -> tuple[dict[str, Any], str]: ...
+def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[str]: ...
 def main(arguments: Sequence[str]) -> int: ...
 def _camera(
     name: str,

@@ -31,6 +31,7 @@ use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
 use crate::images::{Depth, Out, Pictures};
+use crate::parameters::by_name;
 use crate::settings::{keywords, sensor_options};
 use crate::threads;
 
@@ -347,16 +348,13 @@ impl DepthSensor {
         Ok(self.now(py, None)?.sensor.engine().kind().name)
     }
 
-    /// The engine's parameters by name, in the format of `parameters=`, for the most recent image size.
+    /// The engine's parameters by name, with values of their types, for the most recent image size.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let parameters = PyDict::new(py);
         let sensor = self.now(py, None)?.sensor;
         let engine = sensor.engine();
-        for (name, value) in engine.parameters().into_iter().chain(engine.assumptions()) {
-            parameters.set_item(name, value)?;
-        }
-        Ok(parameters)
+        let values = engine.parameters().into_iter().chain(engine.assumptions());
+        by_name(py, engine.kind().name, values)
     }
 
     /// The filters, in the format of `filters=`.

@@ -12,7 +12,6 @@ mod error;
 mod gltf;
 mod obj;
 mod ply;
-mod srgb;
 mod stl;
 mod text;
 mod weld;

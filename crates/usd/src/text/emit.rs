@@ -273,6 +273,7 @@ impl Emitter {
             Value::Asset(v) => push_asset(out, v),
             Value::Int2(v) => push_tuple(out, v, push_i32),
             Value::Float2(v) => push_tuple(out, v, push_f32),
+            Value::Float4(v) => push_tuple(out, v, push_f32),
             Value::Color3f(v) => push_tuple(out, v, push_f32),
             Value::Double3(v) => push_tuple(out, v, push_f64),
             Value::Quatd(v) => push_tuple(out, v, push_f64),
@@ -288,6 +289,7 @@ impl Emitter {
             | Value::Point3fArray(v)
             | Value::Normal3fArray(v)
             | Value::Color3fArray(v) => push_vectors(out, v),
+            Value::TexCoord2fArray(v) => push_vectors(out, v),
             Value::Dictionary(entries) => self.dictionary(entries),
         }
     }
@@ -346,6 +348,6 @@ fn push_array<T: Copy>(out: &mut String, items: &[T], push: impl Fn(&mut String,
     out.push(']');
 }
 
-fn push_vectors(out: &mut String, vectors: &[[f32; 3]]) {
+fn push_vectors<const N: usize>(out: &mut String, vectors: &[[f32; N]]) {
     push_array(out, vectors, |out, vector| push_tuple(out, &vector, push_f32));
 }

@@ -24,6 +24,8 @@ pub enum Value {
     Int2([i32; 2]),
     /// `float2`.
     Float2([f32; 2]),
+    /// `float4`.
+    Float4([f32; 4]),
     /// `color3f`.
     Color3f([f32; 3]),
     /// `double3`.
@@ -46,6 +48,8 @@ pub enum Value {
     Normal3fArray(Vec<[f32; 3]>),
     /// `color3f[]`.
     Color3fArray(Vec<[f32; 3]>),
+    /// `texCoord2f[]`.
+    TexCoord2fArray(Vec<[f32; 2]>),
     /// `dictionary`, valid in metadata only.
     Dictionary(Dictionary),
 }
@@ -74,6 +78,7 @@ impl Value {
             Self::Asset(_) => "asset",
             Self::Int2(_) => "int2",
             Self::Float2(_) => "float2",
+            Self::Float4(_) => "float4",
             Self::Color3f(_) => "color3f",
             Self::Double3(_) => "double3",
             Self::Quatd(_) => "quatd",
@@ -85,6 +90,7 @@ impl Value {
             Self::Point3fArray(_) => "point3f[]",
             Self::Normal3fArray(_) => "normal3f[]",
             Self::Color3fArray(_) => "color3f[]",
+            Self::TexCoord2fArray(_) => "texCoord2f[]",
             Self::Dictionary(_) => "dictionary",
         }
     }
@@ -96,6 +102,8 @@ impl Value {
             Self::Float(v) => v.is_finite(),
             Self::Double(v) => v.is_finite(),
             Self::Float2(v) => v.iter().all(|x| x.is_finite()),
+            Self::Float4(v) => v.iter().all(|x| x.is_finite()),
+            Self::TexCoord2fArray(v) => v.iter().flatten().all(|x| x.is_finite()),
             Self::Color3f(v) => v.iter().all(|x| x.is_finite()),
             Self::Double3(v) => v.iter().all(|x| x.is_finite()),
             Self::Quatd(v) => v.iter().all(|x| x.is_finite()),

@@ -1,4 +1,4 @@
-//! A report for people.
+//! The report of `accuracy` as text.
 
 use std::fmt::Write;
 
@@ -42,7 +42,7 @@ fn heading(report: &Report) -> String {
         Some(bands) => {
             let source = match bands.source {
                 Source::VendorPage => "the vendor's page",
-                Source::Estimate => "an estimate of the sheet, for none is published",
+                Source::Estimate => "an estimate of the sheet; none is published",
                 other => other.as_str(),
             };
             let mut conditions: Vec<&str> = Vec::new();
@@ -119,15 +119,15 @@ fn own_table(report: &Report, title: String) -> Table {
 
 fn single_view(report: &Report, carries: bool) -> String {
     let [carried, recomputed] = [
-        "Depth carried: the rendered one, exact by construction; only its place is wrong",
-        "Depth recomputed from the quantized and jittered disparity: what the error would be",
+        "Depth carried: the rendered depth, exact by construction; only its position is wrong",
+        "Depth recomputed from the quantized and jittered disparity: the resulting error",
     ];
     let [own, other] = if carries {
         [carried, recomputed]
     } else {
         [recomputed, carried]
     };
-    let own = format!("\nWhat this sensor reports. {own}");
+    let own = format!("\nThe output of this sensor. {own}");
     let other = format!("\nThe other reading. {other}");
     let mut text = output::number_table(&reading_table(report, own, !carries, |row| {
         Some((&row.reading, row.verdict))
@@ -138,7 +138,7 @@ fn single_view(report: &Report, carries: bool) -> String {
     text
 }
 
-/// A reading of Isaac Sim's sensor: where depth is recomputed, with what is lost by it.
+/// Returns the table of one reading of Isaac Sim's sensor. If depth is recomputed, it includes the jitter and the invalid share.
 fn reading_table<'a>(
     report: &'a Report,
     title: String,
@@ -227,7 +227,7 @@ fn verdict(report: &Report) -> String {
         if inside + outside > 0 {
             let _ = writeln!(
                 text,
-                "That is so by construction: depth recomputed from disparity would be outside at {outside} of {}.",
+                "This is true by construction; depth recomputed from disparity would be outside at {outside} of {}.",
                 inside + outside
             );
         }
@@ -236,7 +236,7 @@ fn verdict(report: &Report) -> String {
     if nothing > 0 {
         let _ = writeln!(
             text,
-            "The sensor reports nothing at {}.",
+            "The sensor measures nothing at {}.",
             count(nothing, "distance")
         );
     }
@@ -260,7 +260,7 @@ fn count(number: usize, what: &str) -> String {
 
 fn measured(comparison: &Comparison) -> String {
     let from = if comparison.from_m > 0.0 {
-        format!(" from {} m on", comparison.from_m)
+        format!(" from {} m", comparison.from_m)
     } else {
         String::new()
     };
@@ -283,7 +283,7 @@ fn measured(comparison: &Comparison) -> String {
     if comparison.unmeasured_points > 0 {
         let _ = writeln!(
             text,
-            "  {} left out: the twin reports nothing there",
+            "  {} ignored: the twin measures nothing there",
             count(comparison.unmeasured_points, "point")
         );
     }
@@ -297,7 +297,7 @@ fn distance(row: &Row) -> String {
     text[..digits].to_owned()
 }
 
-/// Of many devices without a sign.
+/// Formats an error: that of several devices is absolute and has no sign.
 fn error(reading: &Reading, many: bool) -> String {
     if many {
         fixed(reading.error_percent, 2)
@@ -329,7 +329,7 @@ fn signed(value: Option<f64>, digits: usize) -> String {
         || "-".to_owned(),
         |value| {
             let text = format!("{value:+.digits$}");
-            // Nothing has no sign.
+            // Zero has no sign.
             if text.trim_start_matches(['+', '-', '0', '.']).is_empty() {
                 text.replacen(['+', '-'], "", 1)
             } else {

@@ -19,13 +19,13 @@ use crate::context::{Context, Result};
 
 /// The model with a dot projector, and the one with a time-of-flight camera.
 const MODELS: [&str; 2] = ["oak_d_pro_poe", "oak_d_tof"];
-/// Of the pair, as a device at 400P has it; twice what the sheet shows.
+/// The size of the pair at 400P, twice that of the panels.
 const SIZE: ImageSize = ImageSize::new(640, 400);
-/// What is left of the room's light at night.
+/// The share of the room's light that remains at night.
 const NIGHT: f64 = 0.02;
 
-/// The room as an OAK-D Pro's stereo measures it, by day and, with its dots, at night; as the other engines have it; and as
-/// the model with time of flight does.
+/// Draws the room as measured by an OAK-D Pro's stereo by day and, with its dot projector, at night, by the other engines, and
+/// by the model with time of flight.
 pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
     let twin = |id| Ok::<_, Box<dyn Error>>(context.catalog.nominal(context.device(id)?));
     let (pro, tof) = (twin(MODELS[0])?, twin(MODELS[1])?);
@@ -77,7 +77,7 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
     Ok(png::encode(&panels(&all, 4, RANGE_M))?)
 }
 
-/// What the pair takes.
+/// Renders a pair.
 fn look(renderer: &Renderer, twin: &Twin, options: &PairOptions) -> Result<Pair> {
     let options = PairOptions {
         size: Some(SIZE),

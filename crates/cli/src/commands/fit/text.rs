@@ -1,4 +1,4 @@
-//! A fit for people.
+//! The report of `fit` as text.
 
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub(super) fn report(report: &Report) -> String {
     text += &parameters(report);
     text += "\n";
     for missing in &report.not_found {
-        let _ = writeln!(text, "Not found: {} ({})", missing.name, missing.why);
+        let _ = writeln!(text, "Not fitted: {} ({})", missing.name, missing.why);
     }
     if let Some(curve) = &report.curve {
         let what = if report.is_absolute {
@@ -48,7 +48,7 @@ pub(super) fn report(report: &Report) -> String {
             .map_or_else(|| "R2 is not defined".to_owned(), |r2| format!("R2 = {r2:.4}"));
         let _ = writeln!(
             text,
-            "The curve leaves {:.4} {unit}, {:.3} % of the distance (RMS over {} {what}{from}); {r2}",
+            "RMS residual {:.4} {unit}, {:.3} % of the distance (over {} {what}{from}); {r2}",
             to_one * curve.rms,
             curve.rms_percent,
             curve.points
@@ -56,7 +56,7 @@ pub(super) fn report(report: &Report) -> String {
         if let Some(scatter) = curve.scatter {
             let _ = writeln!(
                 text,
-                "The points scatter {scatter:.2} times as much as their noise explains"
+                "The points scatter {scatter:.2} times more than their noise explains"
             );
         }
     }

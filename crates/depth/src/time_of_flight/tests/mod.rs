@@ -1,5 +1,6 @@
 #![expect(clippy::cast_possible_truncation, reason = "small numbers of tests")]
 
+mod behaviour;
 mod errors;
 mod multipath;
 mod same_bytes;

@@ -27,12 +27,12 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
             bias_px: 0.0,
         }],
         random: Stream::new(0, ""),
-        eyes: None,
+        stereo_camera: None,
     }
 }
 
 #[test]
-fn a_part_measures_the_same_as_the_whole_image() {
+fn a_crop_measures_the_same_as_the_whole_image() {
     let effort = Effort {
         captures: 3,
         quality: false,
@@ -67,11 +67,11 @@ fn a_part_measures_the_same_as_the_whole_image() {
     }
 }
 
-/// Noise, exposure and the far ends of the matcher's paths differ between the part and the whole image.
+/// The noise, the exposure and the far ends of the matcher's paths differ between the crop and the whole image.
 #[test]
-fn a_part_matches_nearly_the_same_as_the_whole_image() {
+fn matching_a_crop_nearly_equals_matching_the_whole_image() {
     let mut rig = test_rig("oak4-d", &STEREO_MATCHING, &[]);
-    rig.eyes = Some(Eyes::new(0.075, 1.0, 0).unwrap());
+    rig.stereo_camera = Some(StereoCamera::new(0.075, 1.0, 0).unwrap());
     let effort = Effort {
         captures: 2,
         quality: false,

@@ -1,78 +1,79 @@
-//! The systematic error of `stereo_noise`: d + β − a·sin(2π(d + β)), and where it is asked for the focal length, by which
-//! distances become disparities.
+//! The systematic error of `stereo_noise`: d + β − a·sin(2π(d + β)), and on request the focal length, which converts distances
+//! to disparities.
 //!
-//! What is made small is the error of depth times disparity: to first order that of disparity, in the pixels of the
-//! nominal focal length, so that no focal length makes it small by itself. A grid comes first, for the error repeats with
-//! every pixel; then least squares from its best places.
+//! The fit minimizes the error of depth times disparity, to first order the error of disparity in pixels of the nominal focal
+//! length, so that no focal length reduces it by itself. A grid search precedes least squares, because the error is periodic in
+//! disparity.
 
 use std::f64::consts::TAU;
 
-use super::super::counting::Counting;
+use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
 use super::super::points::Point;
 
-/// What is fitted to.
+/// The data of a fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Errors<'a> {
     pub(super) points: &'a [Point],
     /// Nominal disparity times depth, px·m.
     pub(super) px_m: f64,
-    /// Whether the errors have lost their sign.
+    /// Whether the errors are absolute.
     pub(super) is_absolute: bool,
 }
 
-/// What was found: bias, px; amplitude of pixel locking, px; focal length as a share of the nominal, if it was free.
+/// The solution: bias and amplitude of pixel locking in pixels, and the focal length as a share of the nominal one if it was
+/// free.
 #[derive(Clone, Debug)]
 pub(super) struct Systematic {
     pub(super) solution: Solution,
     /// Whether the standard errors of the points were known.
     pub(super) is_known: bool,
-    /// Another solution that is as good: its parameters.
+    /// The parameters of an equally good solution.
     pub(super) rival: Option<Vec<f64>>,
 }
 
-/// Focal lengths farther from the nominal are no lens' tolerance.
+/// The tolerance of a focal length.
 const FOCAL_RANGE: f64 = 0.12;
 
-/// Grid: bias and amplitude, px.
+/// The grid of bias and amplitude in pixels.
 const GRID_PX: f64 = 0.025;
 const AMPLITUDES: u32 = 17;
-/// From so many px of deviation on, one is as bad as another to the grid.
+/// The deviation in pixels from which the grid search treats all points alike.
 const WILD_PX: f64 = 0.6;
 
-/// From how many places of the grid the way goes down.
+/// The number of points of the grid from which least squares start.
 const STARTS: usize = 8;
 
 impl Errors<'_> {
-    /// The error of depth under such parameters, as a share of it.
+    /// Returns the error as a share of depth for a set of parameters.
     pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
         let [bias, locking] = [parameters[0], parameters[1]];
         let disparity = self.disparity(parameters, depth_m);
         let measured = disparity + bias - locking * (TAU * (disparity + bias)).sin();
-        // What comes near 0 px is infinitely far, and no start for anything.
+        // A disparity close to 0 px is infinitely far.
         let error = disparity / measured.max(1e-3 * disparity) - 1.0;
         if self.is_absolute { error.abs() } else { error }
     }
 
-    /// Of a true depth, px.
+    /// Returns the disparity of a true depth in pixels.
     fn disparity(&self, parameters: &[f64], depth_m: f64) -> f64 {
         self.px_m * parameters.get(2).copied().unwrap_or(1.0) / depth_m
     }
 
-    /// An error of depth in pixels of disparity: below 0 it is too far.
+    /// Converts an error of depth to pixels of disparity, negative if too far.
     pub(super) fn in_px(&self, error: f64, depth_m: f64) -> f64 {
-        let px = Counting::Disparity { px_m: self.px_m }.of_error(error, depth_m);
+        let px = ErrorDomain::Disparity { px_m: self.px_m }.of_error(error, depth_m);
         if self.is_absolute { px.abs() } else { px }
     }
 
-    /// Half of the interval of 95 % of the curve at a depth, as a share of it; `None` where the parameters have none.
+    /// Returns half of the 95 % interval of the curve at a depth as a share of depth; `None` without a covariance.
     pub(super) fn half_width(&self, found: &Systematic, depth_m: f64) -> Option<f64> {
         found
             .solution
             .half_width(|p| self.error(p, depth_m), found.is_known)
     }
 
-    /// Fits bias and locking, and the focal length where it `is_free`; `None` without points.
+    /// Fits bias and locking, and the focal length if it `is_free`; `None` without points.
     pub(super) fn fit(&self, is_free: bool) -> Option<Systematic> {
         let starts = self.starts(is_free);
         let is_known = self.points.iter().all(|point| point.sigma.is_some());
@@ -99,14 +100,14 @@ impl Errors<'_> {
         })
     }
 
-    /// The best places of a grid, best first, none next to another.
+    /// Returns the best points of the grid, best first, no two of them adjacent.
     fn starts(&self, is_free: bool) -> Vec<Vec<f64>> {
         let farthest_px = self
             .points
             .iter()
             .map(|point| self.px_m / point.depth_m)
             .fold(0.0, f64::max);
-        // A step moves the phase of the nearest point by a fifth of a turn.
+        // A step changes the phase of the nearest point by a fifth of a period.
         let focal_step = 0.2 / farthest_px.max(1.0);
         #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
         let focal_steps = if is_free {

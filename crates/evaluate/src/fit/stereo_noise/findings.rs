@@ -1,4 +1,4 @@
-//! What cannot be found, and what is odd in what was.
+//! Findings about a fit, and the reasons why parameters cannot be fitted.
 
 use super::super::points::Point;
 use super::errors::{Errors, Systematic};
@@ -7,18 +7,18 @@ use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 /// The vendor's published accuracy is within 0.35 px.
 const MOST_BIAS_PX: f64 = 1.0;
 
-/// Bias and amplitude that stand for one another more than this are not told apart.
+/// The correlation above which bias and amplitude cannot be separated.
 const MOST_CORRELATION: f64 = 0.98;
 
-/// A focal length that leaves less than this of the squares is the better one.
+/// The share of the squares below which another focal length is significantly better.
 const MUCH_BETTER: f64 = 0.5;
-/// Not with fewer points.
+/// The required number of points for that.
 const FEWEST_FOR_FOCAL: usize = 10;
 
-/// Of a curve without known errors so many points more than parameters.
+/// The required excess of points over parameters for a curve without known errors.
 const FEWEST_MORE: usize = 3;
 
-/// Why bias and locking, `wanted` parameters, cannot be found, and what to do.
+/// Returns the reason why bias and locking, `wanted` parameters, cannot be fitted, and the remedy.
 pub(super) fn not_identifiable(
     points: &[Point],
     found: Option<&Systematic>,
@@ -28,11 +28,11 @@ pub(super) fn not_identifiable(
     let mut distances: Vec<f64> = points.iter().map(|point| point.depth_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs());
-    let more = Message::from("record more distances, on all phases of a pixel of disparity");
+    let more = Message::from("record more distances, at all phases of a pixel of disparity");
     match distances.len() {
         0 => {
             return Some((
-                "no true distance is known".to_owned(),
+                "there is no true distance".to_owned(),
                 message![
                     "give a distances.csv with columns file,distance_m, or an earlier ",
                     opt("from")
@@ -41,7 +41,7 @@ pub(super) fn not_identifiable(
         }
         1 => {
             return Some((
-                "one distance does not tell bias and pixel locking apart".to_owned(),
+                "bias and pixel locking cannot be separated with one distance".to_owned(),
                 more,
             ));
         }
@@ -49,7 +49,7 @@ pub(super) fn not_identifiable(
     }
     let least = wanted + if is_known { 1 } else { FEWEST_MORE };
     if distances.len() < least {
-        let why = format!("{} distances are too few, {least} are needed", distances.len());
+        let why = format!("{} distances are too few; {least} are required", distances.len());
         return Some((why, more));
     }
     let found = found?;
@@ -65,14 +65,14 @@ pub(super) fn not_identifiable(
     let rival = found.rival.as_ref()?;
     Some((
         format!(
-            "a bias of {:.3} px with a locking of {:.3} px fits, and so do {:.3} px and {:.3} px",
+            "a bias of {:.3} px with a locking of {:.3} px fits as well as {:.3} px with {:.3} px",
             found.solution.parameters[0], found.solution.parameters[1], rival[0], rival[1]
         ),
         more,
     ))
 }
 
-/// Doubts about the distances, the optics or the images.
+/// Reports suspicious distances, optics and images.
 pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut add = |code, place, message: String, remedy: Message| {
@@ -85,10 +85,10 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
             "wrong-scale",
             "focalLength",
             format!(
-                "depth is {:+.1} % off at every distance, which no bias of disparity makes",
+                "depth has an error of {:+.1} % at every distance, which a bias of disparity cannot cause",
                 100.0 * share
             ),
-            "check the distances, and the focal length and baseline that the device computed depth with"
+            "check the distances, and the focal length and baseline with which the device computed depth"
                 .into(),
         );
     }
@@ -96,7 +96,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
         add(
             "implausible-bias",
             "bias",
-            format!("{bias:.2} px is more than any calibration is off"),
+            format!("{bias:.2} px exceeds the error of any calibration"),
             message!["check the distances, the model and ", opt("focal-px")],
         );
     }
@@ -113,7 +113,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
             "other-focal-length",
             "focalLength",
             format!(
-                "{:+.2} % of it would leave {:.0} % of the squared deviations",
+                "a change of {:+.2} % would reduce the squared residuals to {:.0} %",
                 100.0 * (focal - 1.0),
                 100.0 * other.solution.squares / found.solution.squares
             ),
@@ -130,7 +130,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
     findings
 }
 
-/// By which share depth is off at every distance, where that is more than a hundredth and sure: the slope of the error in
+/// Returns the share by which depth is wrong at every distance, if it is significant and above 1 %: the slope of the error of
 /// disparity over disparity.
 fn scale(errors: &Errors<'_>) -> Option<f64> {
     const LEAST: f64 = 0.01;
@@ -159,6 +159,6 @@ fn scale(errors: &Errors<'_>) -> Option<f64> {
     let slope = sum(&|x, y| x * y) / xx;
     let rest = sum(&|x, y| (y - slope * x).powi(2)) / (count - 2.0);
     let error = (rest / xx).sqrt();
-    // Disparity too small by a share is depth too large by it.
+    // A disparity that is too small by a share is a depth that is too large by it.
     (slope.abs() > LEAST && slope.abs() > 6.0 * error).then(|| -slope / (1.0 + slope))
 }

@@ -9,26 +9,26 @@ mod window;
 
 use oaktwin_depth::stereo_noise::{DepthRounding, Parameters};
 
-use super::counting::{Counting, left_of_rounding};
+use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::least_squares::Solution;
 use super::method::{Fitted, Method};
 use super::points::Point;
 use super::report::{Parameter, Report, number};
-use super::target::Seen;
+use super::target::Observation;
 use super::work::Work;
 use errors::{Errors, Systematic};
 use noise::Noise;
 use oaktwin_diagnostic::{Finding, Level};
 use window::matcher_window;
 
-/// Places along the curve to each pixel of disparity, and the most.
+/// The number of points of the curve per pixel of disparity, and its maximum.
 const A_PIXEL: f64 = 40.0;
-const MOST: f64 = 8000.0;
+const MAX: f64 = 8000.0;
 
-/// Jitter, in units of what is rounded to, above which rounding is as good as random.
+/// The jitter, in units of the rounding, above which rounding is effectively random.
 const FEWEST_ALIKE: f64 = 3.54;
 
-/// A matcher whose errors are sought.
+/// A matcher to fit.
 pub(super) struct Stereo {
     p: Parameters,
     px_m: f64,
@@ -36,7 +36,7 @@ pub(super) struct Stereo {
 }
 
 impl Stereo {
-    /// Of what is known of it.
+    /// Creates the method from the known parameters.
     pub(super) fn new(p: Parameters) -> Self {
         Self {
             p,
@@ -55,8 +55,8 @@ impl Stereo {
 }
 
 impl Method for Stereo {
-    fn counting(&self) -> Counting {
-        Counting::Disparity { px_m: self.px_m }
+    fn error_domain(&self) -> ErrorDomain {
+        ErrorDomain::Disparity { px_m: self.px_m }
     }
 
     fn step(&self) -> f64 {
@@ -75,11 +75,11 @@ impl Method for Stereo {
         &["jitter", "window"]
     }
 
-    fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>) {
+    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>) {
         let p = &self.p;
         self.noise = noise::noise(seen, self.step());
         let Some(noise) = self.noise else {
-            let why = "no pixel was seen in two frames of one target";
+            let why = "no pixel is valid in two frames of one target";
             for name in self.noise_names() {
                 work.not_found(name, why, "give several frames of each distance");
             }
@@ -91,7 +91,7 @@ impl Method for Stereo {
             value: noise.sigma_px,
             interval_95: Some(noise.sigma_interval_px),
             unit: "px",
-            what: "a pixel's standard deviation over time",
+            what: "the standard deviation of a pixel over time",
             is_fitted: true,
         });
         if is_hidden {
@@ -100,7 +100,7 @@ impl Method for Stereo {
                 Level::Warning,
                 "jitter",
                 format!(
-                    "is less than {:.3} px: too little for steps of {} px to show how much",
+                    "is less than {:.3} px, too small to be measured with steps of {} px",
                     noise::FEWEST_STEPS * p.subpixel.step_px(),
                     p.subpixel.step_px()
                 ),
@@ -125,15 +125,15 @@ impl Method for Stereo {
         });
     }
 
-    fn variance(&self, one: &Seen) -> Option<f64> {
+    fn variance(&self, one: &Observation) -> Option<f64> {
         one.variance()
     }
 
-    fn variance_of_mean(&self, _one: &Seen, values: u64) -> Option<f64> {
+    fn variance_of_mean(&self, _one: &Observation, values: u64) -> Option<f64> {
         self.noise.map(|noise| noise.of_mean(values))
     }
 
-    fn variance_of_rounding(&self, one: &Seen) -> f64 {
+    fn variance_of_rounding(&self, one: &Observation) -> f64 {
         self.noise
             .map_or(0.0, |noise| rounding(noise.sigma_px, self.step(), one.unit))
     }
@@ -173,7 +173,7 @@ impl Method for Stereo {
                 value: p.stereo.focal_length_px,
                 interval_95: None,
                 unit: "px",
-                what: "by which distances became disparities",
+                what: "the focal length that converts distances to disparities",
                 is_fitted: false,
             });
         }
@@ -183,7 +183,7 @@ impl Method for Stereo {
                 value: f64::from(p.width_px),
                 interval_95: None,
                 unit: "px",
-                what: "of the matcher's images",
+                what: "the width of the matcher's images",
                 is_fitted: false,
             });
         }
@@ -193,7 +193,7 @@ impl Method for Stereo {
 fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
     let solution = &found.solution;
     let interval = |at: usize, scale: f64| solution.interval(at, scale, found.is_known);
-    // An amplitude is not below 0.
+    // An amplitude is not negative.
     let locking = interval(1, 1.0).map(|ends| ends.map(|end| end.max(0.0)));
     let nominal = report.focal_length_px;
     let mut parameters = vec![
@@ -202,7 +202,7 @@ fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
             value: solution.parameters[0],
             interval_95: interval(0, 1.0),
             unit: "px",
-            what: "the error of the calibration; below 0 it reports too far",
+            what: "the calibration error, negative if too far",
             is_fitted: true,
         },
         Parameter {
@@ -210,7 +210,7 @@ fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
             value: solution.parameters[1].max(0.0),
             interval_95: locking,
             unit: "px",
-            what: "the amplitude of the error that repeats with every pixel",
+            what: "the amplitude of the error that repeats every pixel",
             is_fitted: true,
         },
     ];
@@ -221,14 +221,14 @@ fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
             value: nominal * share,
             interval_95: interval(2, nominal),
             unit: "px",
-            what: "by which distances became disparities",
+            what: "the focal length that converts distances to disparities",
             is_fitted: true,
         });
     }
     parameters
 }
 
-/// The curve that was found.
+/// The fitted curve.
 #[derive(Debug)]
 struct Curve {
     px_m: f64,
@@ -247,8 +247,8 @@ impl Curve {
 }
 
 impl Fitted for Curve {
-    fn counting(&self) -> Counting {
-        Counting::Disparity { px_m: self.px_m }
+    fn error_domain(&self) -> ErrorDomain {
+        ErrorDomain::Disparity { px_m: self.px_m }
     }
 
     fn error(&self, depth_m: f64) -> f64 {
@@ -259,10 +259,10 @@ impl Fitted for Curve {
         self.errors().half_width(&self.found, depth_m)
     }
 
-    /// In steps of disparity, in which the error repeats.
+    /// In steps of disparity, in which the error is periodic.
     fn places(&self, near_m: f64, far_m: f64) -> Vec<f64> {
         let [most, least] = [near_m, far_m].map(|z| self.px_m / z);
-        let count = (A_PIXEL * (most - least)).clamp(2.0, MOST).round();
+        let count = (A_PIXEL * (most - least)).clamp(2.0, MAX).round();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
         let steps = 0..=count as u32;
         steps
@@ -293,7 +293,7 @@ impl Fitted for Curve {
     }
 }
 
-/// What is left of rounding in a mean, px²: noise evens steps out, millimetres as far as they fall on several steps.
+/// Returns the variance due to rounding in a mean, px²: noise averages steps, and millimetres if they cover several steps.
 fn rounding(sigma_px: f64, step_px: f64, unit_px: f64) -> f64 {
     let steps = left_of_rounding(sigma_px, step_px);
     if unit_px <= 0.0 {

@@ -1,57 +1,57 @@
-//! How a pixel varies over time, and with how many neighbours.
+//! The noise of a pixel over time and its correlation with neighbours.
 
 use crate::measure::Autocovariance;
 use oaktwin_depth::random::philox4x32_10;
 
 use super::super::least_squares::NORMAL_95;
-use super::super::target::Seen;
+use super::super::target::Observation;
 
-/// As often is the window estimated anew, of pairs of frames drawn at random.
+/// The number of bootstrap samples of pairs of frames from which the window is estimated.
 const RESAMPLED: u32 = 200;
 
-/// The key of those random numbers.
+/// The key of the random numbers.
 const KEY: [u32; 2] = [0x6669_7421, 0x7769_6e64];
 
-/// Pairs of frames from which on drawing among them says something.
+/// The number of pairs of frames below which there is no interval.
 const FEWEST_PAIRS: usize = 4;
 
-/// Jitter below so many steps does not move disparities from step to step often enough to be seen.
+/// The jitter, in steps, below which disparities rarely change from step to step.
 pub(super) const FEWEST_STEPS: f64 = 0.3;
 
-/// The noise of all that was seen.
+/// The noise of all targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Noise {
-    /// The standard deviation over time, without what rounding adds, px.
+    /// The standard deviation over time without rounding in pixels.
     pub(super) sigma_px: f64,
-    /// For 95 %.
+    /// The 95 % interval.
     pub(super) sigma_interval_px: [f64; 2],
-    /// The side of the square over which it is correlated, px of the image.
+    /// The side of the square window of the correlation in pixels of the image.
     pub(super) window: usize,
-    /// For 95 %, where there are pairs enough.
+    /// The 95 % interval, if there are enough pairs of frames.
     pub(super) window_interval: Option<[usize; 2]>,
 }
 
 impl Noise {
-    /// So many values as one that is independent.
+    /// The number of values that correspond to an independent one.
     pub(super) fn together(&self) -> f64 {
         (self.window * self.window) as f64
     }
 
-    /// The variance of the mean of so many values, px².
+    /// Returns the variance of the mean of a number of values, px².
     pub(super) fn of_mean(&self, values: u64) -> f64 {
         self.sigma_px * self.sigma_px * self.together() / (values as f64).max(self.together())
     }
 }
 
-/// Of targets in images of one size; `None` where no pixel is seen twice.
-pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
-    // Where whole millimetres are coarse they hide the rest.
-    let is_fine = |one: &&Seen| {
+/// Estimates the noise of targets in images of one size; `None` if no pixel is valid in two frames.
+pub(super) fn noise(seen: &[Observation], step_px: f64) -> Option<Noise> {
+    // Coarse whole millimetres hide the noise.
+    let is_fine = |one: &&Observation| {
         let unit = one.unit * one.unit / 12.0;
         one.variance().is_some_and(|variance| unit <= 0.25 * variance)
     };
     let any = || seen.iter().filter(|one| one.variance().is_some());
-    let used: Vec<&Seen> = if any().any(|one| is_fine(&one)) {
+    let used: Vec<&Observation> = if any().any(|one| is_fine(&one)) {
         any().filter(is_fine).collect()
     } else {
         any().collect()
@@ -73,7 +73,7 @@ pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
     let total = variances.iter().map(|(w, v)| w * v).sum::<f64>() / weight
         + all.iter().map(|one| count(one) * one.1).sum::<f64>() / weight;
 
-    // Each pair's own, less what rounding adds.
+    // The variance of each pair without rounding.
     let pairs: Vec<(&Autocovariance, f64)> = used
         .iter()
         .flat_map(|one| one.pairs.iter().map(|pair| (pair, one.rounding(step_px))))
@@ -92,7 +92,7 @@ pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
         [windows[dropped], windows[windows.len() - 1 - dropped]]
     });
 
-    // Squares of normal numbers: of a difference two frames each, of neighbours those under one window.
+    // The degrees of freedom: each difference has two frames, and neighbours share a window.
     let side = window as f64;
     let alike = ((2.0 * side * side + 1.0) / (3.0 * side)).powi(2);
     let overlap = if used.iter().all(|one| one.pairs.len() < 2) {
@@ -101,7 +101,7 @@ pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
         1.5
     };
     let by_counts = total * (2.0 * overlap * alike / weight).sqrt();
-    // What devices do besides shows from distance to distance.
+    // Other effects of the device appear as differences between distances.
     let number = variances.len() as f64;
     let scatter = variances
         .iter()
@@ -122,14 +122,14 @@ pub(super) fn noise(seen: &[Seen], step_px: f64) -> Option<Noise> {
     })
 }
 
-/// A number below `of`, the same for the same arguments.
+/// Returns a pseudorandom number below `of` that depends only on the arguments.
 fn draw(i: u32, at: usize, of: usize) -> usize {
     #[expect(clippy::cast_possible_truncation, reason = "fewer pairs than 2³²")]
     let [word, ..] = philox4x32_10([i, at as u32, 0, 0], KEY);
     ((u64::from(word) * of as u64) >> 32) as usize
 }
 
-/// By distance in pixels, without what rounding adds to each pixel.
+/// Returns the covariance by lag in pixels, without the rounding of each pixel.
 fn covariances<'a>(pairs: impl Iterator<Item = (&'a Autocovariance, f64)>) -> Vec<f64> {
     let mut all: Option<Autocovariance> = None;
     let mut rounding = 0.0;
@@ -148,8 +148,8 @@ fn covariances<'a>(pairs: impl Iterator<Item = (&'a Autocovariance, f64)>) -> Ve
     covariances
 }
 
-/// The side of the square whose mean has such covariances: they fall in a straight line to 0 there. The best by least
-/// squares.
+/// Returns the side of the square window with the best least-squares fit to covariances, which decrease linearly to 0 at that
+/// lag.
 fn window(covariances: &[f64]) -> usize {
     let fit = |side: usize| {
         let line = |lag: usize| (1.0 - lag as f64 / side as f64).max(0.0);

@@ -1,4 +1,4 @@
-//! What the twin itself recorded, with known parameters.
+//! Fits of simulated recordings with known parameters.
 
 use std::fmt::Write;
 use std::fs;
@@ -14,7 +14,7 @@ use oaktwin_camera::{ImageSize, StereoGeometry};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, npy};
 
-/// A matcher of few pixels and a long focal length: the disparities of a real one in images that are quickly made.
+/// A matcher with few pixels and a long focal length: realistic disparities in small images.
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 120;
 const FOCAL_PX: f64 = 800.0;
@@ -64,7 +64,7 @@ struct Recorded<'a> {
 }
 
 impl Recorded<'_> {
-    /// A file of all frames for each distance, and the table.
+    /// Writes a file of all frames for each distance, and the table.
     fn write(&self, folder: &Path) {
         let engine = StereoNoise::new(self.parameters).unwrap();
         let random = Stream::new(self.seed, "test");
@@ -93,7 +93,7 @@ fn codes(findings: &[Finding]) -> Vec<&str> {
     findings.iter().map(|finding| finding.code).collect()
 }
 
-/// Many small recordings of devices that differ: the truth is inside of the intervals about as often as they say.
+/// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.
 #[test]
 fn intervals_hold_what_was_put_in() {
     const RUNS: u32 = 60;
@@ -133,7 +133,7 @@ fn intervals_hold_what_was_put_in() {
     for count in inside {
         assert!(f64::from(count) >= 0.85 * f64::from(RUNS), "{inside:?}");
     }
-    // Intervals that hold everything say nothing.
+    // Intervals must not be too wide either.
     assert!(
         widths[0] < 0.02 && widths[1] < 0.03 && widths[2] < 0.01,
         "{widths:?}"
@@ -262,7 +262,7 @@ fn a_bias_that_no_calibration_has_is_told() {
     assert_eq!(codes(&findings), ["implausible-bias"], "{findings:?}");
 }
 
-/// Distances in other units by 3 %: no bias is like that.
+/// Distances that are wrong by 3 %, which no bias explains.
 #[test]
 fn a_wrong_scale_is_told() {
     let distances: Vec<f64> = (0..12).map(|i| 1.6 + 0.41 * f64::from(i)).collect();
@@ -289,7 +289,7 @@ fn a_wrong_scale_is_told() {
     assert!((percent - 3.0).abs() < 0.3, "{told}");
 }
 
-/// Ground truth beside what the sensor reported, of a board so oblique that it spans many pixels of disparity.
+/// Ground truth beside the sensor's images of a board so oblique that it spans many pixels of disparity.
 #[test]
 fn ground_truth_beside_the_sensors_images() {
     let engine = StereoNoise::new(truth(-0.15, 0.1, 0.05, 7)).unwrap();
@@ -309,7 +309,7 @@ fn ground_truth_beside_the_sensors_images() {
     }
     let (report, findings) = fitted(&[folder.path()], &options()).unwrap();
     assert!(report.passed, "{findings:?}");
-    // Each column has its truth.
+    // Each column has its own true distance.
     assert_eq!(report.points.len(), 96);
     for (name, value) in [("bias", -0.15), ("pixelLocking", 0.1), ("jitter", 0.05)] {
         let found = report.parameter(name).unwrap().value;
@@ -328,7 +328,7 @@ fn ground_truth_beside_the_sensors_images() {
     assert!(error.contains("nothing that a sensor reported"), "{error}");
 }
 
-/// The vendor's two curves, of one device each.
+/// The vendor's two curves, each of one device.
 #[test]
 #[ignore = "needs OAKTWIN_TEST_DATA"]
 fn the_vendors_measured_curves() {

@@ -1,6 +1,6 @@
-//! From images' pixels to matcher pixels.
+//! Conversion from pixels of an image to matcher pixels.
 
-/// The odd side in matcher pixels of a window so wide in an image, `image_px` pixels of which are a matcher pixel.
+/// Returns the odd side in matcher pixels of a window in an image, where `image_px` pixels are one matcher pixel.
 pub(super) fn matcher_window(side: usize, image_px: f64) -> f64 {
     let sides = (0..32u32).map(|i| f64::from(2 * i + 1));
     let width = side as f64;

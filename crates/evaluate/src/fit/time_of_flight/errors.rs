@@ -1,19 +1,19 @@
-//! The systematic error: a constant and four waves a period, along the rays; of depth, its mean over the region.
+//! The systematic error: a constant and four waves per period along the rays, averaged over the region.
 
 use oaktwin_depth::time_of_flight::Parameters;
 
-use super::super::counting::Counting;
+use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
 use super::super::method::Fitted;
 use super::super::points::Point;
 use super::super::report::{Report, number};
 use super::rays::mean;
 
-/// Places along the curve to each wave, and the most.
+/// The number of points of the curve per wave, and its maximum.
 const A_WAVE: f64 = 24.0;
-const MOST: f64 = 4000.0;
+const MAX: f64 = 4000.0;
 
-/// The sensor as far as its systematic error goes.
+/// The parameters of the sensor that affect its systematic error.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     pub(super) p: Parameters,
@@ -22,7 +22,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// The error of depth, a share of it, of a bias, m, and an amplitude of wiggling.
+    /// Returns the error as a share of depth for a bias in metres and an amplitude of wiggling.
     pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
         let [bias_m, wiggling] = [parameters[0], parameters[1]];
         let error = mean(&self.rays, |ray| {
@@ -43,7 +43,7 @@ impl Shape {
         let mut sizes: Vec<f64> = points.iter().map(|point| point.error * point.depth_m).collect();
         sizes.sort_by(f64::total_cmp);
         let middle = *sizes.get(sizes.len() / 2)?;
-        // With its sign an error is as good as linear in both; without, bias may be of either.
+        // A signed error is nearly linear in both parameters; for absolute errors the bias may have either sign.
         let mut starts = vec![[middle, self.p.wiggling_left().max(1e-4)]];
         if self.is_absolute {
             starts.push([-middle, starts[0][1]]);
@@ -57,7 +57,7 @@ impl Shape {
             })
             .collect();
         if self.is_absolute {
-            // Both signs turned around are the same errors.
+            // Inverting both signs gives the same absolute errors.
             for solution in &mut solutions {
                 if solution.parameters[1] < 0.0 {
                     solution.parameters.iter_mut().for_each(|p| *p = -*p);
@@ -101,19 +101,19 @@ impl Problem for Errors<'_> {
     }
 }
 
-/// What was found: bias, m, and the amplitude of wiggling.
+/// The solution: bias in metres, and the amplitude of wiggling.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     shape: Shape,
     pub(super) solution: Solution,
     pub(super) is_known: bool,
-    /// Another solution that is as good: its parameters.
+    /// The parameters of an equally good solution.
     pub(super) rival: Option<Vec<f64>>,
 }
 
 impl Fitted for Found {
-    fn counting(&self) -> Counting {
-        Counting::Depth
+    fn error_domain(&self) -> ErrorDomain {
+        ErrorDomain::Depth
     }
 
     fn error(&self, depth_m: f64) -> f64 {
@@ -127,7 +127,7 @@ impl Fitted for Found {
 
     fn places(&self, near_m: f64, far_m: f64) -> Vec<f64> {
         let waves = 4.0 * (far_m - near_m) / self.shape.p.period_m();
-        let count = (A_WAVE * waves).clamp(2.0, MOST).round();
+        let count = (A_WAVE * waves).clamp(2.0, MAX).round();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
         let steps = 0..=count as u32;
         steps

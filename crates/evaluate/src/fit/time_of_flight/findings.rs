@@ -1,29 +1,29 @@
-//! What cannot be found, and what is odd in what was.
+//! Findings about a fit, and the reasons why parameters cannot be fitted.
 
 use super::super::points::Point;
 use super::errors::Found;
 use super::light::Light;
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
-/// Bias and amplitude that stand for one another more than this are not told apart.
+/// The correlation above which bias and amplitude cannot be separated.
 const MOST_CORRELATION: f64 = 0.98;
 
-/// The vendor publishes 1 % of 0.2 m and more.
+/// The vendor publishes 1 % from 0.2 m.
 const MOST_BIAS_M: f64 = 0.1;
 
-/// Noise that is off the curve by so many standard errors is of something else.
+/// The deviation of noise from the curve, in standard errors, above which the model does not fit.
 const MOST_SCATTER: f64 = 4.0;
 
-/// Of points without known errors so many more than parameters.
+/// The required excess of points over parameters if errors are unknown.
 const FEWEST_MORE: usize = 3;
 
-/// Why bias and wiggling cannot be found, and what to do.
+/// Returns the reason why bias and wiggling cannot be fitted, and the remedy.
 pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Option<(String, Message)> {
     let mut distances: Vec<f64> = points.iter().map(|point| point.depth_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs());
     let more = Message::from(
-        "record more distances, a few centimetres apart too: the error repeats every 0.4 m or so",
+        "record more distances, including some a few centimetres apart: the error repeats about every 0.4 m",
     );
     let least = match points.iter().all(|point| point.sigma.is_some()) {
         true => 3,
@@ -32,7 +32,7 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
     match distances.len() {
         0 => {
             return Some((
-                "no true distance within range is known".to_owned(),
+                "there is no true distance within range".to_owned(),
                 message![
                     "give a distances.csv with columns file,distance_m, or an earlier ",
                     opt("from")
@@ -41,12 +41,15 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
         }
         1 => {
             return Some((
-                "one distance does not tell bias and wiggling apart".to_owned(),
+                "bias and wiggling cannot be separated with one distance".to_owned(),
                 more,
             ));
         }
         count if count < least => {
-            return Some((format!("{count} distances are too few, {least} are needed"), more));
+            return Some((
+                format!("{count} distances are too few; {least} are required"),
+                more,
+            ));
         }
         _ => {}
     }
@@ -58,12 +61,12 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
     let rival = found.rival.as_ref()?;
     let [a, b] = [&found.solution.parameters, rival].map(|p| 1e3 * p[0]);
     Some((
-        format!("without signs of the errors a bias of {a:.2} mm fits, and so does {b:.2} mm"),
-        "give errors with their signs".into(),
+        format!("for absolute errors, biases of {a:.2} mm and {b:.2} mm fit equally well"),
+        "give signed errors".into(),
     ))
 }
 
-/// Doubts about distances and device.
+/// Reports suspicious distances and devices.
 pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding> {
     let mut findings = Vec::new();
     let bias_m = found.solution.parameters[0];
@@ -72,8 +75,8 @@ pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding>
             "implausible-bias",
             Level::Warning,
             "bias",
-            format!("{bias_m:.3} m is more than any camera is off"),
-            "check the distances, and from where they were measured",
+            format!("{bias_m:.3} m exceeds the error of any camera"),
+            "check the distances and the point from which they were measured",
         ));
     }
     if let Some([_, high]) = found.solution.interval(1, 1.0, found.is_known)
@@ -83,32 +86,31 @@ pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding>
             "other-phase",
             Level::Warning,
             wiggling,
-            "the error that repeats has the opposite sign of the engine's: 0 is as near as it comes"
-                .to_owned(),
-            "check the modulation frequencies, and whether the correction was on",
+            "the periodic error has the opposite sign of the engine's; 0 is the closest value".to_owned(),
+            "check the modulation frequencies, and whether the correction was enabled",
         ));
     }
     findings
 }
 
-/// Doubts about the noise.
+/// Reports suspicious noise.
 pub(super) fn of_light(light: &Light) -> Option<Finding> {
     let scatter = light.scatter.filter(|scatter| *scatter > MOST_SCATTER)?;
     Some(Finding::new(
         "other-noise",
         Level::Warning,
         "signal",
-        format!("noise over distance is {scatter:.1} standard errors off what light makes it"),
-        "is the target of one albedo, and the lamp's light alike at all distances? were filters on?",
+        format!("noise over distance differs from the model of light by {scatter:.1} standard errors"),
+        "does the target have a uniform albedo? was the illumination the same at all distances? were filters enabled?",
     ))
 }
 
-/// Frames that share other measurements than the engine's parameters say.
+/// Reports frames that share measurements in another way than the engine's parameters state.
 pub(super) fn other_sharing(shared: f64) -> Finding {
     let message = if shared > 0.0 {
-        "half of a frame's noise is the next one's too, as without burst mode: it is taken so"
+        "consecutive frames share half of their noise, as without burst mode; the fit assumes this"
     } else {
-        "frames one after the other share no noise, as in burst mode: it is taken so"
+        "consecutive frames share no noise, as in burst mode; the fit assumes this"
     };
     Finding::new(
         "shared-noise",

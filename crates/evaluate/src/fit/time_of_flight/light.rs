@@ -1,48 +1,48 @@
-//! The light that explains how noise grows with distance.
+//! The light that explains the increase of noise with distance.
 
 use oaktwin_depth::time_of_flight::Parameters;
 
 use super::super::least_squares::{Problem, Solution, solve};
 use super::rays::mean;
 
-/// Signal and ambient light that stand for one another more than this are not told apart.
+/// The correlation above which signal and ambient light cannot be separated.
 const MOST_CORRELATION: f64 = 0.98;
 
-/// Ambient light that is not known better than this share of the light at the farthest target is not known.
+/// The uncertainty of ambient light, as a share of the light at the farthest target, above which it is unknown.
 const LEAST_KNOWN: f64 = 0.5;
 
-/// The unit in which ambient light is sought, electrons: numbers near 1 are.
+/// The unit of ambient light in electrons, which makes the numbers of the fit close to 1.
 const AMBIENT_UNIT_E: f64 = 100.0;
 
 /// The noise of one target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Noise {
     pub(super) depth_m: f64,
-    /// Of depth, without rounding, m².
+    /// The variance of depth without rounding, m².
     pub(super) variance_m2: f64,
-    /// Its standard error, a share of it.
+    /// The relative standard error of the variance.
     pub(super) error: f64,
 }
 
-/// The variance of depth of a pixel, m², the mean over the region.
+/// Returns the variance of a pixel's depth in m², averaged over the region.
 pub(super) fn variance_m2(p: &Parameters, rays: &[f64], depth_m: f64) -> f64 {
     mean(rays, |ray| {
         p.range_variance_m2(depth_m * ray, 1.0 / ray) / (ray * ray)
     })
 }
 
-/// What was found.
+/// The fitted light.
 #[derive(Clone, Debug)]
 pub(super) struct Light {
     pub(super) signal_e: f64,
     pub(super) signal_interval_e: Option<[f64; 2]>,
-    /// `None` where it cannot be told from the signal.
+    /// The ambient light; `None` if it cannot be separated from the signal.
     pub(super) ambient: Option<(f64, Option<[f64; 2]>)>,
-    /// The root mean square of the deviations from it, in standard errors.
+    /// The root mean square of the deviations in standard errors.
     pub(super) scatter: Option<f64>,
 }
 
-/// Fits the signal, and where it shows the ambient light; `None` without noise.
+/// Fits the signal and, if it is significant, the ambient light; `None` without noise.
 pub(super) fn fit(p: &Parameters, rays: &[f64], noise: &[Noise]) -> Option<Light> {
     if noise.is_empty() {
         return None;
@@ -89,7 +89,7 @@ impl Problem for Variances<'_> {
         self.noise.len()
     }
 
-    /// Of the logarithm: noise spans orders of magnitude.
+    /// The deviation of the logarithm: noise spans orders of magnitude.
     fn deviation(&self, parameters: &[f64], i: usize) -> f64 {
         let one = &self.noise[i];
         let p = Parameters {

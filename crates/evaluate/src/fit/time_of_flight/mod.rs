@@ -10,43 +10,43 @@ mod tests;
 use crate::measure::median;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
-use super::counting::{Counting, left_of_rounding};
+use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::method::{Fitted, Method};
 use super::points::{OfTarget, Point};
 use super::report::Parameter;
-use super::target::Seen;
+use super::target::Observation;
 use super::work::Work;
 use super::{FitError, Options};
 use errors::{Found, Shape};
 use light::Noise;
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 
-/// What is nearer to the median than so many millimetres' steps is no wrong period.
+/// The distance from the median, in steps of millimetres, below which a value does not have a wrong period.
 const STEP_M: f64 = 0.001;
 
-/// Noise that is less than so many units is hidden by them.
+/// The noise, in units, below which rounding hides it.
 const FEWEST_UNITS: f64 = 0.5;
 
-/// Noise that is more of a period is not small any more.
+/// The noise, as a share of a period, above which it is not small.
 const MOST_OF_PERIOD: f64 = 0.03;
 
-/// Less of the region's pixels than this are chosen by their noise.
+/// The share of valid pixels below which noise selects them.
 const LEAST_FILL: f64 = 0.8;
 
-/// What is off by whole periods within this share of one has the wrong ones.
+/// The tolerance, as a share of a period, for errors of whole periods.
 const NEAR_PERIOD: f64 = 0.1;
 
-/// A camera whose errors are sought.
+/// A camera to fit.
 pub(super) struct Tof {
     p: Parameters,
     rays: Vec<f64>,
     range_m: f64,
-    /// How much of a frame's noise is the next one's too.
+    /// The share of a frame's noise that the next frame shares.
     shared: f64,
 }
 
 impl Tof {
-    /// Of what is known of it.
+    /// Creates the method from the known parameters.
     pub(super) fn new(engine: &TimeOfFlight, options: &Options) -> Result<Self, FitError> {
         let p = *engine.parameters();
         let refused = |text: &str| Err(FitError::Option(text.into()));
@@ -78,24 +78,24 @@ impl Tof {
         if self.p.enable_wiggle_correction {
             (
                 "wigglingResidual",
-                "what the correction leaves of the error that repeats four times a period",
+                "the residual of the corrected error, which repeats four times per period",
             )
         } else {
             (
                 "wiggling",
-                "the amplitude of the error that repeats four times a period",
+                "the amplitude of the error that repeats four times per period",
             )
         }
     }
 
-    /// A pixel's over time without whole units, m².
-    fn noise_m2(&self, one: &Seen) -> Option<f64> {
+    /// Returns the variance of a pixel over time without rounding, m².
+    fn noise_m2(&self, one: &Observation) -> Option<f64> {
         Some((one.variance()? - one.rounding(0.0)).max(0.0) / (1.0 - self.shared))
     }
 
-    /// How much of a frame's noise is the next one's too, as far as frames tell: half where measurements are shared, as
-    /// frames two apart then differ by twice as much; else nothing.
-    fn shared_by(&self, seen: &[Seen]) -> Option<f64> {
+    /// Returns the share of a frame's noise that the next frame shares: half if measurements are shared, because every second
+    /// frame then differs by twice as much, otherwise none.
+    fn shared_by(&self, seen: &[Observation]) -> Option<f64> {
         let ratios: Vec<f64> = seen
             .iter()
             .filter_map(|one| {
@@ -108,8 +108,8 @@ impl Tof {
         Some(if ratio < 0.75 { 0.5 } else { 0.0 })
     }
 
-    /// By how much the squares of so many differences, one after the other, vary more in their mean than independent
-    /// ones: each shares a frame with the next, and its noise with the one after that.
+    /// Returns the factor by which the mean square of consecutive differences varies more than that of independent ones: each
+    /// shares a frame with the next, and its noise with the one after that.
     fn overlap(&self, pairs: usize) -> f64 {
         let shared = self.shared;
         let own = 2.0 - 2.0 * shared;
@@ -121,8 +121,8 @@ impl Tof {
         1.0 + [1.0, 2.0].into_iter().zip(correlations).map(with).sum::<f64>()
     }
 
-    /// What can be compared with the engine's.
-    fn noise_of(&self, one: &Seen) -> Option<Noise> {
+    /// Returns the targets that can be compared with the engine.
+    fn noise_of(&self, one: &Observation) -> Option<Noise> {
         let variance_m2 = self.noise_m2(one)?;
         let sigma_m = variance_m2.sqrt();
         let is_seen = sigma_m >= FEWEST_UNITS * one.unit && sigma_m > 0.0;
@@ -141,8 +141,8 @@ impl Tof {
 }
 
 impl Method for Tof {
-    fn counting(&self) -> Counting {
-        Counting::Depth
+    fn error_domain(&self) -> ErrorDomain {
+        ErrorDomain::Depth
     }
 
     fn step(&self) -> f64 {
@@ -157,7 +157,7 @@ impl Method for Tof {
         &["signal", "ambient"]
     }
 
-    fn noise(&mut self, seen: &[Seen], work: &mut Work<'_>) {
+    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>) {
         if let Some(shared) = self.shared_by(seen)
             && shared != self.shared
         {
@@ -168,12 +168,12 @@ impl Method for Tof {
         let Some(light) = light::fit(&self.p, &self.rays, &noise) else {
             let (why, remedy) = if seen.iter().all(|one| one.variance().is_none()) {
                 (
-                    "no pixel was seen in two frames of one target",
+                    "no pixel is valid in two frames of one target",
                     "give several frames of each distance",
                 )
             } else {
                 (
-                    "no target's noise is more than its whole millimetres, and small beside a period",
+                    "the noise of every target is hidden by rounding to millimetres, or too large relative to a period",
                     "record farther or nearer targets",
                 )
             };
@@ -201,7 +201,7 @@ impl Method for Tof {
             }),
             None => {
                 let why = format!(
-                    "these distances do not tell it from the signal, which is that with {} electrons of it",
+                    "these distances do not separate it from the signal, which assumes {} electrons of it",
                     self.p.ambient_e
                 );
                 work.not_found(
@@ -217,20 +217,20 @@ impl Method for Tof {
         work.findings.extend(findings::of_light(&light));
     }
 
-    fn variance(&self, one: &Seen) -> Option<f64> {
+    fn variance(&self, one: &Observation) -> Option<f64> {
         Some(self.noise_m2(one)? + one.rounding(0.0))
     }
 
-    fn variance_of_mean(&self, one: &Seen, values: u64) -> Option<f64> {
-        // A frame's with itself, and with the one before and after.
+    fn variance_of_mean(&self, one: &Observation, values: u64) -> Option<f64> {
+        // The covariance of a frame with itself, and with the previous and the next one.
         let by_time = self.noise_m2(one)? * (1.0 + 2.0 * self.shared) / (values as f64).max(1.0);
-        // What pixels differ by always is there too.
+        // This includes the constant differences between pixels.
         let places = one.places.iter().filter(|place| place.sum.values > 0).count() as f64;
         let by_place = one.plane().map_or(0.0, |(_, rms)| rms * rms / places);
         Some(by_time.max(by_place * one.values() as f64 / (values as f64).max(1.0)))
     }
 
-    fn variance_of_rounding(&self, one: &Seen) -> f64 {
+    fn variance_of_rounding(&self, one: &Observation) -> f64 {
         let sigma = self.noise_m2(one).unwrap_or_default().sqrt();
         left_of_rounding(sigma, one.unit)
     }
@@ -248,7 +248,7 @@ impl Method for Tof {
                 Level::Warning,
                 name(work),
                 format!(
-                    "{depth_m:.3} m is farther than the {:.3} m that can be told: left out",
+                    "{depth_m:.3} m is beyond the range of {:.3} m: ignored",
                     self.range_m
                 ),
                 message![
@@ -267,11 +267,11 @@ impl Method for Tof {
                 Level::Warning,
                 name(work),
                 format!(
-                    "{error_m:+.3} m off is {:+.0} periods of {:.3} m: left out",
+                    "the error of {error_m:+.3} m is {:+.0} periods of {:.3} m: ignored",
                     periods.round(),
                     self.p.period_m()
                 ),
-                "check the distance; a brighter target is unwrapped better",
+                "check the distance; a brighter target is unwrapped more reliably",
             ));
         }
         !is_wrong
@@ -292,7 +292,7 @@ impl Method for Tof {
         }
         let found: Found = found?;
         let interval = |at| found.solution.interval(at, 1.0, found.is_known);
-        // An amplitude is not below 0.
+        // An amplitude is not negative.
         let not_below = |ends: [f64; 2]| ends.map(|end| end.max(0.0));
         work.put_first(vec![
             Parameter {
@@ -300,7 +300,7 @@ impl Method for Tof {
                 value: found.solution.parameters[0],
                 interval_95: interval(0),
                 unit: "m",
-                what: "the constant error; above 0 it reports too far",
+                what: "the constant error, positive if too far",
                 is_fitted: true,
             },
             Parameter {

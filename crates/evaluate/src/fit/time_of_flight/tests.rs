@@ -1,4 +1,4 @@
-//! What the engine itself recorded, with known parameters.
+//! Fits of simulated recordings with known parameters.
 
 use std::fmt::Write;
 use std::fs;
@@ -12,7 +12,7 @@ use oaktwin_camera::ImageSize;
 use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::sensor::{SensorOptions, TIME_OF_FLIGHT, time_of_flight_parameters};
 
-/// Few pixels, those in the middle of the device's view.
+/// A few pixels at the centre of the device's view.
 const CROP: [(&str, &str); 2] = [("width", "64"), ("principalPoint", "center")];
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;
@@ -51,7 +51,7 @@ struct Recorded<'a> {
 }
 
 impl Recorded<'_> {
-    /// A file of all frames for each distance, and the table, in which a distance may be another.
+    /// Writes a file of all frames for each distance, and the table, in which a distance may be wrong.
     fn write(&self, folder: &Path, said: impl Fn(f64) -> f64) {
         let engine = TimeOfFlight::new(self.parameters).unwrap();
         let random = Stream::new(self.seed, "test");
@@ -103,7 +103,7 @@ fn distances(count: u32) -> Vec<f64> {
     (0..count).map(|i| 0.6 + 0.37 * f64::from(i)).collect()
 }
 
-/// Many small recordings of devices that differ: the truth is inside of the intervals about as often as they say.
+/// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.
 #[test]
 fn intervals_hold_what_was_put_in() {
     const RUNS: u32 = 60;
@@ -127,7 +127,7 @@ fn intervals_hold_what_was_put_in() {
             frames: 4,
             turned_deg: 0.0,
         };
-        // Whether frames share noise is seen.
+        // Shared noise is detected.
         let (report, findings) = recorded.fitted(&options());
         assert_eq!(codes(&findings).contains(&"shared-noise"), p.enable_burst_mode);
         assert!(report.passed, "{run}: {findings:?}");
@@ -147,7 +147,7 @@ fn intervals_hold_what_was_put_in() {
     for count in inside {
         assert!(f64::from(count) >= 0.85 * f64::from(RUNS), "{inside:?}");
     }
-    // Intervals that hold everything say nothing.
+    // Intervals must not be too wide either.
     assert!(
         widths[0] < 0.001 && widths[1] < 0.006 && widths[2] < 600.0 && widths[3] < 150.0,
         "{widths:?}"
@@ -226,7 +226,7 @@ fn wrong_periods_and_what_is_out_of_range_are_left_out() {
         turned_deg: 0.0,
     };
     let folder = tempfile::tempdir().unwrap();
-    // The board that stood at 2.5 m is said to have stood a period farther away.
+    // The table places the board at 2.5 m a period farther away.
     let period = model().period_m();
     recorded.write(folder.path(), |z| if z == 2.5 { z + period } else { z });
     let (report, findings) = fitted(folder.path(), &options()).unwrap();
@@ -262,7 +262,7 @@ fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
     assert!(error.contains("the target is tilted by 1"), "{error}");
 }
 
-/// Errors alone, with their signs and without.
+/// Errors alone, signed and absolute.
 #[test]
 fn a_curve_of_errors() {
     let truth = Parameters {

@@ -12,7 +12,8 @@ use self::mtl::Library;
 use self::part::{Corner, Part, Pool};
 use super::builder::{Builder, step};
 use super::error::Fault;
-use super::{srgb, text};
+use super::text;
+use crate::srgb;
 
 pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let mut reader = Reader {

@@ -11,8 +11,8 @@ use self::body::Body;
 use self::header::{Element, Encoding, Header, Kind, Property};
 use super::builder::{Builder, step};
 use super::error::Fault;
-use super::srgb;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
+use crate::srgb;
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let header = Header::read(bytes)?;

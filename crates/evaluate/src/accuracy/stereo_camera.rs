@@ -1,4 +1,4 @@
-//! The two cameras of a stereo pair before the board.
+//! The two cameras of a stereo pair in front of the board.
 
 use oaktwin_depth::ParameterError;
 use oaktwin_depth::imager::{Imager, Parameters, Recorded};
@@ -9,16 +9,16 @@ use oaktwin_camera::Intrinsics;
 use oaktwin_image::{Image, ImageView};
 use oaktwin_pipeline::pair::shifted;
 
-/// A rectified pair as its sensors record it: both cameras have the same intrinsics, so there is nothing to rectify.
+/// A rectified pair as its image sensors record it. Both cameras have the same intrinsics, so no rectification is required.
 #[derive(Debug)]
-pub(super) struct Eyes {
+pub(super) struct StereoCamera {
     baseline_m: f64,
     imager: Imager,
     random: [Stream; 2],
 }
 
-impl Eyes {
-    /// With image sensors as by default, of which a pixel is `scale` px of the images, their noise of this seed.
+impl StereoCamera {
+    /// Creates a pair with default image sensors, one pixel of which is `scale` pixels of the images.
     pub(super) fn new(baseline_m: f64, scale: f64, seed: u64) -> Result<Self, ParameterError> {
         Ok(Self {
             baseline_m,
@@ -27,19 +27,19 @@ impl Eyes {
         })
     }
 
-    /// The light on the left camera, the same for every unit.
+    /// Returns the light on the left camera, the same for every unit.
     pub(super) fn left(&self, board: &Board, intrinsics: Intrinsics) -> Image<f32> {
         board.light(intrinsics, 0.0)
     }
 
-    /// The light on the right camera of a unit whose disparities are `bias_px` too large: its image lies so much farther
-    /// left than its calibration says. It is rendered so, not shifted afterwards, since where a pixel's edges are has a say
-    /// in what subpixel interpolation makes of it.
+    /// Returns the light on the right camera of a unit whose disparities are `bias_px` too large: its image is that much farther
+    /// left than its calibration states. The image is rendered there rather than shifted afterwards, because the positions of
+    /// pixel edges affect subpixel interpolation.
     pub(super) fn right(&self, board: &Board, intrinsics: Intrinsics, bias_px: f64) -> Image<f32> {
         board.light(shifted(intrinsics, -bias_px), self.baseline_m)
     }
 
-    /// What both record of their light.
+    /// Records the light on both cameras.
     pub(super) fn record(
         &self,
         lights: [&Image<f32>; 2],

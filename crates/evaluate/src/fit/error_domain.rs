@@ -1,19 +1,19 @@
-//! In what an engine's errors are even.
+//! The quantity in which an engine's errors are uniform.
 
-/// What measurements become before they are averaged: all numbers of a fit without a unit in their names are in it.
+/// The quantity in which measurements are averaged, and the unit of all numbers of a fit without a unit in their names.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Counting {
-    /// Disparity, px: the errors of a matcher.
+pub(super) enum ErrorDomain {
+    /// Disparity in pixels, for the errors of a matcher.
     Disparity {
         /// Disparity times depth, px·m.
         px_m: f64,
     },
-    /// Depth along the axis, m: the errors of a phase.
+    /// Depth along the optical axis in metres, for the errors of a phase.
     Depth,
 }
 
-impl Counting {
-    /// Its unit.
+impl ErrorDomain {
+    /// Returns the unit.
     pub(super) const fn unit(self) -> &'static str {
         match self {
             Self::Disparity { .. } => "px",
@@ -21,7 +21,7 @@ impl Counting {
         }
     }
 
-    /// Of a depth, m.
+    /// Returns the value of a depth in metres.
     pub(super) fn of_depth(self, depth_m: f64) -> f64 {
         match self {
             Self::Disparity { px_m } => px_m / depth_m,
@@ -29,13 +29,13 @@ impl Counting {
         }
     }
 
-    /// The depth of a value, m.
+    /// Returns the depth of a value in metres.
     pub(super) fn depth_m(self, value: f64) -> f64 {
-        // One over one over a number is that number.
+        // The reciprocal of a reciprocal.
         self.of_depth(value)
     }
 
-    /// A whole unit of depth there.
+    /// Returns the size of a unit of depth at a value.
     pub(super) fn of_unit(self, unit_m: f64, depth_m: f64) -> f64 {
         match self {
             Self::Disparity { px_m } => px_m * unit_m / (depth_m * depth_m),
@@ -43,7 +43,7 @@ impl Counting {
         }
     }
 
-    /// An error of depth, a share of it. Of disparity: below 0 it is too far.
+    /// Converts an error as a share of depth; a negative error of disparity is too far.
     pub(super) fn of_error(self, error: f64, depth_m: f64) -> f64 {
         match self {
             Self::Disparity { px_m } => -px_m / depth_m * error / (1.0 + error),
@@ -51,7 +51,7 @@ impl Counting {
         }
     }
 
-    /// By what the share of a value grows where that of inverse depth grows by 1.
+    /// Returns the relative change of a value per relative change of inverse depth.
     pub(super) fn per_inverse_depth(self) -> f64 {
         match self {
             Self::Disparity { .. } => 1.0,
@@ -59,7 +59,7 @@ impl Counting {
         }
     }
 
-    /// Within this truths from images are put together: a hundredth of the period of what repeats.
+    /// Returns the tolerance for combining true values of images: a hundredth of the period of the error.
     pub(super) fn bin(self) -> f64 {
         match self {
             Self::Disparity { .. } => 1.0 / 64.0,
@@ -67,7 +67,7 @@ impl Counting {
         }
     }
 
-    /// Within this those of a turned target are, which is nearly straight.
+    /// Returns the tolerance for a rotated target, over which the error is nearly linear.
     pub(super) fn turned_bin(self) -> f64 {
         match self {
             Self::Disparity { .. } => 1.0 / 32.0,
@@ -75,7 +75,7 @@ impl Counting {
         }
     }
 
-    /// What moved less between two frames stood still.
+    /// Returns the change between two frames below which a pixel is static.
     pub(super) fn still(self) -> f64 {
         match self {
             Self::Disparity { .. } => 1e-3,
@@ -84,7 +84,7 @@ impl Counting {
     }
 }
 
-/// What is left of rounding to whole multiples of `of` in the mean of what varies by `sigma`, squared.
+/// Returns the variance that rounding to multiples of `of` leaves in the mean of values with a standard deviation of `sigma`.
 pub(super) fn left_of_rounding(sigma: f64, of: f64) -> f64 {
     if of <= 0.0 {
         return 0.0;
@@ -99,12 +99,12 @@ mod tests {
 
     #[test]
     fn errors_are_differences_of_values() {
-        for counting in [Counting::Disparity { px_m: 60.0 }, Counting::Depth] {
+        for error_domain in [ErrorDomain::Disparity { px_m: 60.0 }, ErrorDomain::Depth] {
             for (depth_m, error) in [(1.3, 0.02), (4.0, -0.05), (0.3, 0.0)] {
-                let values = [depth_m, depth_m * (1.0 + error)].map(|z| counting.of_depth(z));
+                let values = [depth_m, depth_m * (1.0 + error)].map(|z| error_domain.of_depth(z));
                 let apart = values[1] - values[0];
-                assert!((counting.of_error(error, depth_m) - apart).abs() < 1e-12);
-                assert!((counting.depth_m(values[0]) - depth_m).abs() < 1e-12);
+                assert!((error_domain.of_error(error, depth_m) - apart).abs() < 1e-12);
+                assert!((error_domain.depth_m(values[0]) - depth_m).abs() < 1e-12);
             }
         }
     }

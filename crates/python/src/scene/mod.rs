@@ -1,39 +1,45 @@
+pub(crate) mod annotators;
+mod parts;
+
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::RwLock;
 
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use oaktwin::camera::math::DAffine3;
+use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
-    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, Renderer, SceneCameraOptions,
-    SceneFile, annotation_bytes, annotator, available_bytes, frame_bytes, gib, scene_cameras,
+    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SAVED_EXTENSIONS, SceneCameraOptions,
+    SceneFile, save_usd, scene_cameras,
 };
-use oaktwin::scene::{self, Instance, Label, Mesh, Up};
+use oaktwin::scene::Instance;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::PyDict;
 
+use self::annotators::{check_memory, scene_annotator};
+use self::parts::{Parts, Stage, items};
 use crate::arguments::{Annotators, FrameNumber, Size};
-use crate::array::triples;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
 use crate::device::Device;
-use crate::error::{error, reading, wrong};
+use crate::error::{error, reading, writing, wrong};
 use crate::finding::{self, Finding};
 use crate::frames::Frames;
+use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{matrix, one_pose, poses, rows};
 use crate::settings::whole_number;
 use crate::threads;
 
-/// A scene to render on the CPU: `Scene.open(path)` or `Scene.from_triangles(vertices, faces)`.
+/// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
+/// `Scene.from_triangles(vertices, faces)`.
 ///
-/// The world keeps the file's axes; its unit is the metre, whatever the file's unit is. Thread-safe. Unpickling opens the
-/// file again; triangles are stored in the pickle.
+/// The world keeps the file's axes; its unit is the metre, whatever the file's unit is. `set_pose` moves parts between renders.
+/// Thread-safe. Unpickling opens the file again; meshes are stored in the pickle, and poses in both cases.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Scene {
-    renderer: Renderer,
+    stage: RwLock<Stage>,
     origin: Origin,
     cameras: Result<Vec<PlacedCamera>, CameraError>,
     findings: Vec<diagnostic::Finding>,
@@ -41,8 +47,12 @@ pub(crate) struct Scene {
 
 /// The origin of a scene, which is stored in a pickle.
 enum Origin {
-    File { path: PathBuf, options: OpenOptions },
-    Triangles,
+    File {
+        path: PathBuf,
+        options: OpenOptions,
+    },
+    /// The meshes by name.
+    Meshes(Vec<(String, Py<Mesh>)>),
 }
 
 /// The cameras of a file, with findings.
@@ -90,7 +100,7 @@ impl Scene {
         // Allows unpickling in another working directory.
         let path = std::path::absolute(&path).unwrap_or(path);
         Ok(Self {
-            renderer: Renderer::new(file.scene),
+            stage: RwLock::new(Stage::new(file.scene)),
             origin: Origin::File { path, options },
             cameras,
             findings: file.findings,
@@ -113,56 +123,108 @@ impl Scene {
         up: &str,
         label: Option<String>,
     ) -> PyResult<Self> {
-        let up = named("up", up)?;
-        let positions = triples::<f32>("vertices", vertices, "float32")?;
-        let faces = triples::<i64>("faces", faces, "int64")?;
-        if positions.as_flattened().iter().any(|number| !number.is_finite()) {
-            return Err(wrong(
-                "vertices",
-                "contains non-finite values",
-                "remove those vertices",
-            ));
+        let py = vertices.py();
+        let (name, mesh) = ("Mesh".to_owned(), Mesh::plain(py, vertices, faces)?);
+        let parts = Parts {
+            labels: label.map(|label| (name.clone(), label)).into_iter().collect(),
+            meshes: vec![(name, Py::new(py, mesh)?)],
+            poses: BTreeMap::new(),
+        };
+        Self::of_parts(parts, up)
+    }
+
+    /// Creates a scene of several meshes, which `set_pose` moves.
+    ///
+    /// meshes: a mapping from names to `Mesh`. Geometry that appears under several names is stored once.
+    /// poses: a mapping from names to (4, 4) world_from_mesh, metres; by default the identity.
+    /// labels: a mapping from names to semantic classes; by default none.
+    /// up: the up axis of the world, "z" (default) or "y".
+    ///
+    /// The prim path of a name, in annotations and USD files, is /World/NAME; a name may have several elements: "arm/link_1".
+    ///
+    /// Raises oaktwin.Error for invalid names and poses, and for poses and labels of unknown names.
+    #[staticmethod]
+    #[pyo3(signature = (meshes, *, poses = None, labels = None, up = "z"))]
+    fn from_meshes(
+        meshes: &Bound<'_, PyAny>,
+        poses: Option<&Bound<'_, PyAny>>,
+        labels: Option<&Bound<'_, PyAny>>,
+        up: &str,
+    ) -> PyResult<Self> {
+        let mesh = |(name, mesh): (String, Bound<'_, PyAny>)| {
+            let mesh = mesh.cast_into::<Mesh>().map_err(|_| {
+                let remedy = "pass oaktwin.Mesh(vertices, faces)";
+                wrong(
+                    "meshes",
+                    format_args!("the value of {name} is not a mesh"),
+                    remedy,
+                )
+            })?;
+            Ok((name, mesh.unbind()))
+        };
+        let label = |(name, label): (String, Bound<'_, PyAny>)| Ok((name, label.extract()?));
+        let parts = Parts {
+            meshes: items("meshes", Some(meshes))?
+                .into_iter()
+                .map(mesh)
+                .collect::<PyResult<_>>()?,
+            poses: parts::poses(poses)?.into_iter().collect(),
+            labels: items("labels", labels)?
+                .into_iter()
+                .map(label)
+                .collect::<PyResult<_>>()?,
+        };
+        Self::of_parts(parts, up)
+    }
+
+    /// Moves a part. Only what depends on its pose is computed again.
+    ///
+    /// name: its name, or its prim path; that of a mesh in a file, see `poses`.
+    /// world_from_part: (4, 4), the new pose, metres; without scale: a scale in the file stays.
+    ///
+    /// Renders that other threads have started finish with the old pose. Raises oaktwin.Error for unknown names and invalid poses.
+    fn set_pose(&self, py: Python<'_>, name: &str, world_from_part: &Bound<'_, PyAny>) -> PyResult<()> {
+        let pose = one_pose("world_from_part", world_from_part)?;
+        self.write(py, |stage| stage.place(&[(name.to_owned(), pose)]))
+    }
+
+    /// Moves several parts: a mapping from names to poses, as in `set_pose`. If one is invalid, none is moved.
+    fn set_poses(&self, py: Python<'_>, poses: &Bound<'_, PyAny>) -> PyResult<()> {
+        let poses = parts::poses(Some(poses))?;
+        self.write(py, |stage| stage.place(&poses))
+    }
+
+    /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres.
+    #[getter]
+    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let stage = self.read(py);
+        for (path, pose) in stage.poses() {
+            all.set_item(path, rows(py, pose)?)?;
         }
-        let count = u32::try_from(positions.len())
-            .map_err(|_| wrong("vertices", "too many vertices", "pass fewer than 2^32"))?;
-        let corner = |index: i64| {
-            u32::try_from(index)
-                .ok()
-                .filter(|index| *index < count)
-                .ok_or_else(|| {
-                    let is = format!("{index} is out of range: there are {count} vertices");
-                    wrong("faces", is, "count vertices from 0")
-                })
-        };
-        let triangle = |[a, b, c]: &[i64; 3]| Ok([corner(*a)?, corner(*b)?, corner(*c)?]);
-        let mesh = Mesh {
-            triangles: faces.iter().map(triangle).collect::<PyResult<_>>()?,
-            positions,
-            ..Mesh::default()
-        };
-        let path = "/World/Mesh";
-        let labels = label.map(|name| Label {
-            prim: path.to_owned(),
-            taxonomy: "class".to_owned(),
-            name,
-        });
-        let scene = scene::Scene {
-            meshes: vec![mesh],
-            instances: vec![Instance {
-                mesh: 0,
-                path: path.to_owned(),
-                world_from_mesh: DAffine3::IDENTITY,
-                labels: labels.into_iter().collect(),
-            }],
-            up,
-            ..scene::Scene::default()
-        };
-        Ok(Self {
-            renderer: Renderer::new(scene),
-            origin: Origin::Triangles,
-            cameras: Ok(Vec::new()),
-            findings: Vec::new(),
-        })
+        Ok(all)
+    }
+
+    /// Writes the scene as a USD file, with its present poses, materials, lights and semantic labels.
+    ///
+    /// path: the file to write, *.usda or *.usd. Images of textures are written to a folder beside it, NAME_textures.
+    ///
+    /// Raises oaktwin.Error for another extension, and OSError if a file cannot be written.
+    #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
+    fn save_usd(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .to_lowercase();
+        if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
+            let is = "scenes are written in USD's text format";
+            return Err(wrong(path.display(), is, "use a name that ends in .usda or .usd"));
+        }
+        let stage = self.read(py);
+        let scene = stage.renderer.scene();
+        let written = py.detach(|| save_usd(scene, &path));
+        written.map_err(|error| writing(&path, &error))
     }
 
     /// Renders the ground truth of a camera.
@@ -205,6 +267,8 @@ impl Scene {
             smooth_edges,
             ..AnnotateOptions::default()
         };
+        let stage = self.read(py);
+        let renderer = &stage.renderer;
         let mut frames = Frames::new(camera.camera.intrinsics.size, is_batch.then_some(poses.len()));
         for (number, world_from_camera) in poses.iter().enumerate() {
             py.check_signals()?;
@@ -213,8 +277,7 @@ impl Scene {
                 world_from_camera: *world_from_camera,
                 clip: camera.clip,
             };
-            let (frame, findings) =
-                threads::run(py, || self.renderer.annotate(&view, &asked, backend, &options))?;
+            let (frame, findings) = threads::run(py, || renderer.annotate(&view, &asked, backend, &options))?;
             if number == 0 {
                 finding::warn(py, &findings)?;
             }
@@ -270,9 +333,11 @@ impl Scene {
         let world_from_body = one_pose("world_from_body", world_from_body)?;
         let frame = frame.map_or(0, |frame| frame.0);
         py.check_signals()?;
+        let stage = self.read(py);
+        let renderer = &stage.renderer;
         let pair = threads::run(py, || {
             let cameras = PairCameras::new(&device.twin, &options)?;
-            Ok::<_, PairError>(cameras.look(&self.renderer, &world_from_body, frame))
+            Ok::<_, PairError>(cameras.look(renderer, &world_from_body, frame))
         })?;
         let pair = pair.map_err(error)?;
         finding::warn(py, &pair.findings)?;
@@ -295,44 +360,13 @@ impl Scene {
         Ok(all)
     }
 
-    /// Unpickling opens the file again; triangles are stored in the pickle.
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let partial = py.import("functools")?.getattr("partial")?;
-        let own = py.get_type::<Self>();
-        let options = PyDict::new(py);
-        match &self.origin {
-            Origin::File {
-                path,
-                options: opened,
-            } => {
-                options.set_item("time", opened.time)?;
-                options.set_item("subdivide", opened.subdivide)?;
-                options.set_item("up", opened.up.map(Up::name))?;
-                options.set_item("scale", opened.scale)?;
-                let open = partial.call((own.getattr("open")?,), Some(&options))?;
-                Ok((open, PyTuple::new(py, [path])?))
-            }
-            Origin::Triangles => {
-                let scene = self.renderer.scene();
-                let mesh = scene
-                    .meshes
-                    .first()
-                    .map(|mesh| (&mesh.positions, &mesh.triangles));
-                let (positions, triangles) =
-                    mesh.ok_or_else(|| wrong("scene", "contains no mesh", "create it again"))?;
-                let labels = scene.instances.iter().flat_map(|instance| &instance.labels);
-                options.set_item("up", scene.up.name())?;
-                options.set_item("label", labels.map(|label| &label.name).next())?;
-                let vertices = PyArray1::from_slice(py, positions.as_flattened());
-                let faces = PyArray1::from_slice(py, triangles.as_flattened());
-                let arrays = [
-                    vertices.reshape([positions.len(), 3])?.into_any(),
-                    faces.reshape([triangles.len(), 3])?.into_any(),
-                ];
-                let make = partial.call((own.getattr("from_triangles")?,), Some(&options))?;
-                Ok((make, PyTuple::new(py, arrays)?))
-            }
-        }
+    /// Unpickling opens the file again; meshes are stored in the pickle.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<parts::Reduced<'py>> {
+        parts::reduce(self, py)
+    }
+
+    fn __setstate__(&self, py: Python<'_>, poses: &Bound<'_, PyAny>) -> PyResult<()> {
+        self.set_poses(py, poses)
     }
 
     /// Warnings about missing and unsupported contents of the file.
@@ -343,14 +377,15 @@ impl Scene {
 
     /// The up axis of the world, "y" or "z".
     #[getter]
-    fn up(&self) -> &'static str {
-        self.renderer.scene().up.name()
+    fn up(&self, py: Python<'_>) -> &'static str {
+        self.read(py).renderer.scene().up.name()
     }
 
     /// The number of rendered triangles, counting those of every instance.
     #[getter]
-    fn triangle_count(&self) -> usize {
-        let scene = self.renderer.scene();
+    fn triangle_count(&self, py: Python<'_>) -> usize {
+        let stage = self.read(py);
+        let scene = stage.renderer.scene();
         let of = |instance: &Instance| {
             let mesh = scene.meshes.get(instance.mesh as usize);
             mesh.map_or(0, |mesh| mesh.triangles.len())
@@ -361,72 +396,26 @@ impl Scene {
     /// The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty.
     #[getter]
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
-        let bounds = self.renderer.scene().bounds();
+        let bounds = self.read(py).renderer.scene().bounds();
         let bounds = bounds.map(|bounds| matrix(py, &[bounds.min.to_array(), bounds.max.to_array()]));
         bounds.transpose()
     }
 
-    fn __repr__(&self) -> String {
-        let scene = self.renderer.scene();
+    fn __repr__(&self, py: Python<'_>) -> String {
+        let stage = self.read(py);
+        let scene = stage.renderer.scene();
         let origin = match &self.origin {
             Origin::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy(),
-            Origin::Triangles => "from triangles".into(),
+            Origin::Meshes(_) => "from meshes".into(),
         };
         format!(
             "<oaktwin.Scene {}: {} meshes, {} instances, {} triangles, {} lights, {} up>",
             origin,
             scene.meshes.len(),
             scene.instances.len(),
-            self.triangle_count(),
+            self.triangle_count(py),
             scene.lights.len(),
-            self.up()
+            scene.up.name()
         )
-    }
-}
-
-/// The annotators of scenes and depth sensors: a dictionary from name to description.
-///
-/// `Scene.render` takes all but "camera_params" and those whose names begin with "depth_sensor_", which
-/// `DepthSensor.annotate` takes.
-#[pyfunction]
-pub(crate) fn annotators() -> BTreeMap<&'static str, &'static str> {
-    Annotator::all().map(|one| (one.name(), one.doc())).collect()
-}
-
-/// Returns the annotator of a name, if it describes a scene and is an image or a list.
-fn scene_annotator(name: &str) -> PyResult<Annotator> {
-    let found = annotator(name).map_err(error)?;
-    if found == Annotator::CameraParams {
-        return Err(wrong(
-            name,
-            "is not an image",
-            "use the camera's attributes K, distortion and size",
-        ));
-    }
-    if found.is_depth_sensor() {
-        let remedy = "pass distance_to_image_plane (and rgb) to DepthSensor.annotate";
-        return Err(wrong(name, "is an output of a depth sensor", remedy));
-    }
-    Ok(found)
-}
-
-fn check_memory(camera: &Camera, annotators: &[Annotator], count: usize) -> PyResult<()> {
-    let size = camera.camera.intrinsics.size;
-    let results = annotation_bytes(size, annotators).saturating_mul(count as u64);
-    let needed = results.saturating_add(frame_bytes(size, annotators));
-    match available_bytes() {
-        Some(available) if needed > available => {
-            let is = format!(
-                "requires {} of memory, but only {} is free",
-                gib(needed),
-                gib(available)
-            );
-            Err(wrong(
-                &camera.name,
-                is,
-                "render fewer poses at once, or smaller images",
-            ))
-        }
-        _ => Ok(()),
     }
 }

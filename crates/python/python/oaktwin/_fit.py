@@ -1,0 +1,128 @@
+"""The parameters of one unit, fitted to recordings of a flat target."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _oaktwin
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._oaktwin import _SensorOptions
+
+
+class Fit:
+    """Fitted parameters of a depth sensor.
+
+    report: all results, as printed by `oaktwin fit --json`; names contain the units.
+    toml: the parameters as text, for `DepthSensor(params=)` and the program's `--params`.
+    """
+
+    def __init__(self, report: dict[str, Any], toml: str) -> None:
+        self.report = report
+        self.toml = toml
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The values by name, for `DepthSensor(parameters=)`."""
+        return {one["name"]: one["value"] for one in self.report["parameters"] if one["is_fitted"]}
+
+    @property
+    def intervals(self) -> dict[str, tuple[float, float] | None]:
+        """The interval of 95 % confidence of each value; None if it is not known."""
+        found = {one["name"]: one["confidence_interval_95"] for one in self.report["parameters"] if one["is_fitted"]}
+        return {name: None if both is None else (both[0], both[1]) for name, both in found.items()}
+
+    @property
+    def passed(self) -> bool:
+        """Whether all parameters were found and the recording has no oddities."""
+        return bool(self.report["passed"])
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the parameters to a TOML file.
+
+        path: the file to write.
+        """
+        Path(path).write_text(self.toml, encoding="utf-8")
+
+    def plot(self, ax: Any = None) -> Any:
+        """Plots the measured errors over distance with the fitted curve and returns the axes.
+
+        ax: the Matplotlib axes; by default those of a new figure.
+
+        Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
+        """
+        if ax is None:
+            try:
+                plt = import_module("matplotlib.pyplot")
+            except ImportError as error:
+                raise ImportError("plots require Matplotlib; install it: pip install matplotlib") from error
+            _, ax = plt.subplots()
+        points = sorted(self.report["points"], key=lambda point: point["distance_m"])
+        distances = [point["distance_m"] for point in points]
+        ax.plot(distances, [point["error_percent"] for point in points], "o", label="measured")
+        fitted = [(point["distance_m"], point["fitted_percent"]) for point in points if point["fitted_percent"] is not None]
+        if fitted:
+            ax.plot(*zip(*fitted), label="fitted")
+        ax.axhline(0.0, color="0.7", linewidth=0.8)
+        ax.set_xlabel("distance [m]")
+        ax.set_ylabel("depth error [%]")
+        ax.set_title(f"{self.report['model']} {self.report['sensor']}")
+        ax.legend()
+        return ax
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name} {value:.4g}" for name, value in self.parameters.items())
+        return f"<oaktwin.Fit {self.report['model']} {self.report['engine']}: {values or 'no parameter found'}>"
+
+
+def fit(
+    device: _oaktwin.Device,
+    recordings: str | PathLike[str] | Sequence[str | PathLike[str]],
+    *,
+    sensor: str | None = None,
+    region: float = 0.05,
+    depth_scale: float = 0.001,
+    measured_from: float = 0.0,
+    focal_px: float | None = None,
+    width_px: int | None = None,
+    fits_focal_length: bool = False,
+    **options: Unpack[_SensorOptions],
+) -> Fit:
+    """Fits the parameters of a depth sensor to recordings of one unit.
+
+    recordings: folders of depth images of a flat target perpendicular to the camera, each with a table distances.csv with the
+        columns file and distance_m; a folder in the layout of Replicator's BasicWriter with distance_to_image_plane and
+        depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent.
+    sensor: "stereo", "tof" or the name of a prim; by default that of the engine, or the device's own.
+    region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
+    depth_scale: the metres per unit of integer images.
+    measured_from: the minimum distance of errors that count, metres.
+    focal_px: the focal length of the unit, px of images `width_px` wide; by default the device's own.
+    width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
+    fits_focal_length: whether to fit the focal length as well.
+    options: what is known of the sensor: the options engine, preset, params, parameters and extended_disparity of `DepthSensor`, such as
+        parameters={"subpixelFractionalBits": 3}.
+
+    Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises `oaktwin.Error` for
+    recordings that cannot be read and for invalid arguments.
+    """
+    paths = [recordings] if isinstance(recordings, (str, PathLike)) else list(recordings)
+    report, toml = _oaktwin.fit(
+        device,
+        paths,
+        sensor=sensor,
+        region=region,
+        depth_scale=depth_scale,
+        measured_from=measured_from,
+        focal_px=focal_px,
+        width_px=width_px,
+        fits_focal_length=fits_focal_length,
+        **options,
+    )
+    return Fit(report, toml)

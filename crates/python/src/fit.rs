@@ -1,0 +1,68 @@
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+use oaktwin::accuracy::{MeasuredOptics, REGION};
+use oaktwin::fit::{self as fitting, FitError, Options};
+use oaktwin::sensor::SensorOption;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::device::Device;
+use crate::error::error;
+use crate::finding;
+use crate::json;
+use crate::settings::sensor_options;
+use crate::threads;
+
+/// Filters and noise are not fitted.
+fn is_offered(option: &SensorOption) -> bool {
+    !["filters", "isaac", "seed", "device_seed"].contains(&option.name)
+}
+
+/// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.
+#[pyfunction]
+#[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
+    focal_px = None, width_px = None, fits_focal_length = false, **options))]
+#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+pub(crate) fn fit<'py>(
+    py: Python<'py>,
+    device: &Device,
+    recordings: Vec<PathBuf>,
+    sensor: Option<String>,
+    region: f64,
+    depth_scale: f64,
+    measured_from: f64,
+    focal_px: Option<f64>,
+    width_px: Option<u32>,
+    fits_focal_length: bool,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<(Bound<'py, PyAny>, String)> {
+    let options = Options {
+        sensor,
+        engine: sensor_options("fit", options, is_offered)?,
+        optics: MeasuredOptics {
+            focal_length_px: focal_px,
+            width_px,
+        },
+        region,
+        depth_scale,
+        from_m: measured_from,
+        fits_focal_length,
+    };
+    let fitted = threads::interruptible(py, |stop| {
+        let watch = |_| {
+            if stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let (fit, findings) = fitting::fit(&device.twin, &recordings, &options, &watch)?;
+        Ok::<_, FitError>((fit.report().clone(), findings))
+    })?;
+    let (report, findings) = fitted.map_err(error)?;
+    finding::warn(py, &findings)?;
+    Ok((json::to_python(py, &report)?, report.toml()))
+}

@@ -1,0 +1,284 @@
+//! The parts of a scene: their names, poses and pickles.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{RwLock, RwLockReadGuard, TryLockError};
+
+use oaktwin::camera::RigidTransform;
+use oaktwin::camera::math::DAffine3;
+use oaktwin::diagnostic::suggest;
+use oaktwin::render::Renderer;
+use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use super::{Origin, Scene};
+use crate::choice::named;
+use crate::error::wrong;
+use crate::mesh::Mesh;
+use crate::pose::{one_pose, rows};
+
+/// A callable, its arguments, and the state that is set afterwards.
+pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, Option<Bound<'py, PyDict>>);
+
+/// A renderer with the poses of its instances.
+pub(super) struct Stage {
+    pub(super) renderer: Renderer,
+    parts: Vec<Part>,
+    /// The indices of the parts that were moved.
+    moved: BTreeSet<usize>,
+}
+
+/// An instance.
+struct Part {
+    path: String,
+    pose: RigidTransform,
+    /// The scale, shear and reflection of its mesh.
+    rest: DAffine3,
+}
+
+impl Stage {
+    pub(super) fn new(scene: scene::Scene) -> Self {
+        let part = |instance: &Instance| {
+            let (pose, rest) = instance.pose_and_rest();
+            Part {
+                path: instance.path.clone(),
+                pose,
+                rest,
+            }
+        };
+        Self {
+            parts: scene.instances.iter().map(part).collect(),
+            renderer: Renderer::new(scene),
+            moved: BTreeSet::new(),
+        }
+    }
+
+    pub(super) fn poses(&self) -> impl Iterator<Item = (&str, &RigidTransform)> {
+        self.parts.iter().map(|part| (part.path.as_str(), &part.pose))
+    }
+
+    /// Moves parts: all, or none if a name is unknown.
+    pub(super) fn place(&mut self, poses: &[(String, RigidTransform)]) -> PyResult<()> {
+        let found = poses.iter().map(|(name, pose)| Ok((self.find(name)?, *pose)));
+        let found: Vec<_> = found.collect::<PyResult<_>>()?;
+        for (index, pose) in &found {
+            self.parts[*index].pose = *pose;
+        }
+        self.moved.extend(found.iter().map(|(index, _)| *index));
+        let placed =
+            |(index, pose): (usize, RigidTransform)| (index, Instance::placed(&pose, self.parts[index].rest));
+        self.renderer.set_poses(found.into_iter().map(placed));
+        Ok(())
+    }
+
+    fn find(&self, name: &str) -> PyResult<usize> {
+        let path = path(name);
+        let found = self.parts.iter().position(|part| part.path == path);
+        found.ok_or_else(|| {
+            let names = self
+                .parts
+                .iter()
+                .map(|part| part.path.strip_prefix("/World/").unwrap_or(&part.path));
+            wrong(name, "the scene has no such part", suggest(name, names))
+        })
+    }
+}
+
+/// The prim path of a name.
+fn path(name: &str) -> String {
+    if name.starts_with('/') {
+        name.to_owned()
+    } else {
+        format!("/World/{name}")
+    }
+}
+
+/// The items of an optional mapping from names.
+pub(super) fn items<'py>(
+    argument: &str,
+    mapping: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+    let Some(mapping) = mapping else {
+        return Ok(Vec::new());
+    };
+    let items = mapping
+        .call_method0("items")
+        .map_err(|_| wrong(argument, "is not a mapping", "pass a dictionary from names"))?;
+    let item = |item: PyResult<Bound<'py, PyAny>>| {
+        let (name, value): (Bound<'py, PyAny>, Bound<'py, PyAny>) = item?.extract()?;
+        let name = name
+            .extract::<String>()
+            .map_err(|_| wrong(argument, format_args!("has the key {name}"), "pass names as keys"))?;
+        Ok((name, value))
+    };
+    items.try_iter()?.map(item).collect()
+}
+
+/// Reads a mapping from names to poses.
+pub(super) fn poses(mapping: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<(String, RigidTransform)>> {
+    let pose = |(name, pose): (String, Bound<'_, PyAny>)| {
+        let pose = one_pose(&format!("poses: {name}"), &pose)?;
+        Ok((name, pose))
+    };
+    items("poses", mapping)?.into_iter().map(pose).collect()
+}
+
+/// The arguments of a scene of meshes.
+pub(super) struct Parts {
+    pub(super) meshes: Vec<(String, Py<Mesh>)>,
+    pub(super) poses: BTreeMap<String, RigidTransform>,
+    pub(super) labels: BTreeMap<String, String>,
+}
+
+impl Parts {
+    /// Returns the scene, and the pose of each part.
+    fn scene(&self, up: &str) -> PyResult<(scene::Scene, Vec<RigidTransform>)> {
+        let mut scene = scene::Scene {
+            up: named("up", up)?,
+            ..scene::Scene::default()
+        };
+        let mut paths = BTreeMap::new();
+        let mut numbers = BTreeMap::new();
+        for (name, mesh) in &self.meshes {
+            let path = path(name);
+            let is_valid = |element: &str| !element.is_empty() && !element.contains(char::is_control);
+            if !path.split('/').skip(1).all(is_valid) {
+                return Err(wrong(
+                    name,
+                    "is not a valid name",
+                    "pass names such as \"arm/link_1\"",
+                ));
+            }
+            let number = *numbers
+                .entry(mesh.as_ptr())
+                .or_insert_with(|| add(&mut scene, mesh.get()));
+            scene.instances.push(Instance {
+                mesh: number,
+                labels: Vec::new(),
+                world_from_mesh: DAffine3::IDENTITY,
+                path: path.clone(),
+            });
+            if paths.insert(path, scene.instances.len() - 1).is_some() {
+                return Err(wrong(name, "appears twice", "pass each name once"));
+            }
+        }
+        let find = |name: &str| {
+            let names = self.meshes.iter().map(|(name, _)| name.as_str());
+            paths
+                .get(&path(name))
+                .copied()
+                .ok_or_else(|| wrong(name, "there is no mesh of this name", suggest(name, names)))
+        };
+        let mut poses = vec![RigidTransform::IDENTITY; scene.instances.len()];
+        for (name, pose) in &self.poses {
+            let index = find(name)?;
+            poses[index] = *pose;
+            scene.instances[index].world_from_mesh = Instance::placed(pose, DAffine3::IDENTITY);
+        }
+        for (name, label) in &self.labels {
+            scene.instances[find(name)?].labels = vec![Label {
+                prim: path(name),
+                taxonomy: "class".to_owned(),
+                name: label.clone(),
+            }];
+        }
+        Ok((scene, poses))
+    }
+}
+
+/// Adds a mesh with its material and texture, and returns its number.
+fn add(scene: &mut scene::Scene, mesh: &Mesh) -> u32 {
+    let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+    let mut own = mesh.mesh.clone();
+    if let Some(mut material) = mesh.material.clone() {
+        if let (Some(used), Some(texture)) = (&mut material.base_color_texture, &mesh.texture) {
+            used.texture = number(scene.textures.len());
+            scene.textures.push(texture.clone());
+        }
+        material.name = format!("material_{}", scene.materials.len());
+        own.materials = vec![MaterialSpan {
+            end: number(own.triangles.len()),
+            material: Some(number(scene.materials.len())),
+        }];
+        scene.materials.push(material);
+    }
+    scene.meshes.push(own);
+    number(scene.meshes.len() - 1)
+}
+
+impl Scene {
+    pub(super) fn of_parts(parts: Parts, up: &str) -> PyResult<Self> {
+        let (scene, poses) = parts.scene(up)?;
+        let mut stage = Stage::new(scene);
+        for (part, pose) in stage.parts.iter_mut().zip(poses) {
+            (part.pose, part.rest) = (pose, DAffine3::IDENTITY);
+        }
+        Ok(Self {
+            stage: RwLock::new(stage),
+            origin: Origin::Meshes(parts.meshes),
+            cameras: Ok(Vec::new()),
+            findings: Vec::new(),
+        })
+    }
+
+    /// The stage for reading. The interpreter is released while another thread moves parts.
+    pub(super) fn read(&self, py: Python<'_>) -> RwLockReadGuard<'_, Stage> {
+        loop {
+            match self.stage.try_read() {
+                Ok(stage) => return stage,
+                Err(TryLockError::Poisoned(error)) => return error.into_inner(),
+                Err(TryLockError::WouldBlock) => py.detach(|| drop(self.stage.read())),
+            }
+        }
+    }
+
+    /// Changes the stage. The interpreter is released while other threads render.
+    pub(super) fn write<T>(&self, py: Python<'_>, change: impl FnOnce(&mut Stage) -> T) -> T {
+        loop {
+            match self.stage.try_write() {
+                Ok(mut stage) => return change(&mut stage),
+                Err(TryLockError::Poisoned(error)) => return change(&mut error.into_inner()),
+                Err(TryLockError::WouldBlock) => py.detach(|| drop(self.stage.write())),
+            }
+        }
+    }
+}
+
+pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'py>> {
+    let partial = py.import("functools")?.getattr("partial")?;
+    let own = py.get_type::<Scene>();
+    let (options, poses) = (PyDict::new(py), PyDict::new(py));
+    let stage = scene.read(py);
+    let call = |make: &str, options| partial.call((own.getattr(make)?,), Some(options));
+    match &scene.origin {
+        Origin::File {
+            path,
+            options: opened,
+        } => {
+            options.set_item("time", opened.time)?;
+            options.set_item("subdivide", opened.subdivide)?;
+            options.set_item("up", opened.up.map(Up::name))?;
+            options.set_item("scale", opened.scale)?;
+            for part in stage.moved.iter().filter_map(|index| stage.parts.get(*index)) {
+                poses.set_item(&part.path, rows(py, &part.pose)?)?;
+            }
+            let state = (!poses.is_empty()).then_some(poses);
+            Ok((call("open", &options)?, PyTuple::new(py, [path])?, state))
+        }
+        Origin::Meshes(meshes) => {
+            let (labels, all) = (PyDict::new(py), PyDict::new(py));
+            let instances = &stage.renderer.scene().instances;
+            for (((name, mesh), part), instance) in meshes.iter().zip(&stage.parts).zip(instances) {
+                all.set_item(name, mesh)?;
+                poses.set_item(name, rows(py, &part.pose)?)?;
+                if let Some(label) = instance.labels.first() {
+                    labels.set_item(name, &label.name)?;
+                }
+            }
+            options.set_item("poses", poses)?;
+            options.set_item("labels", labels)?;
+            options.set_item("up", stage.renderer.scene().up.name())?;
+            Ok((call("from_meshes", &options)?, PyTuple::new(py, [all])?, None))
+        }
+    }
+}
