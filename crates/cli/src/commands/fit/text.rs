@@ -56,7 +56,7 @@ pub(super) fn report(report: &Report) -> String {
         if let Some(scatter) = curve.scatter {
             let _ = writeln!(
                 text,
-                "The points scatter {scatter:.2} times more than their noise explains"
+                "The points scatter {scatter:.2} times as much as their noise explains"
             );
         }
     }
