@@ -36,15 +36,14 @@ fn calibrated(nominal: &Twin, fisheye: bool) -> Twin {
             LensModel::OpenCvPinhole(OpenCvPinhole { coefficients })
         };
     }
-    for index in 0..twin.depth_sensors.len() {
-        let role = twin.depth_sensors[index].spec.camera;
-        let fx = twin.camera(role).map(|camera| camera.intrinsics.fx);
-        twin.depth_sensors[index].focal_length_px = fx.unwrap().round();
-    }
     twin.origin = Origin::Calibration {
         product_name: twin.device.name.clone(),
         file_name: "unit.json".into(),
     };
+    for index in 0..twin.depth_sensors.len() {
+        let camera = twin.depth_camera(&twin.depth_sensors[index]);
+        twin.depth_sensors[index].focal_length_px = camera.unwrap().intrinsics.fx.round();
+    }
     twin
 }
 

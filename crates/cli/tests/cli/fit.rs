@@ -81,7 +81,7 @@ fn a_recording() {
     }
 }
 
-/// What was fitted is what others then use, and what is named counts more.
+/// Fitted parameters are used by other commands, and named ones override them.
 #[test]
 fn parameters_are_read_by_the_others() {
     let program = Program::new();
@@ -132,7 +132,7 @@ fn record_tof(program: &Program, folder: &str, distances: &[f64]) {
         let wall = npy::encode(&[4, 48, 64], &[distance as f32; 4 * 48 * 64]).unwrap();
         program.put("depth.npy", wall);
         let seed = i.to_string();
-        // So few pixels would mix much of the walls' corners.
+        // So few pixels would mix much of the corners between walls.
         let own = [
             "--param",
             "bias=0.003",
@@ -184,7 +184,7 @@ fn a_recording_of_time_of_flight() {
         json.contains("\"unit\": \"m\"") && !json.contains("baseline_m"),
         "{json}"
     );
-    // What was fitted is what others then use.
+    // Fitted parameters are used by other commands.
     let sense = ["sense", "depth.npy", "--model", "oak-d-tof", "--input-kind", "z"];
     program.good(&[&sense[..], &["-o", "a", "--params", "unit.toml"]].concat());
     let values = file

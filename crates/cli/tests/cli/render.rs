@@ -205,7 +205,7 @@ fn an_oak_looks_at_a_mesh() {
         "--model", "OAK4-D", "--pose", "-2", "0", "0.5", "0", "0", "0", "1",
     ]);
     assert!((posed - 1.5).abs() < 1e-6, "{posed}");
-    // From above, up has to be said.
+    // A view from above requires an up direction.
     let down = [
         "--model",
         "OAK4-D",

@@ -54,7 +54,7 @@ fn a_closed_pipe_is_no_error() {
     );
 }
 
-/// A limit on the size of files stands for a disk that fills up.
+/// A limit on the size of files simulates a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_disk_that_fills_up_leaves_nothing_half() {

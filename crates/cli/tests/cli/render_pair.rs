@@ -45,7 +45,7 @@ fn render<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&OAK[..], &PRO, &["--up", "z"], more].concat()
 }
 
-/// Of a blank wall.
+/// The finding about a blank wall.
 fn blank<'a>(more: &[&'a str]) -> Vec<&'a str> {
     let mut arguments = render(more);
     arguments[1] = "blank.obj";
@@ -122,7 +122,7 @@ fn light_and_parameters() {
         program.good(&[arguments, &["-o", "out"]].concat());
         depth(&program, &format!("out/{SENSED}"))
     };
-    // So dark that the imager's gain leaves noise alone.
+    // So dark that only noise remains.
     let dark = sensed(&render(&["--ambient", "0"]));
     assert!(right(&dark) < 0.05, "{}", right(&dark));
     let night = ["--ambient", "0.05"];

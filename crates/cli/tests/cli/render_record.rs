@@ -22,7 +22,7 @@ fn program() -> Program {
     program
 }
 
-/// How many messages there are of each topic, and all times.
+/// Returns the number of messages of each topic, and all times.
 fn messages(program: &Program, name: &str) -> (BTreeMap<String, usize>, Vec<u64>) {
     let file = fs::read(program.path(name)).unwrap();
     let (mut counts, mut times) = (BTreeMap::new(), Vec::new());
@@ -190,7 +190,7 @@ fn rrd_names_its_feature() {
     );
 }
 
-/// A limit on the size of files stands for a disk that fills up.
+/// A limit on the size of files simulates a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_disk_that_fills_up_leaves_nothing() {

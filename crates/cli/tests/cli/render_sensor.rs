@@ -11,7 +11,7 @@ use crate::program::Program;
 const ROOM: &str = include_str!("fixtures/room.usda");
 const CRATE: &str = include_str!("fixtures/crate.obj");
 
-/// All that a depth sensor reports.
+/// All outputs of a depth sensor.
 const ALL: &str = "depth_sensor_distance,depth_sensor_point_cloud_position,depth_sensor_point_cloud_color,\
                    depth_sensor_imager,depth_sensor_output_visualization";
 

@@ -46,7 +46,7 @@ fn values(bytes: &[u8]) -> (Vec<usize>, Vec<f32>) {
 
 const SIZE: (u32, u32) = (64, 40);
 
-/// One scene in every form gives one result.
+/// The same scene in every format gives the same result.
 #[test]
 fn every_form_of_the_same_depth() {
     let program = Program::new();
@@ -246,7 +246,7 @@ fn a_pipe_gives_an_array() {
         &["--align", "rgb", "--align-size", "96x54"],
     );
     assert_eq!(shape, [54, 96]);
-    // To files.
+    // The same into files.
     let mut child = program
         .command(&[
             "sense",

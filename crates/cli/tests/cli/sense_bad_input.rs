@@ -180,7 +180,7 @@ fn a_sequence_is_of_one_camera() {
     ]);
     assert_eq!(ended.code, 2);
     insta::assert_snapshot!(ended.stderr);
-    // What was whole before stays.
+    // Complete files remain.
     assert!(program.path("out/depth_sensor_distance_1.npy").is_file());
     assert!(!program.path("out/depth_sensor_distance_2.npy").exists());
 }

@@ -5,7 +5,7 @@ use std::fs;
 use super::sense::{array, depth, read};
 use crate::program::Program;
 
-/// What `render` wrote, sensed again, is what `render` senses.
+/// `sense` on rendered ground truth writes what `render` writes.
 #[test]
 fn a_folder_of_ours_gains_what_render_would_have_written() {
     let program = Program::new();
@@ -50,7 +50,7 @@ fn a_folder_of_ours_gains_what_render_would_have_written() {
         );
         assert!(fs::read(ours).unwrap() == fs::read(renders).unwrap(), "{name}");
     }
-    // Range is z by the rays of the folder's camera, but for rounding.
+    // Range is z along the rays of the folder's camera, up to rounding.
     render("range", "rgb,distance_to_camera,camera_params");
     program.good(&["sense", "range", "--model", "oak-d-pro-poe"]);
     program.good(&["sense", "truth", "--model", "oak-d-pro-poe", "-o", "z"]);

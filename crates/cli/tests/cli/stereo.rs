@@ -113,7 +113,7 @@ fn two_folders_are_a_sequence() {
     }
     let run = program.run(&stereo("l", "r", &["--filter", "temporal"]));
     insta::assert_snapshot!(text(&run));
-    // What was seen in the two before the last stays.
+    // The state of the frames before the last one remains.
     let last = floats(&program, "out/depth_sensor_distance_10.npy");
     let kept = last.iter().filter(|z| **z > 0.0).count();
     assert!(kept > last.len() / 2, "{kept}");
@@ -206,7 +206,7 @@ fn sixteen_bits_are_those_of_a_camera_of_ten() {
     assert!((disparity[SIZE.0 as usize * 60 + 160] - 20.0).abs() < 0.25);
 }
 
-/// A row or two up or down is told, at the size of a device's images.
+/// A vertical offset of a row or two is reported at the size of a device's images.
 #[test]
 fn small_vertical_offsets() {
     let program = program();

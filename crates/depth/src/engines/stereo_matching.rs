@@ -137,7 +137,7 @@ impl Engine for StereoMatching {
                 "other-platform",
                 Level::Warning,
                 place,
-                format!("on {} {} has no effect", own.name(), names.join(", ")),
+                format!("{} has no effect on {}", names.join(", "), own.name().to_uppercase()),
                 "leave it out, or set the parameter platform",
             )
         })

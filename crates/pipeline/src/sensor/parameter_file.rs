@@ -64,7 +64,7 @@ impl ParameterFile {
                 } else {
                     format!("did you mean {}?", near.join(" or "))
                 };
-                return Err((format!("{name}: is not known here"), hint));
+                return Err((format!("{name}: unknown key"), hint));
             }
         }
         let engine = match document.get("engine").and_then(Value::as_str) {
@@ -73,7 +73,7 @@ impl ParameterFile {
             }
             None => {
                 return Err((
-                    "engine: is not said".to_owned(),
+                    "engine: missing".to_owned(),
                     "write engine = \"stereo-noise\", say, in the first line".to_owned(),
                 ));
             }
@@ -175,17 +175,17 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told() {
+    fn rejects_invalid_files() {
         for (text, expected) in [
-            ("", "engine: is not said"),
+            ("", "engine: missing"),
             (
                 "engine = 'stereo-nose'\n[parameters]\n",
-                "did you mean stereo-noise",
+                "did you mean 'stereo-noise'",
             ),
             ("engine = 'stereo-noise'\n", "no such table"),
             (
                 "engine = 'stereo-noise'\nbias = 1\n[parameters]\n",
-                "bias: is not known here",
+                "bias: unknown key",
             ),
             (
                 "engine = 'stereo-noise'\n[parameter]\n",
@@ -214,8 +214,8 @@ mod tests {
             ),
         ] {
             let (what, remedy) = ParameterFile::parse(text).unwrap_err();
-            let told = format!("{what}; {remedy}");
-            assert!(told.contains(expected), "{text:?}: {told}");
+            let error = format!("{what}; {remedy}");
+            assert!(error.contains(expected), "{text:?}: {error}");
         }
     }
 }

@@ -199,7 +199,7 @@ fn parameters_by_name_belong_to_their_engine() {
     with(single, "depth", "recomputed").unwrap();
     assert_eq!(
         with(noise, "noiseMean", "0.5").unwrap_err(),
-        "noiseMean: stereo-noise has no noiseMean: it is a parameter of single-view; leave it out, or choose the engine single-view"
+        "noiseMean: a parameter of single-view, not of stereo-noise; remove it, or choose the engine single-view"
     );
     assert!(
         with(single, "jitter", "0.5")
@@ -237,7 +237,7 @@ fn devices_differ_by_their_seed_alone() {
 }
 
 #[test]
-fn parameters_of_another_processor_are_told() {
+fn reports_parameters_of_another_processor() {
     let set = |name: &str| SensorOptions {
         engine: Some(&STEREO_MATCHING),
         parameters: vec![(name.to_owned(), "20".to_owned())],
@@ -250,7 +250,7 @@ fn parameters_of_another_processor_are_told() {
     assert_eq!(findings[0].code, "other-platform");
     assert_eq!(
         findings[0].message,
-        "on RVC2 flatnessConfidenceWeight has no effect"
+        "flatnessConfidenceWeight has no effect on RVC2"
     );
     let (_, findings) = of("OAK4-D", 0, &set("horizontalPenaltyCostP1")).unwrap();
     assert_eq!(findings[0].code, "other-platform");

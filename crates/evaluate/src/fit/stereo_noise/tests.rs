@@ -264,7 +264,7 @@ fn a_bias_that_no_calibration_has_is_told() {
 
 /// Distances that are wrong by 3 %, which no bias explains.
 #[test]
-fn a_wrong_scale_is_told() {
+fn a_wrong_scale_is_reported() {
     let distances: Vec<f64> = (0..12).map(|i| 1.6 + 0.41 * f64::from(i)).collect();
     let recorded = Recorded {
         parameters: truth(0.0, 0.1, 0.05, 7),
@@ -281,12 +281,12 @@ fn a_wrong_scale_is_told() {
     }
     fs::write(folder.path().join(TABLE), table).unwrap();
     let (_, findings) = fitted(&[folder.path()], &options()).unwrap();
-    let told = findings
+    let finding = findings
         .iter()
         .find(|finding| finding.code == "wrong-scale")
         .unwrap();
-    let percent: f64 = told.message.split_whitespace().nth(2).unwrap().parse().unwrap();
-    assert!((percent - 3.0).abs() < 0.3, "{told}");
+    let percent: f64 = finding.message.split_whitespace().nth(5).unwrap().parse().unwrap();
+    assert!((percent - 3.0).abs() < 0.3, "{finding}");
 }
 
 /// Ground truth beside the sensor's images of a board so oblique that it spans many pixels of disparity.
@@ -325,7 +325,7 @@ fn ground_truth_beside_the_sensors_images() {
         );
     }
     let error = fitted(&[folder.path()], &options()).unwrap_err();
-    assert!(error.contains("nothing that a sensor reported"), "{error}");
+    assert!(error.contains("no output of a depth sensor"), "{error}");
 }
 
 /// The vendor's two curves, each of one device.
