@@ -59,9 +59,11 @@ def camera_rows(handler, device, role):
     for coefficients, found in zip(both, [handler.getDistortionCoefficients(where), camera.distortion]):
         coefficients[: len(found)] = found
     yield row(f"{role} distortion, {camera.lens}", "", *both)
-    yield row(f"{role} field of view", "deg", handler.getFov(where, useSpec=False), camera.hfov_deg)
+    # getFov() ignores the lens; hfov_deg of a fisheye camera is that of its lens.
+    field = np.degrees(2 * np.arctan(camera.size[0] / 2 / camera.K[0, 0]))
+    yield row(f"{role} field of view", "deg", handler.getFov(where, useSpec=False), field)
     note = "getFov() gives the data sheet's; oaktwin's follows from the calibrated fx"
-    yield row(f"{role} field of view, by default", "deg", handler.getFov(where), camera.hfov_deg, note)
+    yield row(f"{role} field of view, by default", "deg", handler.getFov(where), field, note)
 
 
 def pair_rows(handler, device, source, target):

@@ -20,6 +20,7 @@ NEEDS = {
     "test_rectify.py": ("cv2", "depthai"),
     "test_render.py": ("open3d", "libusb_package"),
     "test_stereo_matching.py": ("cv2",),
+    "test_stereo_photographs.py": ("cv2",),
     "test_stereo_rendered.py": ("cv2",),
 }
 collect_ignore = [name for name, packages in NEEDS.items() if not all(map(find_spec, packages))]

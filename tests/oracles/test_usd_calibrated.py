@@ -31,11 +31,17 @@ def offsets(camera: dict, column: sheet.Camera, sign: str) -> tuple[float, float
     return 0.0, 0.0
 
 
+def rectified_role(case: Case, role: str) -> str:
+    """The camera whose intrinsics a rectified image has: on RVC2 both images have those of the right one."""
+    return "right" if role == "left" and "4" not in case.model.name else role
+
+
 def assert_calibrated(stage: Usd.Stage, case: Case, cameras_of_unit: dict[str, dict], sign: str) -> None:
     for name, column, _ in cameras(case):
         prim = prim_of(stage, case, name)
         camera = UsdGeom.Camera(prim)
-        data = cameras_of_unit[column.stereo_role]
+        is_real = any(name == column.prim for column in case.model.cameras)
+        data = cameras_of_unit[column.stereo_role if is_real else rectified_role(case, column.stereo_role)]
         fx, fy, cx, cy = intrinsics(data)
         pitch = column.pixel_um * 1e-3
         assert camera.GetFocalLengthAttr().Get() == pytest.approx(pitch * (fx + fy) / 2, rel=1e-5), name
@@ -48,7 +54,6 @@ def assert_calibrated(stage: Usd.Stage, case: Case, cameras_of_unit: dict[str, d
         assert "OmniLensDistortionOpenCvPinholeAPI" in applied(prim), name
         assert prim.GetAttribute("omni:lensdistortion:model").Get() == "opencvPinhole"
         # Depth images are rectified: the virtual camera has a principal point and no distortion.
-        is_real = any(name == column.prim for column in case.model.cameras)
         coefficients = data["distortionCoeff"] if is_real else [0.0] * 14
         values = dict(zip(NAMES, coefficients, strict=False)) | {"fx": fx, "fy": fy, "cx": cx, "cy": cy}
         for attribute, value in values.items():
@@ -69,10 +74,7 @@ def test_depth_sensors(builder: Builder, case: Case) -> None:
     cameras_of_unit = unit(builder.calibration(case.model))
     for depth in case.model.depths:
         prim = prim_of(stage, case, f"TemplateRenderProducts/{depth.prim}_render_product")
-        role = case.model.camera(depth.camera).stereo_role
-        # RVC2 gives the right camera's intrinsics to both rectified images.
-        if role == "left" and "4" not in case.model.name:
-            role = "right"
+        role = rectified_role(case, case.model.camera(depth.camera).stereo_role)
         fx, _, _, _ = intrinsics(cameras_of_unit[role])
         expected = {name: value for name, (_, value) in depth.attributes("5.1").items()}
         expected["focalLengthPixel"] = float(round(fx))

@@ -137,7 +137,11 @@ impl Engine for StereoMatching {
                 "other-platform",
                 Level::Warning,
                 place,
-                format!("{} has no effect on {}", names.join(", "), own.name().to_uppercase()),
+                format!(
+                    "{} has no effect on {}",
+                    names.join(", "),
+                    own.name().to_uppercase()
+                ),
                 "leave it out, or set the parameter platform",
             )
         })

@@ -285,7 +285,13 @@ fn a_wrong_scale_is_reported() {
         .iter()
         .find(|finding| finding.code == "wrong-scale")
         .unwrap();
-    let percent: f64 = finding.message.split_whitespace().nth(5).unwrap().parse().unwrap();
+    let percent: f64 = finding
+        .message
+        .split_whitespace()
+        .nth(5)
+        .unwrap()
+        .parse()
+        .unwrap();
     assert!((percent - 3.0).abs() < 0.3, "{finding}");
 }
 

@@ -65,7 +65,9 @@ pub(crate) struct ParametersRequest {
 impl ParametersRequest {
     pub(crate) fn answer(&self) -> Result<Value, Box<dyn Error>> {
         let platforms = [Platform::Rvc2, Platform::Rvc4];
-        let platform = platforms.into_iter().find(|known| known.name() == self.platform);
+        let platform = platforms
+            .into_iter()
+            .find(|known| known.name().eq_ignore_ascii_case(&self.platform));
         let parameters = Parameters::new(platform.ok_or("unknown platform")?, STEREO, 1280);
         let values = Parameters::names()
             .into_iter()
