@@ -193,7 +193,7 @@ mod tests {
             ),
             (
                 "engine = 'stereo-noise'\n[parameters]\njiter = 1\n",
-                "parameters.jiter: stereo-noise has no such parameter; did you mean jitter?",
+                "parameters.jiter: unknown parameter of stereo-noise; did you mean 'jitter'?",
             ),
             (
                 "engine = 'stereo-noise'\n[parameters]\njitter = -1.0\n",
@@ -210,7 +210,7 @@ mod tests {
             ("engine = 'stereo-noise'\n\n[parameters\n", "line 3"),
             (
                 "engine = 'single-view'\n[parameters]\njitter = 1\n",
-                "it is a parameter of stereo-noise",
+                "a parameter of stereo-noise",
             ),
         ] {
             let (what, remedy) = ParameterFile::parse(text).unwrap_err();

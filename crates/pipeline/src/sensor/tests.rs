@@ -209,7 +209,7 @@ fn parameters_by_name_belong_to_their_engine() {
     assert!(
         with(single, "noiseMeen", "0.5")
             .unwrap_err()
-            .contains("did you mean noiseMean")
+            .contains("did you mean 'noiseMean'")
     );
     for (engine, name, value) in [
         (single, "baselineMM", "0"),
