@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 
-use crate::{FTheta, ImageSize, Intrinsics, LensModel, OpenCv, PixelConvention, PixelPoint};
+use crate::{FTheta, ImageSize, Intrinsics, LensModel, OpenCv, PixelConvention, PixelPoint, Usd};
 
 /// Intrinsics and a lens. The camera's frame has OpenCV's axes: x right, y down, z forward.
 ///
@@ -32,6 +32,27 @@ impl Camera {
     #[must_use]
     pub const fn new(intrinsics: Intrinsics, lens: LensModel) -> Self {
         Self { intrinsics, lens }
+    }
+
+    /// Returns the horizontal and the vertical field of view through the principal point in radians: of the lens if it has
+    /// no pinhole image (fisheye and f-theta), otherwise of the pinhole.
+    #[must_use]
+    pub fn field_of_view(&self) -> [f64; 2] {
+        let own = &self.intrinsics;
+        let pinhole = [own.hfov(), own.vfov()];
+        if !matches!(self.lens, LensModel::OpenCvFisheye(_) | LensModel::FTheta(_)) {
+            return pinhole;
+        }
+        let centre = own.principal_point::<Usd>();
+        let (width, height) = (f64::from(own.size.width), f64::from(own.size.height));
+        let angle = |x: f64, y: f64| {
+            let ray = self.unproject(PixelPoint::<Usd>::new(x, y))?;
+            Some(ray.x.hypot(ray.y).atan2(ray.z))
+        };
+        let horizontal = angle(0.0, centre.y).zip(angle(width, centre.y));
+        let vertical = angle(centre.x, 0.0).zip(angle(centre.x, height));
+        let sides = [horizontal, vertical].map(|sides| sides.map(|(first, last)| first + last));
+        [sides[0].unwrap_or(pinhole[0]), sides[1].unwrap_or(pinhole[1])]
     }
 
     /// Creates a camera with an f-theta lens, which determines the intrinsics, for an image of `size`.

@@ -1,7 +1,7 @@
 //! Stereo rectification after Bouguet, as `cv2.stereoRectify` computes it.
 
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use oaktwin_parameter::choice;
+use oaktwin_parameter::{Platform, choice};
 
 use crate::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvLens, OpenCvPinhole, PixelPoint, RigidTransform,
@@ -28,6 +28,17 @@ choice! {
         LeftCamera = "left-camera",
         /// Those of the right camera, for both: RVC2 devices.
         RightCamera = "right-camera",
+    }
+}
+
+impl RectifiedIntrinsics {
+    /// Returns the choice of the devices of a platform.
+    #[must_use]
+    pub const fn of(platform: Platform) -> Self {
+        match platform {
+            Platform::Rvc2 => Self::RightCamera,
+            Platform::Rvc4 => Self::LeftCamera,
+        }
     }
 }
 

@@ -113,10 +113,7 @@ impl Twin {
         let optics = |camera: &TwinCamera| Optics::new(camera.intrinsics, camera.lens);
         if let (Origin::Calibration { .. }, Some(right)) = (&self.origin, self.camera(Role::Right)) {
             let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
-            let target = match self.platform() {
-                Some(Platform::Rvc2) => RectifiedIntrinsics::RightCamera,
-                Some(Platform::Rvc4) | None => RectifiedIntrinsics::LeftCamera,
-            };
+            let target = RectifiedIntrinsics::of(self.platform().unwrap_or(Platform::Rvc4));
             if let Ok(pair) = stereo_rectify_to(&optics(&left), &optics(right), &right_from_left, target) {
                 let left_from_rectified = pair.rectified_from_left.transpose();
                 left.intrinsics = pair.left;

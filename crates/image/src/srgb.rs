@@ -1,9 +1,9 @@
-//! The transfer function of sRGB (IEC 61966-2-1) as tables.
+//! The transfer function of sRGB (IEC 61966-2-1) as a function and as tables.
 
 use std::sync::LazyLock;
 
 /// Converts an sRGB value of 0 to 1 to a linear one.
-fn linear(srgb: f64) -> f64 {
+fn exact(srgb: f64) -> f64 {
     if srgb <= 0.040_45 {
         srgb / 12.92
     } else {
@@ -13,16 +13,23 @@ fn linear(srgb: f64) -> f64 {
 
 static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     #[expect(clippy::cast_possible_truncation, reason = "rounded to float32")]
-    let of = |i: usize| linear(i as f64 / 255.0) as f32;
+    let of = |i: usize| exact(i as f64 / 255.0) as f32;
     std::array::from_fn(of)
 });
 
 /// The smallest linear value that rounds to each sRGB value except the first.
 static STEPS: LazyLock<[f32; 255]> = LazyLock::new(|| {
     #[expect(clippy::cast_possible_truncation, reason = "rounded to float32")]
-    let of = |i: usize| linear((i as f64 + 0.5) / 255.0) as f32;
+    let of = |i: usize| exact((i as f64 + 0.5) / 255.0) as f32;
     std::array::from_fn(of)
 });
+
+/// Converts an sRGB value to a linear one, both from 0 to 1.
+#[expect(clippy::cast_possible_truncation, reason = "rounded to float32")]
+#[must_use]
+pub fn linear(srgb: f32) -> f32 {
+    exact(srgb.into()) as f32
+}
 
 /// Returns the linear values, 0 to 1, of all sRGB values.
 #[must_use]

@@ -5,7 +5,7 @@ use oaktwin::camera::{
     self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
 };
 use oaktwin::render::{Clip, PlacedCamera, check_size};
-use oaktwin::sense::{check_hfov, field_of_view};
+use oaktwin::sense::check_hfov;
 use pyo3::prelude::*;
 
 use crate::arguments::Size;
@@ -283,13 +283,13 @@ impl Camera {
     /// the pinhole.
     #[getter]
     fn hfov_deg(&self) -> f64 {
-        field_of_view(&self.camera)[0].to_degrees()
+        self.camera.field_of_view()[0].to_degrees()
     }
 
     /// Vertical field of view, likewise.
     #[getter]
     fn vfov_deg(&self) -> f64 {
-        field_of_view(&self.camera)[1].to_degrees()
+        self.camera.field_of_view()[1].to_degrees()
     }
 
     fn __hash__(&self) -> u64 {

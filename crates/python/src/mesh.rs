@@ -3,8 +3,8 @@ use std::sync::Arc;
 
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use oaktwin::camera::math::DVec3;
-use oaktwin::image::Image;
-use oaktwin::scene::{self, Attribute, ColorSpace, Material, Texture, TextureSource, TextureUse, srgb};
+use oaktwin::image::{Image, srgb};
+use oaktwin::scene::{self, Attribute, ColorSpace, Material, Texture, TextureSource, TextureUse};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -4,15 +4,16 @@ use oaktwin::camera::ImageSize;
 use oaktwin::catalog::Role;
 use oaktwin::depth::imager;
 use oaktwin::pair::{Pair, PairOptions};
-use oaktwin::render::{available_bytes, check_size, gib};
+use oaktwin::render::check_size;
 use oaktwin::sensor::SensorOptions;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::device::Device;
-use crate::error::{error, wrong};
+use crate::error::error;
 use crate::grey::recorded;
 use crate::images::array;
+use crate::scene::annotators::check_free;
 use crate::settings::assignments;
 
 /// The bytes per pixel: light, recorded value, rectification map and rectified value of both cameras, and the ground
@@ -65,17 +66,7 @@ fn check_memory(device: &Device, size: ImageSize) -> PyResult<()> {
     let name = &device.twin.device.name;
     check_size(size).map_err(|found| error(format!("{name}: {found}")))?;
     let needed = u64::from(size.width) * u64::from(size.height) * BYTES_OF_PIXEL;
-    match available_bytes() {
-        Some(available) if needed > available => {
-            let is = format!(
-                "requires {} of memory, but only {} is free",
-                gib(needed),
-                gib(available)
-            );
-            Err(wrong(name, is, "reduce the image size"))
-        }
-        _ => Ok(()),
-    }
+    check_free(name, needed, "reduce the image size")
 }
 
 /// Returns a dictionary of arrays by name.

@@ -15,7 +15,6 @@ mod mesh;
 mod placement;
 pub mod polygon;
 pub mod shape;
-pub mod srgb;
 mod turn;
 
 use oaktwin_camera::math::{DAffine3, DVec3};

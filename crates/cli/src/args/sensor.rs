@@ -1,10 +1,11 @@
 use std::path::Path;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches, ValueHint, value_parser};
 use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
 
+use super::choice::possible;
 use crate::context::Result;
 
 /// The options of the depth sensor, those of [`SENSOR_OPTIONS`].
@@ -100,9 +101,7 @@ fn argument(option: &SensorOption) -> Arg {
         OptionValue::Text(name, _) => arg.value_name(name),
         OptionValue::File => arg.value_name("FILE").value_hint(ValueHint::FilePath),
         OptionValue::Choice(name, names) => {
-            let values = names().into_iter().map(|(name, about)| {
-                PossibleValue::new(name).help(about.trim().trim_end_matches('.').replace('`', ""))
-            });
+            let values = names().into_iter().map(|(name, about)| possible(name, about));
             arg.value_name(name)
                 .value_parser(PossibleValuesParser::new(values))
         }

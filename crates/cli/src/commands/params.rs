@@ -1,7 +1,7 @@
 use std::fmt::Write;
 
 use oaktwin::depth::parameters::{self, GROUPS, Listing, Platform};
-use oaktwin::sensor::{EngineKind, SensorOptions, platform, sensor};
+use oaktwin::sensor::{EngineKind, SensorOptions, sensor};
 use serde::Serialize;
 
 use crate::args::ParamsArgs;
@@ -47,7 +47,7 @@ fn listings(context: &Context, args: &ParamsArgs, name: &str) -> Result<Vec<List
         return Ok(group.list(args.platform.unwrap_or_default()));
     };
     let twin = context.catalog.nominal(context.device(model)?);
-    let mut list = group.list(args.platform.or_else(|| platform(&twin)).unwrap_or_default());
+    let mut list = group.list(args.platform.or_else(|| twin.platform()).unwrap_or_default());
     if let Ok(engine) = EngineKind::parse(name) {
         let options = SensorOptions {
             engine: Some(engine),

@@ -6,7 +6,7 @@ use oaktwin::depth::rectify::RectifyOptions;
 use oaktwin::diagnostic::{Finding, suggest};
 use oaktwin::sense::FieldOfView;
 use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
-use oaktwin::{sensor, unit};
+use oaktwin::unit;
 
 use crate::args::StereoArgs;
 use crate::context::{Context, Exit, Result};
@@ -123,7 +123,7 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
         lens: args.unit.lens,
         is_raw,
         rectify: args.rectify.map(|method| {
-            let own = platform.or_else(|| sensor::platform(twin));
+            let own = platform.or_else(|| twin.platform());
             RectifyOptions {
                 method,
                 ..RectifyOptions::of(own.unwrap_or(Platform::Rvc4))

@@ -58,6 +58,17 @@ impl Program {
         self.ended(&self.command(arguments).output().unwrap())
     }
 
+    /// Runs the program with a limit on the size of files, which simulates a full disk.
+    #[cfg(target_os = "linux")]
+    pub(crate) fn run_on_full_disk(&self, arguments: &[&str]) -> Ended {
+        let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+        let mut command = Command::new("bash");
+        command
+            .args(["-c", script, env!("CARGO_BIN_EXE_oaktwin")])
+            .args(arguments);
+        self.ended(&command.current_dir(self.folder()).output().unwrap())
+    }
+
     /// Runs a command that must succeed and returns its standard output.
     pub(crate) fn good(&self, arguments: &[&str]) -> String {
         let ended = self.run(arguments);

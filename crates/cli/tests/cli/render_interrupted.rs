@@ -54,24 +54,13 @@ fn a_closed_pipe_is_no_error() {
     );
 }
 
-/// A limit on the size of files simulates a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_disk_that_fills_up_leaves_nothing_half() {
-    use std::process::Command;
-
     let program = program();
-    let script = format!(
-        "trap '' XFSZ; ulimit -f 1; exec '{}' render room.usda -o out",
-        env!("CARGO_BIN_EXE_oaktwin")
-    );
-    let output = Command::new("bash")
-        .args(["-c", &script])
-        .current_dir(program.folder())
-        .output()
-        .unwrap();
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{message}");
+    let ended = program.run_on_full_disk(&["render", "room.usda", "-o", "out"]);
+    let message = ended.stderr;
+    assert_eq!(ended.code, 2, "{message}");
     assert!(
         message.contains("out/") && message.contains("cannot be written"),
         "{message}"

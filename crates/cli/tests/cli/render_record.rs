@@ -190,23 +190,14 @@ fn rrd_names_its_feature() {
     );
 }
 
-/// A limit on the size of files simulates a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_disk_that_fills_up_leaves_nothing() {
     let program = program();
     let before = program.names();
-    let script = format!(
-        "trap '' XFSZ; ulimit -f 1; exec '{}' render room.usda --record a.mcap",
-        env!("CARGO_BIN_EXE_oaktwin")
-    );
-    let output = std::process::Command::new("bash")
-        .args(["-c", &script])
-        .current_dir(program.folder())
-        .output()
-        .unwrap();
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{message}");
+    let ended = program.run_on_full_disk(&["render", "room.usda", "--record", "a.mcap"]);
+    let message = ended.stderr;
+    assert_eq!(ended.code, 2, "{message}");
     assert!(
         message.starts_with("error: a.mcap: ") && message.lines().count() == 1,
         "{message}"

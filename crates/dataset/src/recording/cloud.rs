@@ -4,7 +4,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, PixelPoint, Usd};
 use oaktwin_image::{Image, ImageView};
 
-use super::{DepthView, MeasuredCamera};
+use super::{DepthView, MeasuredCamera, RecordedCamera};
 
 /// Returns the intersection of the ray at each pixel centre with the plane z = 1; NaN if there is none.
 pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
@@ -41,13 +41,29 @@ pub(super) fn points<'a>(
     })
 }
 
-/// Returns the colour of each measured point in the image of another camera; 0 where that does not see it.
+/// Returns the colour of each measured point in the image of the recorded camera, 0 where that does not see it; `None` if
+/// measured depth is an image of the same camera, whose colours are those of the pixels.
+pub(super) fn measured_colors(
+    rays: &Image<[f32; 2]>,
+    depth: DepthView<'_>,
+    camera: &RecordedCamera,
+    rgb: Option<ImageView<'_, [u8; 4]>>,
+) -> Option<Image<[u8; 4]>> {
+    Some(colors(
+        rays,
+        depth,
+        camera.measured.as_ref()?,
+        &camera.camera,
+        rgb?,
+    ))
+}
+
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "within the image"
 )]
-pub(super) fn colors(
+fn colors(
     rays: &Image<[f32; 2]>,
     depth: DepthView<'_>,
     measured: &MeasuredCamera,

@@ -240,10 +240,7 @@ impl<W: Write> Mcap<W> {
         }
         if let Some(depth) = moment.measured.filter(|_| moment.measured_points) {
             let rays = measured_rays.get_or_insert_with(|| cloud::rays(&measured.camera));
-            let colors = moment
-                .rgb
-                .filter(|_| is_other)
-                .map(|rgb| cloud::colors(rays, depth, &measured, camera, rgb));
+            let colors = cloud::measured_colors(rays, depth, &station.camera, moment.rgb);
             let rgb = colors.as_ref().map(Into::into).or(moment.rgb);
             message::points(&mut self.cdr, measured_head, rays, depth, rgb);
             self.put(&topic("measured_points"), Schema::PointCloud2, time)?;

@@ -177,10 +177,7 @@ impl<W: Write> Recorder for Rrd<W> {
                 .map_err(failed)?;
             if moment.measured_points {
                 let rays = measured_rays.get_or_insert_with(|| cloud::rays(&measured.camera));
-                let colors = moment
-                    .rgb
-                    .filter(|_| is_other)
-                    .map(|rgb| cloud::colors(rays, depth, &measured, camera, rgb));
+                let colors = cloud::measured_colors(rays, depth, &station.camera, moment.rgb);
                 let rgb = colors.as_ref().map(Into::into).or(moment.rgb);
                 let points = points(rays, depth, &measured.camera_from_measured, rgb);
                 stream

@@ -39,8 +39,8 @@ parameters! {
         exposure_target: f64 = 0.35 => ("exposureTarget".range(0.001..=0.95).estimate()),
         /// Exposure time times gain without automatic exposure; at 1, white has the largest value.
         exposure: f64 = 0.8 => ("exposure".range(1e-6..=1e6).estimate()),
-        /// The longest exposure time, as a multiple of the one at which white has the largest value. 2 stands for 33 ms,
-        /// `DepthAI`'s longest at 30 frames per second, in the light of an office.
+        /// The longest exposure time, as a multiple of the one at which white has the largest value. A value of 2 corresponds to
+        /// 33 ms, `DepthAI`'s longest at 30 frames per second, under office lighting.
         max_exposure_time: f64 = 2.0 => ("maxExposureTime".range(1e-6..=1e6).estimate()),
         /// The largest gain: `DepthAI`'s ISO 1600 over its ISO 100.
         max_gain: f64 = 16.0 => ("maxGain".range(1.0..=1000.0)),

@@ -19,7 +19,7 @@ mod rows;
 #[cfg(test)]
 mod tests;
 
-pub use options::{EdgeFill, Method, RectifyOptions, Target};
+pub use options::{EdgeFill, Method, RectifyOptions};
 pub use pair::StereoRectify;
 pub use remap::Rectify;
 pub use rows::Grey;

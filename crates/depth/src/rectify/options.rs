@@ -1,4 +1,4 @@
-use oaktwin_camera::Camera;
+use oaktwin_camera::{Camera, RectifiedIntrinsics};
 
 use crate::preset::Platform;
 use oaktwin_parameter::choice;
@@ -14,16 +14,6 @@ choice! {
         Mesh = "mesh",
         /// A position for each pixel, with the complete lens model.
         Full = "full",
-    }
-}
-
-choice! {
-    /// The camera whose intrinsics both rectified images get.
-    Target {
-        /// The right camera's: an RVC2.
-        Right = "right",
-        /// The left camera's: an RVC4 and `DepthAI`'s host node.
-        Left = "left",
     }
 }
 
@@ -43,27 +33,33 @@ impl Default for EdgeFill {
 }
 
 /// The options of rectification. The defaults are those of RVC2.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RectifyOptions {
     /// The method.
     pub method: Method,
-    /// The camera whose intrinsics both images get.
-    pub target: Target,
+    /// The intrinsics of both images; of two, those of the left one.
+    pub target: RectifiedIntrinsics,
     /// The value of pixels outside the raw image.
     pub edge_fill: EdgeFill,
+}
+
+impl Default for RectifyOptions {
+    fn default() -> Self {
+        Self::of(Platform::Rvc2)
+    }
 }
 
 impl RectifyOptions {
     /// Returns the options of a platform.
     #[must_use]
     pub fn of(platform: Platform) -> Self {
-        match platform {
-            Platform::Rvc2 => Self::default(),
-            Platform::Rvc4 => Self {
-                method: Method::Full,
-                target: Target::Left,
-                edge_fill: EdgeFill::default(),
+        Self {
+            method: match platform {
+                Platform::Rvc2 => Method::Auto,
+                Platform::Rvc4 => Method::Full,
             },
+            target: RectifiedIntrinsics::of(platform),
+            edge_fill: EdgeFill::default(),
         }
     }
 }

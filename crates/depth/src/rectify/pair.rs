@@ -1,9 +1,7 @@
-use oaktwin_camera::{
-    Camera, Rectification, RectifiedIntrinsics, RectifyError, RigidTransform, stereo_rectify_to,
-};
+use oaktwin_camera::{Camera, Rectification, RectifyError, RigidTransform, stereo_rectify_to};
 use oaktwin_image::{Image, ImageView};
 
-use super::options::{Method, RectifyOptions, Target};
+use super::options::{Method, RectifyOptions};
 use super::{Grey, Rectify};
 
 /// Rectifies raw pairs.
@@ -28,11 +26,7 @@ impl StereoRectify {
         right_from_left: &RigidTransform,
         options: &RectifyOptions,
     ) -> Result<Self, RectifyError> {
-        let target = match options.target {
-            Target::Left => RectifiedIntrinsics::LeftCamera,
-            Target::Right => RectifiedIntrinsics::RightCamera,
-        };
-        let geometry = stereo_rectify_to(left, right, right_from_left, target)?;
+        let geometry = stereo_rectify_to(left, right, right_from_left, options.target)?;
         let target = geometry.left;
         let method = options.method.for_camera(left);
         let one =

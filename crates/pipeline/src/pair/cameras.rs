@@ -2,7 +2,6 @@ use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
-use crate::sensor::platform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
 use oaktwin_catalog::{self as catalog, Role, Twin};
@@ -247,7 +246,7 @@ pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
 
 /// The rectification of the device's processor; for an unknown one that of `DepthAI` on a host.
 fn device_rectification(twin: &Twin) -> RectifyOptions {
-    RectifyOptions::of(platform(twin).unwrap_or(Platform::Rvc4))
+    RectifyOptions::of(twin.platform().unwrap_or(Platform::Rvc4))
 }
 
 fn projector(twin: &Twin, options: &PairOptions) -> Result<Option<ActiveProjector>, PairError> {

@@ -63,7 +63,7 @@ pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};
-pub use save::{SAVED_EXTENSIONS, save_usd};
+pub use save::{check_saved_name, save_usd};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
 pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};

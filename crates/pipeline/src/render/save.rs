@@ -4,8 +4,25 @@ use oaktwin_files::{self as files, FileError};
 use oaktwin_scene::Scene;
 use oaktwin_usd::scene_file::scene_file;
 
-/// The extensions of files that [`save_usd`] writes.
-pub const SAVED_EXTENSIONS: [&str; 2] = ["usda", "usd"];
+/// Checks that a scene can be written to a file of this name.
+///
+/// # Errors
+/// Returns an error for an extension other than `.usda` and `.usd`.
+pub fn check_saved_name(path: &Path) -> Result<(), FileError> {
+    let extension = path
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase();
+    if ["usda", "usd"].contains(&extension.as_str()) {
+        return Ok(());
+    }
+    Err(FileError::new(
+        path,
+        "scenes are written in USD's text format",
+        "use a name that ends in .usda or .usd",
+    ))
+}
 
 /// Writes a scene as a USD file in the text format, and its images to a folder `NAME_textures` beside it.
 ///
@@ -13,18 +30,7 @@ pub const SAVED_EXTENSIONS: [&str; 2] = ["usda", "usd"];
 /// Returns an error for an extension other than `.usda` and `.usd`, for a texture that cannot be decoded, and if a file cannot be
 /// written.
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
-    let extension = path
-        .extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .to_lowercase();
-    if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
-        return Err(FileError::new(
-            path,
-            "scenes are written in USD's text format",
-            "use a name that ends in .usda or .usd",
-        ));
-    }
+    check_saved_name(path)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let saved =
         scene_file(scene, &format!("{name}_textures")).map_err(|error| FileError::codec(path, &error))?;

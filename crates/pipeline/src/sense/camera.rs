@@ -244,24 +244,3 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
         Err(wrong(format!("the focal length must be > 0 (got {})", k.fx)))
     }
 }
-
-/// Returns the horizontal and the vertical field of view through the principal point in radians: of the lens where it has
-/// no pinhole image (fisheye and f-theta), otherwise of the pinhole.
-#[must_use]
-pub fn field_of_view(camera: &Camera) -> [f64; 2] {
-    let own = &camera.intrinsics;
-    let pinhole = [own.hfov(), own.vfov()];
-    if !matches!(camera.lens, LensModel::OpenCvFisheye(_) | LensModel::FTheta(_)) {
-        return pinhole;
-    }
-    let centre = own.principal_point::<Usd>();
-    let (width, height) = (f64::from(own.size.width), f64::from(own.size.height));
-    let angle = |x: f64, y: f64| {
-        let ray = camera.unproject(PixelPoint::<Usd>::new(x, y))?;
-        Some(ray.x.hypot(ray.y).atan2(ray.z))
-    };
-    let horizontal = angle(0.0, centre.y).zip(angle(width, centre.y));
-    let vertical = angle(centre.x, 0.0).zip(angle(centre.x, height));
-    let sides = [horizontal, vertical].map(|sides| sides.map(|(first, last)| first + last));
-    [sides[0].unwrap_or(pinhole[0]), sides[1].unwrap_or(pinhole[1])]
-}

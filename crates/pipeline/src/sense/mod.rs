@@ -23,7 +23,7 @@ use std::io;
 use std::path::PathBuf;
 
 pub use crate::input::InputKind;
-pub use camera::{field_of_view, image_camera};
+pub use camera::image_camera;
 pub use oaktwin_dataset::CloudAxes;
 pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use plan::STANDARD_INPUT;

@@ -11,18 +11,15 @@ pub enum DepthUnit {
     Millimetres,
 }
 
-/// The number of pixels at which the unit is checked.
-const SAMPLES: usize = 256;
 /// No depth image of a room or a yard is farther away everywhere, in metres.
 const ALL_FAR_M: f32 = 100.0;
 /// No depth camera sees a scene that is nearer everywhere, in metres.
 const ALL_NEAR_M: f32 = 0.1;
 
-/// Reports depth that looks as if it were in the other unit. Values are in metres; a sample of them is read.
+/// Reports depth that looks as if it were in the other unit. Values are in metres; a sample of an image is enough.
 #[must_use]
 pub fn check_unit(metres: &[f32], unit: DepthUnit) -> Option<Finding> {
-    let step = (metres.len() / SAMPLES).max(1);
-    let (nearest, farthest) = limits(metres.iter().step_by(step))?;
+    let (nearest, farthest) = limits(metres.iter())?;
     let (what, remedy) = match unit {
         DepthUnit::Metres if nearest > ALL_FAR_M => (
             format!("depth from {nearest:?} to {farthest:?} m looks like millimetres"),

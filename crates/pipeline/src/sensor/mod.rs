@@ -28,7 +28,6 @@ pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};
 pub use options::{SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
-pub use preset::platform;
 
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_depth::filter::{self, Chain};

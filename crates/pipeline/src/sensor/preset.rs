@@ -8,12 +8,6 @@ use oaktwin_diagnostic::{Finding, Level};
 
 use super::SensorOptions;
 
-/// Returns the processor of a twin's device, or `None` if it is unknown.
-#[must_use]
-pub fn platform(twin: &Twin) -> Option<Platform> {
-    twin.platform()
-}
-
 /// Returns the preset that the options name for a depth sensor.
 pub(super) fn of_sensor(
     twin: &Twin,
@@ -25,7 +19,7 @@ pub(super) fn of_sensor(
     };
     match kind {
         DepthKind::Stereo => {
-            let platform = platform(twin).ok_or_else(|| ParameterError {
+            let platform = twin.platform().ok_or_else(|| ParameterError {
                 name: "preset".to_owned(),
                 what: format!(
                     "no presets are known for {} of {}",

@@ -151,7 +151,7 @@ fn of_twin(
     }
     Ok(Setup {
         // Devices with an unknown processor are treated as the most common one.
-        platform: preset::platform(twin).unwrap_or(Platform::Rvc2),
+        platform: twin.platform().unwrap_or(Platform::Rvc2),
         preset,
         ..geometry.unwrap_or_else(|| Setup::new(0.0, 0, 0.0))
     })

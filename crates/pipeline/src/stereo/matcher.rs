@@ -6,7 +6,7 @@ use super::StereoError;
 use crate::pair::{PairCameras, PairOptions};
 use crate::sense::FieldOfView;
 use crate::sensor::{
-    Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, platform, stereo_matching as sensor,
+    Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, stereo_matching as sensor,
 };
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::Twin;
@@ -96,7 +96,7 @@ impl Matcher {
                     geometry.left,
                     cameras.body_from_rectified_left(),
                     geometry.stereo_geometry(),
-                    chosen.or_else(|| platform(twin)),
+                    chosen.or_else(|| twin.platform()),
                     twin.device.name.as_str(),
                 )
             }

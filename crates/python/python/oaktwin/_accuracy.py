@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 from collections.abc import Sequence
-from importlib import import_module
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _oaktwin
+from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -68,23 +68,14 @@ class Accuracy:
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
-        if ax is None:
-            try:
-                plt = import_module("matplotlib.pyplot")
-            except ImportError as error:
-                raise ImportError("plots require Matplotlib; install it: pip install matplotlib") from error
-            _, ax = plt.subplots()
+        ax = new_axes() if ax is None else ax
         table = self.to_numpy()
         ax.plot(table["distance_m"], table["error_percent"], marker="o", label=f"{self.report['engine']}")
         limits = [(row["distance_m"], row["bands"][0]["error_percent"]) for row in self.rows if row["bands"]]
         if limits:
             distances, errors = zip(*limits)
             ax.fill_between(distances, 0.0, errors, step="pre", alpha=0.2, label="published")
-        ax.set_xlabel("distance [m]")
-        ax.set_ylabel("depth error [%]")
-        ax.set_title(f"{self.report['model']} {self.report['sensor']}")
-        ax.legend()
-        return ax
+        return finished(ax, self.report)
 
     def __repr__(self) -> str:
         verdict = "within the published accuracy" if self.passed else "NOT within the published accuracy"

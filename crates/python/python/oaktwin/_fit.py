@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib import import_module
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _oaktwin
+from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -57,12 +57,7 @@ class Fit:
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
-        if ax is None:
-            try:
-                plt = import_module("matplotlib.pyplot")
-            except ImportError as error:
-                raise ImportError("plots require Matplotlib; install it: pip install matplotlib") from error
-            _, ax = plt.subplots()
+        ax = new_axes() if ax is None else ax
         points = sorted(self.report["points"], key=lambda point: point["distance_m"])
         distances = [point["distance_m"] for point in points]
         ax.plot(distances, [point["error_percent"] for point in points], "o", label="measured")
@@ -70,11 +65,7 @@ class Fit:
         if fitted:
             ax.plot(*zip(*fitted), label="fitted")
         ax.axhline(0.0, color="0.7", linewidth=0.8)
-        ax.set_xlabel("distance [m]")
-        ax.set_ylabel("depth error [%]")
-        ax.set_title(f"{self.report['model']} {self.report['sensor']}")
-        ax.legend()
-        return ax
+        return finished(ax, self.report)
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name} {value:.4g}" for name, value in self.parameters.items())

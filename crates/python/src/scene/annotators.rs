@@ -37,6 +37,15 @@ pub(super) fn check_memory(camera: &Camera, annotators: &[Annotator], count: usi
     let size = camera.camera.intrinsics.size;
     let results = annotation_bytes(size, annotators).saturating_mul(count as u64);
     let needed = results.saturating_add(frame_bytes(size, annotators));
+    check_free(
+        &camera.name,
+        needed,
+        "render fewer poses at once, or smaller images",
+    )
+}
+
+/// Returns an error if less memory is free than needed, bytes.
+pub(crate) fn check_free(name: &str, needed: u64, remedy: &str) -> PyResult<()> {
     match available_bytes() {
         Some(available) if needed > available => {
             let is = format!(
@@ -44,11 +53,7 @@ pub(super) fn check_memory(camera: &Camera, annotators: &[Annotator], count: usi
                 gib(needed),
                 gib(available)
             );
-            Err(wrong(
-                &camera.name,
-                is,
-                "render fewer poses at once, or smaller images",
-            ))
+            Err(wrong(name, is, remedy))
         }
         _ => Ok(()),
     }

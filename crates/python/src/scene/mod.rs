@@ -10,8 +10,8 @@ use oaktwin::diagnostic;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
-    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SAVED_EXTENSIONS, SceneCameraOptions,
-    SceneFile, save_usd, scene_cameras,
+    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneFile,
+    check_saved_name, save_usd, scene_cameras,
 };
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
@@ -200,7 +200,7 @@ impl Scene {
         let all = PyDict::new(py);
         let stage = self.read(py);
         for (path, pose) in stage.poses() {
-            all.set_item(path, rows(py, pose)?)?;
+            all.set_item(path, rows(py, &pose)?)?;
         }
         Ok(all)
     }
@@ -212,15 +212,7 @@ impl Scene {
     /// Raises oaktwin.Error for another extension, and OSError if a file cannot be written.
     #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     fn save_usd(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let extension = path
-            .extension()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .to_lowercase();
-        if !SAVED_EXTENSIONS.contains(&extension.as_str()) {
-            let is = "scenes are written in USD's text format";
-            return Err(wrong(path.display(), is, "use a name that ends in .usda or .usd"));
-        }
+        check_saved_name(&path).map_err(error)?;
         let stage = self.read(py);
         let scene = stage.renderer.scene();
         let written = py.detach(|| save_usd(scene, &path));

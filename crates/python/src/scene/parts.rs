@@ -1,6 +1,6 @@
 //! The parts of a scene: their names, poses and pickles.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
 use oaktwin::camera::RigidTransform;
@@ -20,65 +20,57 @@ use crate::pose::{one_pose, rows};
 /// A callable, its arguments, and the state that is set afterwards.
 pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, Option<Bound<'py, PyDict>>);
 
-/// A renderer with the poses of its instances.
+/// A renderer with the poses of its instances, which are the parts of the scene.
 pub(super) struct Stage {
     pub(super) renderer: Renderer,
-    parts: Vec<Part>,
-    /// The indices of the parts that were moved.
-    moved: BTreeSet<usize>,
-}
-
-/// An instance.
-struct Part {
-    path: String,
-    pose: RigidTransform,
-    /// The scale, shear and reflection of its mesh.
-    rest: DAffine3,
+    /// The pose and the rest of the transform of each instance with a given pose, by its index; see
+    /// [`Instance::pose_and_rest`], which returns those of the others.
+    placed: BTreeMap<usize, (RigidTransform, DAffine3)>,
 }
 
 impl Stage {
     pub(super) fn new(scene: scene::Scene) -> Self {
-        let part = |instance: &Instance| {
-            let (pose, rest) = instance.pose_and_rest();
-            Part {
-                path: instance.path.clone(),
-                pose,
-                rest,
-            }
-        };
         Self {
-            parts: scene.instances.iter().map(part).collect(),
             renderer: Renderer::new(scene),
-            moved: BTreeSet::new(),
+            placed: BTreeMap::new(),
         }
     }
 
-    pub(super) fn poses(&self) -> impl Iterator<Item = (&str, &RigidTransform)> {
-        self.parts.iter().map(|part| (part.path.as_str(), &part.pose))
+    pub(super) fn poses(&self) -> impl Iterator<Item = (&str, RigidTransform)> {
+        let instances = self.renderer.scene().instances.iter().enumerate();
+        instances.map(|(index, instance)| (instance.path.as_str(), self.pose_and_rest(index, instance).0))
+    }
+
+    fn pose_and_rest(&self, index: usize, instance: &Instance) -> (RigidTransform, DAffine3) {
+        let placed = self.placed.get(&index).copied();
+        placed.unwrap_or_else(|| instance.pose_and_rest())
     }
 
     /// Moves parts: all, or none if a name is unknown.
     pub(super) fn place(&mut self, poses: &[(String, RigidTransform)]) -> PyResult<()> {
-        let found = poses.iter().map(|(name, pose)| Ok((self.find(name)?, *pose)));
+        let found = poses.iter().map(|(name, pose)| {
+            let (index, instance) = self.find(name)?;
+            Ok((index, (*pose, self.pose_and_rest(index, instance).1)))
+        });
         let found: Vec<_> = found.collect::<PyResult<_>>()?;
-        for (index, pose) in &found {
-            self.parts[*index].pose = *pose;
-        }
-        self.moved.extend(found.iter().map(|(index, _)| *index));
-        let placed =
-            |(index, pose): (usize, RigidTransform)| (index, Instance::placed(&pose, self.parts[index].rest));
-        self.renderer.set_poses(found.into_iter().map(placed));
+        let transforms = found
+            .iter()
+            .map(|(index, (pose, rest))| (*index, Instance::placed(pose, *rest)));
+        self.renderer.set_poses(transforms);
+        self.placed.extend(found);
         Ok(())
     }
 
-    fn find(&self, name: &str) -> PyResult<usize> {
+    fn find(&self, name: &str) -> PyResult<(usize, &Instance)> {
         let path = path(name);
-        let found = self.parts.iter().position(|part| part.path == path);
+        let instances = &self.renderer.scene().instances;
+        let found = instances
+            .iter()
+            .enumerate()
+            .find(|(_, instance)| instance.path == path);
         found.ok_or_else(|| {
-            let names = self
-                .parts
-                .iter()
-                .map(|part| part.path.strip_prefix("/World/").unwrap_or(&part.path));
+            let paths = instances.iter().map(|instance| &instance.path);
+            let names = paths.map(|path| path.strip_prefix("/World/").unwrap_or(path));
             wrong(name, "the scene has no such part", suggest(name, names))
         })
     }
@@ -210,9 +202,8 @@ impl Scene {
     pub(super) fn of_parts(parts: Parts, up: &str) -> PyResult<Self> {
         let (scene, poses) = parts.scene(up)?;
         let mut stage = Stage::new(scene);
-        for (part, pose) in stage.parts.iter_mut().zip(poses) {
-            (part.pose, part.rest) = (pose, DAffine3::IDENTITY);
-        }
+        let poses = poses.into_iter().map(|pose| (pose, DAffine3::IDENTITY));
+        stage.placed.extend(poses.enumerate());
         Ok(Self {
             stage: RwLock::new(stage),
             origin: Origin::Meshes(parts.meshes),
@@ -259,8 +250,9 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("subdivide", opened.subdivide)?;
             options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;
-            for part in stage.moved.iter().filter_map(|index| stage.parts.get(*index)) {
-                poses.set_item(&part.path, rows(py, &part.pose)?)?;
+            let instances = &stage.renderer.scene().instances;
+            for (index, (pose, _)) in &stage.placed {
+                poses.set_item(&instances[*index].path, rows(py, pose)?)?;
             }
             let state = (!poses.is_empty()).then_some(poses);
             Ok((call("open", &options)?, PyTuple::new(py, [path])?, state))
@@ -268,9 +260,9 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
         Origin::Meshes(meshes) => {
             let (labels, all) = (PyDict::new(py), PyDict::new(py));
             let instances = &stage.renderer.scene().instances;
-            for (((name, mesh), part), instance) in meshes.iter().zip(&stage.parts).zip(instances) {
+            for (((name, mesh), (_, pose)), instance) in meshes.iter().zip(stage.poses()).zip(instances) {
                 all.set_item(name, mesh)?;
-                poses.set_item(name, rows(py, &part.pose)?)?;
+                poses.set_item(name, rows(py, &pose)?)?;
                 if let Some(label) = instance.labels.first() {
                     labels.set_item(name, &label.name)?;
                 }

@@ -104,11 +104,11 @@ impl DepthSensor {
 
     /// Reports depth that is probably in another unit, and an image that was lost.
     pub(super) fn notice(&self, py: Python<'_>, depth: DepthSlice<'_>, out: &OutSlice<'_>) -> PyResult<()> {
-        let (unit, sample) = match depth {
-            DepthSlice::Metres(_) => (DepthUnit::Metres, depth.sampled()),
-            DepthSlice::Millimetres(_) => (DepthUnit::Millimetres, depth.sampled()),
+        let unit = match depth {
+            DepthSlice::Metres(_) => DepthUnit::Metres,
+            DepthSlice::Millimetres(_) => DepthUnit::Millimetres,
         };
-        if let Some(finding) = sensing::check_unit(&sample, unit) {
+        if let Some(finding) = sensing::check_unit(&depth.sampled(), unit) {
             return self.notices.notice(py, Some(finding));
         }
         if out.is_empty() {

@@ -5,7 +5,7 @@ use oaktwin::catalog::{Origin, Role};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::{Method, RectifyOptions};
 use oaktwin::sense::FieldOfView;
-use oaktwin::sensor::{SensorOptions, platform};
+use oaktwin::sensor::SensorOptions;
 use oaktwin::stereo::{Matcher, PairOf, StereoError, check_calibration};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
@@ -106,7 +106,7 @@ impl Source {
                 rectify,
             } => {
                 let device = device.get();
-                let own = chosen.or_else(|| platform(&device.twin));
+                let own = chosen.or_else(|| device.twin.platform());
                 PairOf::Twin {
                     twin: &device.twin,
                     lens: device.lens,

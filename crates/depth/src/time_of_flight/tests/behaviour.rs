@@ -106,9 +106,9 @@ fn it_is_as_accurate_as_published() {
     }
 }
 
-/// What is said of the errors in closed form is what the steps make.
+/// The closed forms of the errors agree with the simulated measurements.
 #[test]
-fn closed_forms_are_what_is_measured() {
+fn closed_forms_agree_with_measurements() {
     let p = Parameters {
         focal_length_px: 1e5,
         wiggling: 0.05,

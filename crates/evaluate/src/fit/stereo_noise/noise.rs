@@ -12,7 +12,7 @@ const RESAMPLED: u32 = 200;
 /// The key of the random numbers.
 const KEY: [u32; 2] = [0x6669_7421, 0x7769_6e64];
 
-/// The number of pairs of frames below which there is no interval.
+/// The minimum number of pairs of frames for a confidence interval.
 const FEWEST_PAIRS: usize = 4;
 
 /// The jitter, in steps, below which disparities rarely change from step to step.

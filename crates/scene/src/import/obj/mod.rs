@@ -13,7 +13,7 @@ use self::part::{Corner, Part, Pool};
 use super::builder::{Builder, step};
 use super::error::Fault;
 use super::text;
-use crate::srgb;
+use oaktwin_image::srgb;
 
 pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let mut reader = Reader {

@@ -12,7 +12,7 @@ use self::header::{Element, Encoding, Header, Kind, Property};
 use super::builder::{Builder, step};
 use super::error::Fault;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
-use crate::srgb;
+use oaktwin_image::srgb;
 
 pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let header = Header::read(bytes)?;

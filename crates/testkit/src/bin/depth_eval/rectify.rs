@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_camera::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint,
-    RigidTransform,
+    RectifiedIntrinsics, RigidTransform,
 };
-use oaktwin_depth::rectify::{EdgeFill, Grey, Method, Rectify, RectifyOptions, StereoRectify, Target};
+use oaktwin_depth::rectify::{EdgeFill, Grey, Method, Rectify, RectifyOptions, StereoRectify};
 use oaktwin_image::{Image, npy};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -45,10 +45,13 @@ impl Request {
         let size = ImageSize::new(width, height);
         let [a, b] = [self.cameras[0].camera(size)?, self.cameras[1].camera(size)?];
         let named = |name: &str| Method::ALL.iter().copied().find(|method| method.name() == name);
-        let target = |name: &str| Target::ALL.iter().copied().find(|target| target.name() == name);
+        let target = format!("{}-camera", self.target);
+        let target = RectifiedIntrinsics::ALL
+            .iter()
+            .find(|known| known.name() == target);
         let options = RectifyOptions {
             method: named(&self.method).ok_or("unknown method")?,
-            target: target(&self.target).ok_or("unknown target")?,
+            target: *target.ok_or("unknown target")?,
             edge_fill: u8::try_from(self.edge_fill).map_or(EdgeFill::Replicate, EdgeFill::Value),
         };
         let pair = StereoRectify::new(&a, &b, &RigidTransform::from_rows(self.right_from_left), &options)?;
