@@ -3,6 +3,7 @@
 mod atomic;
 mod error;
 mod output;
+mod temporary;
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 pub use atomic::{AtomicFile, write};
 pub use error::FileError;
 pub use output::OutputFiles;
+pub use temporary::abandon;
 
 /// A file that was written.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]

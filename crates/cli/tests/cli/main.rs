@@ -1,6 +1,6 @@
 //! The program as its users meet it: whole outputs as snapshots, bad inputs, exit codes, files left behind.
 
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
+#![expect(clippy::unwrap_used, reason = "a test")]
 
 mod accuracy;
 mod assets;
@@ -22,3 +22,4 @@ mod sense;
 mod sense_bad_input;
 mod sense_folders;
 mod stereo;
+mod whole_files;
