@@ -226,7 +226,10 @@ fn ctrl_c_leaves_nothing() {
     let message = ended.stderr;
     assert_eq!(ended.code, 130, "{message}");
     // The second, if the machine is so busy that the frame in flight takes longer than an interrupted program waits for.
-    let messages = ["interrupted: a.mcap was not written\n", "interrupted: unfinished files were removed\n"];
+    let messages = [
+        "interrupted: a.mcap was not written\n",
+        "interrupted: unfinished files were removed\n",
+    ];
     assert!(
         messages.iter().any(|expected| message.starts_with(expected)),
         "{message}"
