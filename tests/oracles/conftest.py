@@ -1,6 +1,7 @@
 """Fixtures of all oracle tests."""
 
 import os
+import subprocess
 from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -64,3 +65,22 @@ def depth_eval() -> Iterator[DepthEval]:
     program = DepthEval(named)
     yield program
     program.close()
+
+
+@pytest.fixture(scope="session")
+def scene_dump(tmp_path_factory):
+    program = os.environ.get("OAKTWIN_SCENE_DUMP")
+    if not program:
+        pytest.skip("OAKTWIN_SCENE_DUMP names no program: run by cargo xtask test")
+
+    # Not every environment has OpenUSD.
+    from usd_scenes import Dump
+
+    def dump(stage: Path, time=None, subdivide=0) -> Dump:
+        folder = tmp_path_factory.mktemp("dump")
+        options = [] if time is None else ["--time", str(time)]
+        options += ["--subdivide", str(subdivide)]
+        subprocess.run([program, str(stage), str(folder), *options], check=True)
+        return Dump(folder)
+
+    return dump

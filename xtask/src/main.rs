@@ -10,6 +10,7 @@ mod licenses;
 mod python;
 mod report;
 mod schema;
+mod soak;
 mod test;
 mod workspace;
 
@@ -39,6 +40,8 @@ enum Task {
     Conformance(conformance::Args),
     /// Build the manual into target/docs and check its links.
     Docs,
+    /// Run the program and the Python package for an hour: memory must stay flat, and results the same.
+    Soak(soak::Args),
     /// Regenerate the JSON schemas and other generated files.
     Schema,
     /// Regenerate the licences that the Python wheel contains.
@@ -51,6 +54,7 @@ fn main() -> ExitCode {
         Task::Conformance(args) => return conformance::run(&args),
         Task::Bench(bench) => bench::run(&bench),
         Task::Docs => docs::run(),
+        Task::Soak(args) => soak::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
     };

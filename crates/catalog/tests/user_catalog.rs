@@ -125,145 +125,148 @@ fn wrong_keys_say_the_line_and_the_right_key() {
     );
 }
 
+/// What is replaced in a device file, by what, and the message about it.
+const INVALID_VALUES: [[&str; 3]; 27] = [
+    [
+        "hfov_deg = 77.0",
+        "hfov_deg = \"77\"",
+        "wrong type: string \"77\", expected a number; see the schema for the type of the key",
+    ],
+    [
+        "hfov_deg = 77.0",
+        "hfov_deg = nan",
+        "not a finite number; set a finite number",
+    ],
+    [
+        "baseline_mm = 75.0\nfocal",
+        "baseline_mm = inf\nfocal",
+        "not a finite number; set a finite number",
+    ],
+    [
+        "hfov_deg = 77.0",
+        "hfov_deg = -77.0",
+        "a field of view of -77 degrees; a pinhole sees less than 180 degrees",
+    ],
+    [
+        "hfov_deg = 77.0",
+        "hfov_deg = 180",
+        "a field of view of 180 degrees; a pinhole sees less than 180 degrees",
+    ],
+    [
+        "sensor = \"OV9282\"",
+        "sensor = \"OV928\"",
+        "unknown sensor \"OV928\"; did you mean 'OV9282'? A new sensor needs a file of its own",
+    ],
+    [
+        "sensor = \"OV9282\"",
+        "sensor = \"\"",
+        "unknown sensor \"\"; known are IMX378, IMX586, OV9282, OV9782, 33D; a new one needs a file of its own",
+    ],
+    [
+        "role = \"right\"",
+        "role = \"left\"",
+        "a second camera with the role 'left'; give each camera its own",
+    ],
+    [
+        "role = \"right\"",
+        "role = \"rihgt\"",
+        "unknown value 'rihgt'; use one of 'rgb', 'left', 'right', 'tof'",
+    ],
+    [
+        "mass_g = 184.0",
+        "mass_g = 0.0",
+        "0 where only more than 0 makes sense; give a positive number",
+    ],
+    [
+        "stereo_baseline_mm = 75.0",
+        "stereo_baseline_mm = 7.5",
+        "7.5 mm, but the left and right cameras are 75 mm apart; make the positions and the baseline agree",
+    ],
+    [
+        "confidence_threshold = 0.8",
+        "confidence_threshold = 80",
+        "80 is out of range; expected a number from 0 to 1",
+    ],
+    [
+        "clipping_range_m = [0.01, 100.0]",
+        "clipping_range_m = [100.0, 0.01]",
+        "a range from 100 to 0.01; give the nearer end first, both more than 0",
+    ],
+    [
+        "rotation = [[0.0, 0.0, -1.0]",
+        "rotation = [[0.0, 0.0, 1.0]",
+        "not a rotation; give three orthogonal rows of length 1 with determinant +1",
+    ],
+    [
+        "camera = \"left\"",
+        "camera = \"tof\"",
+        "the device has no camera with the role 'tof'; name the role of one of its cameras",
+    ],
+    [
+        "about = \"camera.left.hfov_deg\"",
+        "about = \"camera.left.hfov\"",
+        "evidence about \"camera.left.hfov\", which is not in this file; name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
+    ],
+    [
+        "sources = { aliases = \"board-file\" }",
+        "sources = { alias = \"board-file\" }",
+        "a source for \"alias\", which is not in this table; name a key of the table, or remove the entry",
+    ],
+    [
+        "prim = \"Camera_left_ov9282\"",
+        "prim = \"Camera left\"",
+        "\"Camera left\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
+    ],
+    [
+        "prim = \"Camera_left_ov9282\"",
+        "prim = \"Camera_rgb_imx378\"",
+        "a second prim 'Camera_rgb_imx378'; give each prim its own name",
+    ],
+    [
+        "socket = 1",
+        "socket = 1.5",
+        "wrong type: floating point `1.5`, expected a whole number; see the schema for the type of the key",
+    ],
+    [
+        "outlier_removal_range_px = 3",
+        "outlier_removal_range_px = -3",
+        "wrong value: integer `-3`, expected a whole number, 0 or more; see the schema for the type of the key",
+    ],
+    [
+        "[body]",
+        "body = 3\n[other]",
+        "wrong type: integer `3`, expected a table; see the schema for the type of the key",
+    ],
+    [
+        "stereo_role = \"left\"",
+        "stereo_role = \"Left\"",
+        "unknown value \"Left\"; use one of 'mono', 'left', 'right'",
+    ],
+    [
+        "name = \"My camera\"",
+        "name = \"My\\ncamera\"",
+        "\"My\\ncamera\" is not a name; give a name on one line",
+    ],
+    [
+        "id = \"mine\"",
+        "id = \"../mine\"",
+        "\"../mine\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
+    ],
+    [
+        "prim = \"my_camera\"",
+        "prim = \"oak4_d\"",
+        "\"oak4_d\" already means the OAK4-D; choose another, or use the id 'oak4_d' to replace that entry",
+    ],
+    [
+        "id = \"mine\"",
+        "id = \"mine",
+        "not TOML: invalid basic string, expected `\"`; correct the syntax",
+    ],
+];
+
 #[test]
 fn invalid_values_have_a_line_and_a_remedy() {
-    for (from, to, message) in [
-        (
-            "hfov_deg = 77.0",
-            "hfov_deg = \"77\"",
-            "wrong type: string \"77\", expected a number; see the schema for the type of the key",
-        ),
-        (
-            "hfov_deg = 77.0",
-            "hfov_deg = nan",
-            "not a finite number; set a finite number",
-        ),
-        (
-            "baseline_mm = 75.0\nfocal",
-            "baseline_mm = inf\nfocal",
-            "not a finite number; set a finite number",
-        ),
-        (
-            "hfov_deg = 77.0",
-            "hfov_deg = -77.0",
-            "a field of view of -77 degrees; a pinhole sees less than 180 degrees",
-        ),
-        (
-            "hfov_deg = 77.0",
-            "hfov_deg = 180",
-            "a field of view of 180 degrees; a pinhole sees less than 180 degrees",
-        ),
-        (
-            "sensor = \"OV9282\"",
-            "sensor = \"OV928\"",
-            "unknown sensor \"OV928\"; did you mean 'OV9282'? A new sensor needs a file of its own",
-        ),
-        (
-            "sensor = \"OV9282\"",
-            "sensor = \"\"",
-            "unknown sensor \"\"; known are IMX378, IMX586, OV9282, OV9782, 33D; a new one needs a file of its own",
-        ),
-        (
-            "role = \"right\"",
-            "role = \"left\"",
-            "a second camera with the role 'left'; give each camera its own",
-        ),
-        (
-            "role = \"right\"",
-            "role = \"rihgt\"",
-            "unknown value 'rihgt'; use one of 'rgb', 'left', 'right', 'tof'",
-        ),
-        (
-            "mass_g = 184.0",
-            "mass_g = 0.0",
-            "0 where only more than 0 makes sense; give a positive number",
-        ),
-        (
-            "stereo_baseline_mm = 75.0",
-            "stereo_baseline_mm = 7.5",
-            "7.5 mm, but the left and right cameras are 75 mm apart; make the positions and the baseline agree",
-        ),
-        (
-            "confidence_threshold = 0.8",
-            "confidence_threshold = 80",
-            "80 is out of range; expected a number from 0 to 1",
-        ),
-        (
-            "clipping_range_m = [0.01, 100.0]",
-            "clipping_range_m = [100.0, 0.01]",
-            "a range from 100 to 0.01; give the nearer end first, both more than 0",
-        ),
-        (
-            "rotation = [[0.0, 0.0, -1.0]",
-            "rotation = [[0.0, 0.0, 1.0]",
-            "not a rotation; give three orthogonal rows of length 1 with determinant +1",
-        ),
-        (
-            "camera = \"left\"",
-            "camera = \"tof\"",
-            "the device has no camera with the role 'tof'; name the role of one of its cameras",
-        ),
-        (
-            "about = \"camera.left.hfov_deg\"",
-            "about = \"camera.left.hfov\"",
-            "evidence about \"camera.left.hfov\", which is not in this file; name a key as in 'camera.left.hfov_deg' or 'body.mass_g'",
-        ),
-        (
-            "sources = { aliases = \"board-file\" }",
-            "sources = { alias = \"board-file\" }",
-            "a source for \"alias\", which is not in this table; name a key of the table, or remove the entry",
-        ),
-        (
-            "prim = \"Camera_left_ov9282\"",
-            "prim = \"Camera left\"",
-            "\"Camera left\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
-        ),
-        (
-            "prim = \"Camera_left_ov9282\"",
-            "prim = \"Camera_rgb_imx378\"",
-            "a second prim 'Camera_rgb_imx378'; give each prim its own name",
-        ),
-        (
-            "socket = 1",
-            "socket = 1.5",
-            "wrong type: floating point `1.5`, expected a whole number; see the schema for the type of the key",
-        ),
-        (
-            "outlier_removal_range_px = 3",
-            "outlier_removal_range_px = -3",
-            "wrong value: integer `-3`, expected a whole number, 0 or more; see the schema for the type of the key",
-        ),
-        (
-            "[body]",
-            "body = 3\n[other]",
-            "wrong type: integer `3`, expected a table; see the schema for the type of the key",
-        ),
-        (
-            "stereo_role = \"left\"",
-            "stereo_role = \"Left\"",
-            "unknown value \"Left\"; use one of 'mono', 'left', 'right'",
-        ),
-        (
-            "name = \"My camera\"",
-            "name = \"My\\ncamera\"",
-            "\"My\\ncamera\" is not a name; give a name on one line",
-        ),
-        (
-            "id = \"mine\"",
-            "id = \"../mine\"",
-            "\"../mine\" cannot name a prim; use letters, digits and underscores, and begin with no digit",
-        ),
-        (
-            "prim = \"my_camera\"",
-            "prim = \"oak4_d\"",
-            "\"oak4_d\" already means the OAK4-D; choose another, or use the id 'oak4_d' to replace that entry",
-        ),
-        (
-            "id = \"mine\"",
-            "id = \"mine",
-            "not TOML: invalid basic string, expected `\"`; correct the syntax",
-        ),
-    ] {
+    for [from, to, message] in INVALID_VALUES {
         assert_eq!(
             device_error(from, to),
             format!("mine.toml:LINE: {message}"),

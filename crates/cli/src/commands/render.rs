@@ -47,28 +47,16 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
     progress::handle_interrupts()?;
-    let recorder = match &args.record {
-        Some(file) => {
-            let (up, is_alone) = (scene.scene.up, output.is_none());
-            let (recorder, more) = render::FrameRecorder::create(
-                file,
-                up,
-                &cameras,
-                &sensors.own,
-                &path,
-                &annotators,
-                is_alone,
-            )?;
-            findings.extend(more);
-            Some(recorder)
-        }
-        None => None,
-    };
-    if let Some(finding) = findings
-        .iter()
-        .find(|finding| args.strict && finding.level >= Level::Warning)
-    {
-        return Err(format!("{}: {finding}", args.scene.display()).into());
+    let (up, is_alone) = (scene.scene.up, output.is_none());
+    let record =
+        |file| render::FrameRecorder::create(file, up, &cameras, &sensors.own, &path, &annotators, is_alone);
+    let recorder = args.record.as_deref().map(record).transpose()?;
+    let recorder = recorder.map(|(recorder, more)| {
+        findings.extend(more);
+        recorder
+    });
+    if args.strict {
+        reject_warnings(args, &findings)?;
     }
     check_memory(&cameras, &annotators, &sensors, recorder.is_some())?;
     let mut files = output.as_deref().map(OutputFiles::in_folder).transpose()?;
@@ -109,6 +97,14 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     } else {
         Exit::Success
     })
+}
+
+/// Returns an error for the first warning.
+fn reject_warnings(args: &RenderArgs, findings: &[Finding]) -> Result<()> {
+    match findings.iter().find(|finding| finding.level >= Level::Warning) {
+        Some(finding) => Err(format!("{}: {finding}", args.scene.display()).into()),
+        None => Ok(()),
+    }
 }
 
 /// The writer of the layout that is named.

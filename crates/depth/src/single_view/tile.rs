@@ -1,5 +1,7 @@
 //! All steps for some rows of an image.
 
+use std::ops::Range;
+
 use oaktwin_simd::{self as simd, Kernel};
 
 use super::OutputMode;
@@ -257,26 +259,33 @@ impl<K: Key> Tile<'_, '_, K> {
         {
             confidence::luma(plan.luma, &rgb[y * width..][..width], &mut imager[at.clone()]);
         }
-        if let Some(view) = &mut self.rows.view {
-            let view = &mut view[at];
-            match self.mode {
-                Some(OutputMode::InputDepth) => {
-                    for (view, &z) in view.iter_mut().zip(depth) {
-                        *view = view::depth(plan, OutputMode::Grayscale, z);
-                    }
+        self.visualize(depth, at);
+    }
+
+    /// Visualizes the row that was moved last, with this true depth and these pixels of the tile; the modes of the finished
+    /// distance are left out.
+    #[inline(always)]
+    fn visualize(&mut self, depth: &[f32], at: Range<usize>) {
+        let (plan, scratch) = (self.plan, &*self.scratch);
+        let Some(view) = &mut self.rows.view else { return };
+        let view = view[at.clone()].iter_mut();
+        match self.mode {
+            Some(OutputMode::InputDepth) => {
+                for (view, &z) in view.zip(depth) {
+                    *view = view::depth(plan, OutputMode::Grayscale, z);
                 }
-                Some(OutputMode::Reprojected) => {
-                    for (view, &z) in view.iter_mut().zip(&*out) {
-                        *view = view::depth(plan, OutputMode::Grayscale, z);
-                    }
-                }
-                Some(mode @ (OutputMode::Confidence | OutputMode::Disparity)) => {
-                    for (x, (view, key)) in view.iter_mut().zip(&*self.landed).enumerate() {
-                        *view = Self::landed(plan, scratch, self.textured.is_some(), mode, x, *key);
-                    }
-                }
-                _ => {}
             }
+            Some(OutputMode::Reprojected) => {
+                for (view, &z) in view.zip(&self.rows.distance[at]) {
+                    *view = view::depth(plan, OutputMode::Grayscale, z);
+                }
+            }
+            Some(mode @ (OutputMode::Confidence | OutputMode::Disparity)) => {
+                for (x, (view, key)) in view.zip(&*self.landed).enumerate() {
+                    *view = Self::landed(plan, scratch, self.textured.is_some(), mode, x, *key);
+                }
+            }
+            _ => {}
         }
     }
 

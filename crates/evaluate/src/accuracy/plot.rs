@@ -1,6 +1,6 @@
 //! The figure of error over distance.
 
-use super::{Bands, Devices, Report, Row};
+use super::{Bands, Comparison, Devices, Report, Row};
 use crate::figure::{Axis, Figure, Layer, Shape};
 use oaktwin_catalog::Source;
 
@@ -71,19 +71,7 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         add(names[1].clone(), OTHER, Shape::Line(other));
     }
     if let Some(comparison) = &report.measured {
-        let r2 = comparison
-            .r_squared
-            .map_or_else(|| "not defined".to_owned(), |r2| format!("{r2:.3}"));
-        let from = if comparison.from_m > 0.0 {
-            format!(" from {} m", comparison.from_m)
-        } else {
-            String::new()
-        };
-        add(
-            format!("measured (R2 = {r2}{from})"),
-            MEASURED,
-            Shape::Dots(measured),
-        );
+        add(measured_label(comparison), MEASURED, Shape::Dots(measured));
     }
     Figure {
         title: format!("{}: depth error over distance", report.model),
@@ -102,6 +90,18 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         },
         layers,
     }
+}
+
+fn measured_label(comparison: &Comparison) -> String {
+    let r2 = comparison
+        .r_squared
+        .map_or_else(|| "not defined".to_owned(), |r2| format!("{r2:.3}"));
+    let from = if comparison.from_m > 0.0 {
+        format!(" from {} m", comparison.from_m)
+    } else {
+        String::new()
+    };
+    format!("measured (R2 = {r2}{from})")
 }
 
 fn names(report: &Report) -> [String; 2] {

@@ -61,41 +61,48 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
         },
         layers,
     }];
-    // In thousandths: longer numbers do not fit beside the axis.
-    let left = pick(true, &|point| Some(1e3 * to_one * (point.error - point.fitted?)));
-    if !left.is_empty() {
-        let spread: Vec<[f64; 3]> = report
-            .points
-            .iter()
-            .filter(|point| point.is_used)
-            .filter_map(|point| {
-                let two = 2e3 * to_one * point.sigma?;
-                Some([point.distance_m, -two, two])
-            })
-            .collect();
-        let ends = spread.iter().flat_map(|point| [point[1], point[2]]);
-        let range = vertical(left.iter().map(|point| point[1]).chain(ends));
-        let mut layers = vec![line(far, 0.0)];
-        if !spread.is_empty() {
-            layers.push(layer(
-                "two standard errors of a point",
-                MEASURED,
-                Shape::Area(spread),
-            ));
-        }
-        layers.push(layer("measured minus fitted", MEASURED, Shape::Dots(left)));
-        figures.push(Figure {
-            title: "Residuals of the fitted curve".to_owned(),
-            subtitle: String::new(),
-            x,
-            y: Axis {
-                label: format!("residual [{unit} / 1000]"),
-                range,
-            },
-            layers,
-        });
-    }
+    figures.extend(residuals(report, &x, far));
     figures
+}
+
+/// Draws the residuals of the fitted curve, in thousandths because longer numbers do not fit beside the axis; `None` without
+/// a curve. The farthest distance is `far`.
+fn residuals(report: &Report, x: &Axis, far: f64) -> Option<Figure> {
+    let (unit, to_one) = report.shown_unit();
+    let used = || report.points.iter().filter(|point| point.is_used);
+    let left: Vec<[f64; 2]> = used()
+        .filter_map(|point| Some([point.distance_m, 1e3 * to_one * (point.error - point.fitted?)]))
+        .collect();
+    if left.is_empty() {
+        return None;
+    }
+    let spread: Vec<[f64; 3]> = used()
+        .filter_map(|point| {
+            let two = 2e3 * to_one * point.sigma?;
+            Some([point.distance_m, -two, two])
+        })
+        .collect();
+    let ends = spread.iter().flat_map(|point| [point[1], point[2]]);
+    let range = vertical(left.iter().map(|point| point[1]).chain(ends));
+    let mut layers = vec![line(far, 0.0)];
+    if !spread.is_empty() {
+        layers.push(layer(
+            "two standard errors of a point",
+            MEASURED,
+            Shape::Area(spread),
+        ));
+    }
+    layers.push(layer("measured minus fitted", MEASURED, Shape::Dots(left)));
+    Some(Figure {
+        title: "Residuals of the fitted curve".to_owned(),
+        subtitle: String::new(),
+        x: x.clone(),
+        y: Axis {
+            label: format!("residual [{unit} / 1000]"),
+            range,
+        },
+        layers,
+    })
 }
 
 fn layer(label: &str, color: [u8; 3], shape: Shape) -> Layer {

@@ -95,36 +95,41 @@ pub(super) fn of_images(
             is_models: true,
         }),
         (FieldOfView::Known, None) => {
-            let scale = f64::from(size.width) / f64::from(own.size.width);
-            let c = own.principal_point::<Usd>();
-            // Scaled by the width; the height is cropped or extended symmetrically.
-            let cy = f64::from(size.height) / 2.0 + (c.y - f64::from(own.size.height) / 2.0) * scale;
-            let centre = PixelPoint::<Usd>::new(c.x * scale, cy);
-            findings.push(Finding::new(
-                "own-size",
-                Level::Note,
-                size.to_string(),
-                format!(
-                    "not the model's image size of {}; assuming its horizontal field of view of {:.2}°",
-                    own.size,
-                    own.hfov().to_degrees()
-                ),
-                message![
-                    "set ",
-                    opt("fx"),
-                    " or ",
-                    opt("hfov"),
-                    " if it differs, or ",
-                    opt("resample"),
-                    " to get images of the model's size"
-                ],
-            ));
+            findings.push(assumed_field_of_view(size, own));
             Ok(ImageCamera {
-                camera: pinhole(Intrinsics::new(size, own.fx * scale, own.fy * scale, centre)),
+                camera: pinhole(with_width(own, size)),
                 is_models: false,
             })
         }
     }
+}
+
+/// Scales intrinsics by the width of images, whose height is cropped or extended symmetrically.
+fn with_width(own: Intrinsics, size: ImageSize) -> Intrinsics {
+    let scale = f64::from(size.width) / f64::from(own.size.width);
+    let c = own.principal_point::<Usd>();
+    let cy = f64::from(size.height) / 2.0 + (c.y - f64::from(own.size.height) / 2.0) * scale;
+    let centre = PixelPoint::<Usd>::new(c.x * scale, cy);
+    Intrinsics::new(size, own.fx * scale, own.fy * scale, centre)
+}
+
+/// A note about images of another size, whose field of view is not known.
+fn assumed_field_of_view(size: ImageSize, own: Intrinsics) -> Finding {
+    let message = format!(
+        "not the model's image size of {}; assuming its horizontal field of view of {:.2}°",
+        own.size,
+        own.hfov().to_degrees()
+    );
+    let remedy = message![
+        "set ",
+        opt("fx"),
+        " or ",
+        opt("hfov"),
+        " if it differs, or ",
+        opt("resample"),
+        " to get images of the model's size"
+    ];
+    Finding::new("own-size", Level::Note, size.to_string(), message, remedy)
 }
 
 /// A warning about images with lens distortion.

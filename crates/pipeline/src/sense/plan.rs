@@ -117,18 +117,21 @@ pub(super) fn sequences<'a>(
         .iter()
         .any(|one| one.sensor == chosen && !one.is_of_model);
     if is_used && options.kind.is_none() && twin.depth_sensors.len() > 1 {
-        findings.push(Finding::new(
-            "chosen-sensor",
-            Level::Note,
-            &twin.device.name,
-            format!(
-                "several depth sensors; using {} ({})",
-                chosen.spec.prim, chosen.spec.kind
-            ),
-            message!["choose with ", opt("sensor")],
-        ));
+        findings.push(chosen_sensor(twin, chosen));
     }
     Ok(sequences)
+}
+
+/// A note about the choice among several depth sensors.
+fn chosen_sensor(twin: &Twin, chosen: &TwinDepthSensor) -> Finding {
+    let (prim, kind) = (&chosen.spec.prim, chosen.spec.kind);
+    Finding::new(
+        "chosen-sensor",
+        Level::Note,
+        &twin.device.name,
+        format!("several depth sensors; using {prim} ({kind})"),
+        message!["choose with ", opt("sensor")],
+    )
 }
 
 /// The cameras of a folder: those of the model's depth sensors if there are any, else all.

@@ -10,7 +10,11 @@ use oaktwin_scene::{
 use super::*;
 use crate::stage::{SceneOptions, open_scene};
 
-fn scene() -> Scene {
+fn meshes() -> Vec<Mesh> {
+    let span = |end, material| MaterialSpan {
+        end,
+        material: Some(material),
+    };
     let square = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.25], [0.0, 1.0, 0.0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
@@ -19,16 +23,7 @@ fn scene() -> Scene {
             values: vec![[0.0, 0.0], [0.5, 1.0]],
             indices: vec![[0, 1, 0], [1, 1, 0]],
         }),
-        materials: vec![
-            MaterialSpan {
-                end: 1,
-                material: Some(0),
-            },
-            MaterialSpan {
-                end: 2,
-                material: Some(1),
-            },
-        ],
+        materials: vec![span(1, 0), span(2, 1)],
         double_sided: true,
         ..Mesh::default()
     };
@@ -36,13 +31,13 @@ fn scene() -> Scene {
         normals: None,
         uvs: None,
         colors: Some(Attribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
-        materials: vec![MaterialSpan {
-            end: 2,
-            material: Some(2),
-        }],
+        materials: vec![span(2, 2)],
         ..square.clone()
     };
-    let turned = DAffine3::from_rotation_translation(DQuat::from_rotation_z(0.5), DVec3::new(1.0, 2.0, 3.0));
+    vec![square, painted]
+}
+
+fn instances() -> Vec<Instance> {
     let label = |prim: &str, name: &str| Label {
         prim: prim.into(),
         taxonomy: "class".into(),
@@ -54,71 +49,114 @@ fn scene() -> Scene {
         world_from_mesh,
         labels,
     };
+    let link = "/World/arm/link 1";
+    let small = DAffine3::from_scale(DVec3::splat(0.01));
+    vec![
+        instance(0, link, turned(), vec![label(link, "arm")]),
+        instance(1, "/World/arm/link 1/tool", small, Vec::new()),
+        instance(1, "/World/2nd", turned(), vec![label("/World/2nd", "box")]),
+    ]
+}
+
+fn materials() -> Vec<Material> {
+    let material = |name: &str, base_color| Material {
+        name: name.into(),
+        base_color,
+        ..Material::default()
+    };
     let textured = TextureUse {
         image_from_uv: [[2.0, 0.0, 0.5], [0.0, 3.0, 0.0]],
         wrap_s: Wrap::Clamp,
         wrap_t: Wrap::Mirror,
         ..TextureUse::new(0)
     };
-    let material = |name: &str, base_color| Material {
-        name: name.into(),
-        base_color,
-        ..Material::default()
-    };
+    vec![
+        Material {
+            metallic: 1.0,
+            roughness: 0.25,
+            emissive: [0.5, 0.0, 0.0],
+            ..material("red", Some([1.0, 0.0, 0.0]))
+        },
+        Material {
+            base_color_texture: Some(textured),
+            ..material("wood", Some([1.0; 3]))
+        },
+        material("own", None),
+    ]
+}
+
+fn lights() -> Vec<Light> {
     let light = |path: &str, kind| Light {
         path: path.into(),
         kind,
         radiance: [4.0, 2.0, 1.0],
         normalize: false,
-        world_from_light: turned,
+        world_from_light: turned(),
     };
+    let lamp = LightKind::Rect {
+        width: 2.0,
+        height: 0.5,
+    };
+    vec![
+        light("/World/sun", LightKind::Distant { angle: 0.01 }),
+        light("/World/lamp", lamp),
+    ]
+}
+
+fn turned() -> DAffine3 {
+    DAffine3::from_rotation_translation(DQuat::from_rotation_z(0.5), DVec3::new(1.0, 2.0, 3.0))
+}
+
+fn scene() -> Scene {
     Scene {
-        meshes: vec![square, painted],
-        instances: vec![
-            instance(
-                0,
-                "/World/arm/link 1",
-                turned,
-                vec![label("/World/arm/link 1", "arm")],
-            ),
-            instance(
-                1,
-                "/World/arm/link 1/tool",
-                DAffine3::from_scale(DVec3::splat(0.01)),
-                Vec::new(),
-            ),
-            instance(1, "/World/2nd", turned, vec![label("/World/2nd", "box")]),
-        ],
-        materials: vec![
-            Material {
-                metallic: 1.0,
-                roughness: 0.25,
-                emissive: [0.5, 0.0, 0.0],
-                ..material("red", Some([1.0, 0.0, 0.0]))
-            },
-            Material {
-                base_color_texture: Some(textured),
-                ..material("wood", Some([1.0; 3]))
-            },
-            material("own", None),
-        ],
+        meshes: meshes(),
+        instances: instances(),
+        materials: materials(),
         textures: vec![Texture {
             source: TextureSource::Pixels(Arc::new(Image::filled(2, 2, [9, 8, 7, 255]))),
             color_space: ColorSpace::Srgb,
         }],
-        lights: vec![
-            light("/World/sun", LightKind::Distant { angle: 0.01 }),
-            light(
-                "/World/lamp",
-                LightKind::Rect {
-                    width: 2.0,
-                    height: 0.5,
-                },
-            ),
-        ],
+        lights: lights(),
         up: Up::Z,
         ..Scene::default()
     }
+}
+
+/// Asserts that two meshes look the same; the material indices are those of their scenes.
+fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scene, &Mesh)) {
+    assert_eq!(
+        (&mesh.positions, &mesh.triangles),
+        (&other.positions, &other.triangles)
+    );
+    assert_eq!(mesh.double_sided, other.double_sided);
+    for i in 0..2_u32 {
+        let at = (i as usize, mesh.triangles[i as usize]);
+        let corners = |mesh: &Mesh| {
+            (
+                mesh.uvs.as_ref().and_then(|uvs| uvs.corners(at.0, at.1)),
+                mesh.normals
+                    .as_ref()
+                    .and_then(|normals| normals.corners(at.0, at.1)),
+                mesh.colors.as_ref().and_then(|colors| colors.corners(at.0, at.1)),
+            )
+        };
+        assert_eq!(corners(mesh), corners(other));
+        let look = |scene: &Scene, mesh: &Mesh| {
+            let material = scene.materials[mesh.material(i).unwrap() as usize].clone();
+            (
+                material.base_color,
+                material.emissive,
+                material.metallic,
+                material.roughness,
+                material.base_color_texture,
+            )
+        };
+        assert_eq!(look(scene, mesh), look(other_scene, other));
+    }
+}
+
+fn label_names(instance: &Instance) -> Vec<String> {
+    instance.labels.iter().map(|label| label.name.clone()).collect()
 }
 
 #[test]
@@ -148,52 +186,16 @@ fn a_written_scene_reads_back() {
     );
     for (found, expected) in got.instances.iter().zip(&scene.instances) {
         assert!(found.world_from_mesh.abs_diff_eq(expected.world_from_mesh, 1e-15));
-        let (found_mesh, mesh) = (
-            &got.meshes[found.mesh as usize],
-            &scene.meshes[expected.mesh as usize],
+        assert_same_mesh(
+            (&got, &got.meshes[found.mesh as usize]),
+            (&scene, &scene.meshes[expected.mesh as usize]),
         );
-        assert_eq!(
-            (&found_mesh.positions, &found_mesh.triangles),
-            (&mesh.positions, &mesh.triangles)
-        );
-        assert_eq!(found_mesh.double_sided, mesh.double_sided);
-        for i in 0..2_u32 {
-            let at = (i as usize, mesh.triangles[i as usize]);
-            let corners = |mesh: &Mesh| {
-                (
-                    mesh.uvs.as_ref().and_then(|uvs| uvs.corners(at.0, at.1)),
-                    mesh.normals
-                        .as_ref()
-                        .and_then(|normals| normals.corners(at.0, at.1)),
-                    mesh.colors.as_ref().and_then(|colors| colors.corners(at.0, at.1)),
-                )
-            };
-            assert_eq!(corners(found_mesh), corners(mesh));
-            let of = |scene: &Scene, mesh: &Mesh| {
-                let material = scene.materials[mesh.material(i).unwrap() as usize].clone();
-                (
-                    material.base_color,
-                    material.emissive,
-                    material.metallic,
-                    material.roughness,
-                    material.base_color_texture,
-                )
-            };
-            assert_eq!(of(&got, found_mesh), of(&scene, mesh));
-        }
-        let names = |instance: &Instance| {
-            instance
-                .labels
-                .iter()
-                .map(|label| label.name.clone())
-                .collect::<Vec<_>>()
-        };
         let expected_names = if expected.path.ends_with("tool") {
             vec!["arm".to_owned()]
         } else {
-            names(expected)
+            label_names(expected)
         };
-        assert_eq!(names(found), expected_names);
+        assert_eq!(label_names(found), expected_names);
     }
     for (found, expected) in got.lights.iter().zip(&scene.lights) {
         assert_eq!(

@@ -44,6 +44,16 @@ const WILD_PX: f64 = 0.6;
 /// The number of points of the grid from which least squares start.
 const STARTS: usize = 8;
 
+/// A point of the grid: its cost, and the parameters.
+type Start = (f64, Vec<f64>);
+
+/// An observation of the grid search.
+struct Observed {
+    depth_m: f64,
+    error_px: f64,
+    weight: f64,
+}
+
 impl Errors<'_> {
     /// Returns the error as a share of depth for a set of parameters.
     pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
@@ -115,18 +125,9 @@ impl Errors<'_> {
         } else {
             0
         };
-        let values: Vec<f64> = self
-            .points
-            .iter()
-            .map(|point| self.in_px(point.error, point.depth_m))
-            .collect();
-        let weights: Vec<f64> = self
-            .points
-            .iter()
-            .map(|point| point.sigma.map_or(1.0, |sigma| 1.0 / (sigma * sigma)))
-            .collect();
-        let weight = weights.iter().sum::<f64>();
-        let mean = values.iter().zip(&weights).map(|(v, w)| v * w).sum::<f64>() / weight;
+        let observed: Vec<Observed> = self.points.iter().map(|point| self.observed(point)).collect();
+        let weight = observed.iter().map(|one| one.weight).sum::<f64>();
+        let mean = observed.iter().map(|one| one.error_px * one.weight).sum::<f64>() / weight;
         let [low, high] = if self.is_absolute {
             [-mean - 0.4, mean + 0.4]
         } else {
@@ -134,57 +135,70 @@ impl Errors<'_> {
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
         let biases = ((high - low) / GRID_PX).clamp(1.0, 400.0) as u32;
-        let mut grid: Vec<(f64, Vec<f64>)> = Vec::new();
+        let mut grid: Vec<Start> = Vec::new();
         for i in -focal_steps..=focal_steps {
             let focal = 1.0 + f64::from(i) * focal_step;
-            let phases: Vec<[f64; 2]> = self
-                .points
-                .iter()
-                .map(|point| {
-                    let (sine, cosine) = (TAU * self.px_m * focal / point.depth_m).sin_cos();
-                    [sine, cosine]
-                })
-                .collect();
-            let mut best: Vec<(f64, Vec<f64>)> = Vec::new();
-            for step in 0..=biases {
-                let bias = low + (high - low) * f64::from(step) / f64::from(biases);
-                let (turned_sine, turned_cosine) = (TAU * bias).sin_cos();
-                for amplitude in 0..AMPLITUDES {
-                    let amplitude = f64::from(amplitude) * GRID_PX;
-                    let mut cost = 0.0;
-                    for ((&[sine, cosine], value), w) in phases.iter().zip(&values).zip(&weights) {
-                        let locked = bias - amplitude * (sine * turned_cosine + cosine * turned_sine);
-                        let expected = if self.is_absolute { locked.abs() } else { locked };
-                        let off = (expected - value).abs().min(WILD_PX);
-                        cost += w * off * off;
-                    }
-                    let mut start = vec![bias, amplitude];
-                    if is_free {
-                        start.push(focal);
-                    }
-                    best.push((cost, start));
-                }
+            let all = (0..=biases).map(|step| low + (high - low) * f64::from(step) / f64::from(biases));
+            let mut best = self.costs(&observed, focal, all);
+            if is_free {
+                best.iter_mut().for_each(|(_, start)| start.push(focal));
             }
-            best.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let mut apart: Vec<(f64, Vec<f64>)> = Vec::new();
-            for one in best {
-                let is_near = |other: &(f64, Vec<f64>)| {
-                    (other.1[0] - one.1[0]).abs() < 4.5 * GRID_PX
-                        && (other.1[1] - one.1[1]).abs() < 4.5 * GRID_PX
-                };
-                if !apart.iter().any(is_near) {
-                    apart.push(one);
-                }
-                if apart.len() == if is_free { 2 } else { STARTS } {
-                    break;
-                }
-            }
-            grid.extend(apart);
+            grid.extend(not_adjacent(best, if is_free { 2 } else { STARTS }));
         }
         grid.sort_by(|a, b| a.0.total_cmp(&b.0));
         grid.truncate(STARTS);
         grid.into_iter().map(|(_, start)| start).collect()
     }
+
+    fn observed(&self, point: &Point) -> Observed {
+        Observed {
+            depth_m: point.depth_m,
+            error_px: self.in_px(point.error, point.depth_m),
+            weight: point.sigma.map_or(1.0, |sigma| 1.0 / (sigma * sigma)),
+        }
+    }
+
+    /// Returns the costs of the points of the grid with these biases and a focal length, as a share of the nominal one.
+    fn costs(&self, observed: &[Observed], focal: f64, biases: impl Iterator<Item = f64>) -> Vec<Start> {
+        let phases: Vec<(f64, f64)> = observed
+            .iter()
+            .map(|one| (TAU * self.px_m * focal / one.depth_m).sin_cos())
+            .collect();
+        let mut costs = Vec::new();
+        for bias in biases {
+            let (turned_sine, turned_cosine) = (TAU * bias).sin_cos();
+            for amplitude in 0..AMPLITUDES {
+                let amplitude = f64::from(amplitude) * GRID_PX;
+                let mut cost = 0.0;
+                for (&(sine, cosine), one) in phases.iter().zip(observed) {
+                    let locked = bias - amplitude * (sine * turned_cosine + cosine * turned_sine);
+                    let expected = if self.is_absolute { locked.abs() } else { locked };
+                    let off = (expected - one.error_px).abs().min(WILD_PX);
+                    cost += one.weight * off * off;
+                }
+                costs.push((cost, vec![bias, amplitude]));
+            }
+        }
+        costs
+    }
+}
+
+/// Returns the best points of the grid, no two of them adjacent.
+fn not_adjacent(mut grid: Vec<Start>, count: usize) -> Vec<Start> {
+    grid.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut apart: Vec<Start> = Vec::new();
+    for one in grid {
+        let is_near = |other: &Start| {
+            (other.1[0] - one.1[0]).abs() < 4.5 * GRID_PX && (other.1[1] - one.1[1]).abs() < 4.5 * GRID_PX
+        };
+        if !apart.iter().any(is_near) {
+            apart.push(one);
+        }
+        if apart.len() == count {
+            break;
+        }
+    }
+    apart
 }
 
 impl Problem for Errors<'_> {
