@@ -28,10 +28,18 @@ fn check_and_render_report_the_prim_and_the_option() {
             251328 sites; remove repeated references and instancers, or raise --scene-limit from 1\n"
         );
         let raised = [&command[..], &["--scene-limit", "2"]].concat();
-        assert!(program.refused(&raised).ends_with("or raise --scene-limit from 2\n"));
+        assert!(
+            program
+                .refused(&raised)
+                .ends_with("or raise --scene-limit from 2\n")
+        );
         let invalid = [&command[..], &["--scene-limit", "0"]].concat();
         let ended = program.run(&invalid);
         assert_eq!(ended.code, 2);
-        assert!(ended.stderr.contains("must be a finite number > 0"), "{}", ended.stderr);
+        assert!(
+            ended.stderr.contains("must be a finite number > 0"),
+            "{}",
+            ended.stderr
+        );
     }
 }
