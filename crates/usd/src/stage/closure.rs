@@ -262,9 +262,9 @@ impl<'a> Graph<'a> {
         let mut known = vec![Extent::default(); count];
         let mut open = vec![0_usize; count];
         let mut dependents = vec![Vec::new(); count];
-        for index in 0..count {
+        for (index, open) in open.iter_mut().enumerate() {
             self.dependencies(index, |needed| {
-                open[index] += 1;
+                *open += 1;
                 dependents[needed].push(index);
             });
         }

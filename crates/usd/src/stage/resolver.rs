@@ -101,20 +101,20 @@ impl InspectingResolver {
             last: RefCell::new((path, file.bytes.clone())),
         };
         match &file.content {
-            Content::Layer(outline) => resolver.count(name, outline, file.bytes.len()),
+            Content::Layer(outline) => resolver.count(&name, outline, file.bytes.len()),
             Content::Package(_) => resolver.packages.keep(name, file.clone()),
         }
         resolver
     }
 
-    fn count(&self, layer: String, outline: &Outline, bytes: usize) {
-        if self.valid.borrow_mut().insert(layer.clone()) {
-            let anchor = ResolvedPath::new(&layer);
+    fn count(&self, layer: &str, outline: &Outline, bytes: usize) {
+        if self.valid.borrow_mut().insert(layer.to_owned()) {
+            let anchor = ResolvedPath::new(layer);
             let sublayers = outline.sublayers.iter().filter_map(|path| {
                 let resolved = self.resolve(&self.inner.create_identifier(path, Some(&anchor)))?;
                 Some(resolved.to_string_lossy().into_owned())
             });
-            self.budget.layer(&layer, sublayers.collect(), outline, bytes);
+            self.budget.layer(layer, sublayers.collect(), outline, bytes);
         }
     }
 
@@ -185,7 +185,7 @@ impl Resolver for InspectingResolver {
             let bytes: Vec<u8> = self.packages.entry(&package, &entry).map_err(invalid_data)?;
             if !self.valid.borrow().contains(&text) {
                 let outline = inspect::layer(&entry, &bytes).map_err(invalid_data)?;
-                self.count(text, &outline, bytes.len());
+                self.count(&text, &outline, bytes.len());
             }
             return Ok(Box::new(Cursor::new(bytes)));
         }
@@ -193,7 +193,7 @@ impl Resolver for InspectingResolver {
         if self.last.borrow().0 != path {
             let file = inspect::file(path).map_err(invalid_data)?;
             if let Content::Layer(outline) = &file.content {
-                self.count(text, outline, file.bytes.len());
+                self.count(&text, outline, file.bytes.len());
             }
             self.last.replace((path.to_owned(), file.bytes));
         }
