@@ -81,7 +81,6 @@ impl Scene {
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
     #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0))]
-    #[expect(clippy::too_many_arguments, reason = "keyword arguments in Python")]
     fn open(
         py: Python<'_>,
         path: PathBuf,

@@ -50,7 +50,6 @@ pub(super) fn message(payload: &(dyn Any + Send)) -> String {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test")]
 mod tests {
     use super::*;
 
