@@ -425,6 +425,7 @@ class Scene:
         subdivide: int = 0,
         up: _Up | None = None,
         scale: float | None = None,
+        scene_limit: float = 1.0,
     ) -> Scene: ...
     @staticmethod
     def from_triangles(

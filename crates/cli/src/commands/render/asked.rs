@@ -122,6 +122,7 @@ pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
     Ok(OpenOptions {
         time: args.time,
         subdivide: args.subdivide,
+        limit: args.scene_limit,
         up: args.up,
         scale: args.scale,
     })

@@ -5,6 +5,7 @@
 
 mod binary;
 mod cursor;
+mod outline;
 mod package;
 mod text;
 mod values;
@@ -13,19 +14,39 @@ use std::fmt;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync;
 
 use oaktwin_diagnostic::Finding;
 
 use super::MAX_LAYER_BYTES;
+pub(super) use outline::{Arc, ArcKind, Outline};
+pub(super) use package::Directory;
 
 /// A file that the USD library can read safely.
 #[derive(Debug)]
 pub(super) struct Inspected {
     /// The content.
-    pub bytes: Arc<Vec<u8>>,
+    pub bytes: sync::Arc<Vec<u8>>,
+    pub content: Content,
     /// Problems that do not prevent it from being read.
     pub findings: Vec<Finding>,
+}
+
+/// What validation has learned about a file.
+#[derive(Debug)]
+pub(super) enum Content {
+    Layer(Outline),
+    Package(Directory),
+}
+
+impl Inspected {
+    /// Returns the directory of a package.
+    pub(super) fn directory(&self) -> Option<&Directory> {
+        match &self.content {
+            Content::Package(directory) => Some(directory),
+            Content::Layer(_) => None,
+        }
+    }
 }
 
 /// The reason why the USD library cannot read a file safely.
@@ -44,6 +65,11 @@ impl Problem {
             remedy: remedy.into(),
         }
     }
+}
+
+/// Returns the problem of a file that cannot be read for the reason `what`.
+pub(super) fn unreadable(what: &dyn fmt::Display) -> Problem {
+    Problem::new("", format!("cannot be read: {what}"), "")
 }
 
 impl fmt::Display for Problem {
@@ -102,21 +128,20 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         .take(MAX_LAYER_BYTES)
         .read_to_end(&mut bytes)
         .map_err(|error| io_problem(&error))?;
-    let findings = validate(kind, &bytes)?;
+    let (content, findings) = validate(kind, &bytes)?;
     Ok(Inspected {
-        bytes: Arc::new(bytes),
+        bytes: sync::Arc::new(bytes),
+        content,
         findings,
     })
 }
 
-/// Validates a layer in memory, such as a package entry.
-pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<(), Problem> {
-    validate(kind(name, bytes)?, bytes).map(drop)
-}
-
-/// Returns the bytes of an entry of a validated package.
-pub(super) fn packaged<'a>(package: &'a [u8], name: &str) -> Option<&'a [u8]> {
-    package::find(package, name)
+/// Validates a layer in memory, such as a package entry. Returns its outline.
+pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<Outline, Problem> {
+    match validate(kind(name, bytes)?, bytes)?.0 {
+        Content::Layer(outline) => Ok(outline),
+        Content::Package(_) => Ok(Outline::default()),
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,11 +151,14 @@ enum Kind {
     Package,
 }
 
-fn validate(kind: Kind, bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
+fn validate(kind: Kind, bytes: &[u8]) -> Result<(Content, Vec<Finding>), Problem> {
+    let layer = |outline| (Content::Layer(outline), Vec::new());
     match kind {
-        Kind::Text => text::inspect(bytes).map(|()| Vec::new()),
-        Kind::Binary => binary::inspect(bytes).map(|()| Vec::new()),
-        Kind::Package => package::inspect(bytes),
+        Kind::Text => text::inspect(bytes).map(layer),
+        Kind::Binary => binary::inspect(bytes).map(layer),
+        Kind::Package => {
+            package::inspect(bytes).map(|(directory, findings)| (Content::Package(directory), findings))
+        }
     }
 }
 

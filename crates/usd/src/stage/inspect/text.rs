@@ -1,15 +1,19 @@
+use openusd::usda;
+
+use super::outline::{self, Outline};
 use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
 /// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
-pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
+/// Returns its outline.
+pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
     let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
-    if let Err(error) = std::str::from_utf8(bytes) {
-        return Err(Problem::new(
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        Problem::new(
             format!("line {}", line_at(error.valid_up_to())),
             "is not valid UTF-8",
             "save the file as UTF-8",
-        ));
-    }
+        )
+    })?;
     if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
         return Err(Problem::new(
             format!("line {}", line_at(offset)),
@@ -17,23 +21,94 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
             USE_ANOTHER_COPY,
         ));
     }
-    let mut depth = 0_usize;
+    let mut skeleton = Skeleton::new(text);
     for (offset, byte) in Structure::new(bytes) {
-        match byte {
-            b'{' | b'(' | b'[' => {
-                depth += 1;
-                if depth > MAX_DEPTH {
-                    return Err(Problem::new(
-                        format!("line {}", line_at(offset)),
-                        format!("brackets nest more than {MAX_DEPTH} deep"),
-                        "flatten the stage",
-                    ));
-                }
-            }
-            _ => depth = depth.saturating_sub(1),
+        skeleton.bracket(offset, byte);
+        if skeleton.open.len() > MAX_DEPTH {
+            return Err(Problem::new(
+                format!("line {}", line_at(offset)),
+                format!("brackets nest more than {MAX_DEPTH} deep"),
+                "flatten the stage",
+            ));
         }
     }
-    Ok(())
+    Ok(skeleton.outline())
+}
+
+/// A text layer without the contents of its arrays, which are most of it, but with all prims and arcs.
+struct Skeleton<'a> {
+    text: &'a str,
+    kept: String,
+    /// The offset after the last part that was kept or dropped.
+    at: usize,
+    /// The open brackets.
+    open: Vec<u8>,
+    /// The number of open brackets inside an array that is dropped.
+    dropping: Option<usize>,
+    metadata: usize,
+    prims: u64,
+}
+
+impl<'a> Skeleton<'a> {
+    fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            kept: String::new(),
+            at: 0,
+            open: Vec::new(),
+            dropping: None,
+            metadata: 0,
+            prims: 0,
+        }
+    }
+
+    fn bracket(&mut self, offset: usize, byte: u8) {
+        match byte {
+            b'{' | b'(' | b'[' => {
+                // The lists of arcs are inside parentheses.
+                if byte == b'[' && self.open.last() == Some(&b'{') && self.dropping.is_none() {
+                    self.kept.push_str(&self.text[self.at..=offset]);
+                    self.dropping = Some(self.open.len());
+                }
+                self.prims += u64::from(byte == b'{' && self.metadata == 0);
+                self.metadata += usize::from(byte == b'(');
+                self.open.push(byte);
+            }
+            _ => {
+                let closed = self.open.pop();
+                self.metadata -= usize::from(closed == Some(b'('));
+                if self.dropping == Some(self.open.len()) {
+                    self.dropping = None;
+                    self.at = offset;
+                }
+            }
+        }
+    }
+
+    fn outline(mut self) -> Outline {
+        const ARCS: [&str; 6] = [
+            "references",
+            "payload",
+            "inherits",
+            "specializes",
+            "variantSet",
+            "subLayers",
+        ];
+        if self.dropping.is_none() {
+            self.kept.push_str(&self.text[self.at..]);
+        }
+        if ARCS.iter().any(|arc| self.kept.contains(arc)) {
+            // The library reports an invalid layer itself.
+            let parsed = usda::parse(&self.kept).or_else(|_| usda::parse(self.text));
+            if let Ok(layer) = parsed {
+                return outline::outline(&layer, self.prims);
+            }
+        }
+        Outline {
+            prims: self.prims,
+            ..Outline::default()
+        }
+    }
 }
 
 /// The brackets of a text layer that are not inside strings, asset paths or comments.
@@ -114,6 +189,43 @@ def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string 
         let deep = format!("#usda 1.0\n{}", "{".repeat(MAX_DEPTH + 1));
         assert_eq!(inspect(deep.as_bytes()).unwrap_err().place, "line 2");
         assert_eq!(inspect(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
-        assert_eq!(inspect(b"#usda 1.0\n"), Ok(()));
+        assert_eq!(inspect(b"#usda 1.0\n").map(|outline| outline.prims), Ok(0));
+    }
+
+    #[test]
+    fn outlines_prims_and_arcs_without_arrays() {
+        let text = r#"#usda 1.0
+(defaultPrim = "W"
+ customLayerData = { int[] x = [1, 2] })
+def "W" (prepend references = [</A>, @b.usda@</B>] payload = </C> variants = { string v = "a" } prepend variantSets = "v")
+{
+    float[] many = [1, 2, 3] (customData = { int[] y = [3] })
+    rel to = [</A>, </B>]
+    point3f[] points.timeSamples = { 0: [(1, 2, 3)], 1: [(4, 5, 6)] }
+    variantSet "v" = { "a" { def "K" (inherits = [</A>, </D>]) {} } }
+}
+"#;
+        let outline = inspect(text.as_bytes()).unwrap();
+        let arcs: Vec<String> = outline
+            .arcs
+            .iter()
+            .map(|arc| format!("{} {:?} {}", arc.prim, arc.kind, arc.target))
+            .collect();
+        assert_eq!(
+            arcs,
+            [
+                "/W Reference /A",
+                "/W Reference /C",
+                "/W VariantSet v",
+                "/W/K Class /A",
+                "/W/K Class /D"
+            ]
+        );
+        assert!(outline.prims >= 2);
+        let mut skeleton = Skeleton::new(text);
+        for (offset, byte) in Structure::new(text.as_bytes()) {
+            skeleton.bracket(offset, byte);
+        }
+        assert!(skeleton.kept.contains("float[] many = [") && !skeleton.kept.contains("1, 2, 3"));
     }
 }
