@@ -165,3 +165,18 @@ def test_bad_renderings(wall):
         assert text in str(raised.value)
     with pytest.raises(TypeError):
         wall.render("left", EYE)
+
+
+def test_memory_limit():
+    scene = oaktwin.Scene.from_triangles(np.array([[-1, -1, 2], [1, -1, 2], [0, 1, 2]]), np.array([[0, 1, 2]]))
+    camera = oaktwin.Camera((4000, 3000), hfov_deg=60)
+    try:
+        oaktwin.set_memory_limit("1M")
+        with pytest.raises(oaktwin.Error, match=r"of memory needed, 0.0 MiB available"):
+            scene.render(camera, np.eye(4))
+        oaktwin.set_memory_limit(1 << 40)
+        assert scene.render(camera, np.eye(4), annotators=["distance_to_image_plane"])
+    finally:
+        oaktwin.set_memory_limit(None)
+    with pytest.raises(oaktwin.Error, match="such as 4G"):
+        oaktwin.set_memory_limit("plenty")
