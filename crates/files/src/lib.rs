@@ -2,6 +2,7 @@
 
 mod atomic;
 mod error;
+mod named;
 mod output;
 mod temporary;
 
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 pub use atomic::{AtomicFile, write};
 pub use error::FileError;
+pub use named::{is_below, open_regular, read_regular};
 pub use output::OutputFiles;
 pub use temporary::abandon;
 

@@ -146,6 +146,10 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "METRES", help_heading = "Scene and trajectory")]
     pub(crate) scale: Option<f64>,
 
+    /// Read buffers and images that a glTF file names outside its folder; for trusted files only
+    #[arg(long, help_heading = "Scene and trajectory")]
+    pub(crate) allow_outside: bool,
+
     #[arg(
         long,
         value_name = "FACTOR",

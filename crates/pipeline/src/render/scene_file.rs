@@ -27,6 +27,8 @@ pub struct OpenOptions {
     pub up: Option<Up>,
     /// The metres per unit of a mesh file; by default 1. A USD stage has its own.
     pub scale: Option<f64>,
+    /// Whether a glTF file may name buffers and images outside its folder.
+    pub allow_outside: bool,
 }
 
 /// The contents of a scene file.
@@ -117,6 +119,7 @@ impl SceneFile {
             &ImportOptions {
                 up: options.up,
                 scale: options.scale.unwrap_or(1.0),
+                allow_outside: options.allow_outside,
             },
         )?;
         let meters_per_unit = imported.scene.meters_per_unit.0;

@@ -426,6 +426,7 @@ class Scene:
         up: _Up | None = None,
         scale: float | None = None,
         scene_limit: float = 1.0,
+        allow_outside: bool = False,
     ) -> Scene: ...
     @staticmethod
     def from_triangles(

@@ -76,11 +76,13 @@ impl Scene {
     /// up: the up axis of a mesh file, "y" or "z"; by default that of its format.
     /// scale: the metres per unit of a mesh file; by default 1.
     /// scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+    /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
-    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0))]
+    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn open(
         py: Python<'_>,
         path: PathBuf,
@@ -89,6 +91,7 @@ impl Scene {
         up: Option<&str>,
         scale: Option<f64>,
         scene_limit: f64,
+        allow_outside: bool,
     ) -> PyResult<Self> {
         let limit = SceneLimit::new(scene_limit).ok_or_else(|| {
             let is = format!("must be a finite number > 0 (got {scene_limit})");
@@ -100,6 +103,7 @@ impl Scene {
             limit,
             up: maybe_named("up", up)?,
             scale,
+            allow_outside,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
         let mut file = opened.map_err(|error| reading(&path, &error))?;

@@ -1,11 +1,11 @@
 use std::cell::RefCell;
 use std::collections::HashSet;
-use std::fs;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
+use oaktwin_files as files;
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
 use super::budget::Budget;
@@ -122,14 +122,8 @@ impl InspectingResolver {
     fn materialx(&self, path: &str) -> Result<Box<dyn Asset>, inspect::Problem> {
         let bytes = match ar::split_package_relative_path_outer(path) {
             Some((package, entry)) => self.packages.entry(&package, &entry)?,
-            None => {
-                let mut bytes = Vec::new();
-                let file = fs::File::open(path).map_err(|error| unreadable(&error))?;
-                file.take(MAX_DOCUMENT_BYTES)
-                    .read_to_end(&mut bytes)
-                    .map_err(|error| unreadable(&error))?;
-                bytes
-            }
+            None => files::read_regular(Path::new(path), MAX_DOCUMENT_BYTES)
+                .map_err(|error| unreadable(&error))?,
         };
         let layer = materialx::to_layer(&bytes).map_err(|error| unreadable(&error))?;
         Ok(Box::new(Cursor::new(layer.text().into_bytes())))

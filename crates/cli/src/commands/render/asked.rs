@@ -125,6 +125,7 @@ pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
         limit: args.scene_limit,
         up: args.up,
         scale: args.scale,
+        allow_outside: args.allow_outside,
     })
 }
 

@@ -13,12 +13,12 @@ mod text;
 mod values;
 
 use std::fmt;
-use std::fs;
 use std::io::Read;
 use std::path::Path;
 use std::sync;
 
 use oaktwin_diagnostic::Finding;
+use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;
 pub(super) use outline::{Arc, ArcKind, Clips, Outline};
@@ -92,31 +92,25 @@ const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
 pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
     let io_problem = |error: &std::io::Error| {
         let remedy = match error.kind() {
+            std::io::ErrorKind::IsADirectory => {
+                return Problem::new("", "is a directory", "give the USD file inside it");
+            }
+            std::io::ErrorKind::Other => return Problem::new("", error.to_string(), NOT_USD),
             std::io::ErrorKind::NotFound => "check the path",
             std::io::ErrorKind::PermissionDenied => "make the file readable",
             _ => "check the file and its disk",
         };
         Problem::new("", format!("cannot be read: {error}"), remedy)
     };
-    let metadata = fs::metadata(path).map_err(|error| io_problem(&error))?;
-    if metadata.is_dir() {
-        return Err(Problem::new("", "is a directory", "give the USD file inside it"));
-    }
-    // A pipe or a device may be endless.
-    if !metadata.is_file() {
-        return Err(Problem::new("", "is not a regular file", NOT_USD));
-    }
-    if metadata.len() > MAX_LAYER_BYTES {
+    let mut opened = files::open_regular(path).map_err(|error| io_problem(&error))?;
+    let length = opened.metadata().map_err(|error| io_problem(&error))?.len();
+    if length > MAX_LAYER_BYTES {
         return Err(Problem::new(
             "",
-            format!(
-                "has {} bytes, more than the maximum of {MAX_LAYER_BYTES}",
-                metadata.len()
-            ),
+            format!("has {length} bytes, more than the maximum of {MAX_LAYER_BYTES}"),
             "split it into layers",
         ));
     }
-    let mut opened = fs::File::open(path).map_err(|error| io_problem(&error))?;
     // The first bytes determine the format, so that large files of other formats are not read.
     let mut bytes = Vec::new();
     opened
