@@ -213,11 +213,70 @@ fn packages_are_limited() {
 }
 
 #[test]
+fn templates_of_value_clips_are_limited() {
+    let folder = tempfile::tempdir().unwrap();
+    write(
+        folder.path(),
+        "manifest.usda",
+        "over \"Root\" { double3 xformOp:translate }",
+    );
+    let stage = |end: u64| {
+        let template = format!(
+            "string primPath = \"/Root\"\nasset manifestAssetPath = @./manifest.usda@\n\
+            string templateAssetPath = \"clip.####.usda\"\ndouble templateStartTime = 1\n\
+            double templateEndTime = {end}\ndouble templateStride = 1"
+        );
+        let text = format!(
+            "def Xform \"Root\" (\nclips = {{ dictionary default = {{\n{template}\n}} }}\n) {{\n\
+            double3 xformOp:translate\nuniform token[] xformOpOrder = [\"xformOp:translate\"]\n\
+            def Cube \"c\" {{}}\n}}"
+        );
+        write(folder.path(), "stage.usda", &text)
+    };
+    assert_eq!(open(&stage(100), 1.0).unwrap().scene.instances.len(), 1);
+    let error = open(&stage(100_000_000_000), 1.0).unwrap_err();
+    assert!(error.contains("limit of 100000 clips"), "{error}");
+}
+
+#[test]
+fn properties_of_a_prim_and_layers_of_a_stage_are_limited() {
+    let folder = tempfile::tempdir().unwrap();
+    let prim = |properties: u32| {
+        let properties: String = (0..properties).map(|at| format!("float a{at} = 1\n")).collect();
+        let text = format!("def Cube \"Root\"\n{{\n{properties}}}\n");
+        write(folder.path(), "stage.usda", &text)
+    };
+    assert_eq!(open(&prim(2_000), 1.0).unwrap().scene.instances.len(), 1);
+    let error = open(&prim(200_000), 1.0).unwrap_err();
+    assert!(
+        error.contains("line 200004") && error.contains("too many properties"),
+        "{error}"
+    );
+    let mut text = String::new();
+    for at in 0..50 {
+        write(
+            folder.path(),
+            &format!("b{at}.usda"),
+            "(defaultPrim = \"B\")\ndef Cube \"B\" {}",
+        );
+        writeln!(text, "def \"A{at}\" (references = @./b{at}.usda@) {{}}").unwrap();
+    }
+    let path = write(folder.path(), "many.usda", &text);
+    assert_eq!(open(&path, 1.0).unwrap().scene.instances.len(), 50);
+    let error = open(&path, 0.01).unwrap_err();
+    assert!(
+        error.contains("b39.usda: up to this one, layers multiply beyond the limit of 40 layers"),
+        "{error}"
+    );
+}
+
+#[test]
 fn the_limit_can_be_raised() {
     let folder = tempfile::tempdir().unwrap();
-    let (path, cubes) = layers(folder.path(), 7, "references = @./LAYER@");
-    assert!(open(&path, 0.001).unwrap_err().contains("limit of 250 sites"));
-    assert_eq!(open(&path, 0.1).unwrap().scene.instances.len(), cubes);
+    let (path, cubes) = layers(folder.path(), 9, "references = @./LAYER@");
+    let error = open(&path, 0.01).unwrap_err();
+    assert!(error.contains("beyond the limit of 2504 sites"), "{error}");
+    assert_eq!(open(&path, 0.5).unwrap().scene.instances.len(), cubes);
     for invalid in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(SceneLimit::new(invalid), None);
     }

@@ -10,14 +10,17 @@ use std::cell::{Cell, RefCell};
 use std::panic::resume_unwind;
 use std::path::Path;
 
-use super::inspect::Outline;
+use super::inspect::{Clips, Outline};
 use super::stacks::{Growth, Stacks};
 use super::{SceneLimit, StageError};
 
 /// The sites that every stage may compose, and those for each authored prim.
 const SITES: (u64, u64) = (250_000, 16);
-/// The layers of one stack: a layer, its sublayers, and theirs.
-const LAYERS: u64 = 2000;
+/// The layers of one stack (a layer, its sublayers, and theirs) and those of a stage: for each layer that the library
+/// opens it visits all others.
+const LAYERS: (u64, u64) = (2000, 4000);
+/// The value clips that a template describes.
+const CLIPS: u64 = 100_000;
 /// The prims that a traversal of any stage may visit, and those for each authored prim.
 const VISITS: (u64, u64) = (1_000_000, 100);
 /// The instances that every stage may have, and the bytes of layers for each further one: a point takes 16 bytes.
@@ -39,6 +42,10 @@ pub(super) struct Budget {
     instances: Cell<u64>,
     /// The arcs to other layers that the prim being composed has followed.
     followed: Cell<u64>,
+    layers: Cell<u64>,
+    /// Whether a prim may have arcs.
+    has_arcs: Cell<bool>,
+    clips: Cell<Clips>,
     stacks: RefCell<Stacks>,
     /// The prim being composed; empty before the first.
     place: RefCell<String>,
@@ -76,14 +83,29 @@ impl Budget {
         self.authored_prims.set(self.authored_prims.get() + outline.prims);
         self.authored_bytes
             .set(self.authored_bytes.get() + u64::try_from(bytes).unwrap_or(u64::MAX));
+        let clips = self.clips.get().with(outline.clips);
+        self.clips.set(clips);
+        let allowed = self.limit.times(CLIPS);
+        if clips.count() > allowed {
+            let layer = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
+            self.exceed(&layer, "its templates describe value clips", allowed, "clips");
+        }
+        let layers = self.layers.get() + 1;
+        self.layers.set(layers);
+        let allowed = self.limit.times(LAYERS.1);
+        if layers > allowed {
+            let layer = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
+            self.exceed(&layer, "up to this one, layers multiply", allowed, "layers");
+        }
+        self.has_arcs.set(self.has_arcs.get() || !outline.arcs.is_empty());
         for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
             match growth {
-                Growth::Layers { layer, count } if count > self.limit.times(LAYERS) => {
+                Growth::Layers { layer, count } if count > self.limit.times(LAYERS.0) => {
                     let layer = Path::new(&layer)
                         .file_name()
                         .unwrap_or_default()
                         .to_string_lossy();
-                    let allowed = self.limit.times(LAYERS);
+                    let allowed = self.limit.times(LAYERS.0);
                     self.exceed(&layer, "its sublayers multiply", allowed, "layers");
                 }
                 Growth::Sites { prim, count } if cost(count) > self.sites_left() => {
@@ -100,6 +122,7 @@ impl Budget {
         let followed = self.followed.get() + 1;
         self.followed.set(followed);
         let place = self.place.borrow();
+        self.has_arcs.set(self.has_arcs.get() || !place.is_empty());
         // Before the first prim, the arcs are those to sublayers, which are in one site.
         let (sites, place) = if place.is_empty() {
             let layer = anchor.and_then(Path::file_name).unwrap_or_default();
@@ -119,6 +142,11 @@ impl Budget {
         let mut place = self.place.borrow_mut();
         place.clear();
         place.push_str(prim);
+    }
+
+    /// Whether prims may have more than one site.
+    pub(super) fn has_arcs(&self) -> bool {
+        self.has_arcs.get()
     }
 
     /// Counts the prims composed since [`Budget::start`], each of `sites` sites. A site deep in the namespace takes more

@@ -7,6 +7,8 @@ mod binary;
 mod cursor;
 mod outline;
 mod package;
+mod properties;
+mod skeleton;
 mod text;
 mod values;
 
@@ -19,7 +21,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;
-pub(super) use outline::{Arc, ArcKind, Outline};
+pub(super) use outline::{Arc, ArcKind, Clips, Outline};
 pub(super) use package::Directory;
 
 /// A file that the USD library can read safely.

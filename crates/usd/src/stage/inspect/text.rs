@@ -1,6 +1,6 @@
-use openusd::usda;
-
-use super::outline::{self, Outline};
+use super::outline::Outline;
+use super::properties::Properties;
+use super::skeleton::Skeleton;
 use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
 /// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
@@ -22,9 +22,17 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
         ));
     }
     let mut skeleton = Skeleton::new(text);
+    let mut properties = Properties::new(text);
     for (offset, byte) in Structure::new(bytes) {
+        if !properties.fit(offset, byte) {
+            return Err(Problem::new(
+                format!("line {}", line_at(offset)),
+                "the prim that ends here has too many properties for a text layer",
+                "convert the layer to binary: `usdcat --out NEW.usdc OLD.usda`",
+            ));
+        }
         skeleton.bracket(offset, byte);
-        if skeleton.open.len() > MAX_DEPTH {
+        if skeleton.depth() > MAX_DEPTH {
             return Err(Problem::new(
                 format!("line {}", line_at(offset)),
                 format!("brackets nest more than {MAX_DEPTH} deep"),
@@ -35,90 +43,14 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
     Ok(skeleton.outline())
 }
 
-/// A text layer without the contents of its arrays, which are most of it, but with all prims and arcs.
-struct Skeleton<'a> {
-    text: &'a str,
-    kept: String,
-    /// The offset after the last part that was kept or dropped.
-    at: usize,
-    /// The open brackets.
-    open: Vec<u8>,
-    /// The number of open brackets inside an array that is dropped.
-    dropping: Option<usize>,
-    metadata: usize,
-    prims: u64,
-}
-
-impl<'a> Skeleton<'a> {
-    fn new(text: &'a str) -> Self {
-        Self {
-            text,
-            kept: String::new(),
-            at: 0,
-            open: Vec::new(),
-            dropping: None,
-            metadata: 0,
-            prims: 0,
-        }
-    }
-
-    fn bracket(&mut self, offset: usize, byte: u8) {
-        match byte {
-            b'{' | b'(' | b'[' => {
-                // The lists of arcs are inside parentheses.
-                if byte == b'[' && self.open.last() == Some(&b'{') && self.dropping.is_none() {
-                    self.kept.push_str(&self.text[self.at..=offset]);
-                    self.dropping = Some(self.open.len());
-                }
-                self.prims += u64::from(byte == b'{' && self.metadata == 0);
-                self.metadata += usize::from(byte == b'(');
-                self.open.push(byte);
-            }
-            _ => {
-                let closed = self.open.pop();
-                self.metadata -= usize::from(closed == Some(b'('));
-                if self.dropping == Some(self.open.len()) {
-                    self.dropping = None;
-                    self.at = offset;
-                }
-            }
-        }
-    }
-
-    fn outline(mut self) -> Outline {
-        const ARCS: [&str; 6] = [
-            "references",
-            "payload",
-            "inherits",
-            "specializes",
-            "variantSet",
-            "subLayers",
-        ];
-        if self.dropping.is_none() {
-            self.kept.push_str(&self.text[self.at..]);
-        }
-        if ARCS.iter().any(|arc| self.kept.contains(arc)) {
-            // The library reports an invalid layer itself.
-            let parsed = usda::parse(&self.kept).or_else(|_| usda::parse(self.text));
-            if let Ok(layer) = parsed {
-                return outline::outline(&layer, self.prims);
-            }
-        }
-        Outline {
-            prims: self.prims,
-            ..Outline::default()
-        }
-    }
-}
-
-/// The brackets of a text layer that are not inside strings, asset paths or comments.
-struct Structure<'a> {
+/// The brackets and ends of statements in a text layer that are not inside strings, asset paths or comments.
+pub(super) struct Structure<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
 impl<'a> Structure<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0 }
     }
 
@@ -161,7 +93,7 @@ impl Iterator for Structure<'_> {
                 }
                 b'@' if rest.starts_with(b"@@@") => self.skip_delimited(b"@@@", false),
                 b'@' => self.skip_delimited(b"@", false),
-                b'{' | b'}' | b'(' | b')' | b'[' | b']' => {
+                b'{' | b'}' | b'(' | b')' | b'[' | b']' | b'\n' | b';' => {
                     self.at += 1;
                     return Some((self.at - 1, byte));
                 }
@@ -181,7 +113,7 @@ mod tests {
         let text = br#"#usda 1.0 (((
 def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string t = 'don\'t(' }"#;
         let seen: Vec<u8> = Structure::new(text).map(|(_, byte)| byte).collect();
-        assert_eq!(seen, b"{}");
+        assert_eq!(seen, b"\n{}");
     }
 
     #[test]
@@ -222,10 +154,5 @@ def "W" (prepend references = [</A>, @b.usda@</B>] payload = </C> variants = { s
             ]
         );
         assert!(outline.prims >= 2);
-        let mut skeleton = Skeleton::new(text);
-        for (offset, byte) in Structure::new(text.as_bytes()) {
-            skeleton.bracket(offset, byte);
-        }
-        assert!(skeleton.kept.contains("float[] many = [") && !skeleton.kept.contains("1, 2, 3"));
     }
 }
