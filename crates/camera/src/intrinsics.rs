@@ -76,6 +76,19 @@ impl Intrinsics {
         f64::midpoint(self.fx, self.fy)
     }
 
+    /// Whether the directions of all pixels, (x, y, 1), have finite lengths in single precision.
+    #[must_use]
+    pub fn has_finite_rays(&self) -> bool {
+        let c = self.principal_point::<Usd>();
+        let reach =
+            |end: u32, centre: f64, focal: f64| centre.abs().max((f64::from(end) - centre).abs()) / focal;
+        let (x, y) = (
+            reach(self.size.width, c.x, self.fx),
+            reach(self.size.height, c.y, self.fy),
+        );
+        x * x + y * y < f64::from(f32::MAX)
+    }
+
     /// Returns the horizontal field of view of the ideal pinhole, `2 atan(width / (2 fx))`; the principal point is ignored.
     #[must_use]
     pub fn hfov(&self) -> f64 {
@@ -140,5 +153,17 @@ mod tests {
             camera.pixel_from_normalized(DVec2::new(0.5, -0.25)),
             PixelPoint::new(p.x, p.y)
         );
+    }
+
+    #[test]
+    fn rays_overflow_for_short_focal_lengths_only() {
+        let size = ImageSize::new(24, 16);
+        let centre = PixelPoint::<Usd>::new(12.0, 8.0);
+        let is_finite = |fx, fy, centre| Intrinsics::new(size, fx, fy, centre).has_finite_rays();
+        assert!(is_finite(20.0, 20.0, centre));
+        assert!(is_finite(1e-17, 1e30, centre));
+        assert!(!is_finite(1e-19, 20.0, centre));
+        assert!(!is_finite(20.0, 1e-300, centre));
+        assert!(!is_finite(20.0, 20.0, PixelPoint::<Usd>::new(1e300, 8.0)));
     }
 }

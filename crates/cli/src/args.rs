@@ -6,6 +6,7 @@ mod asset;
 mod calibration;
 pub(crate) mod choice;
 mod fit;
+mod limit;
 mod outputs;
 mod pair;
 mod render;
@@ -20,6 +21,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueHint};
 use oaktwin::depth::parameters::choice;
 use oaktwin::depth::preset::Platform;
+use oaktwin::usd::stage::SceneLimit;
 
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use asset::AssetArgs;
@@ -159,6 +161,9 @@ pub(crate) struct CheckArgs {
     /// Model to check against [default: recognised from prim names]
     #[arg(long)]
     pub(crate) model: Option<String>,
+
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = limit::parse, help = limit::HELP)]
+    pub(crate) scene_limit: SceneLimit,
 
     /// Print JSON
     #[arg(long)]

@@ -26,7 +26,7 @@ impl Exit {
             Self::Success => 0,
             Self::Findings => 1,
             Self::Error => 2,
-            // The code that shells report for a program ended by Ctrl-C.
+            // Refined by the number of the signal.
             Self::Interrupted => 130,
         }
     }

@@ -8,6 +8,7 @@ mod destination;
 mod output;
 mod plot;
 mod progress;
+mod signals;
 mod size;
 
 use std::ffi::OsString;
@@ -19,23 +20,30 @@ use args::{Cli, Command};
 use context::{Context, Exit, Result};
 
 /// Runs the program with `arguments`, the first of which is its name, printing to standard output and standard error.
-/// Returns the exit code: 0 (success), 1 (findings), 2 (error) or 130 (Ctrl-C).
+/// Returns the exit code: 0 (success), 1 (findings), 2 (error), or 128 plus the number of a signal: 130 after Ctrl-C.
 #[must_use]
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(message) => {
-            // Help and version are messages, too; a closed pipe is not an error.
-            let _ = message.print();
-            return u8::try_from(message.exit_code()).unwrap_or(Exit::Error.code());
+            // Help and version are messages, too.
+            return match message.print() {
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                    finish(Err(output::not_written(&error)))
+                }
+                _ => u8::try_from(message.exit_code()).unwrap_or(Exit::Error.code()),
+            };
         }
     };
-    diagnostic::with_style(output::flag, || finish(run(&cli)))
+    diagnostic::with_style(output::flag, || {
+        finish(signals::handle().and_then(|()| run(&cli)))
+    })
 }
 
 /// Prints a command's error, if any, and returns the exit code.
 fn finish(result: Result<Exit>) -> u8 {
     match result {
+        Ok(Exit::Success | Exit::Interrupted) => signals::exit_code().unwrap_or(Exit::Success.code()),
         Ok(exit) => exit.code(),
         Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Success.code(),
         Err(error) => {

@@ -14,11 +14,14 @@ use crate::context::Result;
 pub(crate) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written ({error}); redirect it elsewhere").into())
-        }
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(not_written(&error)),
         written => Ok(written?),
     }
+}
+
+/// Returns the error for a failed write to standard output.
+pub(crate) fn not_written(error: &io::Error) -> Box<dyn std::error::Error> {
+    format!("standard output: cannot be written ({error}); redirect it elsewhere").into()
 }
 
 pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {

@@ -1,54 +1,35 @@
-//! Progress bars, and Ctrl-C.
+//! Progress bars.
 
 use std::ops::ControlFlow;
-use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, OnceLock};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use oaktwin::progress::{Progress, Watch};
 
-use crate::context::{Exit, Result};
+use crate::signals;
 
 /// Shorter tasks have no bar.
 const DELAY: Duration = Duration::from_secs(1);
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
-/// Runs a task with a progress bar on standard error if that is a terminal. The first Ctrl-C interrupts the task, the second
-/// one ends the program.
-pub(crate) fn watched<T>(task: impl FnOnce(&Watch<'_>) -> T) -> Result<T> {
-    handle_interrupts()?;
+/// Runs a task with a progress bar on standard error if that is a terminal. A signal such as Ctrl-C interrupts the task.
+pub(crate) fn watched<T>(task: impl FnOnce(&Watch<'_>) -> T) -> T {
     let bar = Mutex::new(Bar {
         start: Instant::now(),
         bar: None,
     });
-    Ok(task(&|progress| {
-        if let Ok(mut bar) = bar.lock() {
-            bar.set(progress);
-        }
-        if INTERRUPTED.load(Ordering::SeqCst) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }))
-}
-
-/// From now on, Ctrl-C interrupts tasks instead of killing the program.
-pub(crate) fn handle_interrupts() -> Result<()> {
-    static HANDLER: OnceLock<std::result::Result<(), String>> = OnceLock::new();
-    let set = || {
-        let handler = || {
-            if INTERRUPTED.swap(true, Ordering::SeqCst) {
-                process::exit(Exit::Interrupted.code().into());
+    signals::while_checked(|| {
+        task(&|progress| {
+            if let Ok(mut bar) = bar.lock() {
+                bar.set(progress);
             }
-        };
-        ctrlc::set_handler(handler).map_err(|error| error.to_string())
-    };
-    let handler = HANDLER.get_or_init(set).clone();
-    handler.map_err(|error| format!("Ctrl-C cannot be handled ({error}); try again").into())
+            if signals::is_received() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+    })
 }
 
 struct Bar {

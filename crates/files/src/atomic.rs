@@ -2,12 +2,11 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 use crate::FileError;
+use crate::temporary::Temporary;
 
-/// Writes a whole file: to a temporary file beside its target first, which then replaces the target, so that no reader
-/// ever sees a part of it. Symbolic links are followed and kept; a device or pipe is written to directly.
+/// Writes a whole file: to a temporary file beside its target first, which replaces the target once it is on the disk, so that
+/// no reader ever sees a part of it, not even after a loss of power. Symbolic links are followed and kept; a device or pipe is written to directly.
 ///
 /// # Errors
 /// Returns an error if the file cannot be written; nothing is left behind.
@@ -30,7 +29,7 @@ pub struct AtomicFile {
 #[derive(Debug)]
 enum Output {
     Device(File),
-    Temporary { file: NamedTempFile, target: PathBuf },
+    Temporary { file: Temporary, target: PathBuf },
 }
 
 impl AtomicFile {
@@ -56,7 +55,7 @@ impl AtomicFile {
                 return Err(FileError::new(path, "is read-only", remedy));
             }
             _ => Output::Temporary {
-                file: beside(&target).map_err(failed)?,
+                file: Temporary::beside(&target).map_err(failed)?,
                 target,
             },
         };
@@ -84,7 +83,14 @@ impl AtomicFile {
         let failed = |error: io::Error| FileError::writing(&self.path, &error);
         self.output.file().flush().map_err(failed)?;
         if let Output::Temporary { file, target } = self.output {
-            file.persist(target).map_err(|error| failed(error.error))?;
+            file.persist(&target).map_err(|error| match error.kind() {
+                io::ErrorKind::NotFound => FileError::new(
+                    &self.path,
+                    "another program removed it, or its folder, while it was written",
+                    "run the command again",
+                ),
+                _ => failed(error),
+            })?;
         }
         Ok((self.path, self.bytes))
     }
@@ -109,22 +115,6 @@ impl Write for AtomicFile {
     fn flush(&mut self) -> io::Result<()> {
         self.output.file().flush()
     }
-}
-
-/// A temporary file in the folder of `target`, with the permissions of a new file.
-fn beside(target: &Path) -> io::Result<NamedTempFile> {
-    let mut prefix = std::ffi::OsString::from(".");
-    prefix.push(target.file_name().unwrap_or_default());
-    prefix.push(".");
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(".part");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    builder.tempfile_in(folder)
 }
 
 /// The end of a chain of symbolic links, which may not exist yet.

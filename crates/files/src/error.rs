@@ -49,10 +49,21 @@ impl FileError {
     #[must_use]
     pub fn writing(path: &Path, error: &io::Error) -> Self {
         let (message, remedy) = match error.kind() {
+            io::ErrorKind::NotFound if folder(path).is_dir() => {
+                ("cannot be created in its folder", "choose another place")
+            }
             io::ErrorKind::NotFound => ("its folder does not exist", "make the folder first"),
             io::ErrorKind::PermissionDenied => ("permission denied", "choose another place"),
             io::ErrorKind::ReadOnlyFilesystem => ("is on a read-only file system", "choose another place"),
             io::ErrorKind::StorageFull => ("there is no space left", "free some, or choose another place"),
+            io::ErrorKind::FileTooLarge => {
+                let remedy = "raise the limit (ulimit -f), or choose another place";
+                return Self::new(path, "would be larger than files may be here", remedy);
+            }
+            io::ErrorKind::QuotaExceeded => (
+                "the disk quota is exceeded",
+                "free some space, or choose another place",
+            ),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
             io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
             _ => {
@@ -64,5 +75,13 @@ impl FileError {
             }
         };
         Self::new(path, message, remedy)
+    }
+}
+
+/// Returns the folder of a file.
+pub(crate) fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
     }
 }

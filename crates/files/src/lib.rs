@@ -2,7 +2,9 @@
 
 mod atomic;
 mod error;
+mod named;
 mod output;
+mod temporary;
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -10,7 +12,9 @@ use std::path::{Path, PathBuf};
 
 pub use atomic::{AtomicFile, write};
 pub use error::FileError;
+pub use named::{is_below, open_regular, read_regular};
 pub use output::OutputFiles;
+pub use temporary::abandon;
 
 /// A file that was written.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]

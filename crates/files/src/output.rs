@@ -2,6 +2,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::temporary::Temporary;
 use crate::{AtomicFile, FileError, WrittenFile, make_folder, write};
 
 /// The files that a command writes: never over one of its inputs, and in folders that are created when they are needed.
@@ -106,14 +107,10 @@ impl OutputFiles {
         missing.reverse();
         self.created.append(&mut missing);
         make_folder(folder)?;
-        tempfile::Builder::new()
-            .prefix(".oaktwin.")
-            .suffix(".part")
-            .tempfile_in(folder)
-            .map_err(|error| {
-                let message = format!("is not writable ({})", error.kind());
-                FileError::new(folder, message, "choose another place")
-            })?;
+        Temporary::beside(&folder.join("writable")).map_err(|error| {
+            let message = format!("is not writable ({})", error.kind());
+            FileError::new(folder, message, "choose another place")
+        })?;
         self.checked.insert(folder.to_owned());
         Ok(())
     }

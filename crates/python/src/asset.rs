@@ -5,7 +5,7 @@ use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files;
 use oaktwin::usd::asset::{self, AssetOptions, Format, LensChoice, OverrideBase};
-use oaktwin::usd::stage;
+use oaktwin::usd::stage::{self, SceneLimit};
 use pyo3::PyResult;
 
 use crate::choice::named;
@@ -55,7 +55,7 @@ pub(crate) fn overrides(
     base: &Path,
     path: &Path,
 ) -> PyResult<(Vec<u8>, Vec<Finding>)> {
-    let stage = stage::open(base).map_err(|error| reading(base, &error))?;
+    let stage = stage::open(base, SceneLimit::default()).map_err(|error| reading(base, &error))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let name = files::relative(folder, base).map_err(error)?;
     if fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(base).is_ok_and(|base| base == path)) {

@@ -156,6 +156,13 @@ fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f6
                 && a[1] == 0.0
                 && b[0] == 0.0
                 && *c == [0.0, 0.0, 1.0];
+            if is_camera && !made.has_finite_rays() {
+                let is = format!(
+                    "has focal lengths of {:e} and {:e} px, too short for its principal point",
+                    made.fx, made.fy
+                );
+                return Err(wrong("K", is, "pass focal lengths and principal point in pixels"));
+            }
             if is_camera {
                 Ok(made)
             } else {
@@ -210,7 +217,7 @@ impl Camera {
         let lens = self::lens(lens.unwrap_or(default), &coefficients)?;
         // A smaller distance has no normal reciprocal in single precision.
         if !(near >= f64::from(f32::MIN_POSITIVE) && far > near) {
-            let is = format!("{near} to {far} m is not a valid range");
+            let is = format!("{near:e} to {far:e} m is not a valid range");
             return Err(wrong(
                 "near, far",
                 is,

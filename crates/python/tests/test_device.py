@@ -212,6 +212,7 @@ def test_cameras_of_ones_own():
         "pass one of them": dict(size=(4, 4)),
         "3x3": dict(size=(4, 4), K=np.eye(4)),
         "not a camera matrix": dict(size=(4, 4), K=-np.eye(3)),
+        "too short for its principal point": dict(size=(4, 4), K=np.diag([1e-300, 1e300, 1])),
         "is not an array of numbers": dict(size=(4, 4), K="K"),
         "coefficients": dict(size=(4, 4), hfov_deg=9, distortion=[0.0] * 15),
         "finite": dict(size=(4, 4), hfov_deg=9, distortion=[float("nan")]),

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use oaktwin_usd::check::{CheckOptions, check};
-use oaktwin_usd::stage;
+use oaktwin_usd::stage::{self, SceneLimit};
 
 fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(name)
@@ -48,7 +48,7 @@ fn reports_every_bad_file() {
 #[test]
 fn rejects_missing_files_directories_and_devices() {
     let folder = tempfile::tempdir().unwrap();
-    let error = |path: &Path| stage::open(path).unwrap_err().to_string();
+    let error = |path: &Path| stage::open(path, SceneLimit::default()).unwrap_err().to_string();
     let nowhere = folder.path().join("nowhere.usd");
     assert!(
         error(&nowhere)
@@ -57,7 +57,7 @@ fn rejects_missing_files_directories_and_devices() {
     let directory = folder.path().join("folder.usd");
     fs::create_dir(&directory).unwrap();
     assert!(error(&directory).ends_with("folder.usd: is a directory; give the USD file inside it"));
-    let error = stage::open("/dev/zero").unwrap_err();
+    let error = stage::open("/dev/zero", SceneLimit::default()).unwrap_err();
     assert_eq!(error.what, "is not a regular file");
 }
 
@@ -66,12 +66,20 @@ fn rejects_large_garbage_by_its_first_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("large.usd");
     fs::write(&path, vec![0x5a; 100 << 20]).unwrap();
-    assert_eq!(stage::open(&path).unwrap_err().place, "start");
+    assert_eq!(
+        stage::open(&path, SceneLimit::default()).unwrap_err().place,
+        "start"
+    );
     // A text header followed by a single line of brackets.
     let mut text = b"#usda 1.0\n".to_vec();
     text.resize(100 << 20, b'(');
     fs::write(&path, text).unwrap();
-    assert!(stage::open(&path).unwrap_err().what.contains("nest"));
+    assert!(
+        stage::open(&path, SceneLimit::default())
+            .unwrap_err()
+            .what
+            .contains("nest")
+    );
 }
 
 #[cfg(unix)]
@@ -80,7 +88,10 @@ fn follows_symlinks() {
     let folder = tempfile::tempdir().unwrap();
     let link = folder.path().join("link.usda");
     std::os::unix::fs::symlink(fixture("check/good.usda"), &link).unwrap();
-    assert_eq!(stage::open(&link).unwrap().cameras.len(), 1);
+    assert_eq!(
+        stage::open(&link, SceneLimit::default()).unwrap().cameras.len(),
+        1
+    );
 }
 
 /// An entry of a package: its names in the header and in the directory, its claimed method and size, its data.
@@ -221,7 +232,10 @@ fn reports_binary_layers_with_wrong_sizes() {
     let path = folder.path().join("binary.usdc");
     let good = binary();
     fs::write(&path, &good).unwrap();
-    assert_eq!(stage::open(&path).unwrap().cameras.len(), 4);
+    assert_eq!(
+        stage::open(&path, SceneLimit::default()).unwrap().cameras.len(),
+        4
+    );
 
     let toc = usize::try_from(u64::from_le_bytes(good[16..24].try_into().unwrap())).unwrap();
     let mut all = String::new();

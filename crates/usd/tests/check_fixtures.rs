@@ -58,6 +58,7 @@ fn given_model_overrides_recognition() {
         &CheckOptions {
             catalog,
             model: Some(&twin),
+            ..CheckOptions::default()
         },
     )
     .unwrap();

@@ -11,7 +11,7 @@ use oaktwin_usd::asset::{
     AssetOptions, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, Target, asset, overrides,
 };
 use oaktwin_usd::check::{CheckOptions, RULES, Report, check, check_stage};
-use oaktwin_usd::stage;
+use oaktwin_usd::stage::{self, SceneLimit};
 
 /// Returns a unit with typical calibration: focal lengths 2 % off, unequal fx and fy, an off-centre principal point.
 fn calibrated(nominal: &Twin, fisheye: bool) -> Twin {
@@ -111,9 +111,16 @@ fn assets_with_all_options_have_notes_at_most() {
                 };
                 let path = folder.path().join(asset.file_name(format));
                 std::fs::write(&path, asset.bytes(format).unwrap()).unwrap();
-                let stage = stage::open(&path).unwrap();
+                let stage = stage::open(&path, SceneLimit::default()).unwrap();
                 for model in [None, Some(&nominal)] {
-                    let report = check_stage(&stage, &CheckOptions { catalog, model });
+                    let report = check_stage(
+                        &stage,
+                        &CheckOptions {
+                            catalog,
+                            model,
+                            ..CheckOptions::default()
+                        },
+                    );
                     assert_eq!(problems(&report), [""; 0], "{} {options:?}", device.name);
                     assert_eq!(report.depth_sensors.len(), device.depth_sensors.len());
                     assert_eq!(

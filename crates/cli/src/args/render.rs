@@ -6,10 +6,11 @@ use oaktwin::dataset::{LAYOUTS, Layout};
 use oaktwin::render::Backend;
 use oaktwin::scene::Up;
 use oaktwin::usd::optics::Projection;
+use oaktwin::usd::stage::SceneLimit;
 
 use super::annotators::annotators;
 use super::choice::parser;
-use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs, limit};
 
 fn after_help() -> String {
     format!(
@@ -144,6 +145,20 @@ pub(crate) struct RenderArgs {
     /// Metres per unit of a glTF, OBJ, STL or PLY file
     #[arg(long, value_name = "METRES", help_heading = "Scene and trajectory")]
     pub(crate) scale: Option<f64>,
+
+    /// Read buffers and images that a glTF file names outside its folder; for trusted files only
+    #[arg(long, help_heading = "Scene and trajectory")]
+    pub(crate) allow_outside: bool,
+
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value = "1",
+        value_parser = limit::parse,
+        help = limit::HELP,
+        help_heading = "Scene and trajectory"
+    )]
+    pub(crate) scene_limit: SceneLimit,
 
     /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
     #[arg(long, help_heading = "Scene and trajectory")]

@@ -25,7 +25,7 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
         let measurement = bench.measure(args.measured.as_deref().zip(curve.as_ref()), watch)?;
         let figure = plot.is_some().then(|| measurement.figure(watch)).transpose()?;
         Ok((measurement, figure))
-    })?;
+    });
     let (measurement, figure) = match measured {
         Err(error @ AccuracyError::Interrupted) => {
             output::say(&error.to_string());

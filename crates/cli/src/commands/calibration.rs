@@ -3,7 +3,7 @@ use std::path::Path;
 
 use oaktwin::calibration::{self, CalibrationSummary, CameraSummary};
 use oaktwin::catalog::Device;
-use oaktwin::diagnostic::Level;
+use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::unit;
 
 use crate::args::{CalibrationArgs, CalibrationCommand, CalibrationShowArgs};
@@ -17,7 +17,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
     }
 }
 
-/// Prints a calibration and its findings. Errors affect the exit code only.
+/// Prints a calibration and its findings. An error among them is also the command's.
 fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
     let (_, calibration, mut findings) = unit::read_calibration(&args.file)?;
     let named = args
@@ -40,8 +40,18 @@ fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
     } else {
         output::print(&text(&args.file, &summary, device))?;
     }
-    let failed = findings.iter().any(|finding| finding.level == Level::Error);
-    Ok(if failed { Exit::Error } else { Exit::Success })
+    let errors: Vec<&Finding> = findings
+        .iter()
+        .filter(|finding| finding.level == Level::Error)
+        .collect();
+    match errors.as_slice() {
+        [] => Ok(Exit::Success),
+        [error] => Err(format!("{}: {error}", args.file.display()).into()),
+        [first, more @ ..] => {
+            let more = more.len();
+            Err(format!("{}: {first} (and {more} more, listed above)", args.file.display()).into())
+        }
+    }
 }
 
 fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> String {

@@ -19,6 +19,7 @@ pub(crate) fn run(context: &Context, args: &CheckArgs) -> Result<Exit> {
         &CheckOptions {
             catalog: &context.catalog,
             model: model.as_ref(),
+            limit: args.scene_limit,
         },
     )?;
     if args.json {

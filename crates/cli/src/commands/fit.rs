@@ -29,7 +29,7 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         destination::spare_inputs(file, inputs.chain(others).chain(args.engine.files().map(Some)))?;
     }
     args.threads.apply();
-    let fitted = progress::watched(|watch| fit::fit(&twin, &args.recordings, &options, watch))?;
+    let fitted = progress::watched(|watch| fit::fit(&twin, &args.recordings, &options, watch));
     let (fit, more) = match fitted {
         Err(error @ FitError::Interrupted) => {
             output::say(&error.to_string());

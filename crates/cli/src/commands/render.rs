@@ -46,7 +46,6 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     });
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
-    progress::handle_interrupts()?;
     let (up, is_alone) = (scene.scene.up, output.is_none());
     let record =
         |file| render::FrameRecorder::create(file, up, &cameras, &sensors.own, &path, &annotators, is_alone);
@@ -77,7 +76,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     };
     let mut written = progress::watched(|watch| {
         render::write_frames(&renderer, &cameras, &path, &options, outputs, watch)
-    })??;
+    })?;
     findings.append(&mut written.findings);
 
     let calibration_findings = oak.map(|oak| oak.calibration_findings).unwrap_or_default();

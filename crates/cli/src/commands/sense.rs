@@ -27,7 +27,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     } else {
         Output::Files
     };
-    let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch))?;
+    let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch));
     let sensed = sensed.map_err(|error| match error {
         SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => Box::new(error).into(),
         SenseError::Stream(error) => {

@@ -25,7 +25,7 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
         extras: args.outputs.extras(),
         ply: args.outputs.ply,
     };
-    let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch))?;
+    let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch));
     let Some(matched) = matched? else {
         return Ok(Exit::Success);
     };

@@ -68,6 +68,22 @@ fn files_that_are_none() {
 }
 
 #[test]
+fn errors_of_a_calibration_are_on_standard_error() {
+    let program = Program::new();
+    let text = fs::read_to_string(EXAMPLE).unwrap();
+    let mut calibration: serde_json::Value = serde_json::from_str(&text).unwrap();
+    calibration["cameraData"][0][1]["width"] = serde_json::json!(9999);
+    program.put("bad.json", calibration.to_string());
+    for more in [&[][..], &["--json"]] {
+        let ended = program.run(&[&["calibration", "show", "bad.json"], more].concat());
+        assert_eq!(ended.code, 2, "{}", ended.stdout);
+        assert!(!ended.stdout.is_empty());
+        assert!(ended.stderr.starts_with("error: bad.json: "), "{}", ended.stderr);
+        assert_eq!(ended.stderr.lines().count(), 1, "{}", ended.stderr);
+    }
+}
+
+#[test]
 fn a_hundred_megabytes_of_nothing() {
     let program = Program::new();
     let big = fs::File::create(program.path("big")).unwrap();

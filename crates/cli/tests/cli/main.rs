@@ -1,11 +1,12 @@
 //! The program as its users meet it: whole outputs as snapshots, bad inputs, exit codes, files left behind.
 
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
+#![expect(clippy::unwrap_used, reason = "a test")]
 
 mod accuracy;
 mod assets;
 mod bad_input;
 mod fit;
+mod named_files;
 mod optics;
 mod output;
 mod params;
@@ -18,7 +19,9 @@ mod render_pair;
 mod render_record;
 mod render_sensor;
 mod render_sensor_frames;
+mod scene_limit;
 mod sense;
 mod sense_bad_input;
 mod sense_folders;
 mod stereo;
+mod whole_files;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -58,10 +58,10 @@ impl Program {
         self.ended(&self.command(arguments).output().unwrap())
     }
 
-    /// Runs the program with a limit on the size of files, which simulates a full disk.
+    /// Runs the program with a limit on the size of files.
     #[cfg(target_os = "linux")]
-    pub(crate) fn run_on_full_disk(&self, arguments: &[&str]) -> Ended {
-        let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+    pub(crate) fn run_with_small_files(&self, arguments: &[&str]) -> Ended {
+        let script = "ulimit -f 1; exec \"$0\" \"$@\"";
         let mut command = Command::new("bash");
         command
             .args(["-c", script, env!("CARGO_BIN_EXE_oaktwin")])
@@ -101,6 +101,17 @@ impl Program {
     /// Runs the program, interrupts it as soon as `is_time` holds, and returns how it ended.
     #[cfg(unix)]
     pub(crate) fn interrupted(&self, arguments: &[&str], is_time: impl Fn(&Self) -> bool) -> Ended {
+        self.signalled(&["INT"], arguments, is_time)
+    }
+
+    /// Runs the program, sends it signals as soon as `is_time` holds, and returns how it ended.
+    #[cfg(unix)]
+    pub(crate) fn signalled(
+        &self,
+        signals: &[&str],
+        arguments: &[&str],
+        is_time: impl Fn(&Self) -> bool,
+    ) -> Ended {
         let mut command = self.command(arguments);
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
         let mut running = Running(child.unwrap());
@@ -109,8 +120,10 @@ impl Program {
             is_time(self)
         });
         let id = running.0.id().to_string();
-        let kill = Command::new("kill").args(["-INT", &id]).status();
-        assert!(kill.unwrap().success());
+        for signal in signals {
+            let kill = Command::new("kill").args(["-s", signal, &id]).status();
+            assert!(kill.unwrap().success());
+        }
         running.wait_until(|child| child.try_wait().unwrap().is_some());
         let [mut stdout, mut stderr] = [Vec::new(), Vec::new()];
         running.0.stdout.take().unwrap().read_to_end(&mut stdout).unwrap();
@@ -150,11 +163,20 @@ impl Program {
                 .replace(fixtures, "[FIXTURES]")
         };
         Ended {
-            code: output.status.code().expect("no signal"),
+            code: code(output.status),
             stdout: text(&output.stdout),
             stderr: text(&output.stderr),
         }
     }
+}
+
+/// Returns the exit code, negative for the number of the signal that ended the program.
+fn code(status: ExitStatus) -> i32 {
+    #[cfg(unix)]
+    if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
+        return -signal;
+    }
+    status.code().unwrap_or(i32::MIN)
 }
 
 /// A process that is killed when the test ends, however it ends.

@@ -192,10 +192,10 @@ fn rrd_names_its_feature() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_disk_that_fills_up_leaves_nothing() {
+fn a_recording_that_becomes_too_large_leaves_nothing() {
     let program = program();
     let before = program.names();
-    let ended = program.run_on_full_disk(&["render", "room.usda", "--record", "a.mcap"]);
+    let ended = program.run_with_small_files(&["render", "room.usda", "--record", "a.mcap"]);
     let message = ended.stderr;
     assert_eq!(ended.code, 2, "{message}");
     assert!(
@@ -225,8 +225,13 @@ fn ctrl_c_leaves_nothing() {
     let ended = program.interrupted(&arguments, begun);
     let message = ended.stderr;
     assert_eq!(ended.code, 130, "{message}");
+    // The second, if the machine is so busy that the frame in flight takes longer than an interrupted program waits for.
+    let messages = [
+        "interrupted: a.mcap was not written\n",
+        "interrupted: unfinished files were removed\n",
+    ];
     assert!(
-        message.starts_with("interrupted: a.mcap was not written\n"),
+        messages.iter().any(|expected| message.starts_with(expected)),
         "{message}"
     );
     assert_eq!(program.names(), before);

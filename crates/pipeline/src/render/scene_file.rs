@@ -9,7 +9,7 @@ use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use oaktwin_scene::{Scene, Up};
 use oaktwin_usd::stage::{
-    self, Attribute, Prim, RenderProduct, SceneCamera, SceneOptions, StageError, Value,
+    self, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, StageError, Value,
 };
 
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
@@ -21,10 +21,14 @@ pub struct OpenOptions {
     pub time: Option<f64>,
     /// The subdivision level of a USD stage's meshes.
     pub subdivide: u32,
+    /// The factor on the limits of what a USD stage may compose.
+    pub limit: SceneLimit,
     /// The up axis of a mesh file; by default that of its format. A USD stage has its own.
     pub up: Option<Up>,
     /// The metres per unit of a mesh file; by default 1. A USD stage has its own.
     pub scale: Option<f64>,
+    /// Whether a glTF file may name buffers and images outside its folder.
+    pub allow_outside: bool,
 }
 
 /// The contents of a scene file.
@@ -88,6 +92,7 @@ impl SceneFile {
             &SceneOptions {
                 time: options.time,
                 subdivide: options.subdivide,
+                limit: options.limit,
             },
         )?;
         Ok(Self {
@@ -114,6 +119,7 @@ impl SceneFile {
             &ImportOptions {
                 up: options.up,
                 scale: options.scale.unwrap_or(1.0),
+                allow_outside: options.allow_outside,
             },
         )?;
         let meters_per_unit = imported.scene.meters_per_unit.0;

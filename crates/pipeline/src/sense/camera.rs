@@ -68,7 +68,13 @@ pub(super) fn of_images(
                     format!(": must be a finite number > 0 (got {fx}); give the focal length in pixels")
                 ]));
             }
-            Ok(known(pinhole(Intrinsics::new(size, fx, fx, centre))))
+            let intrinsics = Intrinsics::new(size, fx, fx, centre);
+            if !intrinsics.has_finite_rays() {
+                let is =
+                    format!(": {fx:e} px is too short for images of {size}; give the focal length in pixels");
+                return Err(SenseError::option(message![opt("fx"), is]));
+            }
+            Ok(known(pinhole(intrinsics)))
         }
         (FieldOfView::Degrees(hfov), _) => {
             if !(hfov > 0.0 && hfov < 180.0) {

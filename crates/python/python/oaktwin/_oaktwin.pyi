@@ -425,6 +425,8 @@ class Scene:
         subdivide: int = 0,
         up: _Up | None = None,
         scale: float | None = None,
+        scene_limit: float = 1.0,
+        allow_outside: bool = False,
     ) -> Scene: ...
     @staticmethod
     def from_triangles(

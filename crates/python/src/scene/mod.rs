@@ -14,6 +14,7 @@ use oaktwin::render::{
     check_saved_name, save_usd, scene_cameras,
 };
 use oaktwin::scene::Instance;
+use oaktwin::usd::stage::SceneLimit;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -74,11 +75,14 @@ impl Scene {
     /// subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
     /// up: the up axis of a mesh file, "y" or "z"; by default that of its format.
     /// scale: the metres per unit of a mesh file; by default 1.
+    /// scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+    /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
-    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None))]
+    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn open(
         py: Python<'_>,
         path: PathBuf,
@@ -86,12 +90,20 @@ impl Scene {
         subdivide: u32,
         up: Option<&str>,
         scale: Option<f64>,
+        scene_limit: f64,
+        allow_outside: bool,
     ) -> PyResult<Self> {
+        let limit = SceneLimit::new(scene_limit).ok_or_else(|| {
+            let is = format!("must be a finite number > 0 (got {scene_limit})");
+            wrong("scene_limit", is, "pass a larger number")
+        })?;
         let options = OpenOptions {
             time,
             subdivide,
+            limit,
             up: maybe_named("up", up)?,
             scale,
+            allow_outside,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
         let mut file = opened.map_err(|error| reading(&path, &error))?;

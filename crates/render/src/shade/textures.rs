@@ -1,11 +1,9 @@
 //! The textures of a scene, decoded on first use.
 
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
 use std::sync::OnceLock;
 
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_files as files;
 use oaktwin_image::{Image, texture};
 use oaktwin_scene::{ColorSpace, Scene, TextureSource};
 
@@ -96,7 +94,7 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
         TextureSource::Encoded { name, bytes } => Ok((name.clone(), bytes.to_vec())),
         TextureSource::File(path) => {
             let name = path.display().to_string();
-            match read(path) {
+            match files::read_regular(path, MAX_BYTES) {
                 Ok(bytes) => Ok((name, bytes)),
                 Err(error) => Err(Missing {
                     place: name,
@@ -106,12 +104,6 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
             }
         }
     }
-}
-
-fn read(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 fn extension(name: &str) -> Option<&str> {

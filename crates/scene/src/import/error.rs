@@ -1,5 +1,7 @@
 use std::path::{Path, PathBuf};
 
+use oaktwin_diagnostic::Message;
+
 /// An error that occurred while importing a file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}: {place}{}{message}; {remedy}", file.display(), if place.is_empty() { "" } else { ": " })]
@@ -11,7 +13,7 @@ pub struct ImportError {
     /// The problem.
     pub message: String,
     /// The remedy.
-    pub remedy: String,
+    pub remedy: Message,
 }
 
 /// An error without the file's name.
@@ -19,7 +21,7 @@ pub struct ImportError {
 pub(super) struct Fault {
     place: String,
     message: String,
-    remedy: &'static str,
+    remedy: Message,
 }
 
 /// The remedy for a file that contradicts its own format.
@@ -30,11 +32,15 @@ impl Fault {
         Self::new(place, message, DAMAGED)
     }
 
-    pub(super) fn new(place: impl Into<String>, message: impl Into<String>, remedy: &'static str) -> Self {
+    pub(super) fn new(
+        place: impl Into<String>,
+        message: impl Into<String>,
+        remedy: impl Into<Message>,
+    ) -> Self {
         Self {
             place: place.into(),
             message: message.into(),
-            remedy,
+            remedy: remedy.into(),
         }
     }
 
@@ -43,7 +49,7 @@ impl Fault {
             file: file.to_path_buf(),
             place: self.place,
             message: self.message,
-            remedy: self.remedy.into(),
+            remedy: self.remedy,
         }
     }
 }

@@ -4,8 +4,9 @@
 //! [`ImportOptions::up`] overrides it; nothing is rotated. The file's unit is taken to be the metre, times
 //! [`ImportOptions::scale`].
 //!
-//! A missing image is a finding; a file that contradicts itself is an error. Referenced files are
-//! opened wherever they are, `..` and absolute paths included: they are the user's own local files.
+//! A missing image is a finding; a file that contradicts itself is an error. Only regular files are opened. Those that
+//! a glTF file names must be in its folder or below, unless [`ImportOptions::allow_outside`] is set: a buffer may have any
+//! content, which would become coordinates. The images and material libraries of an OBJ file may be anywhere.
 
 mod builder;
 mod error;
@@ -16,11 +17,11 @@ mod stl;
 mod text;
 mod weld;
 
-use std::fs;
 use std::path::Path;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_diagnostic::Finding;
+use oaktwin_files as files;
 
 use builder::Builder;
 use error::Fault;
@@ -35,11 +36,17 @@ pub struct ImportOptions {
     pub up: Option<Up>,
     /// The metres per unit of the file: positive and finite.
     pub scale: f64,
+    /// Whether a glTF file may name buffers and images outside its folder.
+    pub allow_outside: bool,
 }
 
 impl Default for ImportOptions {
     fn default() -> Self {
-        Self { up: None, scale: 1.0 }
+        Self {
+            up: None,
+            scale: 1.0,
+            allow_outside: false,
+        }
     }
 }
 
@@ -66,6 +73,9 @@ pub struct ImportedCamera {
     /// The width divided by the height, if the file defines it.
     pub aspect: Option<f64>,
 }
+
+/// The maximum size of a file, and of the files that it names, in bytes.
+const MAX_BYTES: u64 = 1 << 40;
 
 /// The file name extensions that [`open`] supports.
 pub const EXTENSIONS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
@@ -149,7 +159,7 @@ fn decode(bytes: Vec<u8>, format: Format, path: &Path, options: &ImportOptions) 
     let up = options.up.unwrap_or(format.up());
     let mut builder = Builder::new(path, up, options.scale);
     match format {
-        Format::Gltf => gltf::read(bytes, path, &mut builder)?,
+        Format::Gltf => gltf::read(bytes, path, options.allow_outside, &mut builder)?,
         Format::Obj => obj::read(&bytes, path, &mut builder)?,
         Format::Ply => ply::read(&bytes, &mut builder)?,
         Format::Stl => stl::read(&bytes, &mut builder)?,
@@ -165,11 +175,7 @@ fn read(path: &Path) -> Result<Vec<u8>, Fault> {
             "check its name and permissions",
         )
     };
-    // Reading a pipe or a device might never end.
-    if !fs::metadata(path).map_err(readable)?.is_file() {
-        return Err(Fault::new("", "is not a regular file", "use a regular file"));
-    }
-    let bytes = fs::read(path).map_err(readable)?;
+    let bytes = files::read_regular(path, MAX_BYTES).map_err(readable)?;
     if bytes.is_empty() {
         return Err(Fault::new("", "is empty", "export it again"));
     }

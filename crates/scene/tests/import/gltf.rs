@@ -1,6 +1,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use oaktwin_camera::math::DVec3;
+use oaktwin_scene::import::{self, ImportOptions};
 use oaktwin_scene::{Attribute, LightKind, TextureSource, Up, Wrap};
 
 use crate::gltf_builder::Builder;
@@ -12,13 +13,43 @@ fn text_binary_and_external_files_are_equivalent() {
     let embedded = open("a.gltf", builder.embedded()).scene;
     let binary = open("a.glb", builder.binary()).scene;
     let files = Files::new()
-        .with("sub/a.gltf", builder.with_uri("../my%20data.bin"))
-        .with("my data.bin", &builder.bytes);
+        .with("a.gltf", builder.with_uri("sub/my%20data.bin"))
+        .with("sub/my data.bin", &builder.bytes);
     assert_eq!(embedded, binary);
-    assert_eq!(embedded, files.open("sub/a.gltf").scene);
+    assert_eq!(embedded, files.open("a.gltf").scene);
     assert_eq!(embedded.up, Up::Y);
     assert_eq!(embedded.instances[0].path, "/it");
     assert_eq!(embedded.meshes[0].triangles, [[0, 1, 2], [0, 2, 3]]);
+}
+
+#[test]
+fn files_outside_the_folder_are_refused() {
+    let builder = Builder::simple();
+    let files = Files::new().with("data.bin", &builder.bytes);
+    let absolute = files.path("data.bin").display().to_string();
+    let trusting = ImportOptions {
+        allow_outside: true,
+        ..ImportOptions::default()
+    };
+    for uri in ["../data.bin", &absolute, "inner/../../data.bin"] {
+        let files = Files::new()
+            .with("data.bin", &builder.bytes)
+            .with("sub/inner/x", "")
+            .with("sub/a.gltf", builder.with_uri(uri));
+        let error = files.error("sub/a.gltf");
+        assert!(error.starts_with("sub/a.gltf: buffers[0]: "), "{error}");
+        assert!(error.ends_with(
+            "data.bin: is outside the folder of the glTF file; move it there, or add 'allow-outside' if the scene is trusted"
+        ), "{error}");
+        let trusted = import::open(&files.path("sub/a.gltf"), &trusting).unwrap();
+        assert_eq!(trusted.scene, open("a.gltf", builder.embedded()).scene);
+    }
+    let files = files.with("sub/a.gltf", builder.with_uri("link.bin"));
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("../data.bin", files.path("sub/link.bin")).unwrap();
+        assert!(files.error("sub/a.gltf").contains("is outside the folder"));
+    }
 }
 
 #[test]

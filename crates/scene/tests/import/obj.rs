@@ -192,3 +192,22 @@ fn invalid_lines_are_rejected() {
     assert!(error("a.obj", "#usda 1.0\ndef Xform {}\n").contains("is not an OBJ file"));
     assert!(error("a.obj", "v 0 0 0\n").contains("contains no triangles"));
 }
+
+/// Takes a minute if the search for a material is linear.
+#[test]
+fn each_of_many_materials_keeps_its_faces() {
+    const MATERIALS: u32 = 200_000;
+    let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    for material in (0..MATERIALS).chain(0..MATERIALS) {
+        text += &format!("usemtl {material}\nf 1 2 3\n");
+    }
+    let scene = open("a.obj", &text).scene;
+    assert_eq!(scene.materials.len(), MATERIALS as usize);
+    let mesh = &scene.meshes[0];
+    assert_eq!(mesh.triangles.len(), 2 * MATERIALS as usize);
+    let mut faces = vec![0; MATERIALS as usize];
+    for triangle in 0..2 * MATERIALS {
+        faces[mesh.material(triangle).unwrap() as usize] += 1;
+    }
+    assert!(faces.iter().all(|faces| *faces == 2));
+}

@@ -23,7 +23,7 @@ use std::path::Path;
 use oaktwin_catalog::{Catalog, Twin};
 use oaktwin_diagnostic::{Finding, Level};
 
-use crate::stage::{Stage, StageError, open};
+use crate::stage::{SceneLimit, Stage, StageError, open};
 
 pub use report::{CameraReport, DepthReport, LensReport, Report, View};
 pub use rule::Rule;
@@ -85,6 +85,8 @@ pub struct CheckOptions<'a> {
     pub catalog: &'a Catalog,
     /// The model that every camera of the file is checked against; recognised if `None`.
     pub model: Option<&'a Twin>,
+    /// The factor on the limits of what the stage may compose.
+    pub limit: SceneLimit,
 }
 
 impl Default for CheckOptions<'static> {
@@ -92,6 +94,7 @@ impl Default for CheckOptions<'static> {
         Self {
             catalog: Catalog::builtin(),
             model: None,
+            limit: SceneLimit::default(),
         }
     }
 }
@@ -101,7 +104,7 @@ impl Default for CheckOptions<'static> {
 /// # Errors
 /// Returns an error if the file cannot be read as USD, as [`open`] does. Problems in its content are findings.
 pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Report, StageError> {
-    Ok(check_stage(&open(path)?, options))
+    Ok(check_stage(&open(path, options.limit)?, options))
 }
 
 /// Checks an open stage.

@@ -1,5 +1,7 @@
 use std::fmt;
 
+use oaktwin_diagnostic::Message;
+
 /// The reason why a file could not be opened as a stage, on one line: `FILE: PLACE: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct StageError {
@@ -10,7 +12,7 @@ pub struct StageError {
     /// The problem.
     pub what: String,
     /// The remedy.
-    pub remedy: String,
+    pub remedy: Message,
 }
 
 impl StageError {
@@ -18,7 +20,7 @@ impl StageError {
         file: &str,
         place: impl Into<String>,
         what: impl Into<String>,
-        remedy: impl Into<String>,
+        remedy: impl Into<Message>,
     ) -> Self {
         Self {
             file: file.to_owned(),

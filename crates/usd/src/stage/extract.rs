@@ -1,20 +1,25 @@
 //! Extracts plain values from the USD library's stage.
 
+use std::rc::Rc;
+
 use oaktwin_diagnostic::Finding;
 use oaktwin_scene::Up;
-use openusd::usd::{self, PrimPredicate};
+use openusd::sdf::Specifier;
+use openusd::usd;
 
+use super::budget::Budget;
 use super::error::one_line;
 use super::inspect::Inspected;
 use super::locate::failing_line;
+use super::packages::Packages;
 use super::plain::{api_schemas, plain_prim, plain_target, plain_value};
 use super::reader::{Outcome, Reader, Record};
 use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
-use super::walk::{VisitedPrim, Visitor, Walk};
+use super::walk::{VisitedPrim, Visitor, Walk, Which};
 use super::{
-    Prim, RenderProduct, SceneCamera, SceneOptions, Stage, StageError, StageMetadata, StageScene, Value,
-    composition,
+    Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata, StageScene,
+    Value, composition,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
@@ -24,20 +29,25 @@ const SENSOR_NAMESPACES: [&str; 3] = [PRODUCT_NAMESPACE, CAMERA_NAMESPACE, "omni
 const FALLBACK_METERS_PER_UNIT: f64 = 0.01;
 
 /// Opens and composes `path` and extracts cameras and sensors.
-pub(super) fn stage(file: &str, path: &str, layer: Inspected) -> Result<Stage, StageError> {
-    let stage = open(file, path, &layer)?;
-    let reader = Reader::new(stage, None);
+pub(super) fn stage(
+    file: &str,
+    path: &str,
+    layer: Inspected,
+    limit: SceneLimit,
+) -> Result<Stage, StageError> {
+    let layer = Rc::new(layer);
+    let reader = open(file, path, &layer, limit, None)?;
     let metadata = metadata(&reader.stage);
     let mut extraction = Extraction::new(meters_per_unit(&metadata).0, None);
     extraction
         .run(&reader)
         .map_err(|error| failed(file, &layer, &error))?;
     let overridden_cameras = if extraction.cameras.is_empty() {
-        overridden_cameras(&reader.stage)
+        overridden_cameras(&reader).map_err(|error| failed(file, &layer, &error))?
     } else {
         Vec::new()
     };
-    let mut findings = layer.findings;
+    let mut findings = layer.findings.clone();
     findings.append(&mut composition::findings(&reader.stage));
     Ok(Stage {
         file: file.to_owned(),
@@ -57,8 +67,8 @@ pub(super) fn scene(
     layer: Inspected,
     options: SceneOptions,
 ) -> Result<StageScene, StageError> {
-    let stage = open(file, path, &layer)?;
-    let reader = Reader::new(stage, options.time);
+    let layer = Rc::new(layer);
+    let reader = open(file, path, &layer, options.limit, options.time)?;
     let metadata = metadata(&reader.stage);
     let (meters_per_unit, invalid_unit) = meters_per_unit(&metadata);
     let up = match metadata.up_axis.as_deref() {
@@ -70,7 +80,7 @@ pub(super) fn scene(
     extraction
         .run(&reader)
         .map_err(|error| failed(file, &layer, &error))?;
-    let mut findings = layer.findings;
+    let mut findings = layer.findings.clone();
     findings.extend(invalid_unit);
     findings.append(&mut composition::findings(&reader.stage));
     findings.append(&mut extraction.findings.into_list());
@@ -91,11 +101,21 @@ pub(super) fn scene(
     })
 }
 
-fn open(file: &str, path: &str, layer: &Inspected) -> Result<usd::Stage, StageError> {
-    usd::Stage::builder()
-        .resolver(InspectingResolver::new(path, layer.bytes.clone()))
+fn open(
+    file: &str,
+    path: &str,
+    layer: &Rc<Inspected>,
+    limit: SceneLimit,
+    time: Option<f64>,
+) -> Result<Reader, StageError> {
+    let budget = Rc::new(Budget::new(limit));
+    let packages = Rc::new(Packages::default());
+    let resolver = InspectingResolver::new(path, layer, budget.clone(), packages.clone());
+    let stage = usd::Stage::builder()
+        .resolver(resolver)
         .open(path)
-        .map_err(|error| failed(file, layer, &error))
+        .map_err(|error| failed(file, layer, &error))?;
+    Ok(Reader::new(stage, time, budget, packages))
 }
 
 fn failed(file: &str, layer: &Inspected, error: &dyn std::fmt::Display) -> StageError {
@@ -154,7 +174,7 @@ impl Extraction {
     }
 
     fn run(&mut self, reader: &Reader) -> Outcome<()> {
-        Walk::new(reader).stage(self, &Context::default())
+        Walk::new(reader).stage(self, &Context::default(), Which::Defined)
     }
 
     fn camera(&mut self, reader: &Reader, path: &str, context: &Context) {
@@ -260,22 +280,33 @@ fn concerns_sensors(reader: &Reader, prim: &Record) -> bool {
             .any(schema)
 }
 
-/// Returns the overrides of cameras without a definition, which OpenUSD's traversal skips.
-fn overridden_cameras(stage: &usd::Stage) -> Vec<String> {
-    let mut all = Vec::new();
-    if stage
-        .traverse(PrimPredicate::ALL, |path| all.push(path.clone()))
-        .is_err()
-    {
-        return Vec::new();
+/// Returns the overrides of cameras without a definition, which the traversal of defined prims skips.
+fn overridden_cameras(reader: &Reader) -> Outcome<Vec<String>> {
+    let mut overrides = Overrides::default();
+    Walk::new(reader).stage(&mut overrides, &true, Which::Active)?;
+    Ok(overrides.cameras)
+}
+
+#[derive(Default)]
+struct Overrides {
+    cameras: Vec<String>,
+}
+
+impl Visitor for Overrides {
+    /// Whether all ancestors are defined.
+    type Context = bool;
+
+    fn prim(
+        &mut self,
+        _: &Walk<'_>,
+        prim: &VisitedPrim,
+        path: &str,
+        defined: &bool,
+    ) -> Outcome<Option<bool>> {
+        let defined = *defined && prim.specifier != Specifier::Over;
+        if !defined && (prim.has("focalLength") || prim.has("horizontalAperture")) {
+            self.cameras.push(path.to_owned());
+        }
+        Ok(Some(defined))
     }
-    all.into_iter()
-        .filter(|path| {
-            let prim = stage.prim(path.clone());
-            let optical = |name: &str| matches!(name, "focalLength" | "horizontalAperture");
-            let names = prim.property_names().unwrap_or_default();
-            !prim.is_defined().unwrap_or(true) && names.iter().any(|name| optical(name.as_str()))
-        })
-        .map(|path| path.to_string())
-        .collect()
 }

@@ -11,11 +11,11 @@ thread_local! {
     static CONTAINED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work` on a separate thread and returns the message of a panic as an error.
+/// Runs `work` on a separate thread and returns the payload of a panic as an error.
 ///
 /// The panic is not printed: the current panic hook is wrapped, once per process, by one that ignores panics on threads
 /// created here. Panics on other threads reach the previous hook.
-pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, String> {
+pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Box<dyn Any + Send>> {
     static WRAP_HOOK: Once = Once::new();
     if !thread::panicking() {
         WRAP_HOOK.call_once(|| {
@@ -35,13 +35,13 @@ pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, S
                 CONTAINED.with(|flag| flag.set(true));
                 work()
             })
-            .map_err(|error| format!("cannot start a thread: {error}"))?
+            .map_err(|error| -> Box<dyn Any + Send> { Box::new(format!("cannot start a thread: {error}")) })?
             .join()
-            .map_err(|payload| message(payload.as_ref()))
     })
 }
 
-fn message(payload: &(dyn Any + Send)) -> String {
+/// Returns the message of a panic.
+pub(super) fn message(payload: &(dyn Any + Send)) -> String {
     payload
         .downcast_ref::<&str>()
         .map(|text| (*text).to_owned())
@@ -55,10 +55,11 @@ mod tests {
 
     #[test]
     fn returns_the_panic_message() {
-        assert_eq!(contained(|| 7), Ok(7));
+        assert_eq!(contained(|| 7).unwrap(), 7);
         let index = [1, 2, 3].len();
+        let payload = contained(|| [1, 2, 3][index]).unwrap_err();
         assert_eq!(
-            contained(|| [1, 2, 3][index]).unwrap_err(),
+            message(payload.as_ref()),
             "index out of bounds: the len is 3 but the index is 3"
         );
     }

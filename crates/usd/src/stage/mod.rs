@@ -5,18 +5,23 @@
 //! its own with a large stack, and a panic becomes a [`StageError`] that names the file.
 
 mod binding;
+mod budget;
+mod closure;
 mod composition;
 mod error;
 mod extract;
 mod guard;
 mod inspect;
+mod limit;
 mod locate;
 mod own;
+mod packages;
 mod plain;
 mod prim;
 mod reader;
 mod resolver;
 mod scene;
+mod stacks;
 mod transform;
 mod value;
 mod walk;
@@ -27,6 +32,7 @@ use oaktwin_diagnostic::Finding;
 use serde::Serialize;
 
 pub use error::StageError;
+pub use limit::SceneLimit;
 pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
 pub use scene::{SceneOptions, StageScene};
 
@@ -68,10 +74,12 @@ pub struct StageMetadata {
 ///
 /// # Errors
 /// Returns an error if the file is missing, not a regular file, empty, larger than [`MAX_LAYER_BYTES`], of another
-/// format than its extension, damaged, or not supported by the USD library. Unresolved references and payloads are
+/// format than its extension, damaged, not supported by the USD library, or composes more than `limit`. Unresolved references and payloads are
 /// reported in [`Stage::findings`].
-pub fn open(path: impl AsRef<Path>) -> Result<Stage, StageError> {
-    contained(path.as_ref(), extract::stage)
+pub fn open(path: impl AsRef<Path>, limit: SceneLimit) -> Result<Stage, StageError> {
+    contained(path.as_ref(), |name, utf8, layer| {
+        extract::stage(name, utf8, layer, limit)
+    })
 }
 
 /// Opens a `.usd`, `.usda`, `.usdc` or `.usdz` file and builds a scene of all active, defined and visible prims with the
@@ -105,12 +113,15 @@ fn contained<T: Send>(
             .map_err(|problem| StageError::new(&name, problem.place, problem.what, problem.remedy))?;
         read(&name, utf8, layer)
     };
-    guard::contained(read).unwrap_or_else(|panic| {
-        Err(StageError::new(
-            &name,
-            "",
-            format!("the USD reader failed on damaged content ({panic})"),
-            "rewrite the file with OpenUSD (`usdcat --out`), or use an undamaged copy",
-        ))
+    guard::contained(read).unwrap_or_else(|payload| {
+        Err(budget::exceeded(&name, payload.as_ref()).unwrap_or_else(|| {
+            let panic = guard::message(payload.as_ref());
+            StageError::new(
+                &name,
+                "",
+                format!("the USD reader failed on damaged content ({panic})"),
+                "rewrite the file with OpenUSD (`usdcat --out`), or use an undamaged copy",
+            )
+        }))
     })
 }

@@ -1,7 +1,11 @@
+use std::rc::Rc;
+
 use openusd::sdf::{self, Path, Value};
 use openusd::tf::Token;
 use openusd::usd;
 
+use super::budget::Budget;
+use super::packages::Packages;
 use super::value::number;
 
 /// An error of the USD library.
@@ -14,6 +18,8 @@ pub(super) struct Reader {
     pub(super) stage: usd::Stage,
     /// The time code of values; `None` for default values.
     time: Option<f64>,
+    budget: Rc<Budget>,
+    packages: Rc<Packages>,
 }
 
 /// The data of a prim that the traversal needs.
@@ -58,8 +64,28 @@ pub(super) fn child_path(parent: &Path, name: &str) -> Option<Path> {
 }
 
 impl Reader {
-    pub(super) fn new(stage: usd::Stage, time: Option<f64>) -> Self {
-        Self { stage, time }
+    pub(super) fn new(
+        stage: usd::Stage,
+        time: Option<f64>,
+        budget: Rc<Budget>,
+        packages: Rc<Packages>,
+    ) -> Self {
+        Self {
+            stage,
+            time,
+            budget,
+            packages,
+        }
+    }
+
+    /// Returns the packages of the stage's files.
+    pub(super) fn packages(&self) -> &Packages {
+        &self.packages
+    }
+
+    /// Returns the counts of the stage.
+    pub(super) fn budget(&self) -> &Budget {
+        &self.budget
     }
 
     /// Returns the root prims.
@@ -84,6 +110,23 @@ impl Reader {
 
     /// Composes the prim at `path`.
     pub(super) fn record(&self, path: Path) -> Outcome<Record> {
+        self.budget.start(path.as_str());
+        let before = self.stage.indexed_count();
+        let record = self.composed(path)?;
+        let composed = self.stage.indexed_count().saturating_sub(before);
+        if composed > 0 {
+            let sites = self
+                .stage
+                .prim_index(record.path.clone())
+                .graph()?
+                .all_nodes()
+                .count();
+            self.budget.composed(composed, sites);
+        }
+        Ok(record)
+    }
+
+    fn composed(&self, path: Path) -> Outcome<Record> {
         let prim = self.stage.prim(path);
         let path = prim.path().clone();
         let active = !matches!(self.field(&path, "active"), Some(Value::Bool(false)));

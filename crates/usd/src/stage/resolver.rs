@@ -1,13 +1,16 @@
 use std::cell::RefCell;
 use std::collections::HashSet;
-use std::fs;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use std::sync::Arc;
 
+use oaktwin_files as files;
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
-use super::inspect;
+use super::budget::Budget;
+use super::inspect::{self, Content, Inspected, Outline, unreadable};
+use super::packages::Packages;
 use crate::materialx;
 
 /// The suffix added to the name of a `MaterialX` document so that the library, which selects readers by name and has
@@ -40,10 +43,12 @@ fn materialx_document(path: &str) -> Option<String> {
 /// OpenUSD's default resolver, with validation of every file before the library reads it.
 pub(super) struct InspectingResolver {
     inner: DefaultResolver,
-    /// The packages found to be valid: the library opens a package once for each of its files.
-    packages: RefCell<HashSet<String>>,
-    /// The layer validated last, initially the stage's own: the library opens a layer several times in a row, to detect
-    /// its format and to read it.
+    budget: Rc<Budget>,
+    packages: Rc<Packages>,
+    /// The layers found to be valid, and counted.
+    valid: RefCell<HashSet<String>>,
+    /// The layer read last, initially the stage's own: the library opens a layer several times in a row, to detect its
+    /// format and to read it.
     last: RefCell<(PathBuf, Arc<Vec<u8>>)>,
 }
 
@@ -83,40 +88,42 @@ impl Asset for Shared {
 }
 
 impl InspectingResolver {
-    /// Creates the resolver of the stage in the file `root` with content `bytes`.
-    pub(super) fn new(root: &str, bytes: Arc<Vec<u8>>) -> Self {
-        let root = PathBuf::from(root);
-        Self {
-            last: RefCell::new((root.canonicalize().unwrap_or(root), bytes)),
+    /// Creates the resolver of the stage in the file `root`.
+    pub(super) fn new(root: &str, file: &Rc<Inspected>, budget: Rc<Budget>, packages: Rc<Packages>) -> Self {
+        let path = PathBuf::from(root);
+        let path = path.canonicalize().unwrap_or(path);
+        let name = path.to_string_lossy().into_owned();
+        let resolver = Self {
             inner: DefaultResolver::new(),
-            packages: RefCell::default(),
+            budget,
+            packages,
+            valid: RefCell::default(),
+            last: RefCell::new((path, file.bytes.clone())),
+        };
+        match &file.content {
+            Content::Layer(outline) => resolver.count(&name, outline, file.bytes.len()),
+            Content::Package(_) => resolver.packages.keep(name, file.clone()),
+        }
+        resolver
+    }
+
+    fn count(&self, layer: &str, outline: &Outline, bytes: usize) {
+        if self.valid.borrow_mut().insert(layer.to_owned()) {
+            let anchor = ResolvedPath::new(layer);
+            let sublayers = outline.sublayers.iter().filter_map(|path| {
+                let resolved = self.resolve(&self.inner.create_identifier(path, Some(&anchor)))?;
+                Some(resolved.to_string_lossy().into_owned())
+            });
+            self.budget.layer(layer, sublayers.collect(), outline, bytes);
         }
     }
-}
 
-impl InspectingResolver {
     /// Opens a `MaterialX` document as the text of a layer.
     fn materialx(&self, path: &str) -> Result<Box<dyn Asset>, inspect::Problem> {
-        let unreadable = |what: &dyn std::fmt::Display| inspect::Problem {
-            place: String::new(),
-            what: format!("cannot be read: {what}"),
-            remedy: String::new(),
-        };
         let bytes = match ar::split_package_relative_path_outer(path) {
-            Some((package, entry)) => {
-                let package = inspect::file(Path::new(&package))?;
-                let bytes =
-                    inspect::packaged(&package.bytes, &entry).ok_or_else(|| unreadable(&"no such entry"))?;
-                bytes.to_vec()
-            }
-            None => {
-                let mut bytes = Vec::new();
-                let file = fs::File::open(path).map_err(|error| unreadable(&error))?;
-                file.take(MAX_DOCUMENT_BYTES)
-                    .read_to_end(&mut bytes)
-                    .map_err(|error| unreadable(&error))?;
-                bytes
-            }
+            Some((package, entry)) => self.packages.entry(&package, &entry)?,
+            None => files::read_regular(Path::new(path), MAX_DOCUMENT_BYTES)
+                .map_err(|error| unreadable(&error))?,
         };
         let layer = materialx::to_layer(&bytes).map_err(|error| unreadable(&error))?;
         Ok(Box::new(Cursor::new(layer.text().into_bytes())))
@@ -125,22 +132,36 @@ impl InspectingResolver {
 
 impl Resolver for InspectingResolver {
     fn create_identifier(&self, asset_path: &str, anchor: Option<&ResolvedPath>) -> String {
+        self.budget.arc(anchor.map(|anchor| &**anchor));
         self.inner.create_identifier(asset_path, anchor)
     }
 
     fn resolve(&self, asset_path: &str) -> Option<ResolvedPath> {
-        // Resolving a path into a package opens the package.
-        if let Some((package, _)) = ar::split_package_relative_path_outer(asset_path)
-            && !self.packages.borrow().contains(&package)
-        {
-            inspect::file(Path::new(&package)).ok()?;
-            self.packages.borrow_mut().insert(package);
+        let resolved = match ar::split_package_relative_path_outer(asset_path) {
+            Some((package, entry)) => {
+                let package = self.inner.resolve(&package)?;
+                let package = package.to_string_lossy();
+                let known = self.packages.open(&package).ok()?;
+                known.directory().filter(|directory| directory.contains(&entry))?;
+                ResolvedPath::new(ar::join_package_relative_path(&package, &entry))
+            }
+            None => self.inner.resolve(asset_path)?,
+        };
+        let name = resolved.to_string_lossy();
+        if let Some(named) = as_text_layer(&name) {
+            return Some(ResolvedPath::new(named));
         }
-        let resolved = self.inner.resolve(asset_path)?;
-        Some(match as_text_layer(&resolved.to_string_lossy()) {
-            Some(named) => ResolvedPath::new(named),
-            None => resolved,
-        })
+        // The library would read the whole package again to find its root layer.
+        if name.to_ascii_lowercase().ends_with(".usdz")
+            && let Ok(package) = self.packages.open(&name)
+            && let Some(directory) = package.directory()
+        {
+            return Some(ResolvedPath::new(ar::join_package_relative_path(
+                &name,
+                &directory.root,
+            )));
+        }
+        Some(resolved)
     }
 
     fn resolve_for_new_asset(&self, asset_path: &str) -> Option<ResolvedPath> {
@@ -154,16 +175,21 @@ impl Resolver for InspectingResolver {
         if let Some(document) = materialx_document(&text) {
             return self.materialx(&document).map_err(invalid_data);
         }
-        if let Some((package, inner)) = ar::split_package_relative_path_outer(&text) {
-            inspect::file(Path::new(&package)).map_err(invalid_data)?;
-            let bytes = self.inner.open_asset(resolved)?.read_all()?;
-            inspect::layer(&inner, &bytes).map_err(invalid_data)?;
+        if let Some((package, entry)) = ar::split_package_relative_path_outer(&text) {
+            let bytes: Vec<u8> = self.packages.entry(&package, &entry).map_err(invalid_data)?;
+            if !self.valid.borrow().contains(&text) {
+                let outline = inspect::layer(&entry, &bytes).map_err(invalid_data)?;
+                self.count(&text, &outline, bytes.len());
+            }
             return Ok(Box::new(Cursor::new(bytes)));
         }
         let path: &Path = resolved;
         if self.last.borrow().0 != path {
-            let bytes = inspect::file(path).map_err(invalid_data)?.bytes;
-            self.last.replace((path.to_owned(), bytes));
+            let file = inspect::file(path).map_err(invalid_data)?;
+            if let Content::Layer(outline) = &file.content {
+                self.count(&text, outline, file.bytes.len());
+            }
+            self.last.replace((path.to_owned(), file.bytes));
         }
         let bytes = self.last.borrow().1.clone();
         Ok(Box::new(Shared { bytes, at: 0 }))

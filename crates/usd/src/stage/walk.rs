@@ -66,8 +66,10 @@ pub(super) struct Walk<'a> {
 pub(super) enum Which {
     /// Defined prims, except classes.
     Defined,
-    /// All active prims: a point instancer's prototypes may be classes and overrides.
+    /// All active prims.
     Active,
+    /// The prims of a point instancer's prototype, which may be classes and overrides. They are read once.
+    Prototype,
 }
 
 impl<'a> Walk<'a> {
@@ -92,10 +94,15 @@ impl<'a> Walk<'a> {
     }
 
     /// Visits the whole stage.
-    pub(super) fn stage<V: Visitor>(&self, visitor: &mut V, context: &V::Context) -> Outcome<()> {
+    pub(super) fn stage<V: Visitor>(
+        &self,
+        visitor: &mut V,
+        context: &V::Context,
+        which: Which,
+    ) -> Outcome<()> {
         for path in self.reader.roots()? {
             let name = path.as_str().to_owned();
-            self.from(visitor, &path, &name, context, Which::Defined)?;
+            self.from(visitor, &path, &name, context, which)?;
         }
         Ok(())
     }
@@ -109,7 +116,7 @@ impl<'a> Walk<'a> {
         context: &V::Context,
         which: Which,
     ) -> Outcome<()> {
-        let shared = which == Which::Active || is_in_prototype(composed);
+        let shared = which == Which::Prototype || is_in_prototype(composed);
         self.below(visitor, composed, path, context, which, shared, 0)
     }
 
@@ -127,10 +134,11 @@ impl<'a> Walk<'a> {
         if depth >= MAX_DEPTH {
             return Err(format!("<{path}>: prims nest more than {MAX_DEPTH} deep").into());
         }
+        self.reader.budget().visit(path);
         let record = self.record(composed, shared)?;
         let wanted = match which {
             Which::Defined => record.specifier == Specifier::Def,
-            Which::Active => true,
+            Which::Active | Which::Prototype => true,
         };
         if !record.active || !wanted {
             return Ok(());

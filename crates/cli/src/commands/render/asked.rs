@@ -122,8 +122,10 @@ pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
     Ok(OpenOptions {
         time: args.time,
         subdivide: args.subdivide,
+        limit: args.scene_limit,
         up: args.up,
         scale: args.scale,
+        allow_outside: args.allow_outside,
     })
 }
 

@@ -1,19 +1,20 @@
 use std::cell::Cell;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use ::gltf::json::{Root, deserialize};
+use oaktwin_files as files;
 use serde_json::Value;
 
-use super::uri::{self, Target};
+use super::uri::{self, Folder, Target};
 use super::{compressed, glb, json};
+use crate::import::MAX_BYTES;
 use crate::import::error::Fault;
 
 /// A glTF file with its buffers.
 pub(super) struct Document {
     pub(super) root: Root,
     buffers: Vec<Vec<u8>>,
-    pub(super) folder: PathBuf,
+    pub(super) folder: Folder,
     /// The number of values that may still be read.
     allowance: Cell<u64>,
 }
@@ -22,7 +23,7 @@ pub(super) struct Document {
 const MAX_READS_PER_BYTE: u64 = 256;
 
 impl Document {
-    pub(super) fn open(mut bytes: Vec<u8>, path: &Path) -> Result<Self, Fault> {
+    pub(super) fn open(mut bytes: Vec<u8>, path: &Path, folder: Folder) -> Result<Self, Fault> {
         let size = bytes.len() as u64;
         let (mut root, binary) = if bytes.starts_with(glb::MAGIC) {
             let (json, binary) = glb::chunks(&bytes)?;
@@ -46,7 +47,6 @@ impl Document {
             }
             (json::parse(&bytes)?, None)
         };
-        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let mut buffers = load_buffers(&root, &folder, binary)?;
         compressed::decode(&mut root, &mut buffers)?;
         let all: u64 = buffers.iter().map(|buffer| buffer.len() as u64).sum();
@@ -87,7 +87,7 @@ impl Document {
     }
 }
 
-fn load_buffers(root: &Value, folder: &Path, mut binary: Option<Vec<u8>>) -> Result<Vec<Vec<u8>>, Fault> {
+fn load_buffers(root: &Value, folder: &Folder, mut binary: Option<Vec<u8>>) -> Result<Vec<Vec<u8>>, Fault> {
     let list = root.get("buffers").and_then(Value::as_array);
     let mut buffers = Vec::new();
     for (i, buffer) in list.into_iter().flatten().enumerate() {
@@ -97,9 +97,13 @@ fn load_buffers(root: &Value, folder: &Path, mut binary: Option<Vec<u8>>) -> Res
             continue;
         }
         let bytes = match buffer.get("uri").and_then(Value::as_str) {
-            Some(uri) => match uri::resolve(uri, folder) {
+            Some(uri) => match folder.resolve(uri) {
                 Target::Data(bytes) => bytes,
                 Target::File(file) => read_file(&file, &place)?,
+                Target::Outside(file) => {
+                    let is = format!("{}: is outside the folder of the glTF file", file.display());
+                    return Err(Fault::new(place, is, uri::inside()));
+                }
                 Target::Unsupported(why) => {
                     return Err(Fault::new(place, why, "export it together with its buffers"));
                 }
@@ -120,14 +124,8 @@ fn load_buffers(root: &Value, folder: &Path, mut binary: Option<Vec<u8>>) -> Res
 }
 
 fn read_file(file: &Path, place: &str) -> Result<Vec<u8>, Fault> {
-    let remedy = "put it beside the glTF file";
-    let fault = |error: std::io::Error| Fault::new(place, format!("{}: {error}", file.display()), remedy);
-    if !fs::metadata(file).map_err(fault)?.is_file() {
-        return Err(Fault::new(
-            place,
-            format!("{}: not a regular file", file.display()),
-            remedy,
-        ));
-    }
-    fs::read(file).map_err(fault)
+    files::read_regular(file, MAX_BYTES).map_err(|error| {
+        let message = format!("{}: {error}", file.display());
+        Fault::new(place, message, "put it beside the glTF file")
+    })
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use ::gltf::json;
 use json::texture::WrappingMode;
 use json::validation::Checked;
+use oaktwin_diagnostic::{Message, message};
 
 use super::document::Document;
 use super::uri::{self, Target};
@@ -118,7 +119,7 @@ fn read_texture(
     Some((used, set))
 }
 
-fn source(document: &Document, image: usize) -> Result<TextureSource, String> {
+fn source(document: &Document, image: usize) -> Result<TextureSource, Message> {
     let Some(entry) = document.root.images.get(image) else {
         return Err("the image does not exist in the file".into());
     };
@@ -128,12 +129,19 @@ fn source(document: &Document, image: usize) -> Result<TextureSource, String> {
         bytes: Arc::from(bytes),
     };
     match (&entry.uri, entry.buffer_view) {
-        (_, Some(view)) => document.view(view.value()).map(|(bytes, _)| encoded(bytes)),
-        (Some(uri), None) => match uri::resolve(uri, &document.folder) {
+        (_, Some(view)) => Ok(encoded(document.view(view.value())?.0)),
+        (Some(uri), None) => match document.folder.resolve(uri) {
             Target::Data(bytes) => Ok(encoded(&bytes)),
             Target::File(file) if file.is_file() => Ok(TextureSource::File(file)),
-            Target::File(file) => Err(format!("{}: the image does not exist", file.display())),
-            Target::Unsupported(why) => Err(format!("the image has {why}")),
+            Target::File(file) => Err(format!("{}: the image does not exist", file.display()).into()),
+            Target::Outside(file) => Err(message![
+                format!(
+                    "{}: the image is outside the folder of the glTF file; ",
+                    file.display()
+                ),
+                uri::inside()
+            ]),
+            Target::Unsupported(why) => Err(format!("the image has {why}").into()),
         },
         (None, None) => Err("the image has no data".into()),
     }

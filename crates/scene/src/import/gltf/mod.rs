@@ -19,6 +19,7 @@ mod uri;
 use std::path::Path;
 
 use self::document::Document;
+use self::uri::Folder;
 use super::builder::Builder;
 use super::error::Fault;
 
@@ -35,8 +36,14 @@ const KNOWN_EXTENSIONS: [&str; 9] = [
     "KHR_texture_transform",
 ];
 
-pub(super) fn read(bytes: Vec<u8>, path: &Path, builder: &mut Builder) -> Result<(), Fault> {
-    let document = Document::open(bytes, path)?;
+pub(super) fn read(
+    bytes: Vec<u8>,
+    path: &Path,
+    allow_outside: bool,
+    builder: &mut Builder,
+) -> Result<(), Fault> {
+    let folder = Folder::of(path, allow_outside);
+    let document = Document::open(bytes, path, folder)?;
     for extension in &document.root.extensions_required {
         let extension = extension.as_str();
         if !KNOWN_EXTENSIONS.contains(&extension) && !compressed::EXTENSIONS.contains(&extension) {

@@ -1,5 +1,8 @@
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use oaktwin_diagnostic::{Message, message, opt};
+use oaktwin_files as files;
 
 /// The target of a URI.
 pub(super) enum Target<'a> {
@@ -7,11 +10,52 @@ pub(super) enum Target<'a> {
     Data(Vec<u8>),
     /// A file, relative to the file that refers to it.
     File(PathBuf),
+    /// A file outside the folder, which is not opened.
+    Outside(PathBuf),
     /// An unsupported URI, with the reason.
     Unsupported(&'a str),
 }
 
-pub(super) fn resolve<'a>(uri: &'a str, folder: &std::path::Path) -> Target<'a> {
+/// The folder of a glTF file, in which the files that it names are found.
+pub(super) struct Folder {
+    path: PathBuf,
+    /// Whether files elsewhere may be named.
+    allow_outside: bool,
+}
+
+impl Folder {
+    /// The folder of a file.
+    pub(super) fn of(file: &Path, allow_outside: bool) -> Self {
+        Self {
+            path: file.parent().unwrap_or(Path::new("")).to_owned(),
+            allow_outside,
+        }
+    }
+
+    /// Returns the target of a URI. A file that does not exist is reported by whoever reads it.
+    pub(super) fn resolve<'a>(&self, uri: &'a str) -> Target<'a> {
+        let target = resolve(uri, &self.path);
+        match target {
+            Target::File(file)
+                if !self.allow_outside && file.exists() && !files::is_below(&file, &self.path) =>
+            {
+                Target::Outside(file)
+            }
+            target => target,
+        }
+    }
+}
+
+/// The remedy for a file outside the folder.
+pub(super) fn inside() -> Message {
+    message![
+        "move it there, or add ",
+        opt("allow-outside"),
+        " if the scene is trusted"
+    ]
+}
+
+fn resolve<'a>(uri: &'a str, folder: &Path) -> Target<'a> {
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((kind, content)) = data.split_once(',') else {
             return Target::Unsupported("a data URI without content");
@@ -101,7 +145,6 @@ fn base64(text: &[u8]) -> Option<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
 
     fn data(uri: &str) -> Option<Vec<u8>> {
         match resolve(uri, Path::new("")) {

@@ -1,8 +1,10 @@
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
+use oaktwin_files as files;
+
 use super::rest;
+use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
 use crate::import::text;
 use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
@@ -38,7 +40,7 @@ impl Library {
                 );
                 continue;
             }
-            match fs::read(&file) {
+            match files::read_regular(&file, MAX_BYTES) {
                 Ok(bytes) => self.read(&bytes, &file, builder),
                 Err(error) => builder.warn(
                     "obj-material-library",

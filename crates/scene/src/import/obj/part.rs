@@ -1,3 +1,5 @@
+use std::collections::HashMap;
+
 use crate::polygon::{FaceMaterial, Interpolation, PolygonMesh, Primvar};
 
 /// The values that the faces of a file refer to.
@@ -156,19 +158,21 @@ fn picked<T: Copy>(
 fn face_materials(runs: &[(usize, Option<u32>)], faces: usize) -> (Option<u32>, Vec<FaceMaterial>) {
     let first = runs.first().and_then(|run| run.1);
     let mut others: Vec<FaceMaterial> = Vec::new();
+    let mut other_of_material: HashMap<u32, usize> = HashMap::new();
     for (i, &(start, material)) in runs.iter().enumerate() {
         let end = runs.get(i + 1).map_or(faces, |next| next.0);
         let (Some(material), true) = (material, material != first) else {
             continue;
         };
-        let run = (start..end).filter_map(|face| i32::try_from(face).ok());
-        match others.iter_mut().find(|other| other.material == material) {
-            Some(other) => other.faces.extend(run),
-            None => others.push(FaceMaterial {
-                faces: run.collect(),
+        let other = *other_of_material.entry(material).or_insert_with(|| {
+            others.push(FaceMaterial {
+                faces: Vec::new(),
                 material,
-            }),
-        }
+            });
+            others.len() - 1
+        });
+        let run = (start..end).filter_map(|face| i32::try_from(face).ok());
+        others[other].faces.extend(run);
     }
     (first, others)
 }

@@ -1,21 +1,24 @@
 use std::io::Cursor as IoCursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use openusd::sdf::SpecType;
 use openusd::usdc::CrateFile;
 
 use super::cursor::{Cursor, INTS_PER_BYTE, LZ4_RATIO};
+use super::outline::{ARC_FIELDS, Arcs, Outline, ROOT_FIELDS};
 use super::values::Values;
 use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
 /// The maximum number of prims, paths or fields, which bounds the allocations of a reader.
 const MAX_ENTRIES: u64 = 1 << 25;
+const CONTRADICT: &str = "contradict each other";
 const WRITE_AGAIN: &str = "rewrite it with OpenUSD: `usdcat --out NEW.usdc OLD.usdc`";
 
 /// Validates a binary layer: compares its table of contents, the sizes of the tables and the length of every value with
-/// the file's size.
+/// the file's size. Returns its outline.
 ///
 /// The library allocates the claimed length before it reads, and a failed allocation aborts the process.
-pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
+pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
     let damaged = |place: &str, what: &str| Problem::new(place, what, USE_ANOTHER_COPY);
     let mut cursor = Cursor::new(bytes, 8);
     let version = (|| Some((cursor.u8()?, cursor.u8()?, cursor.u8()?)))();
@@ -62,7 +65,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
     }
     // Decode the tables with the library's own reader to detect panics early.
     let decoded = catch_unwind(AssertUnwindSafe(|| CrateFile::open(IoCursor::new(bytes))));
-    let file = match decoded {
+    let mut file = match decoded {
         Ok(Ok(file)) => file,
         Ok(Err(error)) => {
             return Err(damaged(
@@ -70,7 +73,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
                 &crate::stage::error::one_line(&format!("{error:#}")),
             ));
         }
-        Err(_) => return Err(damaged("tables", "contradict each other")),
+        Err(_) => return Err(damaged("tables", CONTRADICT)),
     };
     let deep = |path: &str| path.bytes().filter(|byte| *byte == b'/').count() > MAX_DEPTH;
     if let Some(path) = file.paths.iter().find(|path| deep(path.as_str())) {
@@ -91,7 +94,50 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
             ));
         }
     }
-    Ok(())
+    catch_unwind(AssertUnwindSafe(|| outline(&mut file))).map_err(|_| damaged("tables", CONTRADICT))
+}
+
+/// Returns the outline of a layer whose values are valid.
+fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
+    let token = |name: &&'static str| {
+        let index = file.tokens.iter().position(|token| token == name);
+        index.map(|index| (index, *name))
+    };
+    let of_layer: Vec<(usize, &str)> = ROOT_FIELDS.iter().filter_map(token).collect();
+    let of_prims: Vec<(usize, &str)> = ARC_FIELDS.iter().filter_map(token).collect();
+    let mut prims = 0;
+    let (mut in_layer, mut in_prims) = (Vec::new(), Vec::new());
+    for spec in &file.specs {
+        let (wanted, found) = match spec.spec_type {
+            SpecType::PseudoRoot => (&of_layer, &mut in_layer),
+            SpecType::Prim | SpecType::Variant => (&of_prims, &mut in_prims),
+            _ => continue,
+        };
+        prims += u64::from(spec.spec_type == SpecType::Prim);
+        if wanted.is_empty() {
+            continue;
+        }
+        let fields = file.fieldsets[spec.fieldset_index..]
+            .iter()
+            .map_while(|field| *field);
+        for field in fields.filter_map(|field| file.fields.get(field)) {
+            if let Some((_, name)) = wanted.iter().find(|(token, _)| *token == field.token_index) {
+                found.push((spec.path_index, *name, field.value_rep));
+            }
+        }
+    }
+    let mut arcs = Arcs::new(prims);
+    for (_, name, value) in in_layer {
+        if let Ok(value) = file.value(value) {
+            arcs.root(name, &value);
+        }
+    }
+    for (path, name, value) in in_prims {
+        if let Ok(value) = file.value(value) {
+            arcs.add(&file.paths[path], name, &value);
+        }
+    }
+    arcs.outline
 }
 
 /// Whether a table's counts fit its bytes.

@@ -5,27 +5,50 @@
 
 mod binary;
 mod cursor;
+mod outline;
 mod package;
+mod properties;
+mod skeleton;
 mod text;
 mod values;
 
 use std::fmt;
-use std::fs;
 use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync;
 
 use oaktwin_diagnostic::Finding;
+use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;
+pub(super) use outline::{Arc, ArcKind, Clips, Outline};
+pub(super) use package::Directory;
 
 /// A file that the USD library can read safely.
 #[derive(Debug)]
 pub(super) struct Inspected {
     /// The content.
-    pub bytes: Arc<Vec<u8>>,
+    pub bytes: sync::Arc<Vec<u8>>,
+    pub content: Content,
     /// Problems that do not prevent it from being read.
     pub findings: Vec<Finding>,
+}
+
+/// What validation has learned about a file.
+#[derive(Debug)]
+pub(super) enum Content {
+    Layer(Outline),
+    Package(Directory),
+}
+
+impl Inspected {
+    /// Returns the directory of a package.
+    pub(super) fn directory(&self) -> Option<&Directory> {
+        match &self.content {
+            Content::Package(directory) => Some(directory),
+            Content::Layer(_) => None,
+        }
+    }
 }
 
 /// The reason why the USD library cannot read a file safely.
@@ -46,6 +69,11 @@ impl Problem {
     }
 }
 
+/// Returns the problem of a file that cannot be read for the reason `what`.
+pub(super) fn unreadable(what: &dyn fmt::Display) -> Problem {
+    Problem::new("", format!("cannot be read: {what}"), "")
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.place.is_empty() {
@@ -64,31 +92,25 @@ const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
 pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
     let io_problem = |error: &std::io::Error| {
         let remedy = match error.kind() {
+            std::io::ErrorKind::IsADirectory => {
+                return Problem::new("", "is a directory", "give the USD file inside it");
+            }
+            std::io::ErrorKind::Other => return Problem::new("", error.to_string(), NOT_USD),
             std::io::ErrorKind::NotFound => "check the path",
             std::io::ErrorKind::PermissionDenied => "make the file readable",
             _ => "check the file and its disk",
         };
         Problem::new("", format!("cannot be read: {error}"), remedy)
     };
-    let metadata = fs::metadata(path).map_err(|error| io_problem(&error))?;
-    if metadata.is_dir() {
-        return Err(Problem::new("", "is a directory", "give the USD file inside it"));
-    }
-    // A pipe or a device may be endless.
-    if !metadata.is_file() {
-        return Err(Problem::new("", "is not a regular file", NOT_USD));
-    }
-    if metadata.len() > MAX_LAYER_BYTES {
+    let mut opened = files::open_regular(path).map_err(|error| io_problem(&error))?;
+    let length = opened.metadata().map_err(|error| io_problem(&error))?.len();
+    if length > MAX_LAYER_BYTES {
         return Err(Problem::new(
             "",
-            format!(
-                "has {} bytes, more than the maximum of {MAX_LAYER_BYTES}",
-                metadata.len()
-            ),
+            format!("has {length} bytes, more than the maximum of {MAX_LAYER_BYTES}"),
             "split it into layers",
         ));
     }
-    let mut opened = fs::File::open(path).map_err(|error| io_problem(&error))?;
     // The first bytes determine the format, so that large files of other formats are not read.
     let mut bytes = Vec::new();
     opened
@@ -102,21 +124,20 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         .take(MAX_LAYER_BYTES)
         .read_to_end(&mut bytes)
         .map_err(|error| io_problem(&error))?;
-    let findings = validate(kind, &bytes)?;
+    let (content, findings) = validate(kind, &bytes)?;
     Ok(Inspected {
-        bytes: Arc::new(bytes),
+        bytes: sync::Arc::new(bytes),
+        content,
         findings,
     })
 }
 
-/// Validates a layer in memory, such as a package entry.
-pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<(), Problem> {
-    validate(kind(name, bytes)?, bytes).map(drop)
-}
-
-/// Returns the bytes of an entry of a validated package.
-pub(super) fn packaged<'a>(package: &'a [u8], name: &str) -> Option<&'a [u8]> {
-    package::find(package, name)
+/// Validates a layer in memory, such as a package entry. Returns its outline.
+pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<Outline, Problem> {
+    match validate(kind(name, bytes)?, bytes)?.0 {
+        Content::Layer(outline) => Ok(outline),
+        Content::Package(_) => Ok(Outline::default()),
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,11 +147,14 @@ enum Kind {
     Package,
 }
 
-fn validate(kind: Kind, bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
+fn validate(kind: Kind, bytes: &[u8]) -> Result<(Content, Vec<Finding>), Problem> {
+    let layer = |outline| (Content::Layer(outline), Vec::new());
     match kind {
-        Kind::Text => text::inspect(bytes).map(|()| Vec::new()),
-        Kind::Binary => binary::inspect(bytes).map(|()| Vec::new()),
-        Kind::Package => package::inspect(bytes),
+        Kind::Text => text::inspect(bytes).map(layer),
+        Kind::Binary => binary::inspect(bytes).map(layer),
+        Kind::Package => {
+            package::inspect(bytes).map(|(directory, findings)| (Content::Package(directory), findings))
+        }
     }
 }
 

@@ -1,4 +1,5 @@
-use std::collections::BTreeSet;
+use std::collections::HashMap;
+use std::ops::Range;
 
 use oaktwin_diagnostic::{Finding, Level};
 
@@ -7,9 +8,29 @@ use super::{Problem, USE_ANOTHER_COPY};
 const CODE: &str = "package-layout";
 const REPACK: &str = "package it again with `oaktwin asset --format usdz` or OpenUSD's `usdzip`";
 
+/// The entries of a package.
+#[derive(Debug, Default)]
+pub(in crate::stage) struct Directory {
+    /// The name of the first entry, which is the root layer.
+    pub(in crate::stage) root: String,
+    entries: HashMap<String, Range<usize>>,
+}
+
+impl Directory {
+    /// Whether there is an entry of this name.
+    pub(in crate::stage) fn contains(&self, name: &str) -> bool {
+        self.entries.contains_key(name)
+    }
+
+    /// Returns the bytes of an entry of the package with the content `package`.
+    pub(in crate::stage) fn entry<'a>(&self, package: &'a [u8], name: &str) -> Option<&'a [u8]> {
+        package.get(self.entries.get(name)?.clone())
+    }
+}
+
 /// Validates the directory of a USDZ package: entries must be uncompressed, inside the file and have names that stay
 /// inside the package. Violations that only strict readers reject (alignment) are returned as findings.
-pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
+pub(super) fn inspect(bytes: &[u8]) -> Result<(Directory, Vec<Finding>), Problem> {
     let end = end_record(bytes).ok_or_else(|| {
         Problem::new(
             "package",
@@ -29,7 +50,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
         return Err(damaged("package", "its directory is outside the file"));
     }
     let mut findings = Vec::new();
-    let mut names = BTreeSet::new();
+    let mut directory = Directory::default();
     let mut at = start;
     for index in 0..count {
         let entry =
@@ -60,38 +81,24 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Vec<Finding>, Problem> {
             findings.push(Finding::new(
                 CODE,
                 Level::Warning,
-                place,
+                place.clone(),
                 "its data does not start at a multiple of 64 bytes, as USDZ requires",
                 REPACK,
             ));
         }
         at = entry.next;
-        if !names.insert(entry.name.clone()) {
-            return Err(damaged(
-                &format!("package entry `{}`", entry.name),
-                "appears twice",
-            ));
+        if index == 0 {
+            directory.root.clone_from(&entry.name);
+        }
+        let data = entry.data..entry.data + entry.size;
+        if directory.entries.insert(entry.name, data).is_some() {
+            return Err(damaged(&place, "appears twice"));
         }
     }
-    if names.is_empty() {
+    if directory.entries.is_empty() {
         return Err(Problem::new("package", "is empty", REPACK));
     }
-    Ok(findings)
-}
-
-/// Returns the bytes of an entry of a package that [`inspect`] accepted.
-pub(super) fn find<'a>(bytes: &'a [u8], name: &str) -> Option<&'a [u8]> {
-    let end = end_record(bytes)?;
-    let (count, start) = (u16_at(bytes, end + 10)?, u32_at(bytes, end + 16)?);
-    let mut at = start;
-    for _ in 0..count {
-        let entry = entry(bytes, at, start).ok()?;
-        if entry.name == name {
-            return bytes.get(entry.data..entry.data.checked_add(entry.size)?);
-        }
-        at = entry.next;
-    }
-    None
+    Ok((directory, findings))
 }
 
 fn damaged(place: &str, what: &str) -> Problem {

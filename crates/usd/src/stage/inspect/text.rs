@@ -1,15 +1,19 @@
+use super::outline::Outline;
+use super::properties::Properties;
+use super::skeleton::Skeleton;
 use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
 /// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
-pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
+/// Returns its outline.
+pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
     let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
-    if let Err(error) = std::str::from_utf8(bytes) {
-        return Err(Problem::new(
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        Problem::new(
             format!("line {}", line_at(error.valid_up_to())),
             "is not valid UTF-8",
             "save the file as UTF-8",
-        ));
-    }
+        )
+    })?;
     if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
         return Err(Problem::new(
             format!("line {}", line_at(offset)),
@@ -17,33 +21,36 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<(), Problem> {
             USE_ANOTHER_COPY,
         ));
     }
-    let mut depth = 0_usize;
+    let mut skeleton = Skeleton::new(text);
+    let mut properties = Properties::new(text);
     for (offset, byte) in Structure::new(bytes) {
-        match byte {
-            b'{' | b'(' | b'[' => {
-                depth += 1;
-                if depth > MAX_DEPTH {
-                    return Err(Problem::new(
-                        format!("line {}", line_at(offset)),
-                        format!("brackets nest more than {MAX_DEPTH} deep"),
-                        "flatten the stage",
-                    ));
-                }
-            }
-            _ => depth = depth.saturating_sub(1),
+        if !properties.fit(offset, byte) {
+            return Err(Problem::new(
+                format!("line {}", line_at(offset)),
+                "the prim that ends here has too many properties for a text layer",
+                "convert the layer to binary: `usdcat --out NEW.usdc OLD.usda`",
+            ));
+        }
+        skeleton.bracket(offset, byte);
+        if skeleton.depth() > MAX_DEPTH {
+            return Err(Problem::new(
+                format!("line {}", line_at(offset)),
+                format!("brackets nest more than {MAX_DEPTH} deep"),
+                "flatten the stage",
+            ));
         }
     }
-    Ok(())
+    Ok(skeleton.outline())
 }
 
-/// The brackets of a text layer that are not inside strings, asset paths or comments.
-struct Structure<'a> {
+/// The brackets and ends of statements in a text layer that are not inside strings, asset paths or comments.
+pub(super) struct Structure<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
 impl<'a> Structure<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0 }
     }
 
@@ -86,7 +93,7 @@ impl Iterator for Structure<'_> {
                 }
                 b'@' if rest.starts_with(b"@@@") => self.skip_delimited(b"@@@", false),
                 b'@' => self.skip_delimited(b"@", false),
-                b'{' | b'}' | b'(' | b')' | b'[' | b']' => {
+                b'{' | b'}' | b'(' | b')' | b'[' | b']' | b'\n' | b';' => {
                     self.at += 1;
                     return Some((self.at - 1, byte));
                 }
@@ -106,7 +113,7 @@ mod tests {
         let text = br#"#usda 1.0 (((
 def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string t = 'don\'t(' }"#;
         let seen: Vec<u8> = Structure::new(text).map(|(_, byte)| byte).collect();
-        assert_eq!(seen, b"{}");
+        assert_eq!(seen, b"\n{}");
     }
 
     #[test]
@@ -114,6 +121,38 @@ def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string 
         let deep = format!("#usda 1.0\n{}", "{".repeat(MAX_DEPTH + 1));
         assert_eq!(inspect(deep.as_bytes()).unwrap_err().place, "line 2");
         assert_eq!(inspect(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
-        assert_eq!(inspect(b"#usda 1.0\n"), Ok(()));
+        assert_eq!(inspect(b"#usda 1.0\n").map(|outline| outline.prims), Ok(0));
+    }
+
+    #[test]
+    fn outlines_prims_and_arcs_without_arrays() {
+        let text = r#"#usda 1.0
+(defaultPrim = "W"
+ customLayerData = { int[] x = [1, 2] })
+def "W" (prepend references = [</A>, @b.usda@</B>] payload = </C> variants = { string v = "a" } prepend variantSets = "v")
+{
+    float[] many = [1, 2, 3] (customData = { int[] y = [3] })
+    rel to = [</A>, </B>]
+    point3f[] points.timeSamples = { 0: [(1, 2, 3)], 1: [(4, 5, 6)] }
+    variantSet "v" = { "a" { def "K" (inherits = [</A>, </D>]) {} } }
+}
+"#;
+        let outline = inspect(text.as_bytes()).unwrap();
+        let arcs: Vec<String> = outline
+            .arcs
+            .iter()
+            .map(|arc| format!("{} {:?} {}", arc.prim, arc.kind, arc.target))
+            .collect();
+        assert_eq!(
+            arcs,
+            [
+                "/W Reference /A",
+                "/W Reference /C",
+                "/W VariantSet v",
+                "/W/K Class /A",
+                "/W/K Class /D"
+            ]
+        );
+        assert!(outline.prims >= 2);
     }
 }

@@ -19,7 +19,7 @@ pub(super) use camera::pose;
 pub(super) use context::Context;
 pub(super) use findings::Findings;
 
-use super::{RenderProduct, SceneCamera, StageMetadata};
+use super::{RenderProduct, SceneCamera, SceneLimit, StageMetadata};
 
 /// Options for reading a stage as a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,6 +29,8 @@ pub struct SceneOptions {
     pub time: Option<f64>,
     /// The subdivision level of meshes; 0 keeps the control cages, as in Isaac Sim.
     pub subdivide: u32,
+    /// The factor on the limits of what the stage may compose.
+    pub limit: SceneLimit,
 }
 
 /// A stage, ready to be rendered.

@@ -37,9 +37,6 @@ impl Builder {
         for point in &instancer.points {
             let world_from_prototype = outer * point.instancer_from_prototype;
             for part in &prototypes[point.prototype] {
-                if self.too_many {
-                    return Ok(());
-                }
                 let point_path = format!("{path}[{}]", point.index);
                 let labels = part.labels.iter().map(|label| Label {
                     prim: match label.prim.strip_prefix(PROTOTYPE_PREFIX) {
@@ -48,12 +45,15 @@ impl Builder {
                     },
                     ..label.clone()
                 });
-                self.push_instance(Instance {
-                    mesh: part.mesh,
-                    labels: labels.collect(),
-                    path: point_path + &part.path,
-                    world_from_mesh: world_from_prototype * part.world_from_mesh,
-                });
+                self.push_instance(
+                    walk,
+                    Instance {
+                        mesh: part.mesh,
+                        labels: labels.collect(),
+                        path: point_path + &part.path,
+                        world_from_mesh: world_from_prototype * part.world_from_mesh,
+                    },
+                );
             }
         }
         Ok(())
@@ -80,7 +80,13 @@ impl Builder {
             let path_of_prototype = self.materials.scene_path(prototype);
             result = inner.and_then(|inner| {
                 let mut drawing = PrototypeVisitor { builder: self };
-                walk.from(&mut drawing, prototype, &path_of_prototype, &inner, Which::Active)
+                walk.from(
+                    &mut drawing,
+                    prototype,
+                    &path_of_prototype,
+                    &inner,
+                    Which::Prototype,
+                )
             });
             if result.is_err() {
                 break;

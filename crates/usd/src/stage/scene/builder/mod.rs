@@ -7,7 +7,7 @@ mod singular;
 use std::collections::HashMap;
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::Finding;
 use oaktwin_scene::{Instance, Mesh, Scene};
 use openusd::sdf::Path;
 
@@ -19,9 +19,6 @@ use crate::stage::own::Own;
 use crate::stage::reader::{Outcome, Record};
 use crate::stage::walk::Walk;
 use prims::MeshKey;
-
-/// The maximum number of instances: a scene with more has nested point instancers by mistake.
-const MAX_INSTANCES: usize = 20_000_000;
 
 /// The types of prim that are skipped, and the reason.
 const UNSUPPORTED: [(&str, &str); 13] = [
@@ -57,7 +54,6 @@ pub(in crate::stage) struct Builder {
     meshes: HashMap<MeshKey, Option<u32>>,
     /// The point instancers whose prototypes are being read, outermost first.
     instancers: Vec<Path>,
-    too_many: bool,
 }
 
 /// How a prim's children are visited.
@@ -81,7 +77,6 @@ impl Builder {
             materials: Materials::new(),
             meshes: HashMap::new(),
             instancers: Vec::new(),
-            too_many: false,
         }
     }
 
@@ -154,35 +149,26 @@ impl Builder {
     }
 
     /// Adds an instance of a mesh.
-    fn place(&mut self, mesh: u32, path: &str, context: &Context) {
+    fn place(&mut self, walk: &Walk<'_>, mesh: u32, path: &str, context: &Context) {
         let world_from_mesh = if self.instancers.is_empty() {
             self.world(context.stage_from_prim)
         } else {
             context.stage_from_prim
         };
-        self.push_instance(Instance {
-            mesh,
-            path: path.to_owned(),
-            world_from_mesh,
-            labels: context.labels.to_vec(),
-        });
+        self.push_instance(
+            walk,
+            Instance {
+                mesh,
+                path: path.to_owned(),
+                world_from_mesh,
+                labels: context.labels.to_vec(),
+            },
+        );
     }
 
-    fn push_instance(&mut self, instance: Instance) {
-        if self.scene.instances.len() < MAX_INSTANCES {
-            self.scene.instances.push(instance);
-        } else if !self.too_many {
-            self.too_many = true;
-            self.findings.push(Finding::new(
-                "too-many-instances",
-                Level::Error,
-                &instance.path,
-                format!(
-                    "the scene has more than {MAX_INSTANCES} instances; this one and the rest are skipped"
-                ),
-                "check for point instancers nested in point instancers",
-            ));
-        }
+    fn push_instance(&mut self, walk: &Walk<'_>, instance: Instance) {
+        walk.reader.budget().instance(&instance.path);
+        self.scene.instances.push(instance);
     }
 
     /// Returns the finished scene.

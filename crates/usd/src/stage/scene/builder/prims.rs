@@ -35,7 +35,7 @@ impl Builder {
             shared.then(|| self.mesh_key(prim, prim.path.as_str().to_owned(), surface.as_ref(), context));
         if let Some(known) = key.as_ref().and_then(|key| self.meshes.get(key)) {
             if let Some(mesh) = *known {
-                self.place(mesh, path, context);
+                self.place(walk, mesh, path, context);
             }
             return Ok(());
         }
@@ -60,7 +60,7 @@ impl Builder {
             self.meshes.insert(key, mesh);
         }
         if let Some(mesh) = mesh {
-            self.place(mesh, path, context);
+            self.place(walk, mesh, path, context);
         }
         Ok(())
     }
@@ -144,7 +144,7 @@ impl Builder {
             }
         };
         if let Some(mesh) = mesh {
-            self.place(mesh, path, context);
+            self.place(walk, mesh, path, context);
         }
     }
 

@@ -1,12 +1,10 @@
 use std::collections::HashMap;
 use std::path::{Path as FilePath, PathBuf};
-use std::sync::Arc;
 
 use oaktwin_scene::{ColorSpace, Texture, TextureSource};
 use openusd::ar;
 use openusd::sdf::{Path, Value};
 
-use super::super::super::inspect;
 use super::super::super::reader::Reader;
 use super::super::super::value::text;
 use super::super::findings::Findings;
@@ -17,8 +15,6 @@ const CODE: &str = "missing-texture";
 #[derive(Default)]
 pub(in crate::stage::scene) struct Textures {
     known: HashMap<(String, ColorSpaceKey), u32>,
-    /// The package read last, since its images are usually read in sequence.
-    package: Option<(PathBuf, inspect::Inspected)>,
 }
 
 type ColorSpaceKey = u8;
@@ -66,7 +62,7 @@ impl Textures {
             return Some(*known);
         }
         let source = match ar::split_package_relative_path_outer(&resolved) {
-            Some((package, entry)) => match self.packaged(&package, &entry) {
+            Some((package, entry)) => match reader.packages().entry(&package, &entry) {
                 Ok(bytes) => TextureSource::Encoded {
                     name: resolved.clone(),
                     bytes,
@@ -87,22 +83,6 @@ impl Textures {
         textures.push(Texture { source, color_space });
         self.known.insert(key, index);
         Some(index)
-    }
-
-    /// Returns the bytes of an image inside a package.
-    fn packaged(&mut self, package: &str, entry: &str) -> Result<Arc<[u8]>, String> {
-        let path = FilePath::new(package);
-        if self.package.as_ref().is_none_or(|(known, _)| known != path) {
-            let read = inspect::file(path).map_err(|problem| problem.to_string())?;
-            self.package = Some((path.to_owned(), read));
-        }
-        let bytes = self
-            .package
-            .as_ref()
-            .and_then(|(_, read)| inspect::packaged(&read.bytes, entry));
-        bytes
-            .map(Arc::from)
-            .ok_or_else(|| "is not in the package".to_owned())
     }
 }
 

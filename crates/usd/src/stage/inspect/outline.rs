@@ -1,0 +1,233 @@
+//! What composition can make of a layer: its prims, and the arcs that stay within it.
+
+use std::collections::HashMap;
+
+use openusd::sdf::{AbstractData, Path, SpecType, Value};
+
+use super::super::value::number;
+
+/// The fields with arcs.
+pub(super) const ARC_FIELDS: [&str; 6] = [
+    "references",
+    "payload",
+    "inheritPaths",
+    "specializes",
+    "variantSetNames",
+    "clips",
+];
+
+/// The fields of the layer itself with arcs, and with what arcs refer to.
+pub(super) const ROOT_FIELDS: [&str; 2] = ["defaultPrim", "subLayers"];
+
+/// The outline of a layer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::stage) struct Outline {
+    /// The number of authored prims, approximately.
+    pub(in crate::stage) prims: u64,
+    /// The arcs to prims of the same layer stack.
+    pub(in crate::stage) arcs: Vec<Arc>,
+    /// The asset paths of the sublayers.
+    pub(in crate::stage) sublayers: Vec<String>,
+    /// The value clips that templates describe.
+    pub(in crate::stage) clips: Clips,
+}
+
+/// The times of the value clips that templates describe, over all templates: their fields may be in different layers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::stage) struct Clips {
+    start: Option<f64>,
+    end: Option<f64>,
+    stride: Option<f64>,
+}
+
+impl Clips {
+    /// Adds the fields of a dictionary of clip sets.
+    fn add(&mut self, sets: &HashMap<String, Value>) {
+        for set in sets.values() {
+            if let Value::Dictionary(set) = set {
+                let field = |name: &str| set.get(name).and_then(number);
+                *self = self.with(Self {
+                    start: field("templateStartTime"),
+                    end: field("templateEndTime"),
+                    stride: field("templateStride").filter(|stride| *stride > 0.0),
+                });
+            }
+        }
+    }
+
+    pub(in crate::stage) fn with(self, other: Self) -> Self {
+        let either = |a: Option<f64>, b: Option<f64>, choose: fn(f64, f64) -> f64| match (a, b) {
+            (Some(a), Some(b)) => Some(choose(a, b)),
+            (a, b) => a.or(b),
+        };
+        Self {
+            start: either(self.start, other.start, f64::min),
+            end: either(self.end, other.end, f64::max),
+            stride: either(self.stride, other.stride, f64::min),
+        }
+    }
+
+    /// Returns an upper bound on the number of clips; 0 without a template.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the count is not negative, and saturates"
+    )]
+    pub(in crate::stage) fn count(self) -> u64 {
+        let (Some(start), Some(end), Some(stride)) = (self.start, self.end, self.stride) else {
+            return 0;
+        };
+        let count = (end - start).max(0.0) / stride;
+        // The library adds the stride to the time, which must be large enough to change it.
+        let advances = stride > start.abs().max(end.abs()) * f64::EPSILON;
+        if advances { count as u64 } else { u64::MAX }
+    }
+}
+
+/// An arc to a prim of the same layer stack.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(in crate::stage) struct Arc {
+    /// The path of the prim on which it is authored, without variant selections.
+    pub(in crate::stage) prim: String,
+    pub(in crate::stage) kind: ArcKind,
+    /// The path of the target; for a variant set, its name.
+    pub(in crate::stage) target: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(in crate::stage) enum ArcKind {
+    /// A reference or a payload.
+    Reference,
+    /// An inherited or specialized prim.
+    Class,
+    /// A variant set, whose selected variant is a site of its own.
+    VariantSet,
+}
+
+/// Returns the outline of a layer with `prims` prims.
+pub(super) fn outline(layer: &dyn AbstractData, prims: u64) -> Outline {
+    let mut arcs = Arcs::new(prims);
+    let field = |path: &Path, name: &str| layer.try_field(path, name).ok().flatten();
+    for name in ROOT_FIELDS {
+        if let Some(value) = field(&Path::abs_root(), name) {
+            arcs.root(name, &value);
+        }
+    }
+    for path in layer.spec_paths() {
+        if !matches!(layer.spec_type(&path), Some(SpecType::Prim | SpecType::Variant)) {
+            continue;
+        }
+        for name in ARC_FIELDS {
+            if let Some(value) = field(&path, name) {
+                arcs.add(&path, name, &value);
+            }
+        }
+    }
+    arcs.outline
+}
+
+/// Collects the arcs of a layer.
+pub(super) struct Arcs {
+    pub(super) outline: Outline,
+    /// The target of references that name no prim.
+    default: Option<String>,
+}
+
+impl Arcs {
+    pub(super) fn new(prims: u64) -> Self {
+        Self {
+            outline: Outline {
+                prims,
+                ..Outline::default()
+            },
+            default: None,
+        }
+    }
+
+    /// Adds the field `name` of the layer itself. References that name no prim lead to the default prim, which must be
+    /// known before them.
+    pub(super) fn root(&mut self, name: &str, value: &Value) {
+        match value {
+            Value::Token(prim) if name == "defaultPrim" => {
+                let prim = prim.as_str();
+                let slash = if prim.starts_with('/') { "" } else { "/" };
+                self.default = Some(format!("{slash}{prim}"));
+            }
+            Value::StringVec(paths) if name == "subLayers" => self.outline.sublayers.clone_from(paths),
+            _ => {}
+        }
+    }
+
+    /// Adds the arcs in the field `name` of the prim or variant at `path`.
+    pub(super) fn add(&mut self, path: &Path, name: &str, value: &Value) {
+        let prim = path.strip_all_variant_selections();
+        let mut push = |kind, target: String| {
+            self.outline.arcs.push(Arc {
+                prim: prim.as_str().to_owned(),
+                kind,
+                target,
+            });
+        };
+        let default = self.default.as_ref();
+        let target = |target: &Path| {
+            if target.is_empty() {
+                return default.cloned();
+            }
+            let target = prim.make_absolute(target).strip_all_variant_selections();
+            Some(target.as_str().to_owned())
+        };
+        match value {
+            Value::Dictionary(sets) if name == "clips" => self.outline.clips.add(sets),
+            Value::ReferenceListOp(list) => list
+                .iter()
+                .filter(|arc| arc.asset_path.is_empty())
+                .filter_map(|arc| target(&arc.prim_path))
+                .for_each(|to| push(ArcKind::Reference, to)),
+            Value::PayloadListOp(list) => list
+                .iter()
+                .filter(|arc| arc.asset_path.is_empty())
+                .filter_map(|arc| target(&arc.prim_path))
+                .for_each(|to| push(ArcKind::Reference, to)),
+            Value::Payload(arc) if arc.asset_path.is_empty() => {
+                if let Some(to) = target(&arc.prim_path) {
+                    push(ArcKind::Reference, to);
+                }
+            }
+            Value::PathListOp(list) => list
+                .iter()
+                .filter_map(target)
+                .for_each(|to| push(ArcKind::Class, to)),
+            Value::StringListOp(list) if name == "variantSetNames" => list
+                .iter()
+                .for_each(|name| push(ArcKind::VariantSet, name.clone())),
+            Value::TokenListOp(list) if name == "variantSetNames" => list
+                .iter()
+                .for_each(|name| push(ArcKind::VariantSet, name.as_str().to_owned())),
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_the_clips_of_templates() {
+        let clips = |start, end, stride| Clips {
+            start: Some(start),
+            end: Some(end),
+            stride: Some(stride),
+        };
+        assert_eq!(Clips::default().count(), 0);
+        assert_eq!(clips(1.0, 101.0, 2.0).count(), 50);
+        // A layer may override the stride of another.
+        let stride = Clips {
+            stride: Some(0.5),
+            ..Clips::default()
+        };
+        assert_eq!(clips(1.0, 101.0, 2.0).with(stride).count(), 200);
+        assert_eq!(clips(1e30, 1e30, 1.0).count(), u64::MAX);
+        assert_eq!(clips(0.0, f64::INFINITY, 1.0).count(), u64::MAX);
+    }
+}
