@@ -168,13 +168,6 @@ pub const TARGETS: &[Target] = &[
         check: text::catalog,
         seeds: text::catalog_seeds,
     },
-    Target {
-        name: "trajectory",
-        about: "reads trajectories; poses are finite and rotations orthonormal",
-        max_len: 2048,
-        check: text::trajectory,
-        seeds: text::trajectory_seeds,
-    },
 ];
 
 /// Returns the target of a name.

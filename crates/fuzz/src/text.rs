@@ -1,4 +1,4 @@
-//! Short texts: parameters, the catalog, trajectories.
+//! Short texts: parameters and the catalog.
 
 use std::fs;
 
@@ -6,7 +6,6 @@ use oaktwin_catalog::Catalog;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter::parse;
 use oaktwin_depth::{EngineKind, Setup};
-use oaktwin_pipeline::render::trajectory;
 
 /// Lines of `FILTER`, `ENGINE` or `ENGINE NAME=VALUE`.
 pub(crate) fn parameters(bytes: &[u8]) {
@@ -77,31 +76,5 @@ pub(crate) fn catalog_seeds() -> Vec<Vec<u8>> {
             "ov9282",
             "ov9999",
         ),
-    ]
-}
-
-pub(crate) fn trajectory(bytes: &[u8]) {
-    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    let path = folder.path().join("x.tum");
-    fs::write(&path, bytes).unwrap_or_else(|error| panic!("{error}"));
-    let Ok(poses) = trajectory::read(&path) else {
-        return;
-    };
-    assert!(!poses.is_empty());
-    for pose in poses {
-        let place = pose.world_from_mount;
-        assert!(
-            place.translation.is_finite() && place.rotation.is_finite(),
-            "{pose:?}"
-        );
-        assert!(place.orthonormality_error() < 1e-6, "{pose:?}");
-        assert!(pose.time_s.is_none_or(f64::is_finite), "{pose:?}");
-    }
-}
-
-pub(crate) fn trajectory_seeds() -> Vec<Vec<u8>> {
-    vec![
-        b"# t x y z qx qy qz qw\n0 0 0 1 0 0 0 1\n0.1 1e-1 -2 3.5 0.5 0.5 0.5 0.5\n".to_vec(),
-        br#"[{"position": [0, 1, 2], "orientation": [0, 0, 0, 1], "time": 0.5}, {"position": [0, 1, 2.5], "orientation": [0, 0.6, 0, 0.8]}]"#.to_vec(),
     ]
 }
