@@ -21,6 +21,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueHint};
 use oaktwin::depth::parameters::choice;
 use oaktwin::depth::preset::Platform;
+use oaktwin::memory;
 use oaktwin::usd::stage::SceneLimit;
 
 pub(crate) use accuracy::AccuracyArgs;
@@ -57,6 +58,10 @@ pub(crate) struct Cli {
     /// Add the sensors and devices in this folder's TOML files to the catalog
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) catalog: Option<PathBuf>,
+
+    /// Use at most this much memory, such as 4G; by default what the system allows
+    #[arg(long, global = true, value_name = "SIZE", value_parser = memory::parse_size)]
+    pub(crate) memory_limit: Option<u64>,
 }
 
 #[derive(Subcommand, Debug)]

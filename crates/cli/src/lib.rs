@@ -14,7 +14,7 @@ mod size;
 use std::ffi::OsString;
 
 use clap::Parser;
-use oaktwin::diagnostic;
+use oaktwin::{diagnostic, memory};
 
 use args::{Cli, Command};
 use context::{Context, Exit, Result};
@@ -54,6 +54,7 @@ fn finish(result: Result<Exit>) -> u8 {
 }
 
 fn run(cli: &Cli) -> Result<Exit> {
+    memory::set_limit(cli.memory_limit);
     // These commands need no catalog and must work even if it is invalid.
     match &cli.command {
         Command::Completions(args) => return commands::manual::completions(args),

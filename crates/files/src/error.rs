@@ -30,7 +30,7 @@ impl FileError {
     #[must_use]
     pub fn codec(path: &Path, error: &CodecError) -> Self {
         let message = format!("{}: {}: {}", error.format, error.place, error.problem);
-        Self::new(path, message, error.remedy)
+        Self::new(path, message, &error.remedy)
     }
 
     /// Returns the error for a failed read of `path`.

@@ -1,5 +1,8 @@
 use std::borrow::Cow;
 
+use oaktwin_diagnostic::Message;
+use oaktwin_memory::Shortage;
+
 /// An error of a codec: invalid bytes, or an image that the format does not support. Callers add the file name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{format}: {place}: {problem}; {remedy}")]
@@ -11,7 +14,7 @@ pub struct CodecError {
     /// The problem.
     pub problem: String,
     /// The remedy.
-    pub remedy: &'static str,
+    pub remedy: Message,
 }
 
 impl CodecError {
@@ -19,13 +22,19 @@ impl CodecError {
         format: &'static str,
         place: impl Into<Cow<'static, str>>,
         problem: impl Into<String>,
-        remedy: &'static str,
+        remedy: impl Into<Message>,
     ) -> Self {
         Self {
             format,
             place: place.into(),
             problem: problem.into(),
-            remedy,
+            remedy: remedy.into(),
         }
+    }
+
+    /// Returns the error for an image that needs more memory than there is.
+    pub(crate) fn shortage(format: &'static str, (width, height): (u64, u64), shortage: Shortage) -> Self {
+        let problem = format!("{width} × {height} pixels: {}", shortage.what());
+        Self::new(format, "header", problem, shortage.remedy())
     }
 }

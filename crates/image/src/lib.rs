@@ -18,6 +18,7 @@ pub mod pfm;
 mod plane;
 pub mod ply;
 pub mod png;
+mod png_chunks;
 pub mod preview;
 pub mod srgb;
 pub mod text;

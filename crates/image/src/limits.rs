@@ -1,5 +1,7 @@
 //! Limits on the memory for decoding an image file.
 
+use oaktwin_memory as memory;
+
 use crate::CodecError;
 
 /// The maximum number of pixels, exclusive.
@@ -41,7 +43,9 @@ pub(crate) fn check(
             "the file is damaged; save it again",
         );
     }
-    Ok(())
+    // Twice: the decoder's pixels and ours.
+    memory::check(pixels.saturating_mul(2 * bytes_per_pixel))
+        .map_err(|shortage| CodecError::shortage(format, (width, height), shortage))
 }
 
 #[cfg(test)]

@@ -5,10 +5,15 @@
 
 use ::png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Limits, Transformations};
 
+use oaktwin_memory as memory;
+
 use crate::bytes::Scalar;
 use crate::{CodecError, Image};
 
 const FORMAT: &str = "PNG";
+
+/// The remedy for an image of another pixel type.
+pub const CONVERT: &str = "convert the image";
 
 /// The maximum compression ratio of DEFLATE; a header that claims more is invalid.
 const MAX_RATIO: usize = 1032;
@@ -114,6 +119,8 @@ pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
     };
     let mut decoder = Decoder::new_with_limits(std::io::Cursor::new(bytes), limits);
     decoder.set_transformations(Transformations::IDENTITY);
+    decoder.set_ignore_iccp_chunk(true);
+    decoder.set_ignore_text_chunk(true);
     let mut reader = decoder
         .read_info()
         .map_err(|error| broken("header", error.to_string()))?;
@@ -124,7 +131,7 @@ pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
             FORMAT,
             "header",
             format!("{color:?} of {} bits, expected {}", depth as u8, P::NAME),
-            "convert the image",
+            CONVERT,
         ));
     }
     let size = reader
@@ -136,6 +143,9 @@ pub fn decode<P: PngPixel>(bytes: &[u8]) -> Result<Image<P>, CodecError> {
                 format!("{width} × {height} pixels cannot be in {} bytes", bytes.len()),
             )
         })?;
+    // Twice: the bytes and the pixels.
+    memory::check(2 * size as u64)
+        .map_err(|shortage| CodecError::shortage(FORMAT, (width.into(), height.into()), shortage))?;
     let mut samples = vec![0; size];
     reader
         .next_frame(&mut samples)

@@ -6,8 +6,10 @@ use std::io::Cursor;
 
 use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
+use oaktwin_memory as memory;
+
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::{CodecError, Image, basis, exr, limits};
+use crate::{CodecError, Image, basis, exr, limits, png_chunks};
 
 /// A decoded image in its own colour space.
 enum Decoded {
@@ -83,6 +85,11 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
             "the file is truncated or damaged; save it again",
         )
     };
+    let bytes = if format == ImageFormat::Png {
+        &png_chunks::without_unused(bytes)
+    } else {
+        bytes
+    };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     limits.max_alloc = Some(limits::allowed_bytes(bytes.len()));
@@ -90,12 +97,11 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
     let decoder = reader.into_decoder().map_err(|error| broken("header", &error))?;
     let (width, height) = decoder.dimensions();
     let per_pixel = u64::from(decoder.color_type().bytes_per_pixel());
-    limits::check(
-        name,
-        (u64::from(width), u64::from(height)),
-        per_pixel,
-        bytes.len(),
-    )?;
+    let size = (u64::from(width), u64::from(height));
+    limits::check(name, size, per_pixel, bytes.len())?;
+    // The conversion to four channels copies the pixels.
+    memory::check(size.0 * size.1 * (per_pixel + 8))
+        .map_err(|shortage| CodecError::shortage(name, size, shortage))?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| broken("pixels", &error))?;
     let incomplete = || broken("pixels", &"incomplete");
     Ok(match image {

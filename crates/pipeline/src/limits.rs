@@ -1,7 +1,11 @@
 //! Limits of image sizes and memory.
 
+use std::path::Path;
+
 use oaktwin_camera::ImageSize;
+use oaktwin_files::FileError;
 use oaktwin_image::annotation::{AnnotationKind, Annotator};
+use oaktwin_memory as memory;
 
 /// The maximum number of pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 31;
@@ -71,20 +75,24 @@ pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     u64::from(size.width) * u64::from(size.height) * per_pixel
 }
 
-/// Returns the available memory in bytes; `None` if it is unknown.
-#[must_use]
-pub fn available_bytes() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    kib.checked_mul(1024)
+/// Returns the memory in bytes that simulating a sensor on a depth image needs: measured, 12 bytes a pixel, and a reserve.
+pub(crate) fn sense_bytes(size: ImageSize) -> u64 {
+    16 * u64::from(size.width) * u64::from(size.height)
 }
 
-/// `1.5 GiB`
-#[must_use]
-pub fn gib(bytes: u64) -> String {
-    let tenths = bytes.saturating_mul(10).div_ceil(1 << 30);
-    format!("{}.{} GiB", tenths / 10, tenths % 10)
+/// Returns the memory in bytes that matching a pair needs: a cost for each pixel and disparity, and both images.
+pub(crate) fn match_bytes(size: ImageSize) -> u64 {
+    const DISPARITIES: u64 = 96;
+    const IMAGES: u64 = 32;
+    (DISPARITIES + IMAGES) * u64::from(size.width) * u64::from(size.height)
+}
+
+/// Checks that a file's images fit into memory.
+pub(crate) fn check_memory(path: &Path, size: ImageSize, bytes: u64) -> Result<(), FileError> {
+    memory::check(bytes).map_err(|shortage| {
+        let message = format!("images of {size}: {}", shortage.what());
+        FileError::new(path, message, shortage.remedy())
+    })
 }
 
 #[cfg(test)]
@@ -101,12 +109,6 @@ mod tests {
             ImageSize::new(1 << 16, 1 << 15),
             &Annotator::all().collect::<Vec<_>>(),
         );
-        assert_eq!(gib(bytes), "824.0 GiB");
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn available_memory_is_known_on_linux() {
-        assert!(available_bytes().unwrap() > 1 << 20);
+        assert_eq!(memory::size(bytes), "824.0 GiB");
     }
 }

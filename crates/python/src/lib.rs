@@ -25,6 +25,7 @@ mod frames;
 mod grey;
 mod images;
 mod json;
+mod memory;
 mod mesh;
 mod pair;
 mod parameters;
@@ -61,6 +62,8 @@ mod _oaktwin {
     use super::images::_read_from;
     #[pymodule_export]
     use super::main;
+    #[pymodule_export]
+    use super::memory::set_memory_limit;
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]

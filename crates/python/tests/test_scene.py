@@ -165,3 +165,33 @@ def test_bad_renderings(wall):
         assert text in str(raised.value)
     with pytest.raises(TypeError):
         wall.render("left", EYE)
+
+
+
+def test_memory_limit():
+    scene = oaktwin.Scene.from_triangles(np.array([[-1, -1, 2], [1, -1, 2], [0, 1, 2]]), np.array([[0, 1, 2]]))
+    camera = oaktwin.Camera((4000, 3000), hfov_deg=60)
+    try:
+        oaktwin.set_memory_limit("1M")
+        with pytest.raises(oaktwin.Error, match=r"of memory needed, 0.0 MiB available"):
+            scene.render(camera, np.eye(4))
+        oaktwin.set_memory_limit(1 << 40)
+        assert scene.render(camera, np.eye(4), annotators=["distance_to_image_plane"])
+    finally:
+        oaktwin.set_memory_limit(None)
+    with pytest.raises(oaktwin.Error, match="such as 4G"):
+        oaktwin.set_memory_limit("plenty")
+
+
+def test_a_stage_that_composes_too_much_gives_an_error_that_names_the_argument(tmp_path):
+    classes = ['class "A0" { def Cube "c" {} }\nclass "B0" {}\n']
+    for at in range(1, 41):
+        classes += [f'class "{name}{at}" (inherits = [</A{at - 1}>, </B{at - 1}>]) {{}}\n' for name in "AB"]
+    stage = tmp_path / "stage.usda"
+    stage.write_text("#usda 1.0\n" + "".join(classes))
+    with pytest.raises(oaktwin.Error, match=r"/A40: .* beyond the limit of \d+ sites; .* or raise scene_limit from 1"):
+        oaktwin.Scene.open(stage)
+    with pytest.raises(oaktwin.Error, match="scene_limit: must be a finite number > 0"):
+        oaktwin.Scene.open(stage, scene_limit=0)
+    stage.write_text('#usda 1.0\ndef Cube "c" {}\n')
+    assert oaktwin.Scene.open(stage, scene_limit=0.5).bounds is not None

@@ -7,6 +7,7 @@ use oaktwin::dataset::{self, LAYOUTS, Writer};
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::files::OutputFiles;
 use oaktwin::image::annotation::Annotator;
+use oaktwin::memory;
 use oaktwin::render::trajectory::{self, TimedPose};
 use oaktwin::render::{
     self, FrameOptions, OakOptions, PlacedCamera, Renderer, SceneCameraOptions, SceneFile,
@@ -211,15 +212,14 @@ fn check_memory(
         return Ok(());
     };
     let needed = needs(&largest);
-    match render::available_bytes() {
-        Some(available) if needed > available => Err(format!(
-            "{}: images of {} need {} of memory, but {} are available; choose a smaller --resolution or fewer --annotators",
+    memory::check(needed).map_err(|shortage| {
+        format!(
+            "{}: images of {}: {}; choose a smaller --resolution or fewer --annotators, or {}",
             largest.path,
             largest.camera.intrinsics.size,
-            render::gib(needed),
-            render::gib(available)
+            shortage.what(),
+            shortage.remedy()
         )
-        .into()),
-        _ => Ok(()),
-    }
+        .into()
+    })
 }

@@ -6,6 +6,7 @@ mod accuracy;
 mod assets;
 mod bad_input;
 mod fit;
+mod memory;
 mod named_files;
 mod optics;
 mod output;

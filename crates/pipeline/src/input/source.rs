@@ -97,13 +97,11 @@ impl Source {
         }
         let codec = |error: CodecError| FileError::codec(path, &error);
         let image = if bytes.starts_with(b"\x89PNG") {
-            let image = png::decode::<u16>(&bytes).map_err(|error| {
-                let remedy = "save depth as 16-bit grey without alpha";
-                FileError::new(
-                    path,
-                    format!("{}: {}: {}", error.format, error.place, error.problem),
-                    remedy,
-                )
+            let image = png::decode::<u16>(&bytes).map_err(|mut error| {
+                if error.remedy == png::CONVERT {
+                    error.remedy = "save depth as 16-bit grey without alpha".into();
+                }
+                codec(error)
             })?;
             image.map(|&unit| metres(unit, scale))
         } else if bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) {

@@ -50,9 +50,7 @@ mod scene_file;
 mod sweep;
 pub mod trajectory;
 
-pub use crate::limits::{
-    MAX_PIXELS, SizeError, annotation_bytes, available_bytes, check_size, frame_bytes, gib, record_bytes,
-};
+pub use crate::limits::{MAX_PIXELS, SizeError, annotation_bytes, check_size, frame_bytes, record_bytes};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};

@@ -12,6 +12,7 @@ use super::stream::StreamWriter;
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
 use crate::geometry::{places, resample, z_of_range};
 use crate::input::source::Source;
+use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{self, Engine, EngineInput, Sensor, SensorOptions, needs_a_pair, sensor};
 use crate::write::{Producer, write_while};
@@ -168,6 +169,7 @@ impl<'a> Run<'a, '_, '_> {
             } else {
                 Source::open(&file.path, scale)?
             };
+            limits::check_memory(&file.path, source.size, limits::sense_bytes(source.size))?;
             let count = source.batch.unwrap_or(1);
             self.producer.expect_more(count as u64 - 1);
             let pictures = Pictures::open(&file.rgb, &file.path, count)?;

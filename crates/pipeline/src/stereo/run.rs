@@ -8,6 +8,7 @@ use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
+use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_params};
 use crate::write::write_while;
@@ -100,6 +101,7 @@ pub fn stereo(
     let mut output = output_files(pairs, output)?;
     let images = read_pair(&first.left, &first.right)?;
     let size = ImageSize::new(images[0].width(), images[0].height());
+    limits::check_memory(&first.left, size, limits::match_bytes(size))?;
     let mut matcher = Matcher::new(of, size, &options.sensor)?;
     let mut matched = Matched {
         files: Vec::new(),

@@ -38,6 +38,7 @@ from ._oaktwin import (
     models,
     parameters,
     presets,
+    set_memory_limit,
 )
 
 __all__ = [
@@ -65,4 +66,5 @@ __all__ = [
     "models",
     "parameters",
     "presets",
+    "set_memory_limit",
 ]

@@ -35,6 +35,7 @@ __all__ = [
     "models",
     "parameters",
     "presets",
+    "set_memory_limit",
 ]
 
 __version__: Final[str]
@@ -553,6 +554,7 @@ def look_at(
     frame: Literal["camera", "body"] = "camera",
 ) -> _Float64: ...
 @overload
+def set_memory_limit(limit: str | int | None) -> None: ...
 def align(
     depth: npt.NDArray[_Depth],
     source: Camera,

@@ -1,7 +1,8 @@
 use std::collections::BTreeMap;
 
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{annotation_bytes, annotator, available_bytes, frame_bytes, gib};
+use oaktwin::memory;
+use oaktwin::render::{annotation_bytes, annotator, frame_bytes};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
@@ -46,15 +47,5 @@ pub(super) fn check_memory(camera: &Camera, annotators: &[Annotator], count: usi
 
 /// Returns an error if less memory is free than needed, bytes.
 pub(crate) fn check_free(name: &str, needed: u64, remedy: &str) -> PyResult<()> {
-    match available_bytes() {
-        Some(available) if needed > available => {
-            let is = format!(
-                "requires {} of memory, but only {} is free",
-                gib(needed),
-                gib(available)
-            );
-            Err(wrong(name, is, remedy))
-        }
-        _ => Ok(()),
-    }
+    memory::check(needed).map_err(|shortage| wrong(name, shortage.what(), remedy))
 }

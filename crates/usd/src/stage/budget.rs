@@ -43,6 +43,8 @@ pub(super) struct Budget {
     /// The arcs to other layers that the prim being composed has followed.
     followed: Cell<u64>,
     layers: Cell<u64>,
+    /// Whether a prim may have arcs.
+    has_arcs: Cell<bool>,
     clips: Cell<Clips>,
     stacks: RefCell<Stacks>,
     /// The prim being composed; empty before the first.
@@ -95,6 +97,7 @@ impl Budget {
             let layer = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
             self.exceed(&layer, "up to this one, layers multiply", allowed, "layers");
         }
+        self.has_arcs.set(self.has_arcs.get() || !outline.arcs.is_empty());
         for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
             match growth {
                 Growth::Layers { layer, count } if count > self.limit.times(LAYERS.0) => {
@@ -119,6 +122,7 @@ impl Budget {
         let followed = self.followed.get() + 1;
         self.followed.set(followed);
         let place = self.place.borrow();
+        self.has_arcs.set(self.has_arcs.get() || !place.is_empty());
         // Before the first prim, the arcs are those to sublayers, which are in one site.
         let (sites, place) = if place.is_empty() {
             let layer = anchor.and_then(Path::file_name).unwrap_or_default();
@@ -138,6 +142,11 @@ impl Budget {
         let mut place = self.place.borrow_mut();
         place.clear();
         place.push_str(prim);
+    }
+
+    /// Whether prims may have more than one site.
+    pub(super) fn has_arcs(&self) -> bool {
+        self.has_arcs.get()
     }
 
     /// Counts the prims composed since [`Budget::start`], each of `sites` sites. A site deep in the namespace takes more

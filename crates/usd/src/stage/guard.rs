@@ -1,5 +1,6 @@
 use std::any::Any;
 use std::cell::Cell;
+use std::io;
 use std::panic;
 use std::sync::Once;
 use std::thread;
@@ -10,6 +11,10 @@ const STACK_BYTES: usize = 256 << 20;
 thread_local! {
     static CONTAINED: Cell<bool> = const { Cell::new(false) };
 }
+
+/// The payload of the error if the thread cannot be started.
+#[derive(Debug)]
+pub(super) struct NoThread(pub(super) io::Error);
 
 /// Runs `work` on a separate thread and returns the payload of a panic as an error.
 ///
@@ -35,7 +40,7 @@ pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, B
                 CONTAINED.with(|flag| flag.set(true));
                 work()
             })
-            .map_err(|error| -> Box<dyn Any + Send> { Box::new(format!("cannot start a thread: {error}")) })?
+            .map_err(|error| -> Box<dyn Any + Send> { Box::new(NoThread(error)) })?
             .join()
     })
 }

@@ -114,6 +114,16 @@ fn contained<T: Send>(
         read(&name, utf8, layer)
     };
     guard::contained(read).unwrap_or_else(|payload| {
+        if let Some(guard::NoThread(error)) = payload.downcast_ref() {
+            let is =
+                format!("cannot be read: there is no memory for the stack of its reader, 256 MiB ({error})");
+            return Err(StageError::new(
+                &name,
+                "",
+                is,
+                "raise the limit on memory (ulimit -v), or free some",
+            ));
+        }
         Err(budget::exceeded(&name, payload.as_ref()).unwrap_or_else(|| {
             let panic = guard::message(payload.as_ref());
             StageError::new(

@@ -115,12 +115,13 @@ impl Reader {
         let record = self.composed(path)?;
         let composed = self.stage.indexed_count().saturating_sub(before);
         if composed > 0 {
-            let sites = self
-                .stage
-                .prim_index(record.path.clone())
-                .graph()?
-                .all_nodes()
-                .count();
+            // Counting the sites copies the prim's index.
+            let sites = if self.budget.has_arcs() {
+                let index = self.stage.prim_index(record.path.clone());
+                index.graph()?.all_nodes().count()
+            } else {
+                1
+            };
             self.budget.composed(composed, sites);
         }
         Ok(record)

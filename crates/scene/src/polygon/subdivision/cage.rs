@@ -1,3 +1,5 @@
+use oaktwin_memory::{self as memory, Shortage};
+
 use super::Scheme;
 use crate::polygon::PolygonMesh;
 use crate::polygon::attribute::Value;
@@ -5,6 +7,8 @@ use crate::polygon::faces::Faces;
 
 /// The maximum number of faces of a refined mesh.
 pub(super) const MAX_FACES: u64 = 1 << 25;
+/// The memory for a refined face and its rendering, in bytes.
+const FACE_BYTES: u64 = 256;
 /// The maximum number of points, so that indices fit.
 const MAX_POINTS: usize = 1 << 30;
 
@@ -68,16 +72,33 @@ impl Cage {
         if points > MAX_POINTS {
             return 0;
         }
-        let mut faces = match scheme {
-            Scheme::Loop => 4 * self.faces.len() as u64,
-            _ => self.corners.len() as u64,
-        };
+        let mut faces = self.first_faces(scheme);
         let mut affordable = 0;
         while affordable < levels && 0 < faces && faces <= MAX_FACES {
             affordable += 1;
             faces *= 4;
         }
         affordable
+    }
+
+    /// The number of levels, at most `levels`, for whose faces there is memory, and what is missing for one more.
+    pub(super) fn fitting(&self, scheme: Scheme, levels: u32) -> (u32, Option<Shortage>) {
+        let mut faces = self.first_faces(scheme);
+        for level in 0..levels {
+            if let Err(shortage) = memory::check(faces.saturating_mul(FACE_BYTES)) {
+                return (level, Some(shortage));
+            }
+            faces = faces.saturating_mul(4);
+        }
+        (levels, None)
+    }
+
+    /// The number of faces after one level.
+    fn first_faces(&self, scheme: Scheme) -> u64 {
+        match scheme {
+            Scheme::Loop => 4 * self.faces.len() as u64,
+            _ => self.corners.len() as u64,
+        }
     }
 
     /// The mesh's face from which each face originates after `levels` levels.

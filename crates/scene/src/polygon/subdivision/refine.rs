@@ -1,6 +1,7 @@
 //! Subdivides a polygon mesh with all its primvars.
 
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message};
+use oaktwin_memory::Shortage;
 
 use super::cage::{Cage, MAX_FACES};
 use super::edges::Edges;
@@ -27,11 +28,13 @@ impl PolygonMesh {
         let sharp = Sharp::of(&self.subdivision, &cage);
         let fits = scheme != Scheme::Loop || cage.all_triangles();
         let affordable = cage.affordable(scheme, levels, self.points.len());
+        let (affordable, shortage) = cage.fitting(scheme, affordable);
         let findings = Problems {
             lost,
             unknown: sharp.unknown,
             fits,
             affordable,
+            shortage,
             levels,
         }
         .findings(place);
@@ -99,13 +102,14 @@ struct Problems {
     unknown: usize,
     fits: bool,
     affordable: u32,
+    shortage: Option<Shortage>,
     levels: u32,
 }
 
 impl Problems {
     fn findings(&self, place: &str) -> Vec<Finding> {
         let mut findings = Vec::new();
-        let mut warn = |message: String, remedy: &str| {
+        let mut warn = |message: String, remedy: Message| {
             findings.push(Finding::new(
                 "mesh-subdivision",
                 Level::Warning,
@@ -117,17 +121,24 @@ impl Problems {
         if !self.fits {
             warn(
                 "not subdivided: the scheme loop requires triangles".into(),
-                "triangulate it or use the scheme catmullClark",
+                "triangulate it or use the scheme catmullClark".into(),
             );
             return findings;
         }
         if self.affordable < self.levels {
+            let (why, remedy) = match &self.shortage {
+                Some(shortage) => (shortage.what(), shortage.remedy()),
+                None => (
+                    format!("the limit is {MAX_FACES} faces"),
+                    "reduce the number of levels".into(),
+                ),
+            };
             warn(
                 format!(
-                    "subdivided {} times instead of {}: the limit is {MAX_FACES} faces",
+                    "subdivided {} times instead of {}: {why}",
                     self.affordable, self.levels
                 ),
-                "reduce the number of levels",
+                remedy,
             );
         }
         if self.affordable > 0 && self.lost > 0 {
@@ -136,7 +147,7 @@ impl Problems {
                     "{} faces with fewer than three corners, or with missing or non-finite points; skipped",
                     self.lost
                 ),
-                "",
+                Message::default(),
             );
         }
         if self.unknown > 0 {
@@ -145,7 +156,7 @@ impl Problems {
                     "{} creases and corners are not on an edge or point of the mesh; ignored",
                     self.unknown
                 ),
-                "",
+                Message::default(),
             );
         }
         findings
