@@ -136,7 +136,7 @@ fn bits(capture: &Capture) -> Vec<u32> {
             Layer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
             Layer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
             Layer::Colors(image) => {
-                bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)))
+                bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));
             }
             Layer::Points(image) => bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits())),
             Layer::Disparity(fixed) => bits.extend(format!("{fixed:?}").bytes().map(u32::from)),
