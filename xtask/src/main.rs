@@ -6,6 +6,7 @@ mod bench;
 mod conformance;
 mod counts;
 mod docs;
+mod fuzz;
 mod licenses;
 mod python;
 mod report;
@@ -42,6 +43,8 @@ enum Task {
     Docs,
     /// Run the program and the Python package for an hour: memory must stay flat, and results the same.
     Soak(soak::Args),
+    /// Fuzz the readers, filters, engines and renderers; exit code 1 if an input breaks a promise.
+    Fuzz(fuzz::Args),
     /// Regenerate the JSON schemas and other generated files.
     Schema,
     /// Regenerate the licences that the Python wheel contains.
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Task::Bench(bench) => bench::run(&bench),
         Task::Docs => docs::run(),
         Task::Soak(args) => soak::run(&args),
+        Task::Fuzz(args) => fuzz::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
     };

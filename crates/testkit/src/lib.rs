@@ -1,5 +1,6 @@
 //! Shared code of tests and benchmarks; for development only.
 
+pub mod agreement;
 #[cfg(target_os = "linux")]
 pub mod embree;
 pub mod process;

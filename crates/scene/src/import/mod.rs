@@ -131,8 +131,24 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Imported, ImportErro
     import(path, options).map_err(|fault| fault.of(path))
 }
 
+/// Imports the bytes of a file. `path` is its name, whose extension selects the format, and files that it refers to are beside it.
+///
+/// # Errors
+/// Returns the errors of [`open`], except that the file itself is not read.
+pub fn from_bytes(bytes: Vec<u8>, path: &Path, options: &ImportOptions) -> Result<Imported, ImportError> {
+    let read = || {
+        let format = Format::of(path)?;
+        decode(bytes, format, path, options)
+    };
+    read().map_err(|fault| fault.of(path))
+}
+
 fn import(path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
     let format = Format::of(path)?;
+    decode(read(path)?, format, path, options)
+}
+
+fn decode(bytes: Vec<u8>, format: Format, path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
     if !(options.scale > 0.0 && options.scale.is_finite()) {
         return Err(Fault::new(
             "",
@@ -140,7 +156,6 @@ fn import(path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
             "use a finite scale above zero",
         ));
     }
-    let bytes = read(path)?;
     let up = options.up.unwrap_or(format.up());
     let mut builder = Builder::new(path, up, options.scale);
     match format {

@@ -38,6 +38,12 @@ impl Builder {
                 self.findings.warn("singular-transform", &place, message, "");
                 continue;
             };
+            if !mesh.positions.iter().flatten().all(|x| x.is_finite()) {
+                let message = "its transform exceeds the range of positions; it is skipped";
+                self.findings
+                    .warn("singular-transform", &place, message, "correct its transform");
+                continue;
+            }
             budget -= mesh.triangles.len();
             let Some(index) = self.push_mesh(mesh) else {
                 continue;

@@ -1,0 +1,201 @@
+//! What `cargo xtask fuzz` checks, as plain functions; for development only.
+//!
+//! [`TARGETS`] lists them. The binaries in `fuzz/` pass bytes from libFuzzer to one of them, and the tests of this crate those
+//! of the corpora. A new target needs a function, a line in [`TARGETS`], and a binary in `fuzz/`.
+
+mod calibration;
+mod codec;
+mod engine;
+mod filter;
+mod import;
+mod json;
+mod random;
+mod renderer;
+mod scene;
+mod text;
+mod usd;
+
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
+use std::sync::{Mutex, Once, PoisonError};
+
+/// A function to fuzz.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// The name of the target, its binary and its corpus.
+    pub name: &'static str,
+    /// What it checks, in one line.
+    pub about: &'static str,
+    /// The maximum length of an input.
+    pub max_len: usize,
+    /// Panics if the bytes break a promise; rejecting them is fine.
+    pub check: fn(&[u8]),
+    /// Valid inputs to start from.
+    pub seeds: fn() -> Vec<Vec<u8>>,
+}
+
+/// All targets, in the order in which they run.
+pub const TARGETS: &[Target] = &[
+    Target {
+        name: "calibration",
+        about: "reads a calibration; the document round-trips, exports and twins are finite",
+        max_len: 16384,
+        check: calibration::check,
+        seeds: calibration::seeds,
+    },
+    Target {
+        name: "filters",
+        about: "runs chains of filters on two frames; sizes are as documented, the same bytes twice",
+        max_len: 4096,
+        check: filter::check,
+        seeds: filter::seeds,
+    },
+    Target {
+        name: "npy",
+        about: "decodes an array; its shape fits its values, and it round-trips",
+        max_len: 4096,
+        check: codec::npy,
+        seeds: codec::npy_seeds,
+    },
+    Target {
+        name: "depth-image",
+        about: "decodes PNG, EXR and PFM; images round-trip",
+        max_len: 4096,
+        check: codec::depth_image,
+        seeds: codec::depth_image_seeds,
+    },
+    Target {
+        name: "texture",
+        about: "decodes textures of all formats; colours are as large as the image",
+        max_len: 8192,
+        check: codec::texture,
+        seeds: codec::texture_seeds,
+    },
+    Target {
+        name: "stl",
+        about: "imports STL; every index and transform is valid",
+        max_len: 4096,
+        check: import::stl,
+        seeds: import::stl_seeds,
+    },
+    Target {
+        name: "ply",
+        about: "imports PLY, also with drawn headers; every index is valid",
+        max_len: 4096,
+        check: import::ply,
+        seeds: import::ply_seeds,
+    },
+    Target {
+        name: "obj",
+        about: "imports OBJ and MTL; every index is valid",
+        max_len: 4096,
+        check: import::obj,
+        seeds: import::obj_seeds,
+    },
+    Target {
+        name: "gltf",
+        about: "imports glTF and GLB, also with changed documents; every index and transform is valid",
+        max_len: 8192,
+        check: import::gltf,
+        seeds: import::gltf_seeds,
+    },
+    Target {
+        name: "parameters",
+        about: "reads parameters and filters as text; filters round-trip",
+        max_len: 1024,
+        check: text::parameters,
+        seeds: text::parameters_seeds,
+    },
+    Target {
+        name: "engines",
+        about: "measures depth with every engine and drawn parameters; no NaN, the same bytes twice",
+        max_len: 4096,
+        check: engine::depth,
+        seeds: engine::depth_seeds,
+    },
+    Target {
+        name: "stereo",
+        about: "matches drawn pairs with drawn parameters; no NaN, the same bytes twice",
+        max_len: 4096,
+        check: engine::stereo,
+        seeds: engine::stereo_seeds,
+    },
+    Target {
+        name: "renderers",
+        about: "renders drawn triangles with both backends; both agree with the reference",
+        max_len: 1024,
+        check: renderer::check,
+        seeds: renderer::seeds,
+    },
+    Target {
+        name: "usda",
+        about: "reads text stages, also drawn ones; every index and transform is valid",
+        max_len: 4096,
+        check: usd::usda,
+        seeds: usd::usda_seeds,
+    },
+    Target {
+        name: "usdc",
+        about: "reads binary stages; every index and transform is valid",
+        max_len: 8192,
+        check: usd::usdc,
+        seeds: usd::usdc_seeds,
+    },
+    Target {
+        name: "usdz",
+        about: "reads packages, also of drawn layers; every index and transform is valid",
+        max_len: 8192,
+        check: usd::usdz,
+        seeds: usd::usdz_seeds,
+    },
+    Target {
+        name: "materialx",
+        about: "converts MaterialX documents to layers",
+        max_len: 4096,
+        check: usd::materialx,
+        seeds: usd::materialx_seeds,
+    },
+    Target {
+        name: "usd-emitter",
+        about: "emits layers of drawn values; they read back the same",
+        max_len: 1024,
+        check: usd::emitter,
+        seeds: usd::emitter_seeds,
+    },
+    Target {
+        name: "catalog",
+        about: "adds a file to the catalog; nominal twins are finite",
+        max_len: 16384,
+        check: text::catalog,
+        seeds: text::catalog_seeds,
+    },
+];
+
+/// Returns the target of a name.
+#[must_use]
+pub fn target(name: &str) -> Option<&'static Target> {
+    TARGETS.iter().find(|target| target.name == name)
+}
+
+static LAST_PANIC: Mutex<String> = Mutex::new(String::new());
+
+/// Runs a target under libFuzzer: aborts if the target panics, but not on panics that the library catches.
+///
+/// # Panics
+/// Panics if there is no such target.
+#[expect(clippy::print_stderr, reason = "for the log of the fuzzer")]
+pub fn run(name: &str, bytes: &[u8]) {
+    static HOOK: Once = Once::new();
+    // libFuzzer's own hook aborts on every panic.
+    HOOK.call_once(|| {
+        set_hook(Box::new(|info| {
+            *LAST_PANIC.lock().unwrap_or_else(PoisonError::into_inner) = info.to_string();
+        }));
+    });
+    let check = target(name)
+        .unwrap_or_else(|| panic!("there is no target {name}"))
+        .check;
+    if catch_unwind(AssertUnwindSafe(|| check(bytes))).is_err() {
+        eprintln!("{}", LAST_PANIC.lock().unwrap_or_else(PoisonError::into_inner));
+        std::process::abort();
+    }
+}
