@@ -60,11 +60,24 @@ fn mesh(random: &mut Random<'_>) -> Mesh {
     let mut position = || (scale * point(random)).to_array().map(|x| x as f32);
     let positions = (0..count).map(|_| position()).collect();
     let mut corner = || random.up_to(count - 1);
-    Mesh {
+    let mut mesh = Mesh {
         positions,
         triangles: (0..=count).map(|_| [corner(), corner(), corner()]).collect(),
         ..Mesh::default()
-    }
+    };
+    // Rounding decides whether the reference hits a triangle that is a line.
+    let has_area = |&triangle: &usize| mesh.corners(triangle).is_some_and(is_wide);
+    mesh.triangles = (0..mesh.triangles.len())
+        .filter(has_area)
+        .map(|at| mesh.triangles[at])
+        .collect();
+    mesh
+}
+
+/// Whether the sine of the angle between two edges is above 1e-3.
+fn is_wide(corners: [[f32; 3]; 3]) -> bool {
+    let [a, b, c] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
+    (b - a).cross(c - a).length() > 1e-3 * (b - a).length() * (c - a).length()
 }
 
 /// Returns a point within 8 m of the origin, on a grid of 1/16 m or finer.
