@@ -1,7 +1,5 @@
 //! `RELIABILITY.md` names tests that exist.
 
-#![expect(clippy::unwrap_used, reason = "a test")]
-
 use std::fs;
 use std::path::Path;
 
@@ -19,9 +17,13 @@ fn promises_name_tests_that_exist() {
                 file = Some(content.unwrap_or_else(|error| panic!("{word}: {error}")));
             } else if let Some(content) = &file
                 && word.contains('_')
-                && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_')
+                && word
+                    .bytes()
+                    .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_')
             {
-                let is_test = ["fn", "def"].iter().any(|kind| content.contains(&format!("{kind} {word}(")));
+                let is_test = ["fn", "def"]
+                    .iter()
+                    .any(|kind| content.contains(&format!("{kind} {word}(")));
                 assert!(is_test, "there is no test {word}: {line}");
                 found += 1;
             }

@@ -29,6 +29,7 @@ fn decode_checked(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
             "convert the texture to PNG or JPEG",
         )
     };
+    check_levels(bytes)?;
     let texture =
         Transcoder::new(bytes).map_err(|_| unsupported("is damaged or not compressed by Basis Universal"))?;
     if !texture.supports(TargetFormat::Rgba32) {
@@ -43,7 +44,61 @@ fn decode_checked(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
     Image::new(width, height, pixels).ok_or_else(|| damaged("incomplete"))
 }
 
+/// Rejects levels whose claimed length is too large, because the decoder allocates it. Those of KTX2 (section 3.1 of its
+/// specification): after a header of 80 bytes, three numbers of 64 bits for each level, the last of which is its length
+/// after decompression.
+fn check_levels(bytes: &[u8]) -> Result<(), CodecError> {
+    const COUNT: usize = 40;
+    const INDEX: usize = 80;
+    const ENTRY: usize = 24;
+    let (Some(index), Some(count)) = (
+        bytes.get(INDEX..),
+        bytes.get(COUNT..).and_then(<[u8]>::first_chunk),
+    ) else {
+        return Ok(());
+    };
+    if !bytes.starts_with(KTX2) {
+        return Ok(());
+    }
+    let count = u32::from_le_bytes(*count).max(1) as usize;
+    let allowed = limits::allowed_bytes(bytes.len());
+    for (level, entry) in index.chunks_exact(ENTRY).take(count).enumerate() {
+        let length = entry.last_chunk().map_or(0, |length| u64::from_le_bytes(*length));
+        if length > allowed {
+            let problem = format!(
+                "level {level} of {length} bytes cannot be in {} bytes",
+                bytes.len()
+            );
+            return Err(damaged(&problem));
+        }
+    }
+    Ok(())
+}
+
 fn damaged(problem: &str) -> CodecError {
     let remedy = "the file is truncated or damaged; save it again";
     CodecError::new("KTX2", "pixels", problem.to_string(), remedy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rejects_huge_levels_before_allocating() {
+        let mut file = KTX2.to_vec();
+        file.resize(80 + 2 * 24, 0);
+        file[40] = 2;
+        assert_eq!(check_levels(&file), Ok(()));
+        // The last byte of the second level's length.
+        file[127] = 1;
+        let error = decode(&file).unwrap_err().to_string();
+        assert!(
+            error.contains("level 1 of 72057594037927936 bytes cannot be in 128 bytes"),
+            "{error}"
+        );
+        for end in 0..file.len() {
+            assert!(decode(&file[..end]).is_err());
+        }
+    }
 }
