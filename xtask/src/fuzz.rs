@@ -216,7 +216,7 @@ fn parse(log: &str) -> Outcome {
     outcome
 }
 
-/// Copies the input of a crash to the regressions, and says so.
+/// Copies the input of a crash to the regressions. Returns what was found, and the path of the copy.
 fn keep(target: &Target, log: &str) -> Result<String, String> {
     let what = problem(log);
     let Some(artifact) = log

@@ -43,7 +43,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 /// Prints a command's error, if any, and returns the exit code.
 fn finish(result: Result<Exit>) -> u8 {
     match result {
-        Ok(Exit::Success | Exit::Interrupted) => signals::exit_code().unwrap_or(Exit::Success.code()),
+        Ok(exit @ (Exit::Success | Exit::Interrupted)) => signals::exit_code().unwrap_or(exit.code()),
         Ok(exit) => exit.code(),
         Err(error) if output::is_closed_pipe(error.as_ref()) => Exit::Success.code(),
         Err(error) => {

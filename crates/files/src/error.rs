@@ -80,8 +80,14 @@ impl FileError {
 
 /// Returns the folder of a file.
 pub(crate) fn folder(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
+    or_current(path.parent().unwrap_or(Path::new("")))
+}
+
+/// Returns a folder, or `.` for an empty path.
+pub(crate) fn or_current(folder: &Path) -> &Path {
+    if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
     }
 }

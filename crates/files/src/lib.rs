@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 pub use atomic::{AtomicFile, write};
 pub use error::FileError;
+use error::or_current;
 pub use named::{is_below, open_regular, read_regular};
 pub use output::OutputFiles;
 pub use temporary::abandon;
@@ -67,11 +68,7 @@ pub fn make_folder(path: &Path) -> Result<(), FileError> {
 /// Returns an error if an absolute path cannot be determined.
 pub fn relative(folder: &Path, file: &Path) -> Result<String, FileError> {
     let absolute = |path: &Path| {
-        let path = if path.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            path
-        };
+        let path = or_current(path);
         fs::canonicalize(path).or_else(|_| std::path::absolute(path))
     };
     let unknown = |_| FileError::new(file, "its absolute path cannot be determined", "check the path");

@@ -5,6 +5,8 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::Path;
 
+use crate::error::or_current;
+
 /// Opens a regular file.
 ///
 /// # Errors
@@ -55,12 +57,7 @@ pub fn read_regular(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
 /// Whether a file is in a folder or below it, after symbolic links are followed; `false` if either does not exist.
 #[must_use]
 pub fn is_below(file: &Path, folder: &Path) -> bool {
-    let folder = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    match (file.canonicalize(), folder.canonicalize()) {
+    match (file.canonicalize(), or_current(folder).canonicalize()) {
         (Ok(file), Ok(folder)) => file.starts_with(folder),
         _ => false,
     }

@@ -2,6 +2,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::error::folder;
 use crate::temporary::Temporary;
 use crate::{AtomicFile, FileError, WrittenFile, make_folder, write};
 
@@ -81,10 +82,7 @@ impl OutputFiles {
 
     fn prepare(&mut self, path: &Path) -> Result<PathBuf, FileError> {
         let path = self.root.join(path);
-        let folder = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
+        let folder = folder(&path);
         if !self.checked.contains(folder) {
             self.check_folder(folder)?;
         }

@@ -5,7 +5,8 @@ use oaktwin_image::Image;
 
 use crate::random::Random;
 
-/// The first line is a list of filters apart by semicolons or empty; then the filters are drawn. The rest is two frames.
+/// The first line is a list of filters separated by semicolons. If it is empty, the filters are drawn from the bytes. The
+/// rest describes two frames.
 pub(crate) fn check(bytes: &[u8]) {
     let at = bytes.iter().position(|&byte| byte == b'\n');
     let (text, rest) = bytes.split_at(at.unwrap_or(0));

@@ -68,7 +68,7 @@ fn least_left(root: &Path, path: &str, names: [&str; 2]) -> Option<u64> {
 fn left(group: &Path, [limit, usage]: [&str; 2]) -> Option<u64> {
     let read = |name: &str| fs::read_to_string(group.join(name)).ok();
     let number = |name: &str| read(name)?.trim().parse::<u64>().ok();
-    // `max` is no number: there is no limit.
+    // A group without a limit has the text `max` instead of a number.
     let limit = number(limit)?;
     // Cached files count as usage, but give way.
     let cached = read("memory.stat").and_then(|text| {

@@ -251,6 +251,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;
             options.set_item("scene_limit", opened.limit.factor())?;
+            options.set_item("allow_outside", opened.allow_outside)?;
             let instances = &stage.renderer.scene().instances;
             for (index, (pose, _)) in &stage.placed {
                 poses.set_item(&instances[*index].path, rows(py, pose)?)?;

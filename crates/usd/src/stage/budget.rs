@@ -6,6 +6,7 @@
 //! sites that arcs within a layer lead to, before the layer is composed.
 
 use std::any::Any;
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -70,6 +71,11 @@ pub(super) fn exceeded(file: &str, payload: &(dyn Any + Send)) -> Option<StageEr
     ))
 }
 
+/// Returns the name of a layer without its folder.
+fn file_name(layer: &str) -> Cow<'_, str> {
+    Path::new(layer).file_name().unwrap_or_default().to_string_lossy()
+}
+
 impl Budget {
     pub(super) fn new(limit: SceneLimit) -> Self {
         Self {
@@ -87,26 +93,30 @@ impl Budget {
         self.clips.set(clips);
         let allowed = self.limit.times(CLIPS);
         if clips.count() > allowed {
-            let layer = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
-            self.exceed(&layer, "its templates describe value clips", allowed, "clips");
+            self.exceed(
+                &file_name(name),
+                "its templates describe value clips",
+                allowed,
+                "clips",
+            );
         }
         let layers = self.layers.get() + 1;
         self.layers.set(layers);
         let allowed = self.limit.times(LAYERS.1);
         if layers > allowed {
-            let layer = Path::new(name).file_name().unwrap_or_default().to_string_lossy();
-            self.exceed(&layer, "up to this one, layers multiply", allowed, "layers");
+            self.exceed(
+                &file_name(name),
+                "up to this one, layers multiply",
+                allowed,
+                "layers",
+            );
         }
         self.has_arcs.set(self.has_arcs.get() || !outline.arcs.is_empty());
         for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
             match growth {
                 Growth::Layers { layer, count } if count > self.limit.times(LAYERS.0) => {
-                    let layer = Path::new(&layer)
-                        .file_name()
-                        .unwrap_or_default()
-                        .to_string_lossy();
                     let allowed = self.limit.times(LAYERS.0);
-                    self.exceed(&layer, "its sublayers multiply", allowed, "layers");
+                    self.exceed(&file_name(&layer), "its sublayers multiply", allowed, "layers");
                 }
                 Growth::Sites { prim, count } if cost(count) > self.sites_left() => {
                     let what = "its references, inherits, specializes and variants multiply";

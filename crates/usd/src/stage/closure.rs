@@ -87,7 +87,8 @@ impl Extent {
 }
 
 impl Closure {
-    /// Adds the arcs of a layer. Returns whether one of them is new. An arc counts as often as it is in one layer.
+    /// Adds the arcs of a layer. Returns whether one of them is new. An arc that several layers author counts as
+    /// often as it occurs in the layer with most of them.
     pub(super) fn add(&mut self, layer: &[Arc]) -> bool {
         let mut grown = false;
         let mut counts = HashMap::new();
@@ -287,12 +288,7 @@ impl<'a> Graph<'a> {
             done[*index] = true;
         }
         for index in cyclic {
-            for dependent in &dependents[index] {
-                open[*dependent] -= 1;
-                if open[*dependent] == 0 && !done[*dependent] {
-                    ready.push(*dependent);
-                }
-            }
+            release(&dependents[index], &mut open, &done, &mut ready);
         }
         self.settle(&mut ready, &mut open, &dependents, &mut done, &mut known);
         known
@@ -310,12 +306,7 @@ impl<'a> Graph<'a> {
         while let Some(index) = ready.pop() {
             known[index] = self.evaluate(index, known);
             done[index] = true;
-            for dependent in &dependents[index] {
-                open[*dependent] -= 1;
-                if open[*dependent] == 0 && !done[*dependent] {
-                    ready.push(*dependent);
-                }
-            }
+            release(&dependents[index], open, done, ready);
         }
     }
 
@@ -339,6 +330,16 @@ impl<'a> Graph<'a> {
             });
         }
         (0..left.len()).filter(|index| left[*index]).collect()
+    }
+}
+
+/// Removes one open dependency of each dependent, and adds those without any to `ready`.
+fn release(dependents: &[usize], open: &mut [usize], done: &[bool], ready: &mut Vec<usize>) {
+    for dependent in dependents {
+        open[*dependent] -= 1;
+        if open[*dependent] == 0 && !done[*dependent] {
+            ready.push(*dependent);
+        }
     }
 }
 

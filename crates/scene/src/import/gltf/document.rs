@@ -101,8 +101,7 @@ fn load_buffers(root: &Value, folder: &Folder, mut binary: Option<Vec<u8>>) -> R
                 Target::Data(bytes) => bytes,
                 Target::File(file) => read_file(&file, &place)?,
                 Target::Outside(file) => {
-                    let is = format!("{}: is outside the folder of the glTF file", file.display());
-                    return Err(Fault::new(place, is, uri::inside()));
+                    return Err(Fault::new(place, uri::outside(&file), uri::inside()));
                 }
                 Target::Unsupported(why) => {
                     return Err(Fault::new(place, why, "export it together with its buffers"));

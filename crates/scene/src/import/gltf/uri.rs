@@ -46,6 +46,11 @@ impl Folder {
     }
 }
 
+/// What is wrong with a file outside the folder.
+pub(super) fn outside(file: &Path) -> String {
+    format!("{}: is outside the folder of the glTF file", file.display())
+}
+
 /// The remedy for a file outside the folder.
 pub(super) fn inside() -> Message {
     message![
