@@ -132,11 +132,15 @@ fn remove_abandoned(folder: &Path) {
     // An unreadable folder is reported by whoever writes into it.
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     for entry in entries.filter(|entry| is_temporary(&entry.file_name())) {
-        let path = entry.path();
-        if entry.file_type().is_ok_and(|kind| kind.is_file())
-            && File::open(&path).is_ok_and(|file| file.try_lock().is_ok())
-        {
-            let _ = fs::remove_file(path);
+        if !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        let Ok(file) = File::open(entry.path()) else {
+            continue;
+        };
+        // The lock is held until the name is gone: a writer that waits for it to lock a new file then finds its name missing.
+        if file.try_lock().is_ok() {
+            let _ = fs::remove_file(entry.path());
         }
     }
 }
