@@ -76,6 +76,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Accuracy(args) => commands::accuracy::run(&context, args),
         Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
+        Command::Studio(args) => commands::studio::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Success),
     }
 }
