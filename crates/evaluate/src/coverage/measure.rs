@@ -152,13 +152,17 @@ impl Tally {
                 *number += 1;
             }
         }
-        let orientation = candidate.world_from_body.quaternion();
+        let (rig, pose) = (candidate.rig, &candidate.world_from_body);
+        let up = scene.up.direction();
+        let axis = rig.camera.view(pose).world_from_camera.rotation.z_axis;
         self.candidates.push(CandidateCoverage {
             name: candidate.name.clone(),
-            model: candidate.rig.model.clone(),
-            engine: candidate.rig.sensor.engine().kind().name,
-            position_m: candidate.world_from_body.translation.to_array(),
-            orientation: orientation.to_array(),
+            model: rig.model.clone(),
+            engine: rig.sensor.engine().kind().name,
+            position_m: pose.translation.to_array(),
+            orientation: pose.quaternion().to_array(),
+            height_m: pose.translation.dot(up),
+            tilt_deg: (-axis.dot(up)).clamp(-1.0, 1.0).asin().to_degrees(),
             shares: Shares::new(&look.outcomes, look.errors_m.iter().copied().map(f64::from)),
             occluders: occluders(scene, &look.occluders, look.outcomes.len()),
         });

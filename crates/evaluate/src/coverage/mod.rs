@@ -42,16 +42,19 @@ mod error;
 mod look;
 mod measure;
 mod outcome;
+mod placement;
 mod region;
 mod report;
 mod rig;
 mod surface;
+mod table;
 #[cfg(test)]
 mod tests;
 
 pub use error::CoverageError;
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
 pub use outcome::{Outcome, REASONS, Reason};
+pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
 pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
 pub use rig::{Candidate, Rig, RigOptions};

@@ -1,5 +1,6 @@
 mod candidates;
 mod geometry;
+mod placements;
 mod points;
 mod regions;
 
