@@ -67,7 +67,7 @@ fn files_contain_what_json_does() {
             .as_object()
             .unwrap()
             .values()
-            .filter_map(|share| share.as_f64())
+            .filter_map(serde_json::Value::as_f64)
             .sum();
         assert!((number("measured") + lost - 1.0).abs() < 1e-9, "{candidate}");
         assert!(number("seen") >= number("measured"));
