@@ -36,7 +36,7 @@ export interface Catalog {
   engines: Engine[];
   /** The filters that can be chosen, with the parameters of each. */
   filters: Filter[];
-  /** The reasons why a pixel has no value, by code. Code 0 is a measured pixel. */
+  /** The reasons why a pixel has no value, sorted by code; codes have gaps. Code 0 is a measured pixel. */
   reasons: Reason[];
   /** The largest file that can be dropped, bytes. */
   maxUploadBytes: number;
@@ -291,7 +291,7 @@ export interface Statistics {
   medianAbsoluteErrorM: number | null;
   medianAbsoluteErrorPercent: number | null;
   p95AbsoluteErrorM: number | null;
-  /** The number of pixels of each reason, as many as {@link Catalog.reasons}. */
+  /** The number of pixels of each reason, in the order of {@link Catalog.reasons}. */
   reasons: number[];
   /** Errors in bins of equal width between the ends. */
   histogram: { fromM: number; toM: number; counts: number[] };

@@ -97,7 +97,7 @@ fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
             &seen.pair.as_ref().ok_or_else(missing)?.rectified_right.to_eight(),
             format,
         )?,
-        ImageName::Reason => bytes_file(&reasons::image(&seen), format)?,
+        ImageName::Reason => bytes_file(reasons::codes(&seen).ok_or_else(missing)?, format)?,
     };
     let stem = serde_json::to_value(name).ok();
     let stem = stem.as_ref().and_then(|name| name.as_str()).unwrap_or("image");

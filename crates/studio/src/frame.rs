@@ -102,7 +102,7 @@ fn pixels(measurement: &Measurement, name: ImageName) -> Option<Pixels> {
         ImageName::Right => Some(Pixels::bytes(
             &measurement.pair.as_ref()?.rectified_right.to_eight(),
         )),
-        ImageName::Reason => Some(Pixels::bytes(&reasons::image(measurement))),
+        ImageName::Reason => reasons::codes(measurement).map(Pixels::bytes),
     }
 }
 
@@ -133,7 +133,7 @@ pub(crate) fn statistics(measurement: &Measurement, [left, top, right, bottom]: 
         median_absolute_error_m: errors.median_absolute_error_m,
         median_absolute_error_percent: errors.median_absolute_error_percent,
         p95_absolute_error_m: errors.p95_absolute_error_m,
-        reasons: reasons::count(&reasons::image(measurement), &region),
+        reasons: reasons::codes(measurement).map_or_else(Vec::new, |codes| reasons::count(codes, &region)),
         histogram: Histogram {
             from_m: errors.histogram.from_m,
             to_m: errors.histogram.to_m,

@@ -2,7 +2,6 @@
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{PixelPoint, Usd};
-use oaktwin::image::Image;
 use oaktwin::render::{Ray, Renderer};
 
 use oaktwin::depth::stereo_noise::Subpixel;
@@ -40,7 +39,7 @@ pub(crate) fn probe(station: &Station, request: &ProbeRequest) -> Result<ProbeAn
         let next = disparity_times_depth / z - step_px;
         (next > 0.0).then(|| disparity_times_depth / next - z)
     });
-    let reason = reason(&reasons::image(measurement), pixel);
+    let reason = reasons::codes(measurement).and_then(|codes| codes.get(x, y));
     let point = hit.as_ref().map(|hit| hit.point);
     let occluder = point
         .filter(|_| measured_m.is_none())
@@ -54,7 +53,7 @@ pub(crate) fn probe(station: &Station, request: &ProbeRequest) -> Result<ProbeAn
         measured_m,
         error_m: true_m.zip(measured_m).map(|(truth, measured)| measured - truth),
         step_m,
-        reason,
+        reason: reason.copied().unwrap_or_default(),
         object: hit.map(|hit| hit.path),
         occluder,
         point: point.map(|point| point.to_array()),
@@ -70,10 +69,6 @@ fn index(fraction: f64, length: u32) -> u32 {
     )]
     let pixel = (fraction * f64::from(length)).floor() as u32;
     pixel.min(length.saturating_sub(1))
-}
-
-fn reason(reasons: &Image<u8>, [x, y]: [u32; 2]) -> u8 {
-    reasons.get(x, y).copied().unwrap_or_default()
 }
 
 /// The surface in a pixel.

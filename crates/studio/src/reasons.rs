@@ -1,6 +1,8 @@
-//! Why a pixel has no value.
+//! Why pixels have no value.
 
+use oaktwin::depth::{ReasonCodes, reason};
 use oaktwin::image::Image;
+use oaktwin::image::annotation::{Annotator, ReasonLabel};
 use oaktwin::measure::Region;
 use serde::Serialize;
 
@@ -9,48 +11,34 @@ use crate::station::Measurement;
 #[derive(Debug, Serialize)]
 pub(crate) struct Reason {
     code: u8,
-    name: &'static str,
-    documentation: &'static str,
+    name: String,
+    documentation: String,
 }
 
-const REASONS: [(&str, &str); 2] = [
-    ("measured", "The pixel has a value."),
-    ("not_measured", "The sensor reports no value."),
-];
-
-/// Returns all reasons by code.
+/// Returns all reasons, sorted by their codes.
 pub(crate) fn all() -> Vec<Reason> {
-    (0..)
-        .zip(REASONS)
-        .map(|(code, (name, documentation))| Reason {
-            code,
-            name,
-            documentation,
-        })
-        .collect()
+    let legend = reason::legend().into_iter();
+    let reason = |(code, label): (u8, ReasonLabel)| Reason {
+        code,
+        name: label.name,
+        documentation: label.documentation,
+    };
+    legend.map(reason).collect()
 }
 
-/// Returns the reason of each pixel of a measured image.
-pub(crate) fn image(measurement: &Measurement) -> Image<u8> {
-    measurement
-        .capture
-        .distance
-        .0
-        .map(|metres| u8::from(*metres <= 0.0))
+/// Returns the codes of a measured image, which every engine provides.
+pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
+    let codes: &ReasonCodes = measurement.capture.extra(Annotator::DepthSensorReason)?;
+    Some(&codes.0)
 }
 
-/// Counts the pixels of each reason in a region.
-pub(crate) fn count(reasons: &Image<u8>, region: &Region) -> Vec<u64> {
-    let mut counts = vec![0; all().len()];
+/// Counts the pixels of each reason in a region, in the order of [`all`].
+pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
+    let mut counts = [0u64; 256];
     let columns = region.columns.start as usize..region.columns.end as usize;
-    let rows = reasons
-        .rows()
-        .skip(region.rows.start as usize)
-        .take(region.rows.len());
+    let rows = codes.rows().skip(region.rows.start as usize).take(region.rows.len());
     for code in rows.filter_map(|row| row.get(columns.clone())).flatten() {
-        if let Some(count) = counts.get_mut(usize::from(*code)) {
-            *count += 1;
-        }
+        counts[usize::from(*code)] += 1;
     }
-    counts
+    reason::legend().keys().map(|code| counts[usize::from(*code)]).collect()
 }

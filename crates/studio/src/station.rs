@@ -123,7 +123,7 @@ impl Station {
             )
         })?;
         let offered = oak.sensor.engine().outputs();
-        let extras: Vec<Annotator> = [Annotator::Confidence]
+        let extras: Vec<Annotator> = [Annotator::Confidence, Annotator::DepthSensorReason]
             .into_iter()
             .filter(|one| offered.contains(one))
             .collect();
