@@ -1,11 +1,14 @@
 //! Evaluation of depth sensors, simulated and real.
 //!
 //! * [`accuracy`] measures a twin as the vendor measures its cameras;
+//! * [`coverage`] measures which part of a surface sensors at candidate poses see;
 //! * [`fit`] estimates a sensor's error parameters from recordings of a flat target;
-//! * [`measure`] holds the statistics that both use, and [`figure`] draws their results.
+//! * [`measure`] holds the statistics that they use, and [`figure`] draws their results.
 
 pub mod accuracy;
+pub mod coverage;
 pub mod figure;
 pub mod fit;
+mod list;
 pub mod measure;
 mod table;

@@ -80,9 +80,7 @@ pub(crate) fn materialx(bytes: &[u8]) {
 pub(crate) fn emitter(bytes: &[u8]) {
     let mut random = Random::new(bytes);
     let width = random.number();
-    // The USD library keeps the escape sequences of control characters, quotes and backslashes.
-    let mut text = random.text();
-    text.retain(|c| !c.is_control() && c != '"' && c != '\\');
+    let text = random.text();
     let mut camera = Prim::def("Camera", "Camera").documented(random.text());
     camera.set("focalLength", Value::Float(positive(&mut random)));
     camera.set("horizontalAperture", Value::Float(positive(&mut random)));
@@ -105,8 +103,12 @@ pub(crate) fn emitter(bytes: &[u8]) {
     let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
     let path = folder.path().join("x.usda");
     fs::write(&path, &emitted).unwrap_or_else(|error| panic!("{error}"));
-    let stage =
-        stage::open(&path, SceneLimit::default()).unwrap_or_else(|error| panic!("{error}\n{emitted}"));
+    let stage = match stage::open(&path, SceneLimit::default()) {
+        Ok(stage) => stage,
+        // No quotes of the USD library enclose both.
+        Err(error) if error.to_string().contains("quotation marks of both kinds") => return,
+        Err(error) => panic!("{error}\n{emitted}"),
+    };
     let read = &stage.cameras[0];
     assert_eq!(read.prim.text("test:text"), Some(text.as_str()), "{emitted}");
     if width.is_finite() {

@@ -19,6 +19,7 @@ mod plane;
 pub mod ply;
 pub mod png;
 mod png_chunks;
+mod png_reduced;
 pub mod preview;
 pub mod srgb;
 pub mod text;

@@ -19,8 +19,27 @@ pub(crate) fn allowed_bytes(length: usize) -> u64 {
     ALWAYS_ALLOWED.max((length as u64).saturating_mul(MAX_RATIO))
 }
 
+/// Returns the number of bytes for decoding a texture: the decoder's pixels, and the conversion to four channels.
+pub(crate) fn needed((width, height): (u64, u64), bytes_per_pixel: u64) -> u64 {
+    let per_pixel = (2 * bytes_per_pixel).max(bytes_per_pixel + 8);
+    width.saturating_mul(height).saturating_mul(per_pixel)
+}
+
 /// Rejects images that are too large, before memory is allocated.
 pub(crate) fn check(
+    format: &'static str,
+    (width, height): (u64, u64),
+    bytes_per_pixel: u64,
+    length: usize,
+) -> Result<(), CodecError> {
+    check_claim(format, (width, height), bytes_per_pixel, length)?;
+    // Twice: the decoder's pixels and ours.
+    memory::check(width * height * 2 * bytes_per_pixel)
+        .map_err(|shortage| CodecError::shortage(format, (width, height), shortage))
+}
+
+/// Rejects sizes that no file of `length` bytes has.
+pub(crate) fn check_claim(
     format: &'static str,
     (width, height): (u64, u64),
     bytes_per_pixel: u64,
@@ -43,9 +62,7 @@ pub(crate) fn check(
             "the file is damaged; save it again",
         );
     }
-    // Twice: the decoder's pixels and ours.
-    memory::check(pixels.saturating_mul(2 * bytes_per_pixel))
-        .map_err(|shortage| CodecError::shortage(format, (width, height), shortage))
+    Ok(())
 }
 
 #[cfg(test)]

@@ -6,10 +6,11 @@ use std::io::Cursor;
 
 use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use oaktwin_memory as memory;
+use oaktwin_memory::{self as memory, Shortage};
 
+pub use crate::png_reduced::Average;
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::{CodecError, Image, basis, exr, limits, png_chunks};
+use crate::{CodecError, Image, basis, exr, limits, png_chunks, png_reduced};
 
 /// A decoded image in its own colour space.
 enum Decoded {
@@ -17,6 +18,74 @@ enum Decoded {
     Srgb(Image<[u8; 4]>),
     /// Linear colours.
     Linear(Image<[f32; 3]>),
+}
+
+/// A texture that fits into the memory.
+#[derive(Clone, Debug)]
+pub struct Fitted<P> {
+    /// The pixels.
+    pub image: Image<P>,
+    /// The reduction, unless the image has the size in its file.
+    pub reduction: Option<Reduction>,
+}
+
+/// The reason why an image is smaller than in its file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reduction {
+    /// The width and height in the file.
+    pub full_size: (u32, u32),
+    /// The memory for the full size.
+    pub shortage: Shortage,
+}
+
+/// The bytes per pixel of a reduced image and its mipmaps, or of its linear colours.
+const SRGB_BYTES: u64 = 8;
+const LINEAR_BYTES: u64 = 20;
+
+/// Decodes a texture like [`decode_srgb`]. A PNG image that does not fit into the memory is reduced by a power of two while
+/// it is read.
+///
+/// # Errors
+/// Returns the same errors as [`decode_srgb`].
+pub fn fit_srgb(
+    bytes: &[u8],
+    extension: Option<&str>,
+    average: Average,
+) -> Result<Fitted<[u8; 4]>, CodecError> {
+    if let Some(reduced) = png_reduced::decode(bytes, SRGB_BYTES, average)? {
+        return Ok(reduced.into());
+    }
+    let image = decode_srgb(bytes, extension)?;
+    let reduction = None;
+    Ok(Fitted { image, reduction })
+}
+
+/// Decodes a texture like [`decode_linear`]. A PNG image that does not fit into the memory is reduced by a power of two while
+/// it is read.
+///
+/// # Errors
+/// Returns the same errors as [`decode_srgb`].
+pub fn fit_linear(bytes: &[u8], extension: Option<&str>) -> Result<Fitted<[f32; 3]>, CodecError> {
+    if let Some(reduced) = png_reduced::decode(bytes, LINEAR_BYTES, Average::Srgb)? {
+        let Fitted { image, reduction } = reduced.into();
+        let image = to_linear(&image);
+        return Ok(Fitted { image, reduction });
+    }
+    let image = decode_linear(bytes, extension)?;
+    let reduction = None;
+    Ok(Fitted { image, reduction })
+}
+
+impl From<png_reduced::Reduced> for Fitted<[u8; 4]> {
+    fn from(reduced: png_reduced::Reduced) -> Self {
+        Self {
+            image: reduced.image,
+            reduction: Some(Reduction {
+                full_size: reduced.full_size,
+                shortage: reduced.shortage,
+            }),
+        }
+    }
 }
 
 /// Decodes a texture to sRGB with alpha (255 if the file has none). High dynamic range is clipped at 1.
@@ -41,12 +110,16 @@ pub fn decode_srgb(bytes: &[u8], extension: Option<&str>) -> Result<Image<[u8; 4
 /// Returns the same errors as [`decode_srgb`].
 pub fn decode_linear(bytes: &[u8], extension: Option<&str>) -> Result<Image<[f32; 3]>, CodecError> {
     Ok(match decode(bytes, extension)? {
-        Decoded::Srgb(image) => {
-            let linear = linear_from_srgb();
-            image.map(|&[r, g, b, _]| [r, g, b].map(|value| linear[usize::from(value)]))
-        }
+        Decoded::Srgb(image) => to_linear(&image),
         Decoded::Linear(image) => image,
     })
+}
+
+/// Converts sRGB colours to linear ones, without alpha.
+#[must_use]
+pub fn to_linear(image: &Image<[u8; 4]>) -> Image<[f32; 3]> {
+    let linear = linear_from_srgb();
+    image.map(|&[r, g, b, _]| [r, g, b].map(|value| linear[usize::from(value)]))
 }
 
 fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> {
@@ -98,9 +171,8 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
     let (width, height) = decoder.dimensions();
     let per_pixel = u64::from(decoder.color_type().bytes_per_pixel());
     let size = (u64::from(width), u64::from(height));
-    limits::check(name, size, per_pixel, bytes.len())?;
-    // The conversion to four channels copies the pixels.
-    memory::check(size.0 * size.1 * (per_pixel + 8))
+    limits::check_claim(name, size, per_pixel, bytes.len())?;
+    memory::check(limits::needed(size, per_pixel))
         .map_err(|shortage| CodecError::shortage(name, size, shortage))?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| broken("pixels", &error))?;
     let incomplete = || broken("pixels", &"incomplete");

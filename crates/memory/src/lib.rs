@@ -75,11 +75,17 @@ impl Shortage {
     /// What to do.
     #[must_use]
     pub fn remedy(&self) -> Message {
+        self.remedy_or("use a smaller input")
+    }
+
+    /// What to do, with the way to need less.
+    #[must_use]
+    pub fn remedy_or(&self, less: &str) -> Message {
         let limit = LIMIT.load(Ordering::Relaxed);
         if limit == u64::MAX {
-            "free some memory, or use a smaller input".into()
+            message!["free some memory, or ", less]
         } else {
-            message!["raise ", opt("memory-limit"), ", or use a smaller input"]
+            message!["raise ", opt("memory-limit"), ", or ", less]
         }
     }
 }

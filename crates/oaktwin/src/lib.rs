@@ -30,7 +30,7 @@ pub use oaktwin_catalog as catalog;
 pub use oaktwin_dataset as dataset;
 pub use oaktwin_depth as depth;
 pub use oaktwin_diagnostic as diagnostic;
-pub use oaktwin_evaluate::{accuracy, figure, fit, measure};
+pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
 pub use oaktwin_files as files;
 pub use oaktwin_image as image;
 pub use oaktwin_memory as memory;

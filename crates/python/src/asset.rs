@@ -47,15 +47,23 @@ pub(crate) fn format(path: &Path) -> PyResult<Format> {
     })
 }
 
+/// Reads the factor on the limits for composing a stage.
+pub(crate) fn scene_limit(factor: f64) -> PyResult<SceneLimit> {
+    SceneLimit::new(factor).ok_or_else(|| {
+        let is = format!("must be a finite number > 0 (got {factor})");
+        wrong("scene_limit", is, "pass a larger number")
+    })
+}
+
 /// The overrides layer at `path` for an existing asset.
 pub(crate) fn overrides(
     twin: &Twin,
     options: &AssetOptions,
     format: Format,
-    base: &Path,
+    (base, limit): (&Path, SceneLimit),
     path: &Path,
 ) -> PyResult<(Vec<u8>, Vec<Finding>)> {
-    let stage = stage::open(base, SceneLimit::default()).map_err(|error| reading(base, &error))?;
+    let stage = stage::open(base, limit).map_err(|error| reading(base, &error))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let name = files::relative(folder, base).map_err(error)?;
     if fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(base).is_ok_and(|base| base == path)) {

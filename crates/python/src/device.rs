@@ -349,11 +349,12 @@ impl Device {
     /// rigid_body: whether to add mass and a collider.
     /// body: whether to add the visible body.
     /// over: an existing asset of the model: the file is then a layer of overrides on it, which refers to it by a relative path.
+    /// scene_limit: the factor on the limits for composing `over`: its prims, references and instances; by default 1.
     ///
     /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
     /// extension, OSError for files that cannot be written; incomplete files are removed.
     #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "openusd", extended_disparity = false,
-        legacy_distortion = false, rigid_body = false, body = true, over = None))]
+        legacy_distortion = false, rigid_body = false, body = true, over = None, scene_limit = 1.0))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(clippy::fn_params_excessive_bools, reason = "options of Python")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
@@ -369,6 +370,7 @@ impl Device {
         rigid_body: bool,
         body: bool,
         over: Option<PathBuf>,
+        scene_limit: f64,
     ) -> PyResult<()> {
         let settings = AssetSettings {
             isaac,
@@ -381,9 +383,10 @@ impl Device {
         };
         let options = settings.options(self.lens)?;
         let format = asset::format(&path)?;
+        let limit = asset::scene_limit(scene_limit)?;
         let twin = &self.twin;
         let (bytes, findings) = py.detach(|| match &over {
-            Some(base) => asset::overrides(twin, &options, format, base, &path),
+            Some(base) => asset::overrides(twin, &options, format, (base, limit), &path),
             None => asset::bytes(twin, &options, format),
         })?;
         py.detach(|| oaktwin::files::write(&path, &bytes))

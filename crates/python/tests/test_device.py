@@ -164,6 +164,10 @@ def test_overrides(program, tmp_path, calibration):
     (tmp_path / "empty.usda").write_text("#usda 1.0\n")
     with pytest.raises(oaktwin.Error, match="empty.usda"):
         device.write_usd(tmp_path / "ours.usda", over=tmp_path / "empty.usda")
+    with pytest.raises(oaktwin.Error, match="scene_limit: must be a finite number > 0"):
+        device.write_usd(tmp_path / "ours.usda", over=base, scene_limit=0)
+    with pytest.raises(oaktwin.Error, match="raise scene_limit from 0.000001"):
+        device.write_usd(tmp_path / "ours.usda", over=base, scene_limit=1e-6)
     assert (tmp_path / "ours.usda").read_text() == text
 
 

@@ -1,6 +1,7 @@
 """Copies, pickles, and other processes."""
 
 import copy
+import json
 import multiprocessing
 import pickle
 
@@ -144,6 +145,26 @@ def test_scenes(tmp_path):
     (tmp_path / "wall.obj").unlink()
     with pytest.raises(FileNotFoundError, match=r"wall\.obj: cannot be read"):
         pickle.loads(lost)
+
+
+def test_scenes_with_files_outside_their_folder(tmp_path):
+    (tmp_path / "scene").mkdir()
+    np.array([[2, -1, 0], [2, 1, 0], [2, 0, 2]], np.float32).tofile(tmp_path / "corners.bin")
+    document = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 36, "uri": "../corners.bin"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0}],
+    }
+    path = tmp_path / "scene/a.gltf"
+    path.write_text(json.dumps(document))
+    with pytest.raises(oaktwin.Error, match="outside the folder of the glTF file; .* add allow_outside"):
+        oaktwin.Scene.open(path)
+    scene = oaktwin.Scene.open(path, allow_outside=True)
+    for other in copies(scene):
+        assert np.array_equal(other.bounds, scene.bounds)
 
 
 def work(arguments):

@@ -173,7 +173,7 @@ def test_memory_limit():
     camera = oaktwin.Camera((4000, 3000), hfov_deg=60)
     try:
         oaktwin.set_memory_limit("1M")
-        with pytest.raises(oaktwin.Error, match=r"of memory needed, 0.0 MiB available"):
+        with pytest.raises(oaktwin.Error, match=r"of memory needed, 0.0 MiB available; raise the limit of set_memory_limit\(\), or"):
             scene.render(camera, np.eye(4))
         oaktwin.set_memory_limit(1 << 40)
         assert scene.render(camera, np.eye(4), annotators=["distance_to_image_plane"])

@@ -3,9 +3,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 use oaktwin::camera::ApertureOffsets;
 use oaktwin::usd::asset::{Format, IsaacVersion, Target};
+use oaktwin::usd::stage::SceneLimit;
 
-use super::UnitArgs;
 use super::choice::parser;
+use super::{UnitArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
@@ -55,6 +56,16 @@ pub(crate) struct AssetArgs {
     /// Write only a layer with the calibrated values over this asset (the vendor's or Isaac Sim's)
     #[arg(long, value_name = "ASSET", requires = "calibration", value_hint = ValueHint::FilePath)]
     pub(crate) over: Option<PathBuf>,
+
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value = "1",
+        value_parser = limit::parse,
+        requires = "over",
+        help = limit::HELP
+    )]
+    pub(crate) scene_limit: SceneLimit,
 
     /// Print the written files and findings as JSON
     #[arg(long)]

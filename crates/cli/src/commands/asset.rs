@@ -4,7 +4,7 @@ use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files;
 use oaktwin::usd::asset::{self, Asset, AssetOptions, Format, OverrideBase};
-use oaktwin::usd::stage::{self, SceneLimit};
+use oaktwin::usd::stage;
 use serde::Serialize;
 
 use crate::args::AssetArgs;
@@ -113,7 +113,7 @@ fn format(args: &AssetArgs) -> Result<Format> {
 
 /// Creates a layer of overrides on an existing asset, which it references relative to its own folder.
 fn over(twin: &Twin, options: &AssetOptions, base: &Path, args: &AssetArgs) -> Result<Asset> {
-    let stage = stage::open(base, SceneLimit::default())?;
+    let stage = stage::open(base, args.scene_limit)?;
     let folder = if destination::names_folder(&args.output) {
         args.output.clone()
     } else {

@@ -58,36 +58,34 @@ fn images_that_grow_when_they_are_decoded() {
 }
 
 #[test]
-fn textures_are_left_out() {
+fn large_textures_are_reduced() {
     let program = program();
     program.put(
         "large.png",
-        png::encode(&Image::filled(6000, 6000, [200u8, 0, 0])).unwrap(),
+        png::encode(&Image::filled(6000, 6000, [0u8, 0, 200])).unwrap(),
     );
-    program.put("crate.mtl", "newmtl red\nmap_Kd large.png\n");
+    program.put("crate.mtl", "newmtl blue\nmap_Kd large.png\n");
     let cube = fs::read_to_string(program.path("crate.obj")).unwrap();
     let cube: String = cube.lines().map(|line| format!("{line}\n")).collect();
     program.put(
-        "red.obj",
+        "blue.obj",
         format!(
-            "mtllib crate.mtl\nusemtl red\nvt 0 0\n{}",
-            cube.replace("\nf ", "\nusemtl red\nf ")
+            "mtllib crate.mtl\nusemtl blue\nvt 0 0\n{}",
+            cube.replace("\nf ", "\nusemtl blue\nf ")
         ),
     );
     let command =
-        "render red.obj --model oak4-d --look-at -2 0 1 0 0 0 --annotators rgb -o out --resolution 64x40";
+        "render blue.obj --model oak4-d --look-at -2 0 1 0 0 0 --annotators rgb -o out --resolution 64x40";
     let mut arguments: Vec<&str> = command.split(' ').collect();
     arguments.extend(["--memory-limit", "100M"]);
     let ended = program.run(&arguments);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    assert!(
-        ended
-            .stderr
-            .contains("a plain colour is used instead of the texture"),
-        "{}",
-        ended.stderr
-    );
+    let message = "warning[texture-reduced]: large.png: the texture is reduced from 6000 × 6000 to 3000 × 3000 pixels: ";
+    assert!(ended.stderr.contains(message), "{}", ended.stderr);
     assert!(ended.stderr.contains("raise --memory-limit"), "{}", ended.stderr);
+    let image: Image<[u8; 4]> = png::decode(&fs::read(program.path("out/rgb_0000.png")).unwrap()).unwrap();
+    let [r, _, b, _] = image.pixels()[20 * 64 + 32];
+    assert!(r < 60 && b > 120, "the crate is blue: {r}, {b}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Small stages that compose more than fits in memory.
 
-use crate::program::Program;
+use crate::program::{EXAMPLE, Program};
 
 const RENDER: [&str; 8] = ["--model", "oak4-d", "--look-at", "-2", "0", "1", "0", "0"];
 
@@ -17,11 +17,21 @@ fn stage() -> String {
 }
 
 #[test]
-fn check_and_render_report_the_prim_and_the_option() {
+fn commands_report_the_prim_and_the_option() {
     let program = Program::new();
     program.put("stage.usda", stage());
     let render = [&["render", "stage.usda"], &RENDER[..], &["0", "-o", "out"]].concat();
-    for command in [vec!["check", "stage.usda"], render] {
+    let asset = [
+        "asset",
+        "oak-d-pro-poe",
+        "--calibration",
+        EXAMPLE,
+        "--over",
+        "stage.usda",
+        "-o",
+        "out.usda",
+    ];
+    for command in [vec!["check", "stage.usda"], render, asset.to_vec()] {
         assert_eq!(
             program.refused(&command),
             "error: stage.usda: /A40: its references, inherits, specializes and variants multiply beyond the limit of \

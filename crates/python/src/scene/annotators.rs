@@ -41,11 +41,11 @@ pub(super) fn check_memory(camera: &Camera, annotators: &[Annotator], count: usi
     check_free(
         &camera.name,
         needed,
-        "render fewer poses at once, or smaller images",
+        "render fewer poses at once or smaller images",
     )
 }
 
-/// Returns an error if less memory is free than needed, bytes.
-pub(crate) fn check_free(name: &str, needed: u64, remedy: &str) -> PyResult<()> {
-    memory::check(needed).map_err(|shortage| wrong(name, shortage.what(), remedy))
+/// Returns an error if less memory is free than needed, bytes. `less` is the way to need less.
+pub(crate) fn check_free(name: &str, needed: u64, less: &str) -> PyResult<()> {
+    memory::check(needed).map_err(|shortage| wrong(name, shortage.what(), shortage.remedy_or(less)))
 }

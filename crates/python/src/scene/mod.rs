@@ -1,4 +1,5 @@
 pub(crate) mod annotators;
+pub(crate) mod coverage;
 mod parts;
 
 use std::collections::BTreeMap;
@@ -14,13 +15,13 @@ use oaktwin::render::{
     check_saved_name, save_usd, scene_cameras,
 };
 use oaktwin::scene::Instance;
-use oaktwin::usd::stage::SceneLimit;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use self::annotators::{check_memory, scene_annotator};
 use self::parts::{Parts, Stage, items};
 use crate::arguments::{Annotators, FrameNumber, Size};
+use crate::asset;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
 use crate::device::Device;
@@ -93,10 +94,7 @@ impl Scene {
         scene_limit: f64,
         allow_outside: bool,
     ) -> PyResult<Self> {
-        let limit = SceneLimit::new(scene_limit).ok_or_else(|| {
-            let is = format!("must be a finite number > 0 (got {scene_limit})");
-            wrong("scene_limit", is, "pass a larger number")
-        })?;
+        let limit = asset::scene_limit(scene_limit)?;
         let options = OpenOptions {
             time,
             subdivide,

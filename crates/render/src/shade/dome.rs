@@ -2,11 +2,12 @@
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
+use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_scene::Texture;
 
 use super::harmonics::Harmonics;
-use super::textures::{Missing, linear};
+use super::textures::linear;
 
 /// The columns and rows of the reduced image from which spherical harmonics are computed.
 const COARSE: [u32; 2] = [64, 32];
@@ -23,18 +24,21 @@ pub(super) struct DomeImage {
 }
 
 impl DomeImage {
+    /// Decodes the texture. Returns a finding if it is reduced, and an error if it cannot be shown.
     pub(super) fn new(
         texture: &Texture,
         radiance: Vec3,
         world_from_light: DAffine3,
-    ) -> Result<Self, Missing> {
+    ) -> Result<(Self, Option<Finding>), Finding> {
         let inverse = world_from_light.matrix3.inverse();
         let is_whole = inverse.is_finite();
-        Ok(Self {
-            image: linear(&texture.source)?,
+        let (image, finding) = linear(&texture.source)?;
+        let dome = Self {
+            image,
             radiance,
             light_from_world: if is_whole { inverse } else { DMat3::IDENTITY },
-        })
+        };
+        Ok((dome, finding))
     }
 
     /// Returns the radiance from a direction in the world.

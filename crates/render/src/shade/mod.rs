@@ -208,7 +208,7 @@ impl Shader {
         (work(&context), findings)
     }
 
-    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded.
+    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded, or are reduced.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
         let mut meshes = vec![false; scene.meshes.len()];
         let mut last = u32::MAX;
@@ -230,18 +230,18 @@ impl Shader {
             .collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let missing: Vec<Option<Finding>> = wanted
+        let findings: Vec<Option<Finding>> = wanted
             .into_par_iter()
             .map(|texture| {
-                let decoded = self.assets.textures.get(scene, texture)?;
-                decoded.as_ref().err().map(textures::Missing::finding)
+                let loaded = self.assets.textures.get(scene, texture)?;
+                loaded.finding.clone()
             })
             .collect();
         self.rig
             .findings
             .iter()
             .cloned()
-            .chain(missing.into_iter().flatten())
+            .chain(findings.into_iter().flatten())
             .collect()
     }
 }

@@ -109,12 +109,13 @@ impl LightRig {
             self.has_sky = true;
             let texture = texture.and_then(|index| scene.textures.get(index as usize));
             match texture.map(|texture| DomeImage::new(texture, radiance, light.world_from_light)) {
-                Some(Ok(dome)) => {
+                Some(Ok((dome, finding))) => {
+                    self.findings.extend(finding);
                     self.sky = self.sky.plus(&dome.harmonics());
                     self.backdrop.domes.push(dome);
                     return;
                 }
-                Some(Err(missing)) => self.findings.push(missing.finding()),
+                Some(Err(finding)) => self.findings.push(finding),
                 None => {}
             }
             self.sky = self.sky.plus(&Harmonics::uniform(radiance));

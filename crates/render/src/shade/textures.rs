@@ -4,91 +4,123 @@ use std::sync::OnceLock;
 
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files as files;
-use oaktwin_image::{Image, texture};
-use oaktwin_scene::{ColorSpace, Scene, TextureSource};
+use oaktwin_image::texture::{self, Average, Fitted, Reduction};
+use oaktwin_image::{CodecError, Image};
+use oaktwin_scene::{ColorSpace, Scene, Texture, TextureSource};
 
 use super::pyramid::Pyramid;
 
 /// The maximum size of an image file.
 const MAX_BYTES: u64 = 1 << 30;
 
-/// The reason why a texture cannot be shown.
-#[derive(Clone, Debug)]
-pub(super) struct Missing {
-    place: String,
-    message: String,
-    remedy: String,
-}
-
-impl Missing {
-    pub(super) fn finding(&self) -> Finding {
-        Finding::new(
-            "texture-missing",
-            Level::Warning,
-            self.place.clone(),
-            self.message.clone(),
-            self.remedy.clone(),
-        )
-    }
+/// A decoded texture.
+#[derive(Debug)]
+pub(super) struct Loaded {
+    /// `None` if the texture cannot be shown.
+    pyramid: Option<Pyramid>,
+    /// The reason why it cannot be shown, or not in full size.
+    pub(super) finding: Option<Finding>,
 }
 
 /// The textures of a scene.
 #[derive(Debug)]
 pub(super) struct Textures {
-    pyramids: Vec<OnceLock<Result<Pyramid, Missing>>>,
+    loaded: Vec<OnceLock<Loaded>>,
 }
 
 impl Textures {
     pub(super) fn new(scene: &Scene) -> Self {
         Self {
-            pyramids: scene.textures.iter().map(|_| OnceLock::new()).collect(),
+            loaded: scene.textures.iter().map(|_| OnceLock::new()).collect(),
         }
     }
 
     /// Returns a texture, decoding it on first use; `None` if the scene has no such texture.
-    pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Result<Pyramid, Missing>> {
-        let slot = self.pyramids.get(index as usize)?;
+    pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Loaded> {
+        let slot = self.loaded.get(index as usize)?;
         let texture = scene.textures.get(index as usize)?;
-        Some(slot.get_or_init(|| {
-            let (image, is_high_range) = decoded(&texture.source)?;
-            // Images of high dynamic range have been converted to sRGB.
-            Ok(Pyramid::new(
-                image,
-                is_high_range || texture.color_space != ColorSpace::Raw,
-            ))
-        }))
+        Some(slot.get_or_init(|| Loaded::new(texture)))
     }
 
     /// Returns a texture that is already decoded.
     pub(super) fn ready(&self, index: u32) -> Option<&Pyramid> {
-        self.pyramids.get(index as usize)?.get()?.as_ref().ok()
+        self.loaded.get(index as usize)?.get()?.pyramid.as_ref()
     }
 }
 
-/// Decodes the texture of a dome into linear light.
-pub(super) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Missing> {
-    if let TextureSource::Pixels(image) = source {
-        let linear = oaktwin_image::srgb::linear_from_srgb();
-        return Ok(image.map(|&[r, g, b, _]| [r, g, b].map(|value| linear[usize::from(value)])));
+impl Loaded {
+    fn new(texture: &Texture) -> Self {
+        match pyramid(texture) {
+            Ok((pyramid, finding)) => Self {
+                pyramid: Some(pyramid),
+                finding,
+            },
+            Err(finding) => Self {
+                pyramid: None,
+                finding: Some(finding),
+            },
+        }
     }
-    let (name, bytes) = bytes(source)?;
-    texture::decode_linear(&bytes, extension(&name)).map_err(|error| broken(name, &error.to_string()))
 }
 
-/// Decodes an image into sRGB and returns whether it is of high dynamic range.
-fn decoded(source: &TextureSource) -> Result<(Image<[u8; 4]>, bool), Missing> {
+/// Decodes the texture of a dome into linear light. Returns a finding if it is reduced.
+pub(super) fn linear(source: &TextureSource) -> Result<(Image<[f32; 3]>, Option<Finding>), Finding> {
     if let TextureSource::Pixels(image) = source {
-        return Ok((Image::clone(image), false));
+        return Ok((texture::to_linear(image), None));
     }
     let (name, bytes) = bytes(source)?;
+    match texture::fit_linear(&bytes, extension(&name)) {
+        Ok(fitted) => Ok(with_finding(name, fitted)),
+        Err(error) => Err(broken(name, &error)),
+    }
+}
+
+/// Decodes a texture. Returns a finding if it is reduced.
+fn pyramid(texture: &Texture) -> Result<(Pyramid, Option<Finding>), Finding> {
+    let average = match texture.color_space {
+        ColorSpace::Raw => Average::Raw,
+        _ => Average::Srgb,
+    };
+    if let TextureSource::Pixels(image) = &texture.source {
+        return Ok((Pyramid::new(Image::clone(image), average == Average::Srgb), None));
+    }
+    let (name, bytes) = bytes(&texture.source)?;
+    // Images of high dynamic range are converted to sRGB.
     let is_high_range = bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) || bytes.starts_with(b"#?");
-    match texture::decode_srgb(&bytes, extension(&name)) {
-        Ok(image) => Ok((image, is_high_range)),
-        Err(error) => Err(broken(name, &error.to_string())),
+    match texture::fit_srgb(&bytes, extension(&name), average) {
+        Ok(fitted) => {
+            let (image, finding) = with_finding(name, fitted);
+            let pyramid = Pyramid::new(image, is_high_range || average == Average::Srgb);
+            Ok((pyramid, finding))
+        }
+        Err(error) => Err(broken(name, &error)),
     }
 }
 
-fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
+/// Returns the image, and a finding if it is reduced.
+fn with_finding<P>(place: String, fitted: Fitted<P>) -> (Image<P>, Option<Finding>) {
+    let image = fitted.image;
+    let finding = fitted.reduction.map(|Reduction { full_size, shortage }| {
+        let message = format!(
+            "the texture is reduced from {} × {} to {} × {} pixels: {}",
+            full_size.0,
+            full_size.1,
+            image.width(),
+            image.height(),
+            shortage.what()
+        );
+        Finding::new(
+            "texture-reduced",
+            Level::Warning,
+            place,
+            message,
+            shortage.remedy(),
+        )
+    });
+    (image, finding)
+}
+
+fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Finding> {
     match source {
         TextureSource::Pixels(_) => Ok((String::new(), Vec::new())),
         TextureSource::Encoded { name, bytes } => Ok((name.clone(), bytes.to_vec())),
@@ -96,11 +128,11 @@ fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Missing> {
             let name = path.display().to_string();
             match files::read_regular(path, MAX_BYTES) {
                 Ok(bytes) => Ok((name, bytes)),
-                Err(error) => Err(Missing {
-                    place: name,
-                    message: format!("the texture cannot be read ({error}); a plain colour is used instead"),
-                    remedy: "put the file there, or correct the path to it".to_owned(),
-                }),
+                Err(error) => Err(missing(
+                    name,
+                    format!("the texture cannot be read ({error}); a plain colour is used instead"),
+                    "put the file there, or correct the path to it",
+                )),
             }
         }
     }
@@ -110,11 +142,15 @@ fn extension(name: &str) -> Option<&str> {
     name.rsplit_once('.').map(|(_, extension)| extension)
 }
 
-/// The message of a codec includes the remedy.
-fn broken(place: String, message: &str) -> Missing {
-    Missing {
+fn broken(place: String, error: &CodecError) -> Finding {
+    // The message of a codec includes the remedy.
+    missing(
         place,
-        message: format!("a plain colour is used instead of the texture: {message}"),
-        remedy: String::new(),
-    }
+        format!("a plain colour is used instead of the texture: {error}"),
+        "",
+    )
+}
+
+fn missing(place: String, message: String, remedy: &str) -> Finding {
+    Finding::new("texture-missing", Level::Warning, place, message, remedy)
 }

@@ -120,7 +120,10 @@ fn open(
 
 fn failed(file: &str, layer: &Inspected, error: &dyn std::fmt::Display) -> StageError {
     let reason = format!("{error:#}");
-    let line = std::str::from_utf8(&layer.bytes).ok().and_then(failing_line);
+    let text = std::str::from_utf8(&layer.decoded.bytes).ok();
+    let line = text
+        .and_then(failing_line)
+        .map(|line| layer.decoded.line_in_file(line));
     StageError::new(
         file,
         line.map(|line| format!("line {line}")).unwrap_or_default(),

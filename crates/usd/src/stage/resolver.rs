@@ -9,7 +9,7 @@ use oaktwin_files as files;
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
 use super::budget::Budget;
-use super::inspect::{self, Content, Inspected, Outline, unreadable};
+use super::inspect::{self, Content, Decoded, Inspected, Outline, unreadable};
 use super::packages::Packages;
 use crate::materialx;
 
@@ -49,18 +49,18 @@ pub(super) struct InspectingResolver {
     valid: RefCell<HashSet<String>>,
     /// The layer read last, initially the stage's own: the library opens a layer several times in a row, to detect its
     /// format and to read it.
-    last: RefCell<(PathBuf, Arc<Vec<u8>>)>,
+    last: RefCell<(PathBuf, Arc<Decoded>)>,
 }
 
 /// A file in memory, shared by several readers.
 struct Shared {
-    bytes: Arc<Vec<u8>>,
+    file: Arc<Decoded>,
     at: u64,
 }
 
 impl Read for Shared {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let mut cursor = Cursor::new(self.bytes.as_slice());
+        let mut cursor = Cursor::new(self.file.bytes.as_slice());
         cursor.set_position(self.at);
         let count = cursor.read(buffer)?;
         self.at = cursor.position();
@@ -70,7 +70,7 @@ impl Read for Shared {
 
 impl Seek for Shared {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        let mut cursor = Cursor::new(self.bytes.as_slice());
+        let mut cursor = Cursor::new(self.file.bytes.as_slice());
         cursor.set_position(self.at);
         self.at = cursor.seek(to)?;
         Ok(self.at)
@@ -79,11 +79,11 @@ impl Seek for Shared {
 
 impl Asset for Shared {
     fn size(&self) -> io::Result<u64> {
-        Ok(self.bytes.len() as u64)
+        Ok(self.file.bytes.len() as u64)
     }
 
     fn read_all(&mut self) -> io::Result<Vec<u8>> {
-        Ok(self.bytes.to_vec())
+        Ok(self.file.bytes.clone())
     }
 }
 
@@ -98,10 +98,10 @@ impl InspectingResolver {
             budget,
             packages,
             valid: RefCell::default(),
-            last: RefCell::new((path, file.bytes.clone())),
+            last: RefCell::new((path, file.decoded.clone())),
         };
         match &file.content {
-            Content::Layer(outline) => resolver.count(&name, outline, file.bytes.len()),
+            Content::Layer(outline) => resolver.count(&name, outline, file.decoded.bytes.len()),
             Content::Package(_) => resolver.packages.keep(name, file.clone()),
         }
         resolver
@@ -126,7 +126,7 @@ impl InspectingResolver {
                 .map_err(|error| unreadable(&error))?,
         };
         let layer = materialx::to_layer(&bytes).map_err(|error| unreadable(&error))?;
-        Ok(Box::new(Cursor::new(layer.text().into_bytes())))
+        Ok(Box::new(Cursor::new(inspect::decode(layer.text().into_bytes())?)))
     }
 }
 
@@ -178,20 +178,26 @@ impl Resolver for InspectingResolver {
         if let Some((package, entry)) = ar::split_package_relative_path_outer(&text) {
             let bytes: Vec<u8> = self.packages.entry(&package, &entry).map_err(invalid_data)?;
             if !self.valid.borrow().contains(&text) {
-                let outline = inspect::layer(&entry, &bytes).map_err(invalid_data)?;
-                self.count(&text, &outline, bytes.len());
+                let layer = inspect::layer(&entry, bytes).map_err(invalid_data)?;
+                match &layer.content {
+                    Content::Layer(outline) => self.count(&text, outline, layer.decoded.bytes.len()),
+                    Content::Package(_) => self.count(&text, &Outline::default(), layer.decoded.bytes.len()),
+                }
+                let file = layer.decoded;
+                return Ok(Box::new(Shared { file, at: 0 }));
             }
+            let bytes = inspect::decode(bytes).map_err(invalid_data)?;
             return Ok(Box::new(Cursor::new(bytes)));
         }
         let path: &Path = resolved;
         if self.last.borrow().0 != path {
             let file = inspect::file(path).map_err(invalid_data)?;
             if let Content::Layer(outline) = &file.content {
-                self.count(&text, outline, file.bytes.len());
+                self.count(&text, outline, file.decoded.bytes.len());
             }
-            self.last.replace((path.to_owned(), file.bytes));
+            self.last.replace((path.to_owned(), file.decoded));
         }
-        let bytes = self.last.borrow().1.clone();
-        Ok(Box::new(Shared { bytes, at: 0 }))
+        let file = self.last.borrow().1.clone();
+        Ok(Box::new(Shared { file, at: 0 }))
     }
 }

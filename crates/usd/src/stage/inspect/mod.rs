@@ -5,6 +5,7 @@
 
 mod binary;
 mod cursor;
+mod escapes;
 mod outline;
 mod package;
 mod properties;
@@ -21,14 +22,15 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;
+pub(super) use escapes::Decoded;
 pub(super) use outline::{Arc, ArcKind, Clips, Outline};
 pub(super) use package::Directory;
 
 /// A file that the USD library can read safely.
 #[derive(Debug)]
 pub(super) struct Inspected {
-    /// The content.
-    pub bytes: sync::Arc<Vec<u8>>,
+    /// The bytes for the library.
+    pub decoded: sync::Arc<Decoded>,
     pub content: Content,
     /// Problems that do not prevent it from being read.
     pub findings: Vec<Finding>,
@@ -85,6 +87,7 @@ impl fmt::Display for Problem {
 
 /// The maximum depth of prims and dictionaries. The library's run time grows with the cube of the depth.
 const MAX_DEPTH: usize = 256;
+const TEXT_MAGIC: &[u8] = b"#usda";
 const USE_ANOTHER_COPY: &str = "use an undamaged copy";
 const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
 
@@ -124,20 +127,20 @@ pub(super) fn file(path: &Path) -> Result<Inspected, Problem> {
         .take(MAX_LAYER_BYTES)
         .read_to_end(&mut bytes)
         .map_err(|error| io_problem(&error))?;
-    let (content, findings) = validate(kind, &bytes)?;
-    Ok(Inspected {
-        bytes: sync::Arc::new(bytes),
-        content,
-        findings,
-    })
+    validate(kind, bytes)
 }
 
-/// Validates a layer in memory, such as a package entry. Returns its outline.
-pub(super) fn layer(name: &str, bytes: &[u8]) -> Result<Outline, Problem> {
-    match validate(kind(name, bytes)?, bytes)?.0 {
-        Content::Layer(outline) => Ok(outline),
-        Content::Package(_) => Ok(Outline::default()),
+/// Validates a layer in memory, such as a package entry.
+pub(super) fn layer(name: &str, bytes: Vec<u8>) -> Result<Inspected, Problem> {
+    validate(kind(name, &bytes)?, bytes)
+}
+
+/// Returns the bytes of a valid layer for the library.
+pub(super) fn decode(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
+    if bytes.starts_with(TEXT_MAGIC) {
+        return escapes::decode(bytes).map(|decoded| decoded.bytes);
     }
+    Ok(bytes)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,15 +150,24 @@ enum Kind {
     Package,
 }
 
-fn validate(kind: Kind, bytes: &[u8]) -> Result<(Content, Vec<Finding>), Problem> {
-    let layer = |outline| (Content::Layer(outline), Vec::new());
-    match kind {
-        Kind::Text => text::inspect(bytes).map(layer),
-        Kind::Binary => binary::inspect(bytes).map(layer),
+fn validate(kind: Kind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
+    let decoded = match kind {
+        Kind::Text => escapes::decode(bytes)?,
+        Kind::Binary | Kind::Package => Decoded::verbatim(bytes),
+    };
+    let (content, findings) = match kind {
+        Kind::Text => (Content::Layer(text::inspect(&decoded)?), Vec::new()),
+        Kind::Binary => (Content::Layer(binary::inspect(&decoded.bytes)?), Vec::new()),
         Kind::Package => {
-            package::inspect(bytes).map(|(directory, findings)| (Content::Package(directory), findings))
+            let (directory, findings) = package::inspect(&decoded.bytes)?;
+            (Content::Package(directory), findings)
         }
-    }
+    };
+    Ok(Inspected {
+        decoded: sync::Arc::new(decoded),
+        content,
+        findings,
+    })
 }
 
 /// Detects a file's format from its first bytes; an error if its extension does not match.
@@ -167,7 +179,7 @@ fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
         .extension()
         .map(|extension| extension.to_string_lossy().to_ascii_lowercase())
         .unwrap_or_default();
-    let kind = if head.starts_with(b"#usda") {
+    let kind = if head.starts_with(TEXT_MAGIC) {
         Kind::Text
     } else if head.starts_with(b"PXR-USDC") {
         Kind::Binary

@@ -1,3 +1,6 @@
+use std::ops::Range;
+
+use super::escapes::Decoded;
 use super::outline::Outline;
 use super::properties::Properties;
 use super::skeleton::Skeleton;
@@ -5,8 +8,12 @@ use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
 /// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
 /// Returns its outline.
-pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
-    let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
+pub(super) fn inspect(layer: &Decoded) -> Result<Outline, Problem> {
+    let bytes = layer.bytes.as_slice();
+    let line_at = |offset: usize| {
+        let before = bytes.iter().take(offset).filter(|byte| **byte == b'\n');
+        layer.line_in_file(1 + before.count())
+    };
     let text = std::str::from_utf8(bytes).map_err(|error| {
         Problem::new(
             format!("line {}", line_at(error.valid_up_to())),
@@ -47,26 +54,55 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
 pub(super) struct Structure<'a> {
     bytes: &'a [u8],
     at: usize,
+    /// The strings so far with escape sequences.
+    pub(super) escaped: Vec<Quoted>,
+}
+
+/// A string in a text layer.
+#[derive(Debug)]
+pub(super) struct Quoted {
+    /// The bytes between the quotes.
+    pub(super) content: Range<usize>,
+    /// The length of the quotes on each side: 1 or 3.
+    pub(super) marks: usize,
 }
 
 impl<'a> Structure<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0 }
+        Self {
+            bytes,
+            at: 0,
+            escaped: Vec::new(),
+        }
     }
 
-    /// Skips to the end of a delimited text, or to the end of the layer if it is not closed.
-    fn skip_delimited(&mut self, delimiter: &[u8], escapes: bool) {
-        self.at += delimiter.len();
+    /// Skips to the end of a text that a delimiter opened and closes, or to the end of the layer if it is not closed.
+    fn skip_delimited(&mut self, open: usize, close: &[u8]) {
+        self.at += open;
+        while self.at < self.bytes.len() && !self.bytes[self.at..].starts_with(close) {
+            self.at += 1;
+        }
+        self.at += close.len();
+    }
+
+    fn skip_string(&mut self, quote: &[u8]) {
+        self.at += quote.len();
+        let start = self.at;
+        let mut has_escapes = false;
         while self.at < self.bytes.len() {
-            if self.bytes[self.at..].starts_with(delimiter) {
-                self.at += delimiter.len();
+            if self.bytes[self.at..].starts_with(quote) {
+                if has_escapes {
+                    self.escaped.push(Quoted {
+                        content: start..self.at,
+                        marks: quote.len(),
+                    });
+                }
+                self.at += quote.len();
                 return;
             }
-            self.at += if escapes && self.bytes[self.at] == b'\\' {
-                2
-            } else {
-                1
-            };
+            let is_escape = self.bytes[self.at] == b'\\';
+            has_escapes |= is_escape;
+            self.at += 1 + usize::from(is_escape);
         }
     }
 }
@@ -86,13 +122,14 @@ impl Iterator for Structure<'_> {
                 b'"' | b'\'' => {
                     let triple = [byte; 3];
                     if rest.starts_with(&triple) {
-                        self.skip_delimited(&triple, true);
+                        self.skip_string(&triple);
                     } else {
-                        self.skip_delimited(&[byte], true);
+                        self.skip_string(&[byte]);
                     }
                 }
-                b'@' if rest.starts_with(b"@@@") => self.skip_delimited(b"@@@", false),
-                b'@' => self.skip_delimited(b"@", false),
+                b'@' if rest.starts_with(b"@@@") => self.skip_delimited(3, b"@@@"),
+                b'@' => self.skip_delimited(1, b"@"),
+                b'/' if rest.starts_with(b"/*") => self.skip_delimited(2, b"*/"),
                 b'{' | b'}' | b'(' | b')' | b'[' | b']' | b'\n' | b';' => {
                     self.at += 1;
                     return Some((self.at - 1, byte));
@@ -106,14 +143,19 @@ impl Iterator for Structure<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::escapes;
     use super::*;
 
     #[test]
     fn ignores_brackets_in_strings_comments_and_asset_paths() {
         let text = br#"#usda 1.0 (((
-def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ string t = 'don\'t(' }"#;
+def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ /* don't ( */ string t = 'don\'t(' }"#;
         let seen: Vec<u8> = Structure::new(text).map(|(_, byte)| byte).collect();
         assert_eq!(seen, b"\n{}");
+    }
+
+    fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
+        super::inspect(&escapes::decode(bytes.to_vec())?)
     }
 
     #[test]
