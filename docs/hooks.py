@@ -150,8 +150,9 @@ def write_stub(folder: Path) -> dict[str, list[str]]:
     assert spec is not None and spec.origin is not None
     stub = Path(spec.origin).with_name("_oaktwin.pyi").read_text("utf-8")
     (folder / "oaktwin").mkdir()
-    # The package wraps `accuracy` in a function of its own.
-    stub = re.sub(r"^__all__ = \[.*?^\]\n", "", stub, flags=re.M | re.S).replace("def accuracy(", "def _accuracy(")
+    # The package wraps these in functions of its own.
+    stub = re.sub(r"^__all__ = \[.*?^\]\n", "", stub, flags=re.M | re.S)
+    stub = re.sub(r"^def (accuracy|coverage)\(", r"def _\1(", stub, flags=re.M)
     (folder / "oaktwin/__init__.pyi").write_text(f"from __future__ import annotations\n{stub}", "utf-8")
     classes = (node for node in ast.parse(stub).body if isinstance(node, ast.ClassDef))
     return {one.name: [part.name for part in one.body if isinstance(part, ast.FunctionDef)] for one in classes}

@@ -57,5 +57,5 @@ pub use outcome::{Outcome, REASONS, Reason};
 pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
 pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
-pub use rig::{Candidate, Rig, RigOptions};
+pub use rig::{Candidate, Rig, RigOptions, candidates};
 pub use surface::{Samples, SurfacePoint};

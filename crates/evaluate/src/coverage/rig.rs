@@ -7,7 +7,7 @@ use oaktwin_pipeline::render::{
 };
 use oaktwin_pipeline::sensor::{EngineInput, Sensor, SensorOptions, default_engine, depth_sensor};
 
-use super::CoverageError;
+use super::{CoverageError, Placement};
 
 /// The depth sensor of an OAK with its camera, which can be placed anywhere.
 #[derive(Clone, Debug)]
@@ -156,4 +156,14 @@ impl<'a> Candidate<'a> {
             world_from_body,
         }
     }
+}
+
+/// Returns every rig at every placement as a candidate, those of the first rig first.
+#[must_use]
+pub fn candidates<'a>(rigs: &'a [Rig], placements: &[Placement]) -> Vec<Candidate<'a>> {
+    let placed = |rig: &'a Rig| {
+        let at = move |place: &Placement| Candidate::new(rig, &place.name, place.world_from_body);
+        placements.iter().map(at)
+    };
+    rigs.iter().flat_map(placed).collect()
 }

@@ -17,6 +17,7 @@ images, and all objects are thread-safe. Builds of Python without the GIL are no
 
 from . import filters
 from ._accuracy import Accuracy, accuracy
+from ._coverage import Coverage, coverage
 from ._fit import Fit, fit
 from ._oaktwin import (
     Camera,
@@ -44,6 +45,7 @@ from ._oaktwin import (
 __all__ = [
     "Accuracy",
     "Camera",
+    "Coverage",
     "DepthSensor",
     "Device",
     "Error",
@@ -60,6 +62,7 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "coverage",
     "filters",
     "fit",
     "look_at",

@@ -29,6 +29,7 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "coverage",
     "fit",
     "look_at",
     "main",
@@ -599,6 +600,24 @@ def accuracy(
     width_px: int | None = None,
     **options: Unpack[_SensorOptions],
 ) -> dict[str, Any]: ...
+def coverage(
+    scene: Scene,
+    devices: Sequence[Device],
+    world_from_body: npt.ArrayLike,
+    *,
+    region: str | Sequence[str] | None = None,
+    region_box: npt.ArrayLike | None = None,
+    height: Sequence[float] | str | None = None,
+    tilt: Sequence[float] | str | None = None,
+    sensor: str | None = None,
+    size: tuple[int, int] | None = None,
+    samples: int | None = None,
+    points: bool = False,
+    projector: float = 0.0,
+    ambient: float = 1.0,
+    imager: Mapping[str, float | str | bool] | None = None,
+    **options: Unpack[_SensorOptions],
+) -> tuple[dict[str, Any], dict[str, Any] | None]: ...
 def fit(
     device: Device,
     recordings: Sequence[str | PathLike[str]],

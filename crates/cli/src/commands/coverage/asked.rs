@@ -2,7 +2,7 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{Base, Candidate, Placement, Region, Rig, RigOptions, Sweep};
+use oaktwin::coverage::{self, Base, Candidate, Placement, Region, Rig, RigOptions, Sweep};
 use oaktwin::diagnostic::Finding;
 use oaktwin::render::{SceneCameraOptions, SceneFile, scene_cameras, trajectory};
 use oaktwin::scene::{Bounds, Up};
@@ -122,9 +122,5 @@ pub(super) fn candidates<'a>(
         let own = |rig: &'a Rig| Candidate::new(rig, "in the scene", rig.camera().world_from_mount);
         return rigs.iter().map(own).collect();
     }
-    let placed = |rig: &'a Rig| {
-        let at = move |place: &Placement| Candidate::new(rig, &place.name, place.world_from_body);
-        placements.iter().map(at)
-    };
-    rigs.iter().flat_map(placed).collect()
+    coverage::candidates(rigs, placements)
 }

@@ -1,0 +1,63 @@
+import type { Parameter } from "../protocol";
+
+/** The result of reading the text of a field. */
+export type Checked = { text: string } | { problem: string };
+
+/** Checks what somebody typed for a parameter; a problem is a sentence for the field. */
+export function check(parameter: Parameter, typed: string): Checked {
+  const text = typed.trim();
+  if (parameter.type === "boolean") {
+    return text === "true" || text === "false" ? { text } : { problem: "Enter true or false." };
+  }
+  if (parameter.choices) {
+    return parameter.choices.includes(text) ? { text } : { problem: `Choose one of ${parameter.choices.join(", ")}.` };
+  }
+  if (parameter.type === "string") return { text };
+  const value = Number(text.replace(",", "."));
+  if (text === "" || !Number.isFinite(value)) return { problem: "Enter a number." };
+  if (parameter.type === "integer" && !Number.isInteger(value)) return { problem: "Enter a whole number." };
+  const { minimum, maximum } = parameter;
+  if ((minimum !== null && value < minimum) || (maximum !== null && value > maximum)) {
+    return { problem: `Enter ${range(parameter)}.` };
+  }
+  return { text: text.replace(",", ".") };
+}
+
+/** Describes the values that a parameter may have, such as "0 to 100 px". */
+export function range({ type, choices, minimum, maximum, unit }: Parameter): string {
+  if (type === "boolean") return "true or false";
+  if (choices) return choices.join(", ");
+  const suffix = unit ? ` ${unit}` : "";
+  if (minimum !== null && maximum !== null) return `${minimum} to ${maximum}${suffix}`;
+  if (minimum !== null) return `at least ${minimum}${suffix}`;
+  if (maximum !== null) return `at most ${maximum}${suffix}`;
+  return type === "string" ? "any text" : `any number${suffix}`;
+}
+
+/** Returns the limits of a slider, or null if a parameter has none that a slider could use. */
+export function slider(parameter: Parameter, fallback: number): { from: number; to: number; step: number } | null {
+  if (parameter.type !== "number" && parameter.type !== "integer") return null;
+  if (parameter.choices || parameter.minimum === null || parameter.maximum === null) return null;
+  const from = parameter.minimum;
+  const span = parameter.maximum - from;
+  // A range of many decades, such as 0 to 10000 around a default of 0.1, would make the slider useless.
+  const size = Math.abs(fallback - from);
+  const to = size > 0 && span > 200 * size ? from + niceSpan(20 * size) : parameter.maximum;
+  const step = parameter.type === "integer" ? 1 : 10 ** Math.floor(Math.log10((to - from) / 200));
+  return { from, to, step };
+}
+
+function niceSpan(span: number): number {
+  return Number(span.toPrecision(1));
+}
+
+/** Groups parameters under their headings, in order of appearance. */
+export function grouped(parameters: Parameter[]): [string, Parameter[]][] {
+  const groups = new Map<string, Parameter[]>();
+  for (const parameter of parameters) {
+    const group = groups.get(parameter.group);
+    if (group) group.push(parameter);
+    else groups.set(parameter.group, [parameter]);
+  }
+  return [...groups];
+}

@@ -1,0 +1,58 @@
+/** What is shown for a value that does not exist. */
+export const NONE = "–";
+
+/** Formats a length with a unit that suits it. */
+export function length(metres: number | null | undefined): string {
+  if (metres == null || !Number.isFinite(metres)) return NONE;
+  const size = Math.abs(metres);
+  if (size < 0.001) return `${(metres * 1e3).toFixed(3)} mm`;
+  if (size < 0.1) return `${(metres * 1e3).toFixed(1)} mm`;
+  return `${metres.toFixed(3)} m`;
+}
+
+/** Formats an error: always in millimetres and with its sign. */
+export function signedMillimetres(metres: number | null | undefined): string {
+  if (metres == null || !Number.isFinite(metres)) return NONE;
+  const text = (metres * 1e3).toFixed(1);
+  return metres > 0 ? `+${text} mm` : `${text} mm`;
+}
+
+export function millimetres(metres: number | null | undefined): string {
+  if (metres == null || !Number.isFinite(metres)) return NONE;
+  return `${(metres * 1e3).toFixed(1)} mm`;
+}
+
+export function share(fraction: number | null | undefined): string {
+  if (fraction == null || !Number.isFinite(fraction)) return NONE;
+  return `${(fraction * 100).toFixed(1)} %`;
+}
+
+export function percent(value: number | null | undefined): string {
+  if (value == null || !Number.isFinite(value)) return NONE;
+  return `${value.toFixed(2)} %`;
+}
+
+/** Formats a number for a field: at most `digits` decimals and no trailing zeros. */
+export function decimal(value: number, digits: number): string {
+  return String(Number(value.toFixed(digits)));
+}
+
+/** Makes a heading of an identifier: "outside_view" and "outsideView" become "Outside view". */
+export function words(name: string): string {
+  const spaced = name
+    .replace(/[_-]+/g, " ")
+    .replace(/([a-z0-9])([A-Z])/g, (_, before: string, after: string) => `${before} ${after.toLowerCase()}`);
+  return spaced.charAt(0).toUpperCase() + spaced.slice(1);
+}
+
+export function bytes(count: number): string {
+  return count < 1e6 ? `${(count / 1e3).toFixed(0)} kB` : `${(count / 1e6).toFixed(0)} MB`;
+}
+
+/** Rounds up to 1, 2 or 5 times a power of ten, so that a scale ends at a round number. */
+export function roundUp(value: number): number {
+  if (!(value > 0)) return 0;
+  const power = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 2, 5, 10].find((step) => value <= step * power * 1.0001) ?? 10;
+  return Number((step * power).toPrecision(3));
+}
