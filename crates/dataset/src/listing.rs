@@ -1,7 +1,8 @@
 use std::collections::BTreeMap;
 
 use oaktwin_image::annotation::{
-    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, ReasonLabel, Reasons, Segmentation, SemanticSegmentation,
+    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, ReasonLabel, Reasons, Segmentation,
+    SemanticSegmentation,
 };
 use oaktwin_image::npy::Element;
 use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
@@ -147,7 +148,9 @@ impl<'a> Files<'a> {
                 AnnotationRef::Scalar(image) => self.push_image(name, name, image),
                 AnnotationRef::Reasons(Reasons { codes, legend }) => {
                     self.push(name, name, "png", move || Ok(png::encode(codes)?));
-                    self.push(name, &format!("{name}_legend"), "json", move || Ok(json::encode(&reason_legend(legend))));
+                    self.push(name, &format!("{name}_legend"), "json", move || {
+                        Ok(json::encode(&reason_legend(legend)))
+                    });
                 }
             }
         }

@@ -7,7 +7,10 @@ use oaktwin_depth::filter::{Chain, parse};
 use oaktwin_depth::parameters::Platform;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_matching::Pair;
-use oaktwin_depth::{Capture, Engine, EngineInput, EngineKind, Input, Layer, Sensor, Setup, Shot};
+use oaktwin_depth::{
+    Capture, Engine, EngineInput, EngineKind, Input, Layer, ReasonCodes, Sensor, Setup, Shot,
+};
+use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
 
 use crate::random::Random;
@@ -127,7 +130,9 @@ fn measure(engine: &Arc<dyn Engine>, filters: &Chain, input: Input<'_>) {
     let strange = image.pixels().iter().find(|z| !(z.is_finite() && **z >= 0.0));
     assert!(strange.is_none(), "{engine:?}: measured {strange:?}");
     let codes: Option<&ReasonCodes> = first.extra(Annotator::DepthSensorReason);
-    let pixels = codes.iter().flat_map(|codes| image.pixels().iter().zip(codes.0.pixels()));
+    let pixels = codes
+        .iter()
+        .flat_map(|codes| image.pixels().iter().zip(codes.0.pixels()));
     for (z, code) in pixels {
         assert_eq!(*z > 0.0, *code == 0, "{engine:?}: the reason of {z} is {code}");
     }

@@ -225,9 +225,9 @@ mod tests {
     #[test]
     fn flat_surfaces_lose_their_details() {
         let mut welded = grid(50);
-        welded.simplify(100);
+        welded.simplify(1000);
         let triangles = welded.indices.len() / 3;
-        assert!((2..=100).contains(&triangles), "{triangles}");
+        assert!((2..=1000).contains(&triangles), "{triangles}");
         let area: f64 = (welded.indices.chunks_exact(3))
             .map(|corners| {
                 let at = |index: u32| DVec3::from(welded.vertices[index as usize].pos().map(f64::from));

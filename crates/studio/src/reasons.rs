@@ -36,9 +36,15 @@ pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
 pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
     let mut counts = [0u64; 256];
     let columns = region.columns.start as usize..region.columns.end as usize;
-    let rows = codes.rows().skip(region.rows.start as usize).take(region.rows.len());
+    let rows = codes
+        .rows()
+        .skip(region.rows.start as usize)
+        .take(region.rows.len());
     for code in rows.filter_map(|row| row.get(columns.clone())).flatten() {
         counts[usize::from(*code)] += 1;
     }
-    reason::legend().keys().map(|code| counts[usize::from(*code)]).collect()
+    reason::legend()
+        .keys()
+        .map(|code| counts[usize::from(*code)])
+        .collect()
 }

@@ -48,7 +48,9 @@ pub(crate) fn frame(
     let moved_colors = capture.take::<Image<[u8; 4]>>(COLOR);
     let depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
     let depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
-    let depth_sensor_reason = capture.take::<ReasonCodes>(Annotator::DepthSensorReason).map(Into::into);
+    let depth_sensor_reason = capture
+        .take::<ReasonCodes>(Annotator::DepthSensorReason)
+        .map(Into::into);
     let points = wants(POSITION)
         .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &capture.distance.0)));
     let colors = match sensor.engine().outputs().contains(&COLOR) {
