@@ -87,7 +87,7 @@ fn quote(content: &str) -> Option<&'static str> {
 }
 
 /// Decodes the content of a string as OpenUSD does: up to two hexadecimal or three octal digits make one byte, and an
-/// unknown sequence stands for its character.
+/// unknown sequence is its character.
 fn unescape(raw: &str) -> Cow<'_, str> {
     let mut bytes = Vec::with_capacity(raw.len());
     let mut rest = raw.as_bytes();
