@@ -33,7 +33,6 @@ impl Decoded {
 
 /// Decodes a layer. Most have no escape sequences and are returned unchanged.
 pub(super) fn decode(bytes: Vec<u8>) -> Result<Decoded, Problem> {
-    // Invalid UTF-8 is reported later.
     if bytes.contains(&b'\\')
         && let Ok(text) = std::str::from_utf8(&bytes)
     {
