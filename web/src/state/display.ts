@@ -70,7 +70,7 @@ export const DEFAULT_DISPLAY: Display = {
   showScene: true,
   cloud: "none",
   cloudColor: "error",
-  split: 0.52,
+  split: 0.5,
   showLeft: true,
   showRight: true,
 };

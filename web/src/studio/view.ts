@@ -18,6 +18,9 @@ import type { Shown, Studio } from "./studio";
 const TRIANGLES = 100_000;
 const FULL_DETAIL = 5_000_000;
 
+/** How many points all clouds have together: drawing them is what takes time without a GPU. */
+const MAX_POINTS = 300_000;
+
 /** Keeps the 3D view up to date with what the page knows. */
 export class SceneView {
   readonly gizmo = new Store<GizmoMode>("translate");
@@ -195,6 +198,7 @@ export class SceneView {
         isRelative: shown.errorUnit === "%",
         color: isGrey ? [0.62, 0.64, 0.68] : [red / 255, green / 255, blue / 255],
         pointSize: 2,
+        maxPoints: MAX_POINTS / (frames.size * sources.length),
       });
       placeCloud(points, pose, matrix(sensor.bodyFromCamera));
       return points;

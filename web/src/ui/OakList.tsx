@@ -119,6 +119,6 @@ function describe(oak: Oak, catalog: Parameters<typeof findSensor>[0]): string {
   const sensor = findSensor(catalog, oak.state);
   if (!model) return "The server does not know this model.";
   if (!sensor) return `${model.generation} · no depth sensor`;
-  const kind = sensor.kind === "tof" ? "time of flight" : sensor.baselineM ? `${(sensor.baselineM * 1000).toFixed(0)} mm baseline` : "stereo";
-  return `${model.generation} · ${kind} · ${sensor.hfovDeg.toFixed(0)}° · ${oak.state.engine}`;
+  const kind = sensor.kind === "tof" ? "ToF" : sensor.baselineM ? `${(sensor.baselineM * 1000).toFixed(0)} mm` : "stereo";
+  return `${kind} · ${sensor.hfovDeg.toFixed(0)}° · ${oak.state.engine}`;
 }

@@ -105,6 +105,8 @@ function Picture({ oak, kind, frame, width, height, scales }: {
 
 function missingText(kind: PanelKind, frame: Shown): string {
   const { engine, model } = frame.state;
+  const images = PANELS.find((panel) => panel.kind === kind)?.images ?? [];
+  if (!images.every((image) => frame.requested.includes(image))) return "Measuring…";
   if (kind === "confidence") return `${engine} makes no confidence.`;
   if (kind === "left" || kind === "right") return `${model} has no stereo pair here.`;
   return "This image is not available.";

@@ -90,7 +90,7 @@ function Detail({ view }: { view: SceneView }) {
   if (!detail || detail.shown >= detail.of) return null;
   return (
     <div class="note-line">
-      {`${detail.shown.toLocaleString("en")} of ${detail.of.toLocaleString("en")} triangles are drawn; images are of all. `}
+      {`This view draws ${detail.shown.toLocaleString("en")} of ${detail.of.toLocaleString("en")} triangles; the images use all. `}
       <button type="button" class="link" onClick={() => view.loadFullDetail()}>Draw all</button>
     </div>
   );

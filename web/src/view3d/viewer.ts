@@ -137,8 +137,8 @@ export class Viewer {
       if (info.up === "z") this.grid.rotation.x = Math.PI / 2;
       const centre = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5).round();
       // A little lower than the floor, which would otherwise flicker.
-      if (info.up === "z") centre.z = low[2] - 0.002;
-      else centre.y = low[1] - 0.002;
+      if (info.up === "z") centre.z = low[2] - 0.01;
+      else centre.y = low[1] - 0.01;
       this.grid.position.copy(centre);
       this.scene.add(this.grid);
     }
