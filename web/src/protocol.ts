@@ -48,7 +48,7 @@ export interface Model {
   maker: string;
   /** "RVC2", "RVC4". */
   generation: string;
-  /** Length along y, height along z, depth along x, metres, and the centre in the body frame. */
+  /** The sizes along x, y and z, and the centre, in the body frame. */
   body: { size: Vec3; centre: Vec3 };
   cameras: Camera[];
   /** Empty for a model without depth. */

@@ -36,6 +36,8 @@ export class SceneView {
   private clouds: readonly unknown[] = [];
   private loaded = "";
   private wantsDetail = false;
+  /** The height of what covered the OAK when the scene was loaded. */
+  private roof: number | null = null;
 
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
     this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object) });
@@ -52,7 +54,7 @@ export class SceneView {
   /** Looks at the selected OAK from behind. */
   home(): void {
     const [info, oak] = [this.studio.scene.get(), selectedOak(this.studio.document.get())];
-    if (info && oak) this.viewer.lookAt(info, oak.state.pose);
+    if (info && oak) this.viewer.lookAt(info, oak.state.pose, this.roof !== null && !this.studio.display.get().showRoof);
   }
 
   /** Looks from where the selected OAK is. */
@@ -88,6 +90,7 @@ export class SceneView {
       if (this.studio.scene.get()?.id !== info.id) return;
       this.viewer.setScene(info, mesh, false);
       this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
+      if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);
       if (isFirst) this.home();
       this.follow();
       this.paintBackground();
@@ -103,7 +106,9 @@ export class SceneView {
     this.followOaks(state.oaks, state.selected, shown);
     this.viewer.setGizmo(this.gizmo.get(), selectedOak(state)?.state.pose ?? null);
     this.viewer.showScene(shown.showScene);
-    this.viewer.setTarget(targetBounds(state.target, scene.get()));
+    const info = scene.get();
+    if (info) this.viewer.setRoof(info, shown.showRoof ? null : this.roof);
+    this.viewer.setTarget(targetBounds(state.target, info));
     this.paintBackground();
     this.followClouds();
   }

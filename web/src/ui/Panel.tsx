@@ -4,7 +4,7 @@ import type { Scales } from "../gpu/scales";
 import { type PanelKind, PANELS } from "../state/display";
 import type { Oak, Rectangle } from "../state/document";
 import type { Shown } from "../studio/studio";
-import { length, share, signedMillimetres } from "../util/format";
+import { share, signedMillimetres } from "../util/format";
 import { useSelected, useStore } from "../util/store";
 import { useApp } from "./context";
 import { Marks } from "./Marks";
@@ -70,7 +70,6 @@ function aspectOf(frame: Shown): number {
 function fact(kind: PanelKind, { header: { statistics, milliseconds } }: Shown): string {
   if (kind === "sensor" || kind === "reason") return `${share(statistics.fillRate)} filled`;
   if (kind === "error") return `median ${signedMillimetres(statistics.medianErrorM)}`;
-  if (kind === "depth") return `|error| ${length(statistics.medianAbsoluteErrorM)}`;
   return kind === "color" ? `${milliseconds.toFixed(0)} ms` : "";
 }
 

@@ -1,6 +1,6 @@
 import {
   Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight, Line,
-  LineBasicMaterial, type Mesh, PerspectiveCamera, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  LineBasicMaterial, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import type { Mesh as WireMesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
@@ -23,6 +23,8 @@ export interface Hit {
   object: number;
 }
 
+/** How far below a roof the scene is cut. */
+const ROOF_GAP = 0.03;
 const MARKER_COLOR = "#ff2d78";
 /** A pointer that moved less than this between press and release, in pixels, clicked. */
 const CLICK = 4;
@@ -42,7 +44,7 @@ export class Viewer {
   private readonly sight: Line<BufferGeometry, LineBasicMaterial>;
   private readonly lamp = new DirectionalLight("#ffffff", 1.6);
   private readonly observer: ResizeObserver;
-  private mesh: Mesh | null = null;
+  private mesh: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private grid: GridHelper | null = null;
   private target: Box3Helper | null = null;
   private objects: Uint32Array | null = null;
@@ -50,6 +52,7 @@ export class Viewer {
 
   constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
     this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
     const invalidate = () => this.invalidate();
@@ -119,6 +122,23 @@ export class Viewer {
 
   showScene(isShown: boolean): void {
     if (this.mesh) this.mesh.visible = isShown;
+    this.invalidate();
+  }
+
+  /** Finds the height of what is above a point, such as a ceiling. */
+  roofAbove(info: SceneInfo, position: Vec3): number | null {
+    if (!this.mesh) return null;
+    const up = new Vector3(...upVector(info.up));
+    // A ceiling shows its face to the room, so that culling does not hide it from the ray.
+    const hit = new Raycaster(new Vector3(...position), up).intersectObject(this.mesh)[0];
+    return hit ? hit.point.dot(up) : null;
+  }
+
+  /** Cuts away the scene above a height; null for nothing. */
+  setRoof(info: SceneInfo, height: number | null): void {
+    if (!this.mesh) return;
+    const down = new Vector3(...upVector(info.up)).negate();
+    this.mesh.material.clippingPlanes = height === null ? null : [new Plane(down, height - ROOF_GAP)];
     this.invalidate();
   }
 
@@ -193,8 +213,8 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Looks at an OAK from behind and above, such that what it sees is visible. */
-  lookAt(info: SceneInfo, pose: Pose): void {
+  /** Looks at an OAK from behind and above, such that what it sees is visible; more steeply into a room without its roof. */
+  lookAt(info: SceneInfo, pose: Pose, isRoom: boolean): void {
     const up = new Vector3(...upVector(info.up));
     const [low, high] = [new Vector3(...info.bounds[0]), new Vector3(...info.bounds[1])];
     const body = new Vector3(...pose.position);
@@ -205,7 +225,8 @@ export class Viewer {
     forward.normalize();
     const side = new Vector3().crossVectors(up, forward);
     const target = body.clone().addScaledVector(forward, size * 0.2);
-    const from = body.clone().addScaledVector(forward, -size * 0.3).addScaledVector(side, -size * 0.22).addScaledVector(up, size * 0.25);
+    const [back, right, rise] = isRoom ? [0.12, 0.12, 0.62] : [0.3, 0.22, 0.25];
+    const from = body.clone().addScaledVector(forward, -size * back).addScaledVector(side, -size * right).addScaledVector(up, size * rise);
     this.navigation.look(info.up, target, from);
   }
 
