@@ -279,6 +279,11 @@ export interface ImageHeader {
   /** The place in the payload after the header. The bytes are an LZ4 block of the little-endian pixels, row by row. */
   offset: number;
   length: number;
+  /**
+   * Whether the pixels are those of the last frame with this image that the server sent for this OAK. Such an image has a `length` of
+   * 0, because the page still has it.
+   */
+  unchanged?: boolean;
 }
 
 export interface Statistics {

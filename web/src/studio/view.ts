@@ -31,9 +31,9 @@ export class SceneView {
   readonly viewer: Viewer;
   private readonly bodies = new Map<string, Mesh | null>();
   private groups: { oak: Oak; group: Group }[] = [];
-  /** What the groups were made for; poses are not part of it. */
-  private looks = "";
-  private clouds: readonly unknown[] = [];
+  private readonly seen = new Map<string, readonly unknown[]>();
+  private hasClouds = false;
+  private mesh: Mesh | null = null;
   private loaded = "";
   private wantsDetail = false;
   /** The height of what covered the OAK when the scene was loaded. */
@@ -89,28 +89,37 @@ export class SceneView {
       this.wantsDetail = false;
       if (this.studio.scene.get()?.id !== info.id) return;
       this.viewer.setScene(info, mesh, false);
+      this.mesh = mesh;
       this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
       if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);
       if (isFirst) this.home();
       this.follow();
-      this.paintBackground();
     } catch (error) {
       this.loaded = "";
       if (this.studio.connection.get() === "open") this.studio.report("The 3D view", error);
     }
   }
 
+  /** Passes on what has changed; drawing without a GPU is slow, so nothing else may cause it. */
   private follow(): void {
     const { document, display, scene } = this.studio;
-    const [shown, state] = [display.get(), document.get()];
+    const [shown, state, info] = [display.get(), document.get(), scene.get()];
     this.followOaks(state.oaks, state.selected, shown);
-    this.viewer.setGizmo(this.gizmo.get(), selectedOak(state)?.state.pose ?? null);
-    this.viewer.showScene(shown.showScene);
-    const info = scene.get();
-    if (info) this.viewer.setRoof(info, shown.showRoof ? null : this.roof);
-    this.viewer.setTarget(targetBounds(state.target, info));
-    this.paintBackground();
+    const [mode, pose] = [this.gizmo.get(), selectedOak(state)?.state.pose ?? null];
+    if (this.isNew("gizmo", mode, pose)) this.viewer.setGizmo(mode, pose);
+    if (this.isNew("scene", this.mesh, shown.showScene)) this.viewer.showScene(shown.showScene);
+    const roof = shown.showRoof ? null : this.roof;
+    if (info && this.isNew("roof", this.mesh, roof)) this.viewer.setRoof(info, roof);
+    if (this.isNew("target", state.target, info)) this.viewer.setTarget(targetBounds(state.target, info));
+    if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();
+  }
+
+  /** Whether values differ from those of the last call with this name. */
+  private isNew(name: string, ...values: unknown[]): boolean {
+    const before = this.seen.get(name);
+    this.seen.set(name, values);
+    return !before || before.length !== values.length || values.some((value, i) => value !== before[i]);
   }
 
   /** Makes the OAKs again only if more than their poses changed. */
@@ -120,11 +129,11 @@ export class SceneView {
       selected, shown.showCameras, shown.showRanges,
       visible.map(({ key, state }) => [key, state.model, state.sensor, this.bodies.get(state.model) ? 1 : 0]), oaks.map(({ key }) => key),
     ]);
-    if (looks !== this.looks) {
-      this.looks = looks;
+    if (this.isNew("looks", looks)) {
       this.groups = visible.flatMap((oak) => this.makeGroup(oak, oaks.indexOf(oak), oak.key === selected, shown));
       this.viewer.setOaks(this.groups.map(({ group }) => group));
     }
+    if (!this.isNew("poses", looks, ...visible.map(({ state }) => state.pose))) return;
     for (const entry of this.groups) {
       const oak = oaks.find(({ key }) => key === entry.oak.key);
       if (oak) place(entry.group, oak.state.pose);
@@ -165,11 +174,9 @@ export class SceneView {
     const shown = studio.display.get();
     const frames = studio.frames.get();
     const { depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor } = shown;
-    const key = [...frames.values(), depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor];
-    if (key.length === this.clouds.length && key.every((part, i) => part === this.clouds[i])) return;
-    const hadNone = this.clouds.includes("none");
-    this.clouds = key;
-    if (cloud === "none" && hadNone) return;
+    if (cloud === "none" && !this.hasClouds) return;
+    if (!this.isNew("clouds", depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor, ...frames.values())) return;
+    this.hasClouds = cloud !== "none";
     const oaks = studio.document.get().oaks;
     this.viewer.setClouds(cloud === "none" ? [] : [...frames].flatMap(([oak, frame]) => {
       return this.makeClouds(frame, oaks.findIndex(({ key }) => key === oak), shown, frames);

@@ -85,6 +85,8 @@ function Picture({ oak, kind, frame, width, height, scales }: {
   // More pixels than the image has would show nothing more.
   const ratio = Math.min(devicePixelRatio * width, source?.width ?? 640) / width;
   const { depthMap, errorUnit } = display;
+  const truth = kind === "error" || kind === "depth" ? (frame?.pictures.get("reference") ?? frame?.pictures.get("depth")) : undefined;
+  const range = kind === "error" ? [scales.error] : kind === "depth" || kind === "sensor" ? scales.depth : [];
   useLayoutEffect(() => {
     const target = canvas.current;
     if (!target || !frame) return;
@@ -93,7 +95,7 @@ function Picture({ oak, kind, frame, width, height, scales }: {
     if (target.height !== pixelHeight) target.height = pixelHeight;
     setMissing(!painter.paint(target, { oak, kind, frame, display, scales, empty: emptyColors() }));
     signals.painted++;
-  }, [frame, width, height, ratio, scales.depth[0], scales.depth[1], scales.error, depthMap, errorUnit, kind, again, display.theme]);
+  }, [source, truth, width, height, ratio, range[0], range[1], depthMap, errorUnit, kind, again, display.theme, frame === undefined]);
   return (
     <>
       <canvas ref={canvas} class="picture" />
