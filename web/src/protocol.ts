@@ -51,6 +51,8 @@ export interface Model {
   /** The sizes along x, y and z, and the centre, in the body frame. */
   body: { size: Vec3; centre: Vec3 };
   cameras: Camera[];
+  /** Whether it has a dot projector. */
+  hasProjector: boolean;
   /** Empty for a model without depth. */
   depthSensors: DepthSensor[];
 }

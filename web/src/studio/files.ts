@@ -16,7 +16,7 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
       if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
       else useScene(studio, await api.openScene(file));
     } catch (error) {
-      studio.report(`${file.name} cannot be opened`, error);
+      studio.report("Not opened", error);
     }
   }
 }

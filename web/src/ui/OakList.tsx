@@ -101,7 +101,7 @@ function OakRow({ oak, index, isLast }: { oak: Oak; index: number; isLast: boole
           {catalog.models.map(({ name }) => <option key={name} value={name} selected={name === oak.state.model}>{name}</option>)}
         </select>
         <span class="detail">{describe(oak, catalog)}</span>
-        {rejection && <span class="problem" role="alert">{rejection.error}</span>}
+        {rejection && !isSelected && <span class="problem" role="alert">{rejection.error}</span>}
       </div>
       <Button icon={oak.isHidden ? "hidden" : "eye"} label={oak.isHidden ? "Show" : "Hide"} isOn={oak.isHidden} onClick={hide} />
       <Button

@@ -33,7 +33,7 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
   const title = (kind: PanelKind) => PANELS.find((panel) => panel.kind === kind)?.title ?? kind;
   const height = Math.round(width / aspect);
   return (
-    <figure class="panel" data-testid={`panel-${oak.key}-${kind}`}>
+    <figure class={`panel ${rejection && frame ? "stale" : ""}`} data-testid={`panel-${oak.key}-${kind}`}>
       <figcaption>
         <span class="dot-small" style={{ background: css(oakColor(index)) }} />
         <span class="panel-title">{other ? `${title(kind)} | ${title(other)}` : title(kind)}</span>
@@ -50,6 +50,7 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
         )}
         {other && <div class="edge" style={{ left: `${wipeAt * 100}%` }} />}
         <Marks oak={oak.key} kind={kind} />
+        {rejection && frame && <p class="stale-note">{`Not measured: ${rejection.error}`}</p>}
         {!frame && <p class="empty">{emptyText(rejection?.error, studio.hasDepth(oak.state), oak.state.model)}</p>}
       </Surface>
     </figure>
