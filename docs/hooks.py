@@ -153,7 +153,7 @@ def write_stub(folder: Path) -> dict[str, list[str]]:
     relative = r"__all__ = \[.*?\]|from \.\w* import (?:\(.*?^\)|.*?$)"
     stub = "\n".join(re.sub(rf"^(?:{relative})\n", "", text, flags=re.M | re.S) for text in texts)
     # The package wraps these in functions of its own.
-    stub = re.sub(r"^def (accuracy|fit)\(", r"def _\1(", stub, flags=re.M)
+    stub = re.sub(r"^def (accuracy|coverage|fit)\(", r"def _\1(", stub, flags=re.M)
     (folder / "oaktwin").mkdir()
     (folder / "oaktwin/__init__.pyi").write_text(f"from __future__ import annotations\n{stub}", "utf-8")
     classes = (node for node in ast.parse(stub).body if isinstance(node, ast.ClassDef))

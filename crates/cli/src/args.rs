@@ -5,11 +5,14 @@ mod annotators;
 mod asset;
 mod calibration;
 pub(crate) mod choice;
+mod coverage;
 mod fit;
 mod limit;
 mod outputs;
 mod pair;
+mod place;
 mod render;
+mod scene;
 mod sense;
 mod sensor;
 mod stereo;
@@ -29,10 +32,13 @@ pub(crate) use asset::AssetArgs;
 pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
 };
+pub(crate) use coverage::CoverageArgs;
 pub(crate) use fit::{Also, FitArgs};
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
+pub(crate) use place::PlaceArgs;
 pub(crate) use render::RenderArgs;
+pub(crate) use scene::SceneArgs;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use stereo::StereoArgs;
@@ -88,6 +94,8 @@ pub(crate) enum Command {
     Stereo(Box<StereoArgs>),
     /// Measure a model's depth accuracy by the vendor's method, and compare with its specification
     Accuracy(Box<AccuracyArgs>),
+    /// Rank poses and models by the share of a surface that their depth sensors measure
+    Coverage(Box<CoverageArgs>),
     /// Fit error-model parameters to recordings of a flat target
     Fit(Box<FitArgs>),
     /// Check the cameras and depth sensors of a USD file

@@ -5,6 +5,7 @@ pub(crate) mod asset;
 pub(crate) mod calibration;
 pub(crate) mod check;
 pub(crate) mod compare;
+pub(crate) mod coverage;
 pub(crate) mod demo;
 pub(crate) mod export;
 pub(crate) mod fit;

@@ -74,6 +74,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Sense(args) => commands::sense::run(&context, args),
         Command::Stereo(args) => commands::stereo::run(&context, args),
         Command::Accuracy(args) => commands::accuracy::run(&context, args),
+        Command::Coverage(args) => commands::coverage::run(&context, args),
         Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Success),

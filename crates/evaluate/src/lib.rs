@@ -9,5 +9,6 @@ pub mod accuracy;
 pub mod coverage;
 pub mod figure;
 pub mod fit;
+mod list;
 pub mod measure;
 mod table;

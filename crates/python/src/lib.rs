@@ -79,6 +79,8 @@ mod _oaktwin {
     #[pymodule_export]
     use super::scene::annotators::annotators;
     #[pymodule_export]
+    use super::scene::coverage::coverage;
+    #[pymodule_export]
     use super::sensor::DepthSensor;
     #[pymodule_export]
     use super::stereo::StereoMatcher;

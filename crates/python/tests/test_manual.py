@@ -98,7 +98,7 @@ def test_everything_is_documented(name, item):
     except (TypeError, ValueError):
         return
     whole = text + (inspect.getdoc(oaktwin.filters) if name.startswith("oaktwin.filters") else "")
-    if name == "oaktwin.accuracy":
+    if name in ["oaktwin.accuracy", "oaktwin.coverage"]:
         # "All other arguments are those of `DepthSensor`."
         whole += inspect.getdoc(oaktwin.DepthSensor)
     undocumented = [one for one in arguments if one not in ("self", "args", "kwargs") and one not in whole]
@@ -120,7 +120,7 @@ def test_shapes_and_invalid_values_are_documented(name):
     "name",
     ["Camera", "Camera.cropped", "Camera.resized", "Device", "Device.extrinsics", "Device.from_calibration", "Device.rectification",
      "Device.write_usd", "DepthSensor", "DepthSensor.annotate", "Filter", "Rectification", "Scene.open", "Scene.from_triangles",
-     "Scene.render", "Scene.render_pair", "StereoMatcher", "accuracy", "align", "look_at", "models", "DepthSensor.align", "filters"],
+     "Scene.render", "Scene.render_pair", "StereoMatcher", "accuracy", "align", "coverage", "look_at", "models", "DepthSensor.align", "filters"],
 )
 def test_errors_are_documented(name):
     item = oaktwin

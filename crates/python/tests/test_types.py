@@ -40,6 +40,7 @@ matched = oaktwin.StereoMatcher(device, preset="default")(pair["left"], pair["ri
 assert_type(matched["depth"], npt.NDArray[np.float32])
 assert_type(matched["findings"], list[oaktwin.Finding])
 assert_type(oaktwin.accuracy(device, distances=[1.0]).passed, bool)
+assert_type(oaktwin.coverage(scene, device, np.eye(4), region="/World", height=[1.0], seed=1).ranking, list[int])
 '''
 
 WRONG = '''

@@ -1,6 +1,8 @@
 use clap::Args;
 use oaktwin::depth::imager;
+use oaktwin::pair::PairOptions;
 use oaktwin::sensor::assignment;
+use oaktwin::usd::asset::LensChoice;
 
 use crate::context::Result;
 
@@ -19,12 +21,6 @@ pub(crate) struct PairArgs {
     /// Set a parameter of the image sensors, listed by `oaktwin params imager`; repeatable
     #[arg(long, value_name = "NAME=VALUE", value_parser = assigned)]
     pub(crate) imager: Vec<(String, String)>,
-
-    #[arg(
-        long,
-        help = "Also write the images of the pair, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG"
-    )]
-    pub(crate) pair: bool,
 }
 
 impl PairArgs {
@@ -34,21 +30,27 @@ impl PairArgs {
             (self.projector.is_some(), "--projector"),
             (self.ambient.is_some(), "--ambient"),
             (!self.imager.is_empty(), "--imager"),
-            (self.pair, "--pair"),
         ]
         .into_iter()
         .find_map(|(is_given, name)| is_given.then_some(name))
     }
 
-    /// The image sensors.
-    pub(crate) fn imager(&self) -> Result<imager::Parameters> {
-        let mut parameters = imager::Parameters::default();
+    /// The recording of pairs with this lens.
+    pub(crate) fn options(&self, lens: LensChoice) -> Result<PairOptions> {
+        let default = PairOptions::default();
+        let mut imager = imager::Parameters::default();
         for (name, value) in &self.imager {
-            parameters
+            imager
                 .set(name, value)
                 .map_err(|error| format!("--imager: {error}"))?;
         }
-        Ok(parameters)
+        Ok(PairOptions {
+            imager,
+            projector: self.projector.unwrap_or(default.projector),
+            ambient: self.ambient.unwrap_or(default.ambient),
+            lens,
+            ..default
+        })
     }
 }
 

@@ -4,13 +4,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
 use oaktwin::dataset::{LAYOUTS, Layout};
 use oaktwin::render::Backend;
-use oaktwin::scene::Up;
 use oaktwin::usd::optics::Projection;
-use oaktwin::usd::stage::SceneLimit;
 
 use super::annotators::annotators;
 use super::choice::parser;
-use super::{OutputArgs, PairArgs, SensorArgs, ThreadArgs, UnitArgs, limit};
+use super::{OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
     format!(
@@ -80,6 +78,13 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) pair: PairArgs,
 
+    #[arg(
+        long = "pair",
+        help = "Also write the images of the pair, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG",
+        help_heading = "Stereo pair"
+    )]
+    pub(crate) writes_pair: bool,
+
     /// Simulate the sensor with each of these values of a parameter (or engine, preset, seed) and write one comparison sheet;
     /// a second --sweep makes a table
     #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "Depth sensor")]
@@ -92,73 +97,21 @@ pub(crate) struct RenderArgs {
     #[command(flatten, next_help_heading = "OAK")]
     pub(crate) unit: UnitArgs,
 
-    /// The position of the body in metres, and its rotation as a quaternion
-    #[arg(
-        long,
-        num_args = 7,
-        allow_negative_numbers = true,
-        value_names = ["X", "Y", "Z", "QX", "QY", "QZ", "QW"],
-        conflicts_with_all = ["look_at", "trajectory"],
-        requires = "model"
-    )]
-    pub(crate) pose: Option<Vec<f64>>,
-
-    /// The position of the body (EYE), the point it faces (TARGET), and optionally the UP direction (by default the scene's), in
-    /// metres
-    #[arg(
-        long,
-        num_args = 6..=9,
-        allow_negative_numbers = true,
-        value_names = ["EX", "EY", "EZ", "TX", "TY", "TZ"],
-        conflicts_with = "trajectory",
-        requires = "model"
-    )]
-    pub(crate) look_at: Option<Vec<f64>>,
+    #[command(flatten)]
+    pub(crate) place: PlaceArgs,
 
     /// Render a frame for each pose of a file
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Scene and trajectory")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        value_hint = ValueHint::FilePath,
+        conflicts_with_all = ["pose", "look_at"],
+        help_heading = "Scene and trajectory"
+    )]
     pub(crate) trajectory: Option<PathBuf>,
 
-    /// The time code of a USD stage
-    #[arg(
-        long,
-        value_name = "T",
-        allow_negative_numbers = true,
-        help_heading = "Scene and trajectory"
-    )]
-    pub(crate) time: Option<f64>,
-
-    /// The subdivision level of a USD stage's meshes (Isaac Sim renders level 0)
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 0,
-        value_parser = clap::value_parser!(u32).range(0..=8),
-        help_heading = "Scene and trajectory"
-    )]
-    pub(crate) subdivide: u32,
-
-    /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
-    #[arg(long, value_parser = parser::<Up>(), help_heading = "Scene and trajectory")]
-    pub(crate) up: Option<Up>,
-
-    /// Metres per unit of a glTF, OBJ, STL or PLY file
-    #[arg(long, value_name = "METRES", help_heading = "Scene and trajectory")]
-    pub(crate) scale: Option<f64>,
-
-    /// Read buffers and images that a glTF file names outside its folder; for trusted files only
-    #[arg(long, help_heading = "Scene and trajectory")]
-    pub(crate) allow_outside: bool,
-
-    #[arg(
-        long,
-        value_name = "FACTOR",
-        default_value = "1",
-        value_parser = limit::parse,
-        help = limit::HELP,
-        help_heading = "Scene and trajectory"
-    )]
-    pub(crate) scene_limit: SceneLimit,
+    #[command(flatten, next_help_heading = "Scene and trajectory")]
+    pub(crate) scene_options: SceneArgs,
 
     /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
     #[arg(long, help_heading = "Scene and trajectory")]

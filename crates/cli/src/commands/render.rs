@@ -32,7 +32,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     };
     args.threads.apply();
     let oak = Oak::new(context, args)?;
-    let mut scene = SceneFile::open(&args.scene, &request::open_options(args)?)?;
+    let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
     let mut findings = std::mem::take(&mut scene.findings);
     findings.extend(request::unused(args, &annotators));
     let (mut cameras, more) = match &oak {
@@ -73,7 +73,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         sweep: sensors.swept.as_ref(),
         backend: args.backend,
         strict: args.strict,
-        writes_pair: args.pair.pair,
+        writes_pair: args.writes_pair,
     };
     let mut written = progress::watched(|watch| {
         render::write_frames(&renderer, &cameras, &path, &options, outputs, watch)
@@ -133,7 +133,7 @@ impl Oak {
                 _ => Ok(None),
             };
         };
-        if args.pose.is_none() && args.look_at.is_none() && args.trajectory.is_none() {
+        if args.place.is_none() && args.trajectory.is_none() {
             return Err(format!(
                 "--model {model} requires a pose: --look-at EYE TARGET, --pose or --trajectory"
             )

@@ -5,6 +5,7 @@
 mod accuracy;
 mod assets;
 mod bad_input;
+mod coverage;
 mod fit;
 mod memory;
 mod named_files;

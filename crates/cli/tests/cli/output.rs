@@ -22,6 +22,7 @@ fn help_of_every_command() {
         &["sense"],
         &["stereo"],
         &["accuracy"],
+        &["coverage"],
         &["check"],
     ] {
         let mut arguments = command.to_vec();

@@ -1,6 +1,7 @@
 //! The distances to measure.
 
 use super::AccuracyError;
+use crate::list::{self, InvalidItem, tidy};
 use crate::table::{Row, Wrong, wrong};
 
 /// The maximum distance of a depth image in whole millimetres.
@@ -14,44 +15,8 @@ const MAX_DEFAULTS: u32 = 24;
 /// # Errors
 /// Returns an error if an item is not a distance or there are more than 10 000 distances.
 pub fn parse(text: &str) -> Result<Vec<f64>, AccuracyError> {
-    let wrong = |part: &str, what: &str| AccuracyError::Distances {
-        text: part.to_owned(),
-        what: what.to_owned(),
-    };
-    let mut distances = Vec::new();
-    for part in text.split(',').map(str::trim) {
-        let numbers = part
-            .split(':')
-            .map(|number| number.trim().parse::<f64>())
-            .collect::<Result<Vec<f64>, _>>()
-            .map_err(|_| wrong(part, "is not a number"))?;
-        match numbers[..] {
-            [distance] => distances.push(check(distance).map_err(|what| wrong(part, what))?),
-            [from, to, step] => {
-                for end in [from, to] {
-                    check(end).map_err(|what| wrong(part, what))?;
-                }
-                let steps = (to - from) / step;
-                if !(step > 0.0 && (0.0..10_000.0).contains(&steps)) {
-                    return Err(wrong(part, "is empty or has too many steps"));
-                }
-                #[expect(
-                    clippy::cast_possible_truncation,
-                    clippy::cast_sign_loss,
-                    reason = "below 10 000"
-                )]
-                let last = (steps + 1e-9) as u32;
-                distances.extend((0..=last).map(|i| tidy(from + f64::from(i) * step)));
-            }
-            _ => return Err(wrong(part, "is neither a distance nor a range")),
-        }
-    }
-    if distances.len() > 10_000 {
-        return Err(wrong(text, "are too many"));
-    }
-    distances.sort_by(f64::total_cmp);
-    distances.dedup();
-    Ok(distances)
+    list::parse(text, "a distance", check)
+        .map_err(|InvalidItem { text, what }| AccuracyError::Distances { text, what })
 }
 
 /// Returns an error if a distance cannot be measured.
@@ -92,11 +57,6 @@ pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
         distances.push(to);
     }
     distances
-}
-
-/// Removes rounding errors of multiplications.
-fn tidy(metres: f64) -> f64 {
-    (metres * 1e6).round() / 1e6
 }
 
 #[cfg(test)]

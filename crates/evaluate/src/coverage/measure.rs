@@ -152,13 +152,17 @@ impl Tally {
                 *number += 1;
             }
         }
-        let orientation = candidate.world_from_body.quaternion();
+        let (rig, pose) = (candidate.rig, &candidate.world_from_body);
+        let up = scene.up.direction();
+        let axis = rig.camera.view(pose).world_from_camera.rotation.z_axis;
         self.candidates.push(CandidateCoverage {
             name: candidate.name.clone(),
-            model: candidate.rig.model.clone(),
-            engine: candidate.rig.sensor.engine().kind().name,
-            position_m: candidate.world_from_body.translation.to_array(),
-            orientation: orientation.to_array(),
+            model: rig.model.clone(),
+            engine: rig.sensor.engine().kind().name,
+            position_m: pose.translation.to_array(),
+            orientation: pose.quaternion().to_array(),
+            height_m: pose.translation.dot(up),
+            tilt_deg: (-axis.dot(up)).clamp(-1.0, 1.0).asin().to_degrees(),
             shares: Shares::new(&look.outcomes, look.errors_m.iter().copied().map(f64::from)),
             occluders: occluders(scene, &look.occluders, look.outcomes.len()),
         });
@@ -241,7 +245,7 @@ fn ranking(candidates: &[CandidateCoverage]) -> Vec<usize> {
     ranking
 }
 
-/// Chooses candidates one after the other, each for the number of points that it adds, until none adds any.
+/// Chooses candidates one after the other, each for the number of points that it adds, until none adds more than the standard error.
 fn selection(measured: &[Bits], points: u32) -> Vec<Selected> {
     let mut together = Bits(vec![0; points.div_ceil(64) as usize]);
     let mut selection = Vec::new();
@@ -252,7 +256,8 @@ fn selection(measured: &[Bits], points: u32) -> Vec<Selected> {
         let best = gains
             .enumerate()
             .max_by_key(|&(index, gain)| (gain, usize::MAX - index));
-        let Some((candidate, gain)) = best.filter(|(_, gain)| *gain > 0) else {
+        let is_enough = |gain: u32| f64::from(gain) > 0.5 * f64::from(points).sqrt();
+        let Some((candidate, gain)) = best.filter(|(_, gain)| is_enough(*gain)) else {
             break;
         };
         together.unite(&measured[candidate]);

@@ -42,17 +42,24 @@ mod error;
 mod look;
 mod measure;
 mod outcome;
+mod picture;
+mod placement;
 mod region;
 mod report;
 mod rig;
+mod sight;
 mod surface;
+mod table;
 #[cfg(test)]
 mod tests;
+mod vantage;
 
 pub use error::CoverageError;
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
 pub use outcome::{Outcome, REASONS, Reason};
+pub use picture::picture;
+pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
 pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
-pub use rig::{Candidate, Rig, RigOptions};
+pub use rig::{Candidate, Rig, RigOptions, candidates};
 pub use surface::{Samples, SurfacePoint};

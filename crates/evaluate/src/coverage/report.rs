@@ -20,8 +20,8 @@ pub struct Coverage {
     /// The coverage by all candidates together: a point is measured if one of them measures it, otherwise lost for the reason of the one
     /// that is nearest to measuring it. The error of a point is the mean error of its measurements.
     pub together: Shares,
-    /// The candidates that measure most together, chosen one after the other, each for what it adds; at most
-    /// eight.
+    /// The candidates that measure most together, chosen one after the other, each for what it adds: at most eight, as long as one
+    /// adds more than the standard error.
     pub selection: Vec<Selected>,
     /// The renderer's findings, without duplicates.
     pub findings: Vec<Finding>,
@@ -63,6 +63,10 @@ pub struct CandidateCoverage {
     pub position_m: [f64; 3],
     /// The rotation of the body (x forward, y left, z up) as a quaternion `qx qy qz qw`.
     pub orientation: [f64; 4],
+    /// The height of the body along the scene's up axis.
+    pub height_m: f64,
+    /// The angle by which the optical axis points below the horizontal.
+    pub tilt_deg: f64,
     /// The shares and errors.
     #[serde(flatten)]
     pub shares: Shares,
@@ -117,6 +121,15 @@ pub struct PointOutcomes {
 }
 
 impl Shares {
+    /// Returns the shares that are not measured with the names of their reasons, the largest first.
+    #[must_use]
+    pub fn losses(&self) -> Vec<(&'static str, f64)> {
+        let mut losses: Vec<(&'static str, f64)> =
+            self.lost.iter().map(|(&name, &share)| (name, share)).collect();
+        losses.sort_by(|a, b| b.1.total_cmp(&a.1));
+        losses
+    }
+
     /// The shares of the points with these outcomes and errors in metres, NaN where nothing is measured.
     pub(super) fn new(outcomes: &[Outcome], errors_m: impl Iterator<Item = f64>) -> Self {
         let count = outcomes.len().max(1) as f64;

@@ -7,7 +7,7 @@ use oaktwin_pipeline::render::{
 };
 use oaktwin_pipeline::sensor::{EngineInput, Sensor, SensorOptions, default_engine, depth_sensor};
 
-use super::CoverageError;
+use super::{CoverageError, Placement};
 
 /// The depth sensor of an OAK with its camera, which can be placed anywhere.
 #[derive(Clone, Debug)]
@@ -92,13 +92,37 @@ impl Rig {
         }
     }
 
-    /// The name of the model.
+    /// Creates the depth sensors of those cameras of a stage that have one, by default with Isaac Sim's engine.
+    ///
+    /// # Errors
+    /// Returns an error if an option is invalid.
+    pub fn of_stage(
+        cameras: &[PlacedCamera],
+        options: &SensorOptions,
+    ) -> Result<(Vec<Self>, Vec<Finding>), CoverageError> {
+        let sensors = DepthSensorOptions {
+            twin: None,
+            sensor: options,
+        };
+        let (sensors, findings) = depth_sensors(cameras, &sensors)?;
+        let rigs = cameras.iter().zip(sensors).filter_map(|(camera, sensor)| {
+            Some(Self {
+                model: camera.path.clone(),
+                camera: camera.clone(),
+                sensor: sensor?,
+                pair: None,
+            })
+        });
+        Ok((rigs.collect(), findings))
+    }
+
+    /// The name of the model, or the path of a stage's camera.
     #[must_use]
     pub fn model(&self) -> &str {
         &self.model
     }
 
-    /// The camera of the depth sensor; its mount is the body of the OAK.
+    /// The camera of the depth sensor; its mount is the body of an OAK, or the camera of a stage.
     #[must_use]
     pub fn camera(&self) -> &PlacedCamera {
         &self.camera
@@ -118,7 +142,7 @@ pub struct Candidate<'a> {
     pub rig: &'a Rig,
     /// A name for reports.
     pub name: String,
-    /// The pose of the body (x forward, y left, z up) in the world, in metres.
+    /// The pose of the body (x forward, y left, z up), or of a stage's camera, in the world, in metres.
     pub world_from_body: RigidTransform,
 }
 
@@ -132,4 +156,14 @@ impl<'a> Candidate<'a> {
             world_from_body,
         }
     }
+}
+
+/// Returns every rig at every placement as a candidate, those of the first rig first.
+#[must_use]
+pub fn candidates<'a>(rigs: &'a [Rig], placements: &[Placement]) -> Vec<Candidate<'a>> {
+    let placed = |rig: &'a Rig| {
+        let at = move |place: &Placement| Candidate::new(rig, &place.name, place.world_from_body);
+        placements.iter().map(at)
+    };
+    rigs.iter().flat_map(placed).collect()
 }

@@ -18,6 +18,7 @@ images, and all objects are thread-safe. Builds of Python without the GIL are no
 from . import filters
 from ._accuracy import Accuracy, accuracy
 from ._cameras import Camera, Rectification, look_at
+from ._coverage import Coverage, coverage
 from ._devices import Device, models, parameters, presets
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
@@ -28,6 +29,7 @@ from ._sensors import DepthSensor, Filter, StereoMatcher, align
 __all__ = [
     "Accuracy",
     "Camera",
+    "Coverage",
     "DepthSensor",
     "Device",
     "Error",
@@ -44,6 +46,7 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "coverage",
     "filters",
     "fit",
     "look_at",

@@ -1,7 +1,8 @@
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Any, Final
 
+import numpy.typing as npt
 from typing_extensions import Unpack
 
 from ._cameras import Camera as Camera, Rectification as Rectification, _camera as _camera, look_at as look_at
@@ -38,6 +39,7 @@ __all__ = [
     "accuracy",
     "align",
     "annotators",
+    "coverage",
     "fit",
     "look_at",
     "main",
@@ -64,6 +66,24 @@ def accuracy(
     **options: Unpack[_SensorOptions],
 ) -> dict[str, Any]:
     """Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`."""
+def coverage(
+    scene: Scene,
+    devices: Sequence[Device],
+    world_from_body: npt.ArrayLike,
+    *,
+    region: str | Sequence[str] | None = None,
+    region_box: npt.ArrayLike | None = None,
+    height: Sequence[float] | str | None = None,
+    tilt: Sequence[float] | str | None = None,
+    sensor: str | None = None,
+    size: tuple[int, int] | None = None,
+    samples: int | None = None,
+    points: bool = False,
+    projector: float = 0.0,
+    ambient: float = 1.0,
+    imager: Mapping[str, float | str | bool] | None = None,
+    **options: Unpack[_SensorOptions],
+) -> tuple[dict[str, Any], dict[str, Any] | None]: ...
 def fit(
     device: Device,
     recordings: Sequence[str | PathLike[str]],

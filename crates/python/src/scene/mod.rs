@@ -1,4 +1,5 @@
 pub(crate) mod annotators;
+pub(crate) mod coverage;
 mod parts;
 
 use std::collections::BTreeMap;

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 
 use oaktwin::camera::RigidTransform;
-use oaktwin::camera::math::DVec3;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{self, OpenOptions, Sweep};
+use oaktwin::render::{self, Sweep};
 use oaktwin::scene::Up;
 
 use crate::args::RenderArgs;
@@ -24,7 +23,7 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
         ("--ply", args.outputs.ply),
         ("--preview", args.outputs.preview),
         ("--sweep", !args.sweep.is_empty()),
-        ("--pair", args.pair.pair),
+        ("--pair", args.writes_pair),
     ];
     match files.iter().find(|(_, is_given)| *is_given) {
         Some((option, _)) => {
@@ -72,7 +71,7 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
 /// Whether sensor outputs are implied by other options. A sweep has its own sheet.
 fn senses(args: &RenderArgs) -> bool {
     let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
-    is_set || args.pair.pair
+    is_set || args.writes_pair
 }
 
 /// A warning about a depth sensor option without effect.
@@ -112,41 +111,15 @@ pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
     Ok(Some(sweep.map_err(|error| format!("--sweep: {error}"))?))
 }
 
-pub(super) fn open_options(args: &RenderArgs) -> Result<OpenOptions> {
-    if let Some(time) = args.time.filter(|time| !time.is_finite()) {
-        return Err(format!("--time: must be a finite number (got {time})").into());
-    }
-    if let Some(scale) = args.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
-        return Err(format!("--scale: must be a finite number > 0 (got {scale})").into());
-    }
-    Ok(OpenOptions {
-        time: args.time,
-        subdivide: args.subdivide,
-        limit: args.scene_limit,
-        up: args.up,
-        scale: args.scale,
-        allow_outside: args.allow_outside,
-    })
-}
-
 /// The pose of the body, without a trajectory.
 pub(super) fn place(args: &RenderArgs, up: Up) -> Result<RigidTransform> {
-    if let Some(numbers) = &args.pose {
-        let numbers: [f64; 7] = numbers[..].try_into().map_err(|_| "--pose takes 7 numbers")?;
-        return Ok(render::pose(numbers).map_err(|error| format!("--pose: {error}"))?);
+    if let Some(pose) = args.place.pose()? {
+        return Ok(pose);
     }
-    let Some(numbers) = &args.look_at else {
-        return Ok(RigidTransform::IDENTITY);
-    };
-    let (points, rest) = numbers.as_chunks::<3>();
-    let (eye, target, up) = match (points, rest) {
-        ([eye, target], []) => (eye, target, up.direction()),
-        ([eye, target, up], []) => (eye, target, DVec3::from(*up)),
-        _ => {
-            let count = numbers.len();
-            return Err(format!("--look-at: {count} numbers; EYE, TARGET and UP have three each").into());
+    match args.place.look_at(up)? {
+        Some([eye, target, up]) => {
+            render::look_at(eye, target, up).map_err(|error| format!("--look-at: {error}").into())
         }
-    };
-    render::look_at(DVec3::from(*eye), DVec3::from(*target), up)
-        .map_err(|error| format!("--look-at: {error}").into())
+        None => Ok(RigidTransform::IDENTITY),
+    }
 }

@@ -64,7 +64,8 @@ pub(super) fn pair(
         .unwrap_or_default();
     let mut engines = all.iter().chain([&options]).map(|options| options.engine);
     if !engines.any(|engine| engine.is_some_and(|kind| kind.input == EngineInput::Pair)) {
-        return match args.pair.given() {
+        let given = args.writes_pair.then_some("--pair");
+        return match args.pair.given().or(given) {
             Some(option) => Err(format!("{option} requires --engine stereo-matching").into()),
             None => Ok(None),
         };
@@ -84,16 +85,11 @@ pub(super) fn pair(
             );
         }
     }
-    let default = PairOptions::default();
     let pair = PairOptions {
-        imager: args.pair.imager()?,
-        projector: args.pair.projector.unwrap_or(default.projector),
-        ambient: args.pair.ambient.unwrap_or(default.ambient),
-        lens: args.unit.lens,
         size,
         bias_px,
         seed: options.seed,
-        ..default
+        ..args.pair.options(args.unit.lens)?
     };
     Ok(Some(render::put_pair(&oak.twin, cameras, &pair)?))
 }

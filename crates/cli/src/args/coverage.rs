@@ -1,0 +1,123 @@
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+use oaktwin::coverage::{REASONS, SAMPLES};
+
+use super::{PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
+
+fn after_help() -> String {
+    let reasons = REASONS[1..].iter();
+    let reasons: String = reasons
+        .map(|reason| format!("\n  {}: {}", reason.name, reason.doc))
+        .collect();
+    format!(
+        "Points are distributed evenly over the surface of the region, and a ray decides whether a camera sees a point. A point is \
+        measured if its pixel of the sensor's image has a value. All faces count, also those that no camera can see, such as the \
+        underside of a box on the floor.\n\n\
+        Poses are those of the body (x forward, y left, z up) in metres. A file of poses is a trajectory as for `oaktwin render`. \
+        A list is comma-separated numbers and ranges FROM:TO:STEP. Every model is placed at every pose, height and tilt; without \
+        --model, the depth sensors of the scene are compared.\n\n\
+        Candidates are ranked by the share that they measure, then by the median of their absolute errors.\n\n\
+        Reasons why a point is not measured:{reasons}"
+    )
+}
+
+#[derive(Args, Debug)]
+#[command(
+    next_line_help = true,
+    mut_arg("engine", |arg| arg.hide_possible_values(true).help(
+        "The error model: stereo-noise, time-of-flight, stereo-matching or single-view; by default the model's own"
+    )),
+    after_help = after_help()
+)]
+pub(crate) struct CoverageArgs {
+    /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), OBJ, STL or PLY
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub(crate) scene: PathBuf,
+
+    /// The path of an object; its meshes and those below it are the region; repeatable; by default everything
+    #[arg(long, value_name = "PRIM")]
+    pub(crate) region: Vec<String>,
+
+    /// Restrict the region to the surface inside a box: its minimum and maximum corner in the world, metres
+    #[arg(
+        long,
+        num_args = 6,
+        allow_negative_numbers = true,
+        value_names = ["X0", "Y0", "Z0", "X1", "Y1", "Z1"]
+    )]
+    pub(crate) region_box: Option<Vec<f64>>,
+
+    /// The number of points on the surface
+    #[arg(long, value_name = "N", default_value_t = SAMPLES)]
+    pub(crate) samples: u32,
+
+    /// Write coverage.csv, coverage.json and coverage.png (the best candidate's) to this folder
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) output: Option<PathBuf>,
+
+    /// A model to place in the scene; repeatable
+    #[arg(long, help_heading = "OAK")]
+    pub(crate) model: Vec<String>,
+
+    #[command(flatten, next_help_heading = "OAK")]
+    pub(crate) unit: UnitArgs,
+
+    /// The depth sensor by kind (stereo, tof) or prim; by default the device's own
+    #[arg(long, value_name = "KIND|PRIM", requires = "model", help_heading = "OAK")]
+    pub(crate) sensor: Option<String>,
+
+    /// The size of the sensor's image, such as 640x400; by default its own
+    #[arg(long, value_name = "WxH", requires = "model", help_heading = "OAK")]
+    pub(crate) resolution: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) place: PlaceArgs,
+
+    /// A file of poses to compare: TUM or JSON
+    #[arg(
+        long,
+        value_name = "FILE",
+        value_hint = ValueHint::FilePath,
+        conflicts_with_all = ["pose", "look_at"],
+        requires = "model",
+        help_heading = "OAK"
+    )]
+    pub(crate) poses: Option<PathBuf>,
+
+    /// Compare these heights along the up axis, a list in metres; --look-at keeps its target
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        requires = "model",
+        help_heading = "OAK"
+    )]
+    pub(crate) height: Option<String>,
+
+    /// Compare these angles below the horizontal, a list in degrees; the heading is kept
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        requires = "model",
+        help_heading = "OAK"
+    )]
+    pub(crate) tilt: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) engine: SensorArgs,
+
+    #[command(flatten)]
+    pub(crate) pair: PairArgs,
+
+    #[command(flatten, next_help_heading = "Scene")]
+    pub(crate) scene_options: SceneArgs,
+
+    #[command(flatten, next_help_heading = "Execution")]
+    pub(crate) threads: ThreadArgs,
+
+    /// Print the result as JSON
+    #[arg(long, help_heading = "Execution")]
+    pub(crate) json: bool,
+}

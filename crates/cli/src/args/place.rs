@@ -1,0 +1,68 @@
+use clap::Args;
+use oaktwin::camera::RigidTransform;
+use oaktwin::camera::math::DVec3;
+use oaktwin::render;
+use oaktwin::scene::Up;
+
+use crate::context::Result;
+
+/// The pose of an OAK.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "OAK")]
+pub(crate) struct PlaceArgs {
+    /// The position of the body in metres, and its rotation as a quaternion
+    #[arg(
+        long,
+        num_args = 7,
+        allow_negative_numbers = true,
+        value_names = ["X", "Y", "Z", "QX", "QY", "QZ", "QW"],
+        conflicts_with = "look_at",
+        requires = "model"
+    )]
+    pose: Option<Vec<f64>>,
+
+    /// The position of the body (EYE), the point it faces (TARGET), and optionally the UP direction (by default the scene's), in
+    /// metres
+    #[arg(
+        long,
+        num_args = 6..=9,
+        allow_negative_numbers = true,
+        value_names = ["EX", "EY", "EZ", "TX", "TY", "TZ"],
+        requires = "model"
+    )]
+    look_at: Option<Vec<f64>>,
+}
+
+impl PlaceArgs {
+    /// Whether there is no pose.
+    pub(crate) fn is_none(&self) -> bool {
+        self.pose.is_none() && self.look_at.is_none()
+    }
+
+    /// The pose that is given as numbers.
+    pub(crate) fn pose(&self) -> Result<Option<RigidTransform>> {
+        let Some(numbers) = &self.pose else {
+            return Ok(None);
+        };
+        let numbers: [f64; 7] = numbers[..].try_into().map_err(|_| "--pose takes 7 numbers")?;
+        let pose = render::pose(numbers).map_err(|error| format!("--pose: {error}"))?;
+        Ok(Some(pose))
+    }
+
+    /// The eye, target and up direction of `--look-at` in a scene with this up axis.
+    pub(crate) fn look_at(&self, up: Up) -> Result<Option<[DVec3; 3]>> {
+        let Some(numbers) = &self.look_at else {
+            return Ok(None);
+        };
+        let (points, rest) = numbers.as_chunks::<3>();
+        let (eye, target, up) = match (points, rest) {
+            ([eye, target], []) => (eye, target, up.direction()),
+            ([eye, target, up], []) => (eye, target, DVec3::from(*up)),
+            _ => {
+                let count = numbers.len();
+                return Err(format!("--look-at: {count} numbers; EYE, TARGET and UP have three each").into());
+            }
+        };
+        Ok(Some([DVec3::from(*eye), DVec3::from(*target), up]))
+    }
+}

@@ -1,0 +1,65 @@
+use clap::Args;
+use oaktwin::render::OpenOptions;
+use oaktwin::scene::Up;
+use oaktwin::usd::stage::SceneLimit;
+
+use super::choice::parser;
+use super::limit;
+use crate::context::Result;
+
+/// The options of opening a scene.
+#[derive(Args, Debug)]
+pub(crate) struct SceneArgs {
+    /// The time code of a USD stage
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub(crate) time: Option<f64>,
+
+    /// The subdivision level of a USD stage's meshes (Isaac Sim renders level 0)
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        value_parser = clap::value_parser!(u32).range(0..=8)
+    )]
+    pub(crate) subdivide: u32,
+
+    /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
+    #[arg(long, value_parser = parser::<Up>())]
+    pub(crate) up: Option<Up>,
+
+    /// Metres per unit of a glTF, OBJ, STL or PLY file
+    #[arg(long, value_name = "METRES")]
+    pub(crate) scale: Option<f64>,
+
+    /// Read buffers and images that a glTF file names outside its folder; for trusted files only
+    #[arg(long)]
+    pub(crate) allow_outside: bool,
+
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value = "1",
+        value_parser = limit::parse,
+        help = limit::HELP
+    )]
+    pub(crate) scene_limit: SceneLimit,
+}
+
+impl SceneArgs {
+    pub(crate) fn open_options(&self) -> Result<OpenOptions> {
+        if let Some(time) = self.time.filter(|time| !time.is_finite()) {
+            return Err(format!("--time: must be a finite number (got {time})").into());
+        }
+        if let Some(scale) = self.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
+            return Err(format!("--scale: must be a finite number > 0 (got {scale})").into());
+        }
+        Ok(OpenOptions {
+            time: self.time,
+            subdivide: self.subdivide,
+            limit: self.scene_limit,
+            up: self.up,
+            scale: self.scale,
+            allow_outside: self.allow_outside,
+        })
+    }
+}

@@ -1,0 +1,136 @@
+mod asked;
+mod text;
+
+use std::path::Path;
+
+use oaktwin::coverage::{self, Coverage, Options, Rig};
+use oaktwin::files::{OutputFiles, WrittenFile};
+use oaktwin::image::annotation::Annotator;
+use oaktwin::image::{Image, png};
+use oaktwin::memory;
+use oaktwin::render::{self, Renderer, SceneFile};
+use serde::Serialize;
+
+use crate::args::CoverageArgs;
+use crate::context::{Context, Exit, Result};
+use crate::{output, progress};
+
+/// The images of a candidate.
+const MADE: [Annotator; 3] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+];
+
+/// The result of the command.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a Path,
+    #[serde(flatten)]
+    coverage: &'a Coverage,
+    files: &'a [WrittenFile],
+}
+
+pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
+    let region = asked::region(args)?;
+    let sweep = coverage::Sweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
+    asked::check(args)?;
+    args.threads.apply();
+    let models = asked::models(context, args)?;
+    let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
+    let mut findings = std::mem::take(&mut scene.findings);
+    findings.extend(models.findings);
+    let placements = asked::placements(args, &sweep, scene.scene.up)?;
+    let rigs: Vec<Rig> = if args.model.is_empty() {
+        let (rigs, more) = asked::own_rigs(args, &scene)?;
+        findings.extend(more);
+        rigs
+    } else {
+        models.rigs
+    };
+    let candidates = asked::candidates(args, &rigs, &placements);
+    let mut files = args
+        .output
+        .as_deref()
+        .map(OutputFiles::in_folder)
+        .transpose()?
+        .unwrap_or_default();
+    files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
+    check_memory(&rigs)?;
+    let renderer = Renderer::new(scene.scene);
+    let options = Options {
+        samples: args.samples,
+        ..Options::default()
+    };
+    let measured =
+        progress::watched(|watch| coverage::measure(&renderer, &region, &candidates, &options, watch))?;
+    if args.output.is_some()
+        && let Some(&best) = measured.ranking.first()
+    {
+        let shares = &measured.candidates[best].shares;
+        let picture = coverage::picture(&renderer, &region, &candidates[best], shares)?;
+        write(args, &measured, &picture, &mut files)?;
+    }
+    findings.extend(measured.findings.iter().cloned());
+    if measured.is_interrupted {
+        output::say(&format!(
+            "interrupted: {} of {} candidates are complete",
+            measured.candidates.len(),
+            candidates.len()
+        ));
+    }
+    if args.json {
+        output::print_json(&report(args, &measured, files.files()))?;
+    } else {
+        output::print(&text::report(&measured, files.files()))?;
+    }
+    if let Some(calibration) = &args.unit.calibration {
+        output::say_findings(calibration, &models.calibration_findings);
+    }
+    output::say_findings(&args.scene, &findings);
+    Ok(if measured.is_interrupted {
+        Exit::Interrupted
+    } else {
+        Exit::Success
+    })
+}
+
+/// Rejects images that need more memory than is available, if that is known.
+fn check_memory(rigs: &[Rig]) -> Result<()> {
+    let needed = |rig: &Rig| render::frame_bytes(rig.camera().camera.intrinsics.size, &MADE);
+    let largest = rigs.iter().max_by_key(|rig| needed(rig));
+    largest.map_or(Ok(()), |rig| {
+        memory::check(needed(rig)).map_err(|shortage| {
+            format!(
+                "{}: images of {}: {}; choose a smaller --resolution, or {}",
+                rig.camera().path,
+                rig.camera().camera.intrinsics.size,
+                shortage.what(),
+                shortage.remedy()
+            )
+            .into()
+        })
+    })
+}
+
+fn report<'a>(args: &'a CoverageArgs, coverage: &'a Coverage, files: &'a [WrittenFile]) -> Report<'a> {
+    Report {
+        scene: &args.scene,
+        coverage,
+        files,
+    }
+}
+
+/// Writes the files of a folder.
+fn write(
+    args: &CoverageArgs,
+    coverage: &Coverage,
+    picture: &Image<[u8; 3]>,
+    files: &mut OutputFiles,
+) -> Result<()> {
+    files.write(Path::new("coverage.csv"), coverage.to_csv().as_bytes())?;
+    let json = serde_json::to_string_pretty(&report(args, coverage, &[]))? + "\n";
+    files.write(Path::new("coverage.json"), json.as_bytes())?;
+    files.write(Path::new("coverage.png"), &png::encode(picture)?)?;
+    Ok(())
+}

@@ -1,0 +1,126 @@
+//! From arguments to candidates.
+
+use oaktwin::camera::RigidTransform;
+use oaktwin::camera::math::DVec3;
+use oaktwin::coverage::{self, Base, Candidate, Placement, Region, Rig, RigOptions, Sweep};
+use oaktwin::diagnostic::Finding;
+use oaktwin::render::{SceneCameraOptions, SceneFile, scene_cameras, trajectory};
+use oaktwin::scene::{Bounds, Up};
+use oaktwin::sensor::EngineInput;
+use oaktwin::usd::asset::LensChoice;
+
+use crate::args::CoverageArgs;
+use crate::context::{Context, Result};
+use crate::size;
+
+/// The models to compare.
+#[derive(Default)]
+pub(super) struct Models {
+    pub(super) rigs: Vec<Rig>,
+    pub(super) findings: Vec<Finding>,
+    pub(super) calibration_findings: Vec<Finding>,
+}
+
+pub(super) fn region(args: &CoverageArgs) -> Result<Region> {
+    let within = args.region_box.as_deref().map(|numbers| {
+        let numbers: [f64; 6] = numbers.try_into().map_err(|_| "--region-box takes 6 numbers")?;
+        let [x0, y0, z0, x1, y1, z1] = numbers;
+        Ok::<_, Box<dyn std::error::Error>>(Bounds {
+            min: DVec3::new(x0, y0, z0),
+            max: DVec3::new(x1, y1, z1),
+        })
+    });
+    Ok(Region {
+        objects: args.region.clone(),
+        within: within.transpose()?,
+    })
+}
+
+/// Rejects options without effect.
+pub(super) fn check(args: &CoverageArgs) -> Result<()> {
+    let needs = |option: &str| Err(format!("{option} requires --model").into());
+    if args.model.is_empty() {
+        return match &args.unit {
+            unit if unit.calibration.is_some() => needs("--calibration"),
+            unit if unit.lens == LensChoice::Fisheye => needs("--lens"),
+            _ => Ok(()),
+        };
+    }
+    if args.unit.calibration.is_some() && args.model.len() > 1 {
+        return Err("--calibration: one unit has one model; give one --model".into());
+    }
+    if args.place.is_none() && args.poses.is_none() {
+        return Err("--model requires a pose: --look-at EYE TARGET, --pose or --poses FILE".into());
+    }
+    Ok(())
+}
+
+/// Creates the rigs of the models.
+pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
+    let engine = args.engine.options()?;
+    let is_pair = engine
+        .engine
+        .is_some_and(|engine| engine.input == EngineInput::Pair);
+    if let (Some(option), false) = (args.pair.given(), is_pair) {
+        return Err(format!("{option} requires --engine stereo-matching").into());
+    }
+    let options = RigOptions {
+        sensor: args.sensor.clone(),
+        engine,
+        size: size::parse("--resolution", args.resolution.as_deref())?,
+        pair: args.pair.options(args.unit.lens)?,
+    };
+    let mut models = Models::default();
+    for name in &args.model {
+        let (twin, findings) = context.twin(name, &args.unit)?;
+        models.calibration_findings.extend(findings);
+        let (rig, findings) = Rig::new(&twin, &options)?;
+        if !models.rigs.iter().any(|known| known.model() == rig.model()) {
+            models.rigs.push(rig);
+            models.findings.extend(findings);
+        }
+    }
+    Ok(models)
+}
+
+/// The depth sensors of the scene.
+pub(super) fn own_rigs(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<Rig>, Vec<Finding>)> {
+    let (cameras, mut findings) = scene_cameras(scene, &SceneCameraOptions::default())?;
+    let (rigs, more) = Rig::of_stage(&cameras, &args.engine.options()?)
+        .map_err(|error| format!("{}: {error}", args.scene.display()))?;
+    findings.extend(more);
+    if rigs.is_empty() {
+        return Err(format!(
+            "{}: the scene has no depth sensor; place an OAK with --model and --look-at",
+            args.scene.display()
+        )
+        .into());
+    }
+    Ok((rigs, findings))
+}
+
+/// The poses of the models.
+pub(super) fn placements(args: &CoverageArgs, sweep: &Sweep, up: Up) -> Result<Vec<Placement>> {
+    let base = if let Some(file) = &args.poses {
+        let poses = trajectory::read(file)?;
+        Base::Poses(poses.iter().map(|pose| pose.world_from_mount).collect())
+    } else if let Some([eye, target, up]) = args.place.look_at(up)? {
+        Base::LookAt { eye, target, up }
+    } else {
+        Base::Poses(vec![args.place.pose()?.unwrap_or(RigidTransform::IDENTITY)])
+    };
+    Ok(sweep.placements(&base, up.direction())?)
+}
+
+/// Every rig at every pose; a rig of the scene at its own.
+pub(super) fn candidates<'a>(
+    args: &CoverageArgs,
+    rigs: &'a [Rig],
+    placements: &[Placement],
+) -> Vec<Candidate<'a>> {
+    if args.model.is_empty() {
+        let own = |rig: &'a Rig| Candidate::new(rig, "in the scene", rig.camera().world_from_mount);
+        return rigs.iter().map(own).collect();
+    }
+    coverage::candidates(rigs, placements)
+}

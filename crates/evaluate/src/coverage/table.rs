@@ -1,0 +1,63 @@
+//! The results as a table.
+
+use super::{CandidateCoverage, Coverage, REASONS};
+
+const COLUMNS: [&str; 17] = [
+    "rank",
+    "model",
+    "engine",
+    "name",
+    "x_m",
+    "y_m",
+    "z_m",
+    "qx",
+    "qy",
+    "qz",
+    "qw",
+    "height_m",
+    "tilt_deg",
+    "seen",
+    "measured",
+    "median_absolute_error_mm",
+    "p95_absolute_error_mm",
+];
+
+impl Coverage {
+    /// Returns the candidates as a table in CSV, best first, with a column for the share that is lost for each reason.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let reasons: Vec<&str> = REASONS[1..].iter().map(|reason| reason.name).collect();
+        let mut table = csv::Writer::from_writer(Vec::new());
+        // Writing to memory does not fail.
+        let _ = table.write_record(COLUMNS.iter().chain(&reasons));
+        for (rank, &index) in (1..).zip(&self.ranking) {
+            let _ = table.write_record(row(rank, &self.candidates[index], &reasons));
+        }
+        let bytes = table.into_inner().unwrap_or_default();
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
+}
+
+fn row(rank: usize, candidate: &CandidateCoverage, reasons: &[&str]) -> Vec<String> {
+    let shares = &candidate.shares;
+    let number = |value: f64| value.to_string();
+    let maybe = |value: Option<f64>| value.map(number).unwrap_or_default();
+    let texts = [&candidate.model, candidate.engine, &candidate.name].map(str::to_owned);
+    let mut row = vec![rank.to_string()];
+    row.extend(texts);
+    row.extend(candidate.position_m.map(number));
+    row.extend(candidate.orientation.map(number));
+    row.extend(
+        [
+            candidate.height_m,
+            candidate.tilt_deg,
+            shares.seen,
+            shares.measured,
+        ]
+        .map(number),
+    );
+    row.extend([shares.median_absolute_error_mm, shares.p95_absolute_error_mm].map(maybe));
+    let share = |reason: &&str| number(shares.lost.get(*reason).copied().unwrap_or(0.0));
+    row.extend(reasons.iter().map(share));
+    row
+}

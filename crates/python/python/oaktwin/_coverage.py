@@ -1,0 +1,157 @@
+"""The share of a surface that depth sensors see and measure."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _oaktwin
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._types import _SensorOptions
+
+_NUMBERS = (
+    "height_m",
+    "tilt_deg",
+    "seen",
+    "measured",
+    "median_error_mm",
+    "median_absolute_error_mm",
+    "p95_absolute_error_mm",
+)
+
+
+class Coverage:
+    """The coverage of a region by candidates: devices at poses.
+
+    report: all results, as printed by `oaktwin coverage --json`; names contain the units.
+    points: the outcomes at each point, if requested, else None. A dictionary: "position" and "normal", (P, 3) float64 in the
+        world, metres; "instance", (P,) uint32, an index into "prim_paths"; "outcome", (C, P) uint8 by candidate, an index into
+        "reasons", where 0 is measured; "error_m", (C, P) float32, measured minus true z in metres, NaN where nothing is measured.
+    """
+
+    def __init__(self, report: dict[str, Any], points: dict[str, Any] | None = None) -> None:
+        self.report = report
+        self.points = points
+
+    @property
+    def candidates(self) -> list[dict[str, Any]]:
+        """One dictionary per candidate, those of the first device first: "name", "model", "engine", "position_m", "orientation",
+        "seen" and "measured" (shares of the surface), "median_absolute_error_mm" (None if nothing is measured), ..., "lost"
+        (shares by reason) and "occluders"."""
+        candidates: list[dict[str, Any]] = self.report["candidates"]
+        return candidates
+
+    @property
+    def ranking(self) -> list[int]:
+        """The indices of the candidates by the share that they measure, then by their median absolute error, best first."""
+        ranking: list[int] = self.report["ranking"]
+        return ranking
+
+    @property
+    def best(self) -> dict[str, Any]:
+        """The best candidate."""
+        return self.candidates[self.ranking[0]]
+
+    @property
+    def together(self) -> dict[str, Any]:
+        """The shares and errors of all candidates together."""
+        together: dict[str, Any] = self.report["together"]
+        return together
+
+    def to_numpy(self) -> npt.NDArray[Any]:
+        """Returns a structured array with one row per candidate: its numbers as float64, NaN if nothing is measured."""
+        table = np.full(len(self.candidates), np.nan, dtype=[(name, np.float64) for name in _NUMBERS])
+        for place, candidate in zip(table, self.candidates):
+            for name in _NUMBERS:
+                if candidate[name] is not None:
+                    place[name] = candidate[name]
+        return table
+
+    def __repr__(self) -> str:
+        best = self.best
+        return (
+            f"<oaktwin.Coverage of {self.report['region']['area_m2']:.4g} m²: {len(self.candidates)} candidates, "
+            f"best {best['model']}, {best['name']}, measures {100 * best['measured']:.1f} %>"
+        )
+
+    def _repr_html_(self) -> str:
+        def cell(value: object) -> str:
+            shown = "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+            return f"<td>{html.escape(shown)}</td>"
+
+        names = ("model", "name", *_NUMBERS)
+        head = "".join(f"<th>{name}</th>" for name in names)
+        rows = (self.candidates[index] for index in self.ranking)
+        body = "".join("<tr>" + "".join(cell(row[name]) for name in names) + "</tr>" for row in rows)
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def coverage(
+    scene: _oaktwin.Scene,
+    devices: _oaktwin.Device | Sequence[_oaktwin.Device],
+    poses: npt.ArrayLike,
+    *,
+    region: str | Sequence[str] | None = None,
+    region_box: npt.ArrayLike | None = None,
+    height: Sequence[float] | str | None = None,
+    tilt: Sequence[float] | str | None = None,
+    sensor: str | None = None,
+    size: tuple[int, int] | None = None,
+    samples: int = 10_000,
+    points: bool = False,
+    projector: float = 0.0,
+    ambient: float = 1.0,
+    imager: Mapping[str, float | str | bool] | None = None,
+    **options: Unpack[_SensorOptions],
+) -> Coverage:
+    """Measures which share of a surface the depth sensors of devices see and measure from poses, with which error, and why the
+    rest is lost. Every device is a candidate at every pose.
+
+    scene: the scene.
+    devices: a device, or several.
+    poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See `look_at` with
+        frame="body".
+    region: the path of a prim, or several: the meshes at and below it are the region; by default everything.
+    region_box: (2, 3), the minimum and maximum corner of a box in the world, metres: surface outside it does not belong to the
+        region.
+    height: heights along the up axis that replace those of the poses, metres, or the program's syntax "0.5:2:0.5".
+    tilt: angles below the horizontal that replace those of the poses, degrees; the heading is kept.
+    sensor: "stereo", "tof" or the name of a prim; by default each device's own depth sensor.
+    size: (width, height) of the sensor's images in px, resized by DepthAI's rule; by default its own.
+    samples: the number of points that are distributed evenly over the surface, 1 to 1000000.
+    points: whether the result has the outcomes at each point.
+    projector, ambient, imager: those of `Scene.render_pair`, for the engine "stereo-matching".
+    options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
+        an image pair.
+
+    A point is seen if nothing lies between it and the camera, and measured if its pixel has a value. All faces count, also those
+    that no camera can see.
+
+    Ctrl-C interrupts the measurement. Raises `oaktwin.Error` for invalid arguments, unknown prims and regions without surface.
+    """
+    several = [devices] if isinstance(devices, _oaktwin.Device) else list(devices)
+    report, outcomes = _oaktwin.coverage(
+        scene,
+        several,
+        poses,
+        region=region,
+        region_box=region_box,
+        height=height,
+        tilt=tilt,
+        sensor=sensor,
+        size=size,
+        samples=samples,
+        points=points,
+        projector=projector,
+        ambient=ambient,
+        imager=imager,
+        **options,
+    )
+    return Coverage(report, outcomes)

@@ -1,0 +1,183 @@
+use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
+
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use oaktwin::camera::ImageSize;
+use oaktwin::camera::math::DVec3;
+use oaktwin::coverage::{
+    Base, CoverageError, Options, Outcome, PointOutcomes, REASONS, Region, Rig, RigOptions, Samples, Sweep,
+    candidates, measure,
+};
+use oaktwin::image::annotation::Annotator;
+use oaktwin::render::frame_bytes;
+use oaktwin::scene::{self, Bounds};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+
+use super::Scene;
+use super::annotators::check_free;
+use crate::arguments::{Size, vector};
+use crate::device::Device;
+use crate::error::{error, wrong};
+use crate::finding;
+use crate::json;
+use crate::pair::PairSettings;
+use crate::pose::poses;
+use crate::settings::{sensor_options, strings};
+use crate::threads;
+
+/// The images of a candidate.
+const MADE: [Annotator; 3] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+];
+
+/// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`.
+#[pyfunction]
+#[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt = None, sensor = None,
+    size = None, samples = None, points = false, projector = 0.0, ambient = 1.0, imager = None, **options))]
+#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+pub(crate) fn coverage<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    devices: Vec<PyRef<'py, Device>>,
+    world_from_body: &Bound<'py, PyAny>,
+    region: Option<&Bound<'py, PyAny>>,
+    region_box: Option<&Bound<'py, PyAny>>,
+    height: Option<List>,
+    tilt: Option<List>,
+    sensor: Option<String>,
+    size: Option<Size>,
+    samples: Option<u32>,
+    points: bool,
+    projector: f64,
+    ambient: f64,
+    imager: Option<&Bound<'py, PyAny>>,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<(Bound<'py, PyAny>, Option<Bound<'py, PyDict>>)> {
+    let region = self::region(region, region_box)?;
+    let engine = sensor_options("coverage", options, |_| true)?;
+    let mut rigs = Vec::new();
+    for device in &devices {
+        let pair = PairSettings {
+            size: size.map(|Size(width, height)| (width, height)),
+            projector,
+            ambient,
+            imager,
+            seed: engine.seed,
+            device_seed: engine.device_seed,
+        };
+        let options = RigOptions {
+            sensor: sensor.clone(),
+            engine: engine.clone(),
+            size: size.map(|Size(width, height)| ImageSize::new(width, height)),
+            pair: pair.options(device)?,
+        };
+        let (rig, findings) = Rig::new(&device.twin, &options).map_err(error)?;
+        let needed = frame_bytes(rig.camera().camera.intrinsics.size, &MADE);
+        check_free(&rig.camera().path, needed, "reduce the image size")?;
+        finding::warn(py, &findings)?;
+        rigs.push(rig);
+    }
+    let base = Base::Poses(poses("poses", world_from_body)?.0);
+    let sweep = Sweep {
+        heights_m: List::numbers(height, |text| Ok(Sweep::parse(Some(text), None)?.heights_m))?,
+        tilts_deg: List::numbers(tilt, |text| Ok(Sweep::parse(None, Some(text))?.tilts_deg))?,
+    };
+    let stage = scene.read(py);
+    let renderer = &stage.renderer;
+    let up = renderer.scene().up.direction();
+    let placements = sweep.placements(&base, up).map_err(error)?;
+    let candidates = candidates(&rigs, &placements);
+    let options = Options {
+        samples: samples.unwrap_or(Options::default().samples),
+        keeps_points: points,
+    };
+    let measured = threads::interruptible(py, |stop| {
+        let watch = |_| {
+            if stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        measure(renderer, &region, &candidates, &options, &watch)
+    })?;
+    let measured = measured.map_err(error)?;
+    finding::warn(py, &measured.findings)?;
+    let report = json::to_python(py, &measured)?;
+    let points = measured.points.map(|kept| arrays(py, renderer.scene(), &kept));
+    Ok((report, points.transpose()?))
+}
+
+/// Numbers, or the program's text syntax.
+#[derive(FromPyObject)]
+pub(crate) enum List {
+    Text(String),
+    Numbers(Vec<f64>),
+}
+
+impl List {
+    fn numbers(
+        list: Option<Self>,
+        parse: impl FnOnce(&str) -> Result<Vec<f64>, CoverageError>,
+    ) -> PyResult<Vec<f64>> {
+        match list {
+            None => Ok(Vec::new()),
+            Some(Self::Text(text)) => parse(&text).map_err(error),
+            Some(Self::Numbers(numbers)) => Ok(numbers),
+        }
+    }
+}
+
+fn region(objects: Option<&Bound<'_, PyAny>>, corners: Option<&Bound<'_, PyAny>>) -> PyResult<Region> {
+    let objects = match objects {
+        None => Vec::new(),
+        Some(path) if path.is_instance_of::<PyString>() => vec![path.extract()?],
+        Some(paths) => strings("region", paths)?,
+    };
+    let within = corners.map(|corners| {
+        let pair: Vec<Bound<'_, PyAny>> = corners.try_iter()?.collect::<PyResult<_>>()?;
+        match &pair[..] {
+            [min, max] => Ok(Bounds {
+                min: vector("region_box", min)?,
+                max: vector("region_box", max)?,
+            }),
+            _ => Err(wrong(
+                "region_box",
+                format_args!("has {} items", pair.len()),
+                "pass the minimum and the maximum corner",
+            )),
+        }
+    });
+    Ok(Region {
+        objects,
+        within: within.transpose()?,
+    })
+}
+
+/// The outcomes by point as arrays.
+fn arrays<'py>(py: Python<'py>, scene: &scene::Scene, kept: &PointOutcomes) -> PyResult<Bound<'py, PyDict>> {
+    let Samples { points, .. } = &kept.samples;
+    let all = PyDict::new(py);
+    let vectors = |of: &dyn Fn(usize) -> DVec3| -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let numbers = (0..points.len()).flat_map(|i| of(i).to_array());
+        PyArray1::from_iter(py, numbers).reshape([points.len(), 3])
+    };
+    all.set_item("position", vectors(&|i| points[i].position)?)?;
+    all.set_item("normal", vectors(&|i| points[i].normal)?)?;
+    let instances = points.iter().map(|point| point.instance);
+    all.set_item("instance", PyArray1::from_iter(py, instances))?;
+    let paths: Vec<&str> = scene.instances.iter().map(|one| one.path.as_str()).collect();
+    all.set_item("prim_paths", paths)?;
+    let shape = [kept.outcomes.len(), points.len()];
+    let outcomes = kept.outcomes.iter().flatten().map(|&Outcome(code)| code);
+    all.set_item("outcome", PyArray1::from_iter(py, outcomes).reshape(shape)?)?;
+    let errors = kept.errors_m.iter().flatten().copied();
+    all.set_item("error_m", PyArray1::from_iter(py, errors).reshape(shape)?)?;
+    let reasons: Vec<&str> = REASONS.iter().map(|reason| reason.name).collect();
+    all.set_item("reasons", reasons)?;
+    Ok(all)
+}

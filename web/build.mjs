@@ -1,0 +1,21 @@
+// Bundles the page into `dist/`, which is committed: the same sources and lock file give the same bytes.
+import { copyFile, mkdir } from "node:fs/promises";
+import { build } from "esbuild";
+
+const dist = new URL("dist/", import.meta.url).pathname;
+await mkdir(dist, { recursive: true });
+await build({
+  absWorkingDir: new URL(".", import.meta.url).pathname,
+  entryPoints: { studio: "src/main.tsx" },
+  outdir: "dist",
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: "es2022",
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  charset: "utf8",
+  legalComments: "eof",
+  logLevel: "warning",
+});
+await copyFile(new URL("src/index.html", import.meta.url), `${dist}index.html`);

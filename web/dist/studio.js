@@ -1,0 +1,4351 @@
+var kt,Zp,Ex,Ks,Kh,Il,Kp,Al,Jp,jh,Jh,Qp,pa=Symbol.for("pv"),Ll={},Dl=[],Ax=/^m(i|n|o|s|text|space)$/,ed=Array.isArray,jp=Dl.slice,Er=Object.assign;function Tr(n){n&&n.parentNode&&n.remove()}function Cl(n,e,t,i,s){var r={type:n,props:e,key:t,ref:i,__k:null,__:null,__b:0,__e:null,__c:null,constructor:pa,__v:s||++Zp,__i:-1,__u:0};return!s&&kt.vnode&&kt.vnode(r),r}function wt(n){return n.children}function Rl(n,e){this.props=n,this.context=e,this.__g=0}function Js(n,e){if(e==null)return n.__&&Js(n.__,n.__i+1);for(var t;e<n.__k.length;e++)if((t=n.__k[e])&&t.__e)return t.__e;return typeof n.type!="function"||n.props.__P?null:Js(n)}function Cx(n){var e,t=n.__v,i=t.__e,s=[],r=[],o=n.__P;o&&((e=Er({constructor:pa},t)).__v=t.__v+1,kt.vnode&&kt.vnode(e),td(o,e,t,n.__n,o.namespaceURI,32&t.__u?[i]:null,s,i||Js(t),32&t.__u,r),e.__v=t.__v,e.__.__k[e.__i]=e,rm(s,e,r),t.__=t.__e=null,e.__e!=i&&em(e))}function em(n){if((n=n.__)&&n.__c&&!n.props.__P)return n.__e=null,n.__k.some(function(e){return e&&(n.__e=e.__e)}),em(n)}function Qh(n){(8&n.__g||(n.__g|=8,Ks.push(n),Il++))&&Kh==kt.debounceRendering||((Kh=kt.debounceRendering)||queueMicrotask)(tm)}function tm(){try{for(var n,e=1;Ks.length;)Ks.length>e&&Ks.sort(Kp),n=Ks.shift(),e=Ks.length,8&n.__g&&Cx(n)}finally{(Il=Ks.length)&&(Kh||queueMicrotask)(tm)}}function nm(n,e,t,i,s,r,o,a,l,c,u){var d,h,f,g,y,m,p=i.__k||Dl,x=e.length;for(l=Rx(t,e,p,l,x),d=0;d<x;d++)(f=t.__k[d])!=null&&(h=~f.__i&&p[f.__i]||Ll,f.__i=d,m=td(n,f,h,s,r,o,a,l,c,u),g=f.__e,(h.ref!=f.ref||8&h.__u)&&(h.ref&&nd(h.ref,null,f,h),f.ref&&u.push(f.ref,f.__c||g,f)),y=y||g,4&f.__u?(l=im(f,l,n,!h.__v),h.__e&&(h.__e=null)):typeof f.type=="function"&&m!==void 0?l=m:g&&(l=g.nextSibling),f.__u&=-21);return t.__e=y,l}function Rx(n,e,t,i,s){var r,o,a,l,c,u,d,h,f,g=t.length,y=g,m=0,p=0,x=n.__k=Array(s);for(r=0;r<s;r++)(o=e[r])!=null&&typeof o!="boolean"&&typeof o!="function"?(typeof o!="object"||o.constructor===String?o=x[r]=Cl(null,o):ed(o)?o=x[r]=Cl(wt,{children:o}):o.constructor===pa&&o.__b?o=x[r]=Cl(o.type,o.props,o.key,o.ref,o.__v):x[r]=o,l=r+m,o.__=n,o.__b=n.__b+1,a=null,~(c=o.__i=Px(o,t,l,y))&&(y--,(a=t[c])&&(a.__u|=2)),a&&a.__v?(o.__u|=16,c==l-1?m--:c==l+1?m++:c!=l&&(c>l?m--:m++,p=1)):(~c||(s>g?m--:s<g&&m++),typeof o.type!="function"&&(o.__u|=4))):x[r]=null;if(p){for(u=[],d=[],r=0;r<s;r++)if((o=x[r])&&16&o.__u){for(m=0,h=u.length;m<h;)u[f=m+h>>1]<o.__i?m=f+1:h=f;u[m]=o.__i,d[r]=m+1}for(m=u.length;r--;)d[r]&&(d[r]==m?m--:x[r].__u|=4)}if(y)for(r=0;r<g;r++)!(a=t[r])||2&a.__u||(a.__e==i&&(i=Js(a)),id(a,a));return i}function im(n,e,t,i){var s,r,o,a;if(typeof n.type=="function"){if(n.props.__P)return e;if(s=n.__k)for(r=0;r<s.length;r++)s[r]&&(s[r].__=n,e=im(s[r],e,t,!1));return e}for(e&&!e.parentNode&&(e=Js(n))&&!e.parentNode&&(e=null),o=n.__e,a=e;a&&a.nodeType==8;)a=a.nextSibling;for(o!=a&&(!i&&t.moveBefore&&o.parentNode?t.moveBefore(o,e):t.insertBefore(o,e||null)),e=o;(e=e&&e.nextSibling)&&e.nodeType==8&&!e.data.startsWith("$s"););return e}function Px(n,e,t,i){var s,r=n.key,o=n.type,a=e[t],l=a&&!(2&a.__u);if(a===null&&r==null||l&&r==a.key&&o==a.type)return t;if(i>(l?1:0)){for(s=t-1;s>=0;s--)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s;for(s=t+1;s<e.length;s++)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s}return-1}function $p(n,e,t){t==null&&(t=""),e[0]=="-"?n.setProperty(e,t):n[e]=t}function El(n,e,t,i,s){var r,o;if(e=="style")if(typeof t=="string")n.style.cssText=t;else{if(typeof i=="string"&&(n.style.cssText=i=""),i)for(e in i)t&&e in t||$p(n.style,e);if(t)for(e in t)i&&t[e]==i[e]||$p(n.style,e,t[e])}else if(e[0]=="o"&&e[1]=="n")typeof t!="function"&&(t=null),typeof i!="function"&&(i=null),(n.__e||(n.__e={}))[e]=t,t&&i||(o=Jh[e]||(Jh[e]=Ix(e)),(n.__a||(n.__a={}))[e]=jh,r=e!=(e=e.replace(Jp,"$1")),(e=e.slice(2))[0]<"a"&&(e=e.toLowerCase()),t?n.addEventListener(e,o,r):n.removeEventListener(e,o,r));else{if(s=="http://www.w3.org/2000/svg")e=e.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(e!="width"&&e!="height"&&e!="href"&&e!="list"&&e!="form"&&e!="tabIndex"&&e!="download"&&e!="rowSpan"&&e!="colSpan"&&e!="role"&&e!="popover"&&e in n)try{return void(n[e]=t??"")}catch{}if(typeof t=="function")return;t==null||t===!1&&e[4]!="-"?n.removeAttribute(e):n.setAttribute(e,e=="popover"&&t==1?"":t)}}function Ix(n){return function(e){var t=this.__e;if(t){if(t=t[n],e[Al]==null)e[Al]=jh++;else if(e[Al]<this.__a[n])return;return t(kt.event?kt.event(e):e)}}}function td(n,e,t,i,s,r,o,a,l,c){var u,d,h,f,g,y,m,p,x,T,S,R,C,v,w,F,L,D,z=e.type;if(e.constructor!==pa)return null;128&t.__u&&(l=32&t.__u,u=t.__c.__z)&&(e.__u|=l,d=r=[],u.nodeType==8?a=Pl(u,r):r.push(u),a=r[0]||a),(u=kt.__b)&&u(e);e:if(typeof z=="function"){h=o.length;try{if(p=e.props,x=(u=z.prototype)&&u.render,T=(u=z.contextType)&&i[u.__c],S=u?T?T.props.value:u.__:i,(f=t.__c)?(e.__c=f,2&f.__g&&(f.__g|=1)):(x?e.__c=f=new z(p,S):(e.__c=f=new Rl(p,S),f.constructor=z,f.render=Dx),T&&T.sub(f),f.state||(f.state={}),f.__n=i,f.__g|=8,f.__h=[],f.__k=[]),x&&(f.__s||(f.__s=f.state),z.getDerivedStateFromProps&&(f.__s==f.state&&(f.__s=Er({},f.__s)),Er(f.__s,z.getDerivedStateFromProps(p,f.__s)))),g=f.props,y=f.state,f.__v=e,t.__c){if(p!==g&&x&&!z.getDerivedStateFromProps&&f.componentWillReceiveProps&&f.componentWillReceiveProps(p,S),e.__v==t.__v&&!(8&f.__g)||!(4&f.__g)&&f.shouldComponentUpdate&&f.shouldComponentUpdate(p,f.__s,S)===!1){e.__v!=t.__v&&(f.props=p,f.state=f.__s,f.__g&=-9),e.__e=t.__e,e.__k=t.__k,e.__k.some(function(V){V&&(V.__=e)}),Dl.push.apply(f.__h,f.__k),f.__k=[],f.__h.length&&o.push(f),a=Js(t);break e}f.componentWillUpdate&&f.componentWillUpdate(p,f.__s,S),x&&f.componentDidUpdate&&f.__h.push(function(){f.componentDidUpdate(g,y,m)})}else x&&!z.getDerivedStateFromProps&&f.componentWillMount&&f.componentWillMount(),x&&f.componentDidMount&&f.__h.push(f.componentDidMount);f.context=S,f.props=p,f.__P=n,f.__g&=-5,R=kt.__r,C=x?25:0;do f.__g&=-9,R&&R(e),u=f.render(f.props,f.state=f.__s,f.context);while(8&f.__g&&++C<25);x&&(Dl.push.apply(f.__h,f.__k),f.__k=[]),f.state=f.__s,f.getChildContext&&(i=Er({},i,f.getChildContext())),x&&t.__c&&f.getSnapshotBeforeUpdate&&(m=f.getSnapshotBeforeUpdate(g,y)),v=u&&u.type===wt&&u.key==null?u.props.children:u,p.__P&&(u=a,s=(n=p.__P).namespaceURI,l=r=null,t.props&&t.props.__P!=n&&(t.__k.some(function(V){V&&id(V,V)}),t.__k=null),a=t.__k?Js(t,0):null),a=nm(n,ed(v)?v:[v],e,t,i,s,r,o,a,l,c),p.__P&&(e.__e=null,a=u),e.__u&=-161,d&&d.some(Tr),f.__h.length&&o.push(f),1&f.__g&&(f.__g&=-4)}catch(V){if(o.length=h,e.__v=null,l||r)if(V&&V.then){if(e.__u|=128|l,r){for(~(L=r.indexOf(a||void 0))||(L=r.length);(D=r[L-1])&&D.nodeType==8;)L--;for(;L<r.length;L++)if(D=r[L])if(r[L]=null,w){if(D==F)break}else{if(D.nodeType!=8)break;D.data.startsWith("$s")&&(F=Pl(w=D))}}if(!w){for(;a&&a.nodeType==8&&a.nextSibling;)a=a.nextSibling;w=a}(u=Pl(w=e.__c.__z||(e.__c.__z=w)))?(e.__e=w,a=u):e.__e=a,a=a&&a.nextSibling}else r&&r.some(Tr);else e.__e=t.__e;e.__k||(e.__k=t.__k||[]),V&&V.then||sm(e),kt.__e(V,e,t)}}else a=e.__e=Lx(t.__e,e,t,i,s,r,o,l,c,n);return(u=kt.diffed)&&u(e),a}function Pl(n,e){if(n&&n.nodeType==8&&n.data.startsWith("$s"))for(var t=1;n=n.nextSibling;){if(n.nodeType==8){if(n.data.startsWith("$s"))t++;else if(n.data.startsWith("/$s")&&!--t)return n}e&&e.push(n)}}function sm(n){n&&(n.__c&&(n.__c.__g|=4),n.__k&&n.__k.some(sm))}function rm(n,e,t){for(var i=0;i<t.length;)nd(t[i++],t[i++],t[i++]);kt.__c&&kt.__c(e,n),n.some(function(s){try{n=s.__h,s.__h=[],n.some(function(r){r.call(s)})}catch(r){kt.__e(r,s.__v)}})}function Lx(n,e,t,i,s,r,o,a,l,c){var u,d,h,f,g,y,m,p,x=t.props||Ll,T=e.props,S=e.type;if(S=="svg"?s="http://www.w3.org/2000/svg":S=="math"?s="http://www.w3.org/1998/Math/MathML":s||(s="http://www.w3.org/1999/xhtml"),r){for(u=0;u<r.length;u++)if((g=r[u])&&(S?g.localName==S:g.nodeType==3)){n=g,r[u]=null;break}}if(!n){if(p=c.ownerDocument||document,!S)return p.createTextNode(T);n=p.createElementNS(s,S,T.is?T:c),a&&(kt.__m&&kt.__m(e,r),a=!1),r=null}if(S){if(c=S=="template"&&n.content||n,r=S=="textarea"&&T.defaultValue!=null?null:r&&jp.call(c.childNodes),!a&&r)for(x={},u=0;u<n.attributes.length;u++)x[(g=n.attributes[u]).name]=g.value;for(u in x)g=x[u],u=="dangerouslySetInnerHTML"?h=g:u=="children"||u in T||u=="value"&&"defaultValue"in T||u=="checked"&&"defaultChecked"in T||El(n,u,null,g,s);for(u in T)g=T[u],u=="children"?f=g:u=="dangerouslySetInnerHTML"?d=g:u=="value"?y=g:u=="checked"?m=g:a&&typeof g!="function"||x[u]===g||El(n,u,g,x[u],s);d?(a||h&&(d.__html==h.__html||d.__html==n.innerHTML)||(n.innerHTML=d.__html),e.__k=[]):(h&&(n.textContent=""),(S=="foreignObject"||s=="http://www.w3.org/1998/Math/MathML"&&Ax.test(S))&&(s="http://www.w3.org/1999/xhtml"),nm(c,ed(f)?f:[f],e,t,i,s,r,o,r?r[0]:t.__k&&Js(t,0),a,l),r&&r.some(Tr)),a&&S!="textarea"||(u="value",S=="progress"&&y==null?n.removeAttribute(u):y==null||y===n[u]&&(S!="progress"||y)||El(n,u,y,x[u],s),u="checked",m!=null&&m!=n[u]&&El(n,u,m,x[u],s))}else x===T||a&&n.data==T||(n.data=T);return n}function nd(n,e,t,i){try{typeof n=="function"?e?e.__x=n(e)||1:i&&(i=i.__c||i.__e)&&(e=i.__x)&&(i.__x=null,typeof e=="function"?e():n(null)):n.current=e}catch(s){kt.__e(s,t)}}function id(n,e,t){var i,s,r,o;if(kt.unmount&&kt.unmount(n),!(i=n.ref)||i.current&&i.current!=n.__e||nd(i,null,e,n),i=n.__c){if(i.componentWillUnmount)try{i.componentWillUnmount()}catch(a){kt.__e(a,e)}i.__P=i.__n=null}if(i=n.__k)for(o=0;o<i.length;o++)i[o]&&id(i[o],e,typeof n.type!="function"||t&&!n.props.__P);!t&&(i=n.__c)&&(i=i.__z)&&(s=Pl(i,r=[]))&&(i==n.__e&&r.some(Tr),Tr(s),Tr(i)),t||Tr(n.__e),n.__e=n.__c=n.__=null}function Dx(n,e,t){return this.constructor(n,t)}function Nl(n,e){var t,i,s,r;kt.__&&kt.__(n,e),e.nodeType==9&&(e=e.documentElement),i=(t=n&&32&n.__u)?null:e.__k,e.__k=Cl(wt,{children:[n]}),s=[],r=[],td(e,e.__k,i||Ll,Ll,e.namespaceURI,i?null:e.firstChild?jp.call(e.childNodes):null,s,i?i.__e:e.firstChild,t,r),rm(s,e.__k,r),e.__k.props.children=null}function om(n){function e(t){var i,s;return this.getChildContext||(i=new Set,(s={})[e.__c]=this,this.getChildContext=function(){return s},this.shouldComponentUpdate=function(r){this.props.value!=r.value&&i.forEach(function(o){o.__g|=4,Qh(o)})},this.sub=function(r){i.add(r);var o=r.componentWillUnmount;r.componentWillUnmount=function(){i.delete(r),o&&o.call(r)}}),t.children}return e.__c="__cC"+Qp++,e.__=n,e.Provider=(e.Consumer=function(t,i){return t.children(i)}).contextType=e,e}kt={__e:function(n,e,t,i){for(var s,r,o;e=e.__;)if((s=e.__c)&&!(1&s.__g)){s.__g|=4;try{if((o=(r=s.constructor)&&r.getDerivedStateFromError)&&s.setState(r.getDerivedStateFromError(n)),s.componentDidCatch&&(s.componentDidCatch(n,i||{}),o=1),o&&8&s.__g)return void(s.__g|=2)}catch(a){n=a}}throw Il=0,n}},Zp=0,Ex=function(n){return n!=null&&n.constructor===pa},Rl.prototype.setState=function(n,e){var t=this.__s;t&&t!=this.state||(t=this.__s=Er({},this.state)),typeof n=="function"&&(n=n(Er({},t),this.props)),n&&(Er(t,n),this.__v&&(e&&this.__k.push(e),Qh(this)))},Rl.prototype.forceUpdate=function(n){this.__v&&(this.__g|=4,n&&this.__h.push(n),Qh(this))},Rl.prototype.render=wt,Ks=[],Il=0,Kp=function(n,e){return n.__v.__b-e.__v.__b},Al=Symbol(),Jp=/(PointerCapture)$|Capture$/i,jh=0,Jh={},Qp=0;var um=[{map:"viridis",title:"Viridis"},{map:"cividis",title:"Cividis"},{map:"turbo",title:"Turbo (not colour-blind safe)"},{map:"grey",title:"Grey"}],Nx={viridis:"440154470d6048186a482374472d7b4537814240863e49893b528b375b8d33638d2f6b8e2c728e297a8e26828e23898e21918c1f988b1fa08822a78528ae8032b67a3fbc734ec36b5ec96270cf5784d44b98d83eaddc30c2df23d8e219ece51bfde725",cividis:"00224e00285b002e6a0533711a386f273e6e32436d3b496c434e6c4b546c535a6d5a5f6e61656f686a716f70737676767d7c788482798c8878938e789b9476a39a74aba072b4a76fbcae6cc4b468cdbb63d5c25edec958e7d150f0d846f9e03afee838",turbo:"30123b392a734040a24456c7466be34680f64294ff37a8fa28bceb1ccdd818ddc21fe9af32f2984ef97d6dfe628bff4ba4fc3cb9f635cdec34dfdf37eecf3af8be39fdac34fe962bfb7e21f46617eb500edf3f08d02f05be2102a91601920b017a0403",grey:"0a0a0affffff"},Ux="08306b2171b56baed6c6dbeff2f0ecfdd0a2f1914ecc4c02702a04",ls=256;function sd(n){return(n.match(/.{6}/g)??[]).map(e=>{let t=Number.parseInt(e,16);return[t>>16,t>>8&255,t&255]})}function Fx(n){let e=new Uint8Array(ls*4);for(let t=0;t<ls;t++){let i=t/(ls-1)*(n.length-1),s=Math.min(Math.floor(i),n.length-2),[r,o]=[n[s],n[s+1]],a=l=>r[l]+(o[l]-r[l])*(i-s);e.set([a(0),a(1),a(2),255],t*4)}return e}var am=new Map;function hm(n){let e=am.get(n)??Fx(sd(n));return am.set(n,e),e}function ao(n){return hm(Nx[n])}function lo(){return hm(Ux)}var lm=sd("3a40480b0d10e69f0056b4e9f0e4420072b2d55e00ffffffcc79a7999999009e73882255aa4499ddcc7711773388ccee332288cc667744aa99b0724a7f7fffc8e6a0");function Es(n){return lm[n%lm.length]}function Ul(){let n=new Uint8Array(ls*4);for(let e=0;e<ls;e++)n.set([...Es(e),255],e*4);return n}function cn([n,e,t]){return`rgb(${n}, ${e}, ${t})`}var cm=sd("4c9be8e69f0026a97bd55e00cc79a7a08bff");function Yn(n){return cm[n%cm.length]}var dm=`#version 300 es
+out vec2 place;
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  place = vec2(corner.x, 1.0 - corner.y);
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}`,fm=`#version 300 es
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+in vec2 place;
+out vec4 color;
+uniform int mode;
+uniform usampler2D measured;
+uniform usampler2D truth;
+uniform sampler2D picture;
+uniform sampler2D table;
+uniform vec2 range;
+uniform bool isRelative;
+uniform vec3 empty[2];
+
+vec3 lookUp(float from0to1) {
+  return texture(table, vec2((clamp(from0to1, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+// Pixels without a value get a hatch, which no colour map has.
+vec3 hatch() {
+  return empty[int(mod(gl_FragCoord.x + gl_FragCoord.y, 8.0) < 2.0)];
+}
+
+uint at(usampler2D image) {
+  ivec2 size = textureSize(image, 0);
+  return texelFetch(image, min(ivec2(place * vec2(size)), size - 1), 0).r;
+}
+
+void main() {
+  color.a = 1.0;
+  if (mode == 0) {
+    color.rgb = texture(picture, place).rgb;
+    return;
+  }
+  uint value = at(measured);
+  if (mode == 1) {
+    float metres = float(value) * 0.001;
+    color.rgb = value == 0u ? hatch() : lookUp((metres - range.x) / max(range.y - range.x, 1e-6));
+  } else if (mode == 2) {
+    uint exact = at(truth);
+    float error = (float(value) - float(exact)) * 0.001;
+    if (isRelative) error *= 100.0 / max(float(exact) * 0.001, 1e-3);
+    color.rgb = value == 0u || exact == 0u ? hatch() : lookUp(0.5 + 0.5 * error / max(range.y, 1e-9));
+  } else if (mode == 3) {
+    color.rgb = vec3(float(value) / 255.0);
+  } else if (mode == 4) {
+    color.rgb = texelFetch(table, ivec2(int(value), 0), 0).rgb;
+  } else {
+    color.rgb = lookUp(float(value) / 255.0);
+  }
+}`,Mi={picture:0,depth:1,error:2,grey:3,code:4,scale:5};var As={measured:0,truth:1,picture:2,table:3},Fl=class{canvas=new OffscreenCanvas(1,1);gl;uniforms;slots=new Map;tables=new Map;reasons=Ul();blank;constructor(e){let t={antialias:!1,alpha:!1,depth:!1,preserveDrawingBuffer:!1},i=this.canvas.getContext("webgl2",t);if(!i)throw new Error("WebGL 2 is not available.");this.gl=i,this.canvas.addEventListener("webglcontextlost",s=>s.preventDefault()),this.canvas.addEventListener("webglcontextrestored",()=>{this.slots.clear(),this.tables.clear(),this.uniforms=this.link(),this.blank=this.integerTexture(),e()}),this.uniforms=this.link(),this.blank=this.integerTexture()}paint(e,t){let i=e.getContext("bitmaprenderer",{alpha:!1});if(!i||!this.bind(t))return!1;let{width:s,height:r}=e;return this.canvas.width!==s&&(this.canvas.width=s),this.canvas.height!==r&&(this.canvas.height=r),this.gl.viewport(0,0,s,r),this.gl.drawArrays(this.gl.TRIANGLES,0,3),i.transferFromImageBitmap(this.canvas.transferToImageBitmap()),!0}keep(e){for(let[t,i]of this.slots)e.some(s=>t.startsWith(`${s}/`))||(this.gl.deleteTexture(i.texture),this.slots.delete(t))}bind(e){let{gl:t,uniforms:i}=this,{kind:s,frame:r,display:o,scales:a}=e,l=r.pictures.get("reference")??r.pictures.get("depth"),c=s==="error"?r.pictures.get("sensor"):s==="depth"?l:r.pictures.get(s);if(!c||s==="error"&&!l)return!1;let u=s==="depth"||s==="sensor"?Mi.depth:s==="error"?Mi.error:s==="reason"?Mi.code:s==="confidence"?Mi.scale:s==="color"?Mi.picture:Mi.grey,[d,h]=s==="error"?[0,a.error]:a.depth;t.uniform1i(i.mode,u),t.uniform2f(i.range,d,h),t.uniform1i(i.isRelative,+(o.errorUnit==="%")),t.uniform3fv(i.empty,e.empty),this.upload(u===Mi.picture?As.picture:As.measured,e.oak,c),this.use(As.truth,this.blank),u===Mi.error&&l&&this.upload(As.truth,e.oak,l),u===Mi.picture&&this.use(As.measured,this.blank);let f=u===Mi.error?lo():u===Mi.code?this.reasons:ao(o.depthMap);return this.useTable(As.table,f),u!==Mi.picture&&this.useTable(As.picture,f),!0}use(e,t){this.gl.activeTexture(this.gl.TEXTURE0+e),this.gl.bindTexture(this.gl.TEXTURE_2D,t)}upload(e,t,i){let{gl:s}=this,r=`${t}/${i.name}`,o=`${i.width}×${i.height}`,a=this.slots.get(r);if(a||(a={texture:this.integerTexture(),picture:null,size:""},this.slots.set(r,a)),this.use(e,a.texture),a.picture===i)return;let[l,c,u]=i.format==="rgba8"?[s.RGBA8,s.RGBA,s.UNSIGNED_BYTE]:i.format==="u16mm"?[s.R16UI,s.RED_INTEGER,s.UNSIGNED_SHORT]:[s.R8UI,s.RED_INTEGER,s.UNSIGNED_BYTE];a.size===o?s.texSubImage2D(s.TEXTURE_2D,0,0,0,i.width,i.height,c,u,i.data):s.texImage2D(s.TEXTURE_2D,0,l,i.width,i.height,0,c,u,i.data),i.format==="rgba8"&&(s.texParameteri(s.TEXTURE_2D,s.TEXTURE_MIN_FILTER,s.LINEAR),s.texParameteri(s.TEXTURE_2D,s.TEXTURE_MAG_FILTER,s.LINEAR)),a.size=o,a.picture=i}useTable(e,t){let{gl:i}=this,s=this.tables.get(t);if(s)return this.use(e,s);let r=this.texture();this.use(e,r),i.texImage2D(i.TEXTURE_2D,0,i.RGBA8,ls,1,0,i.RGBA,i.UNSIGNED_BYTE,t),this.filter(i.NEAREST),this.tables.set(t,r)}texture(){let e=this.gl.createTexture();if(!e)throw new Error("The graphics driver has no more textures.");return e}integerTexture(){let{gl:e}=this,t=this.texture();return this.use(As.measured,t),e.texImage2D(e.TEXTURE_2D,0,e.R8UI,1,1,0,e.RED_INTEGER,e.UNSIGNED_BYTE,new Uint8Array(1)),this.filter(e.NEAREST),t}filter(e){let{gl:t}=this;t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MIN_FILTER,e),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_MAG_FILTER,e),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_WRAP_S,t.CLAMP_TO_EDGE),t.texParameteri(t.TEXTURE_2D,t.TEXTURE_WRAP_T,t.CLAMP_TO_EDGE)}link(){let{gl:e}=this,t=e.createProgram();for(let[s,r]of[[e.VERTEX_SHADER,dm],[e.FRAGMENT_SHADER,fm]]){let o=e.createShader(s);o&&(e.shaderSource(o,r),e.compileShader(o),e.attachShader(t,o))}if(e.linkProgram(t),!e.getProgramParameter(t,e.LINK_STATUS)&&!e.isContextLost())throw new Error(e.getProgramInfoLog(t)??"The shaders do not link.");e.useProgram(t),e.pixelStorei(e.UNPACK_ALIGNMENT,1);let i=s=>e.getUniformLocation(t,s);for(let[s,r]of Object.entries(As))e.uniform1i(i(s),r);return{mode:i("mode"),measured:i("measured"),truth:i("truth"),picture:i("picture"),table:i("table"),range:i("range"),isRelative:i("isRelative"),empty:i("empty")}}};var ma=class extends Error{},pm=24;function mm(n,e){let t=new Uint8Array(e),i=0,s=0,r=o=>{let a=o===15?255:0;for(;a===255;)a=n[i++]??0,o+=a;return o};for(;i<n.length;){let o=n[i++],a=r(o>>4);if(i+a>n.length||s+a>e)throw new ma("The literals exceed the block.");if(a<pm)for(let u=0;u<a;u++)t[s+u]=n[i+u];else t.set(n.subarray(i,i+a),s);if(i+=a,s+=a,i>=n.length)break;let l=n[i]|(n[i+1]??0)<<8;i+=2;let c=r(o&15)+4;if(l===0||l>s||s+c>e)throw new ma("A copy exceeds the output.");Ox(t,s,l,c),s+=c}if(s!==e)throw new ma(`The block has ${s} bytes instead of ${e}.`);return t}function Ox(n,e,t,i){if(i<pm){for(let r=0;r<i;r++)n[e+r]=n[e+r-t];return}let s=Math.min(t,i);for(n.copyWithin(e,e-t,e-t+s);s<i;){let r=Math.min(s,i-s);n.copyWithin(e+s,e,e+r),s+=r}}var kx={rgba8:4,u16mm:2,u8:1};function gm(n){let e=new DataView(n).getUint32(0,!0),t=new TextDecoder().decode(new Uint8Array(n,4,e));return[JSON.parse(t),4+e]}function _m(n,e){let[t,i]=gm(n),s=new Map;for(let r of t.images){let{name:o,width:a,height:l,format:c}=r;if(r.unchanged){let f=e(t.oak)?.get(o);f&&s.set(o,f);continue}let u=new Uint8Array(n,i+r.offset,r.length),d=mm(u,a*l*kx[c]),h=c==="u16mm"?new Uint16Array(d.buffer):d;s.set(o,{name:o,width:a,height:l,format:c,data:h})}return{header:t,pictures:s}}function rd(n){let[e,t]=gm(n),{vertices:i,triangles:s}=e,r=Math.ceil(t/4)*4,o=a=>{let l=r;return r+=a,l};return{header:e,positions:new Float32Array(n,o(i*12),i*3),colors:new Uint8Array(n,o(i*4),i*4),indices:new Uint32Array(n,o(s*12),s*3),objects:new Uint32Array(n,o(s*4),s)}}var uo=class extends Error{constructor(t,i){super(t.error);this.failure=t;this.status=i}failure;status;get findings(){return this.failure.findings??[]}};async function Ol(n,e){let t=await fetch(n,e);if(t.ok)return t;let i=await t.text();throw new uo(Bx(i,t),t.status)}function Bx(n,e){try{let t=JSON.parse(n);if(typeof t.error=="string")return t}catch{}return{error:n.trim()||`The server answered ${e.status} ${e.statusText}.`}}async function co(n,e){return await(await Ol(n,e)).json()}function od(n,e){let t={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(n)};return e&&(t.signal=e),t}var yn={catalog:()=>co("/api/catalog"),scene:n=>co(`/api/scenes/${encodeURIComponent(n)}`),async sceneMesh(n,e){let t=await Ol(`/api/scenes/${encodeURIComponent(n)}/mesh?triangles=${e}`);return rd(await t.arrayBuffer())},async body(n){let e=await Ol(`/api/models/${encodeURIComponent(n)}/body`);return rd(await e.arrayBuffer())},openScene:n=>co(`/api/scenes?name=${encodeURIComponent(n.name)}`,{method:"POST",body:n}),openCalibration:n=>co(`/api/calibrations?name=${encodeURIComponent(n.name)}`,{method:"POST",body:n}),accuracy:(n,e)=>co("/api/accuracy",od(n,e)),coverage:(n,e)=>co("/api/coverage",od(n,e)),async export(n){let e=await Ol("/api/export",od(n)),t=e.headers.get("Content-Disposition")??"";return{name:/filename="([^"]+)"/.exec(t)?.[1]??`oaktwin-${n.what}`,file:await e.blob()}}};var Ar,gn,ad,vm,ld=Object.is,kl=0,Am=[],cd=[],bn=kt,xm=bn.__b,ym=bn.__r,bm=bn.diffed,Sm=bn.__c,Mm=bn.unmount,wm=bn.__;function _a(n,e){bn.__h&&bn.__h(gn,n,kl||e),kl=0;var t=gn.__H||(gn.__H={__:[],__h:[]});return n>=t.__.length&&t.__.push({}),t.__[n]}function Pt(n){return kl=1,zx(Rm,n)}function zx(n,e,t){var i=_a(Ar++,2);if(i.t=n,!i.__c&&(i.__=[t?t(e):Rm(void 0,e),function(r){var o=(i.__N||i.__)[0],a=i.t(o,r);ld(o,a)||(i.__N=[a,i.__[1]],i.__c.setState({}))}],i.__c=gn,!gn.__f)){gn.__f=!0;var s=gn.shouldComponentUpdate;gn.shouldComponentUpdate=function(r,o,a){var l=this.__H;if(!l)return!0;var c=!1,u=this.props!=r;if(l.__.some(function(h){h.__N&&(c=!0,ld(h.__[0],h.__N[0])||(u=!0))}),s){var d=s.call(this,r,o,a);return c?d||u:d}return!c||u}}return i.__}function Bt(n,e){var t=_a(Ar++,3);!bn.__s&&dd(t.__H,e)&&(t.__P=!0,t.__=n,t.u=e,gn.__H.__h.push(t))}function Qs(n,e){var t=_a(Ar++,4);!bn.__s&&dd(t.__H,e)&&(t.__P=!1,t.__=n,t.u=e,gn.__h.push(t))}function At(n){return kl=5,hd(function(){return{current:n}},[])}function hd(n,e){var t=_a(Ar++,7);return dd(t.__H,e)&&(t.__=n(),t.__H=e),t.__}function Cm(n){var e=gn.context[n.__c],t=_a(Ar++,9);return t.c=n,e?(t.__==null&&(t.__=!0,e.sub(gn)),e.props.value):n.__}function Gx(){var n;do{for(;n=cd.shift();)try{ga(n)}catch(t){bn.__e(t,{__:(n=n.__P)&&n.__v})}for(;n=Am.shift();){var e=n.__H;if(n.__P&&e)try{e.__h.some(ga),e.__h.some(ud),e.__h=[]}catch(t){e.__h=[],bn.__e(t,n.__v)}}}while(cd.length)}bn.__b=function(n){gn=null,xm&&xm(n)},bn.__=function(n,e){n&&e.__k&&e.__k.__m&&(n.__m=e.__k.__m),wm&&wm(n,e)},bn.__r=function(n){ym&&ym(n),Ar=0;var e=(gn=n.__c).__H;e&&(ad==gn?gn.__h=[]:(e.__h.some(ga),e.__h.some(ud),Ar=0),e.__h=[],e.__.some(function(t){t.__N&&(t.__=t.__N),t.u=t.__N=void 0})),ad=gn},bn.diffed=function(n){bm&&bm(n);var e=n.__c;e&&e.__H&&(e.__H.__h.length&&Em(Am.push(e)),e.__H.__.some(function(t){t.u&&(t.__H=t.u)})),ad=gn=null},bn.__c=function(n,e){e.some(function(t){try{t.__h.some(ga),t.__h=t.__h.filter(function(i){return!i.__||ud(i)})}catch(i){t.__h=[function(){throw i}]}}),Sm&&Sm(n,e)},bn.unmount=function(n){Mm&&Mm(n);var e,t,i=n.__c;i&&i.__H&&(i.__H.__.some(function(s){try{if(s.__P&&s.__c){if(t===void 0){for(t=n.__;t&&(!t.__c||!t.__c.__P);)t=t.__;t=t&&t.__c}s.__P=t,Em(cd.push(s))}else ga(s)}catch(r){e=r}}),i.__H=void 0,e&&bn.__e(e,i.__v))};var Tm=typeof requestAnimationFrame=="function";function Vx(n){var e,t=function(){clearTimeout(i),Tm&&cancelAnimationFrame(e),setTimeout(n)},i=setTimeout(t,35);Tm&&(e=requestAnimationFrame(t))}function Em(n){n!=1&&vm==bn.requestAnimationFrame||((vm=bn.requestAnimationFrame)||Vx)(Gx)}function ga(n){var e=gn,t=n.__c;typeof t=="function"&&(n.__c=void 0,t()),gn=e}function ud(n){var e=gn;n.__c=n.__(),gn=e}function dd(n,e){return!n||n.length!=e.length||e.some(function(t,i){return!ld(t,n[i])})}function Rm(n,e){return typeof e=="function"?e(n):e}var Yt=class{constructor(e){this.value=e}value;listeners=new Set;get(){return this.value}set(e){if(!Object.is(e,this.value)){this.value=e;for(let t of[...this.listeners])t()}}update(e){this.set(e(this.value))}subscribe(e){return this.listeners.add(e),()=>this.listeners.delete(e)}};function Pe(n){let[e,t]=Pt(()=>n.get());return Bt(()=>{let i=()=>t(()=>n.get());return i(),n.subscribe(i)},[n]),e}function ho(n,e){let[,t]=Pt(0),i=e(n.get());return Bt(()=>{let s=i,r=()=>{let o=e(n.get());Object.is(o,s)||(s=o,t(a=>a+1))};return r(),n.subscribe(r)}),i}function fd({model:n,calibration:e,sensor:t,lens:i,engine:s,preset:r,extendedDisparity:o}){return JSON.stringify([n,e,t,i,s,r,o])}var Bl=class extends Yt{constructor(){super(new Map)}learn(e,t){let i=this.get().get(fd(e))??{},s=Object.entries(t).filter(([r,o])=>!(r in e.parameters)&&i[r]!==o);s.length&&this.set(new Map(this.get()).set(fd(e),{...i,...Object.fromEntries(s)}))}of(e,t){return this.get().get(fd(e))?.[t.name]??t.default}};var Pm=[200,500,1e3,2e3],zl=class{constructor(e){this.handlers=e}handlers;socket=null;attempts=0;pictures=new Map;connect(){let e=location.protocol==="https:"?"wss:":"ws:",t=new WebSocket(`${e}//${location.host}/api/live`);t.binaryType="arraybuffer",t.onopen=()=>{this.socket=t,this.attempts=0,this.pictures.clear(),this.handlers.onConnection("open")},t.onmessage=({data:i})=>{typeof i=="string"?this.handlers.onMessage(JSON.parse(i)):this.handlers.onFrame(this.decode(i))},t.onclose=()=>{this.socket=null,this.handlers.onConnection("lost");let i=Pm[Math.min(this.attempts++,Pm.length-1)];setTimeout(()=>this.connect(),i)}}decode(e){let t=_m(e,s=>this.pictures.get(s)),{oak:i}=t.header;return this.pictures.set(i,new Map([...this.pictures.get(i)??[],...t.pictures])),t}send(e){return this.socket?.readyState!==WebSocket.OPEN?!1:(this.socket.send(JSON.stringify(e)),!0)}};var Gl=class{constructor(e){this.send=e}send;waiting=new Map;sent=new Map;lastId=0;request(e){this.waiting.set(e.oak,e),this.flush(e.oak)}settle(e,t){let i=this.sent.get(e),s=i?.get(t)??null;for(let r of[...i?.keys()??[]])r<=t&&i?.delete(r);return this.flush(e),s}forget(e){this.waiting.delete(e),this.sent.delete(e)}reset(){this.waiting.clear(),this.sent.clear()}get isIdle(){return this.waiting.size===0&&[...this.sent.values()].every(e=>e.size===0)}flush(e){let t=this.waiting.get(e),i=this.sent.get(e)??new Map;if(!t||i.size>=2)return;let s=++this.lastId;this.send({type:"frame",id:s,...t})&&(this.waiting.delete(e),i.set(s,t),this.sent.set(e,i))}};var Fi=[{kind:"color",title:"Colour",help:"The colour image in the view of the depth sensor",images:["color"]},{kind:"depth",title:"Exact depth",help:"The true distance along the optical axis",images:["depth","reference"]},{kind:"sensor",title:"Sensor depth",help:"The depth that the OAK measures",images:["sensor"]},{kind:"error",title:"Error",help:"Measured minus true depth",images:["sensor","depth","reference"]},{kind:"confidence",title:"Confidence",help:"How sure the matcher is of each pixel; not made by every engine",images:["confidence"]},{kind:"left",title:"Left",help:"The rectified infrared image of the left camera",images:["left"]},{kind:"right",title:"Right",help:"The rectified infrared image of the right camera",images:["right"]},{kind:"reason",title:"Reasons",help:"Why a pixel has no value",images:["reason"]}],po=[{size:"small",title:"640 × 400",limit:[640,400]},{size:"large",title:"1280 × 800",limit:[1280,800]},{size:"native",title:"Native",limit:null}],fo={theme:"auto",panels:["color","depth","sensor","error"],wipe:null,wipeAt:.5,depthMap:"viridis",depthRange:null,errorRange:null,errorUnit:"mm",fullSize:"large",showCameras:!0,showRanges:!0,showGrid:!0,showScene:!0,showRoof:!1,cloud:"none",cloudColor:"error",split:.46,showLeft:!0,showRight:!0},Im="oaktwin-studio-display";function Lm(){try{return pd(JSON.parse(localStorage.getItem(Im)??"{}"))}catch{return fo}}function Dm(n){try{localStorage.setItem(Im,JSON.stringify(n))}catch{}}function pd(n){let e={...fo};if(typeof n!="object"||n===null)return e;for(let[t,i]of Object.entries(n))Wx(t,i)&&Object.assign(e,{[t]:i});return e}var Hx={theme:["auto","light","dark"],depthMap:["viridis","cividis","turbo","grey"],errorUnit:["mm","%"],fullSize:["small","large","native"],cloud:["none","truth","measurement","both"],cloudColor:["depth","error","reason","oak"]};function Wx(n,e){let t=i=>Fi.some(s=>s.kind===i);switch(n){case"panels":return Array.isArray(e)&&e.every(t);case"wipe":return e===null||t(e?.left)&&t(e?.right);case"depthRange":return e===null||Array.isArray(e)&&e.length===2&&e.every(Number.isFinite);case"errorRange":return e===null||Number.isFinite(e)&&e>0;case"wipeAt":case"split":return Number.isFinite(e)&&e>=0&&e<=1;default:return Hx[n]?.includes(e)??(n in fo&&typeof e==typeof fo[n])}}var js=[0,0,1,1],va=6;function fi(n,e){return n.models.find(t=>t.name===e)}function pi(n,e){return fi(n,e.model)?.depthSensors.find(t=>t.id===e.sensor)}function md(n,e){return n.engines.find(t=>t.name===e.engine)}function Vl(n,e){let t=n.depthSensors[0];return{model:n.name,calibration:null,pose:e,sensor:t?.id??"",lens:"pinhole",engine:t?.engines[0]??"",preset:null,filters:null,parameters:{},extendedDisparity:!1,seed:0,deviceSeed:null,projector:n.hasProjector?1:0,ambient:1}}function Hl(n,e){let{pose:t,seed:i,deviceSeed:s,ambient:r}=n,o={...Vl(e,t),seed:i,deviceSeed:s,ambient:r},a=e.depthSensors.find(({id:d})=>d===n.sensor);if(!a)return o;let l=a.engines.includes(n.engine)?n.engine:o.engine,c=n.preset!==null&&a.presets.includes(n.preset)?n.preset:null,u=l===n.engine?n.parameters:{};return{...o,sensor:a.id,engine:l,preset:c,parameters:u,filters:n.filters,extendedDisparity:n.extendedDisparity}}function Xx(n){let e=1;for(;n.some(t=>t.key===`oak${e}`);)e++;return`oak${e}`}function Nm(n,e,t){let i=fi(n,n.model)??n.models[0],s=i?[{key:"oak1",isHidden:!1,state:Vl(i,t)}]:[];return{scene:e,oaks:s,selected:"oak1",arePosesLinked:!0,region:js,target:null}}function $n(n){return n.oaks.find(e=>e.key===n.selected)}function er(n,e,t){let i=n.oaks.find(o=>o.key===e);if(!i)return n;let s=t(i.state),r=n.oaks.map(o=>o.key===e?{...o,state:s}:n.arePosesLinked&&s.pose!==i.state.pose?{...o,state:{...o.state,pose:s.pose}}:o);return{...n,oaks:r}}function gd(n,e){if(n.oaks.length>=va)return n;let t={key:Xx(n.oaks),isHidden:!1,state:e},i=n.oaks.findIndex(({key:s})=>s===n.selected)+1;return{...n,oaks:n.oaks.toSpliced(i,0,t),selected:t.key}}function Um(n,e){if(n.oaks.length<=1)return n;let t=n.oaks.findIndex(r=>r.key===e),i=n.oaks.filter(r=>r.key!==e),s=i[Math.min(t,i.length-1)];return{...n,oaks:i,selected:n.selected===e?s?.key??"":n.selected}}var qx=150,Yx=[640,400];function _d([n,e],t){let i=t?Math.min(t[0]/n,t[1]/e):1;return i>=1?null:[Math.round(n*i),Math.round(e*i)]}function Fm(n){let{wipe:e,cloud:t,cloudColor:i}=n,s=e?[e.left,e.right]:n.panels,r=new Set(["depth","reference","sensor"]);for(let o of Fi)if(s.includes(o.kind))for(let a of o.images)r.add(a);return t!=="none"&&i==="reason"&&r.add("reason"),[...r].sort()}var Wl=class{constructor(e,t,i){this.studio=e;this.probes=t;this.defaults=i;this.live=new zl({onConnection:s=>this.connected(s==="open"),onFrame:s=>this.show(s),onMessage:s=>this.read(s)}),this.scheduler=new Gl(s=>this.live.send(s)),t.connect(s=>this.live.send(s)),e.document.subscribe(()=>this.follow()),e.display.subscribe(()=>this.follow()),e.scene.subscribe(()=>this.follow()),this.live.connect()}studio;probes;defaults;received=0;live;scheduler;requested=new Map;timer=0;wasLost=!1;get isIdle(){return this.timer===0&&this.scheduler.isIdle&&this.probes.isIdle}connected(e){let{studio:t}=this;if(t.connection.set(e?"open":"lost"),this.scheduler.reset(),this.probes.reset(),this.requested.clear(),!e){this.wasLost=!0;return}this.wasLost&&t.restart().then(()=>t.notify("note","Connected to the server again."),i=>t.report("Reconnecting",i)),this.wasLost=!1,this.follow()}follow(){let{document:e,scene:t,connection:i}=this.studio,{oaks:s,region:r,scene:o}=e.get();if(i.get()!=="open"||t.get()?.id!==o)return;this.forgetRemoved(s);let{fullSize:a}=this.studio.display.get(),l=Fm(this.studio.display.get());for(let c of s){if(c.isHidden||!this.studio.hasDepth(c.state))continue;let u=[o,c.state,...r,a,...l],d=this.requested.get(c.key);d&&d.length===u.length&&d.every((h,f)=>h===u[f])||(this.requested.set(c.key,u),this.request(c,Yx,l),this.rest())}}rest(){clearTimeout(this.timer),this.timer=window.setTimeout(()=>{this.timer=0;let{document:e,display:t}=this.studio,i=po.find(({size:r})=>r===t.get().fullSize)?.limit??null;if(t.get().fullSize==="small")return;let s=Fm(t.get());for(let r of e.get().oaks)!r.isHidden&&this.studio.hasDepth(r.state)&&this.request(r,i,s)},qx)}request(e,t,i){let{scene:s,region:r}=this.studio.document.get(),o=pi(this.studio.catalog.get(),e.state)?.resolution,a=o?_d(o,t):null;this.scheduler.request({oak:e.key,scene:s,state:e.state,size:a,images:i,region:r})}forgetRemoved(e){let t=s=>e.some(r=>r.key===s&&!r.isHidden),{frames:i}=this.studio;for(let s of this.requested.keys())t(s)||(this.requested.delete(s),this.scheduler.forget(s));[...i.get().keys()].some(s=>!t(s))&&i.set(new Map([...i.get()].filter(([s])=>t(s))))}show(e){let{id:t,oak:i}=e.header,s=this.scheduler.settle(i,t);s&&(this.received++,this.defaults.learn(s.state,e.header.parameters),this.accept(i,s,e),this.probes.refresh(i))}accept(e,t,i){let{frames:s,rejections:r}=this.studio;r.get().has(e)&&r.set($x(r.get(),e)),s.set(new Map(s.get()).set(e,{...i,state:t.state,scene:t.scene,requested:t.images}))}read(e){e.type==="probe"?this.probes.show(e):this.reject(e)}reject(e){this.probes.reject(e.id,e.oak)||this.scheduler.settle(e.oak,e.id)&&this.studio.rejections.set(new Map(this.studio.rejections.get()).set(e.oak,e))}};function $x(n,e){return new Map([...n].filter(([t])=>t!==e))}var Xl=class{constructor(e){this.studio=e;e.hover.subscribe(()=>this.follow())}studio;send=()=>!1;inFlight=null;waiting=null;lastId=1e9;connect(e){this.send=e}get isIdle(){return this.inFlight===null&&this.waiting===null}reset(){this.inFlight=null,this.waiting=null}refresh(e){this.studio.hover.get()?.oak===e&&this.follow()}show(e){e.id===this.inFlight?.id&&(this.inFlight=null,this.studio.hover.get()?.oak===e.oak&&this.studio.probe.set(e),this.flush())}reject(e,t){return e!==this.inFlight?.id||t!==this.inFlight.oak?!1:(this.inFlight=null,this.studio.probe.set(null),this.flush(),!0)}follow(){let e=this.studio.hover.get();if(!e){this.waiting=null,this.studio.probe.set(null);return}this.waiting={oak:e.oak,x:e.x,y:e.y},this.flush()}flush(){if(this.inFlight||!this.waiting)return;let e={type:"probe",id:++this.lastId,...this.waiting};this.send(e)&&(this.waiting=null,this.inFlight=e)}};var Zx=1e3,Kx=200,ql=class extends Yt{past=[];future=[];lastTag="";lastTime=0;commit(e,t){let i=this.get(),s=t(i);if(Object.is(i,s))return;let r=performance.now();e===this.lastTag&&r-this.lastTime<Zx||(this.past.push(i),this.past.length>Kx&&this.past.shift()),this.lastTag=e,this.lastTime=r,this.future=[],this.set(s)}reset(e){this.past=[],this.future=[],this.lastTag="",this.set(e)}undo(){this.step(this.past,this.future)}redo(){this.step(this.future,this.past)}get canUndo(){return this.past.length>0}get canRedo(){return this.future.length>0}step(e,t){let i=e.pop();i!==void 0&&(t.push(this.get()),this.lastTag="",this.set(i))}};var Om=["theme","split","showLeft","showRight","wipeAt"],vd="v1.";function km({document:n,display:e}){let t=Object.entries(e).filter(([r,o])=>!Om.includes(r)&&o!==fo[r]),i=JSON.stringify({document:n,display:Object.fromEntries(t)}),s=String.fromCharCode(...new TextEncoder().encode(i));return`#${vd}${btoa(s).replaceAll("+","-").replaceAll("/","_").replaceAll("=","")}`}function xd(n,e){let t=n.replace(/^#/,"");if(!t.startsWith(vd))return null;try{let i=atob(t.slice(vd.length).replaceAll("-","+").replaceAll("_","/")),s=new TextDecoder().decode(Uint8Array.from(i,l=>l.charCodeAt(0))),r=JSON.parse(s),o=Jx(r.document);if(!o)return null;let a=pd(r.display);for(let l of Om)Object.assign(a,{[l]:e[l]});return{document:o,display:a}}catch{return null}}function mo(n){return typeof n=="object"&&n!==null&&!Array.isArray(n)}function xa(n,e){return Array.isArray(n)&&n.length===e&&n.every(Number.isFinite)?n:null}function Jx(n){if(!mo(n)||typeof n.scene!="string"||!Array.isArray(n.oaks))return null;let e=n.oaks.slice(0,va).map(jx).filter(i=>i!==null),t=e[0];return!t||new Set(e.map(({key:i})=>i)).size!==e.length?null:{scene:n.scene,oaks:e,selected:e.find(({key:i})=>i===n.selected)?.key??t.key,arePosesLinked:n.arePosesLinked!==!1,region:xa(n.region,4)??js,target:Qx(n.target)}}function Qx(n){if(!mo(n))return null;if(typeof n.object=="string")return{object:n.object};let[e,t]=[xa(n.minimum,3),xa(n.maximum,3)];return e&&t?{minimum:e,maximum:t}:null}function jx(n){if(!mo(n)||typeof n.key!="string")return null;let e=ey(n.state);return e&&{key:n.key,isHidden:n.isHidden===!0,state:e}}function ey(n){if(!mo(n)||!mo(n.pose)||typeof n.model!="string")return null;let e=xa(n.pose.position,3),t=xa(n.pose.quaternion,4);if(!e||!t)return null;let i=o=>typeof o=="string"?o:null,s=(o,a)=>Number.isFinite(o)?o:a,r=mo(n.parameters)?Object.entries(n.parameters).filter(([,o])=>i(o)!==null):[];return{model:n.model,calibration:i(n.calibration),pose:{position:e,quaternion:t},sensor:i(n.sensor)??"",lens:n.lens==="fisheye"?"fisheye":"pinhole",engine:i(n.engine)??"",preset:i(n.preset),filters:Array.isArray(n.filters)?n.filters.filter(o=>typeof o=="string"):null,parameters:Object.fromEntries(r),extendedDisparity:n.extendedDisparity===!0,seed:s(n.seed,0),deviceSeed:Number.isFinite(n.deviceSeed)?n.deviceSeed:null,projector:s(n.projector,1),ambient:s(n.ambient,1)}}var ty=400,ny=4,Yl=class{document;display;catalog;scene=new Yt(null);frames=new Yt(new Map);rejections=new Yt(new Map);connection=new Yt("connecting");hover=new Yt(null);probe=new Yt(null);notices=new Yt([]);calibrations=new Yt(new Map);lastNotice=0;loading="";constructor(e,t){this.catalog=new Yt(e);let i=Lm(),s=xd(location.hash,i);this.display=new Yt(s?.display??i),this.document=new ql(s?.document??Nm(e,t.id,t.pose)),this.document.get().scene===t.id&&this.scene.set(t),this.followAddress(),this.display.subscribe(()=>Dm(this.display.get())),this.document.subscribe(()=>{this.followScene()}),this.followScene()}change(e,t){let{selected:i}=this.document.get();this.document.commit(`${i}/${e}`,s=>er(s,i,t))}show(e){this.display.update(t=>({...t,...e}))}notify(e,t,i=[]){let s={id:++this.lastNotice,level:e,text:t,findings:i};this.notices.update(r=>[...r.filter(o=>o.text!==t),s].slice(-ny))}report(e,t){let i=t instanceof Error?t.message:String(t);this.notify("error",`${e}: ${i}`,t instanceof uo?t.findings:[])}dismiss(e){this.notices.update(t=>t.filter(i=>i.id!==e))}link(){let e=km({document:this.document.get(),display:this.display.get()});return`${location.origin}${location.pathname}${e}`}async restart(){this.catalog.set(await yn.catalog()),this.loading="",this.scene.set(null),await this.followScene()}async followScene(){let{scene:e}=this.document.get();if(!(e===this.scene.get()?.id||e===this.loading)){this.loading=e;try{let t=await yn.scene(e);this.document.get().scene===e&&this.scene.set(t)}catch(t){this.document.get().scene===e&&await this.replaceScene(t)}finally{this.loading===e&&(this.loading="")}}}async replaceScene(e){let t=this.catalog.get().scene;if(!(e instanceof uo)||this.document.get().scene===t){this.connection.get()==="open"&&this.report("The scene cannot be loaded",e);return}let{oaks:i}=this.document.get();this.notify("warning","The server does not have the scene of this state; drop its file onto the page again.");let s=await yn.scene(t),r=i.map(o=>({...o,state:{...o.state,pose:s.pose}}));this.document.reset({...this.document.get(),scene:t,oaks:r,target:null}),this.scene.set(s)}followAddress(){let e=0,t=location.hash,i=()=>{t=new URL(this.link()).hash,history.replaceState(null,"",t)},s=()=>{clearTimeout(e),e=window.setTimeout(i,ty)};this.document.subscribe(s),this.display.subscribe(s),addEventListener("hashchange",()=>{let r=location.hash===t?null:xd(location.hash,this.display.get());r&&(this.display.set(r.display),this.document.commit("link",()=>r.document))})}hasDepth(e){return(fi(this.catalog.get(),e.model)?.depthSensors.length??0)>0}};var yd=om(null);function qe(){let n=Cm(yd);if(!n)throw new Error("There is no studio above this component.");return n}function ya(n){if(n==null||!Number.isFinite(n))return"–";let e=Math.abs(n);return e<.001?`${(n*1e3).toFixed(3)} mm`:e<.1?`${(n*1e3).toFixed(1)} mm`:`${n.toFixed(3)} m`}function tr(n){let e=nr(n,!0);return e==="–"?"–":`${e} mm`}function go(n){return n==null||!Number.isFinite(n)?"–":(n*100).toFixed(1)}function nr(n,e=!1){if(n==null||!Number.isFinite(n))return"–";let t=Math.abs(n*1e3).toFixed(1);return Number(t)===0?t:`${n<0?"−":e?"+":""}${t}`}function Bm(n){let e=nr(n);return e==="–"?"–":`${e} mm`}function _o(n){return n==null||!Number.isFinite(n)?"–":`${(n*100).toFixed(1)} %`}function Cn(n){let e=n.replace(/[_-]+/g," ").replace(/([a-z0-9])([A-Z])/g,(t,i,s)=>`${i} ${s.toLowerCase()}`);return e.charAt(0).toUpperCase()+e.slice(1)}function bd(n){return n<1e6?`${(n/1e3).toFixed(0)} kB`:`${(n/1e6).toFixed(0)} MB`}function Sd(n){if(!(n>0))return 0;let e=10**Math.floor(Math.log10(n)),t=[1,2,5,10].find(i=>n<=i*e*1.0001)??10;return Number((t*e).toPrecision(3))}async function $l(n,e){for(let t of e){let i=n.catalog.get().maxUploadBytes;if(t.size>i){n.notify("error",`${t.name} has ${bd(t.size)}, more than the ${bd(i)} that can be opened here; give it on the command line: oaktwin studio ${t.name}`);continue}try{iy(t)?ry(n,await yn.openCalibration(t)):sy(n,await yn.openScene(t))}catch(s){n.report("Not opened",s)}}}function iy(n){return n.name.toLowerCase().endsWith(".json")}function sy(n,e){n.document.commit("scene",i=>({...i,scene:e.id,oaks:i.oaks.map(s=>({...s,state:{...s.state,pose:e.pose}})),target:null}));let t=e.findings.some(({level:i})=>i!=="note")?"warning":"note";n.notify(t,`${e.name}: ${e.triangles.toLocaleString("en")} triangles.`,e.findings)}function ry(n,e){n.calibrations.set(new Map(n.calibrations.get()).set(e.id,e));let t=e.model===null?void 0:fi(n.catalog.get(),e.model);n.document.commit("calibration",i=>er(i,i.selected,s=>({...t&&t.name!==s.model?Hl(s,t):s,calibration:e.id}))),n.notify("note",`${e.name} calibrates the selected OAK${t?`, an ${t.name}`:""}.`,e.findings)}var oy=Symbol.for("pv"),ay=0;function _(n,e,t,i,s,r){e||(e={});var o,a,l=e;if("ref"in l&&typeof n!="function")for(a in l={},e)a=="ref"?o=e[a]:l[a]=e[a];var c={type:n,props:l,key:t,ref:o,__k:null,__:null,__b:0,__e:null,__c:null,constructor:oy,__v:--ay,__i:-1,__u:0};return(s||r)&&(c.__source=s,c.__self=r),kt.vnode&&kt.vnode(c),c}var ly={add:"M8 3v10M3 8h10",close:"M4 4l8 8M12 4l-8 8",copy:"M6 6h7v7H6zM3 10V3h7",down:"M8 3v10M4 9l4 4 4-4",up:"M8 13V3M4 7l4-4 4 4",undo:"M6 3L3 6l3 3M3 6h6a4 4 0 010 8H6",redo:"M10 3l3 3-3 3M13 6H7a4 4 0 000 8h3",eye:"M1.5 8S4 3.5 8 3.5 14.5 8 14.5 8 12 12.5 8 12.5 1.5 8 1.5 8zM8 6a2 2 0 100 4 2 2 0 000-4z",hidden:"M2 2l12 12M1.5 8S4 3.5 8 3.5 14.5 8 14.5 8 12 12.5 8 12.5 1.5 8 1.5 8z",theme:"M8 2.5a5.5 5.5 0 100 11zM8 2.5a5.5 5.5 0 010 11",help:"M6 6a2 2 0 113 1.7c-.7.4-1 .8-1 1.8M8 12v.5M8 1.5a6.5 6.5 0 100 13 6.5 6.5 0 000-13z",open:"M2 13V3h4l1.5 2H14v8z",share:"M7 9l2-2M6.5 5.5L8 4a2.8 2.8 0 014 4l-1.5 1.5M9.5 10.5L8 12a2.8 2.8 0 01-4-4l1.5-1.5",download:"M8 2v8M4.5 7L8 10.5 11.5 7M2.5 13.5h11",reset:"M3 8a5 5 0 105-5H5M7 1L5 3l2 2",left:"M2 3h12v10H2zM6 3v10",right:"M2 3h12v10H2zM10 3v10",link:"M6 4H4a3 3 0 000 8h2M10 4h2a3 3 0 010 8h-2M5 8h6",move:"M8 1.5v13M1.5 8h13M6 3.5l2-2 2 2M6 12.5l2 2 2-2M3.5 6l-2 2 2 2M12.5 6l2 2-2 2",turn:"M13 5.5A5.5 5.5 0 108 13.5M13 2v3.5H9.5",home:"M2.5 8L8 3l5.5 5M4 7v6h8V7",camera:"M2 5h3l1-1.5h4L11 5h3v8H2zM8 7a2 2 0 100 4 2 2 0 000-4z",warning:"M8 2L1.5 13.5h13zM8 6v4M8 11.5v.6",dice:"M3 3h10v10H3zM6 6h.1M10 10h.1M8 8h.1M10 6h.1M6 10h.1"};function Zl({name:n}){return _("svg",{class:"icon",viewBox:"0 0 16 16","aria-hidden":"true",children:_("path",{d:ly[n]})})}function Ve({icon:n,label:e,onClick:t,isNamed:i=!n,isOn:s,isDisabled:r=!1,class:o="",tip:a,testId:l}){return _("button",{type:"button",class:`button ${i?"":"square"} ${o}`,"aria-label":i?void 0:e,"aria-pressed":s,disabled:r,"data-tip":a??(i?void 0:e),"data-testid":l,onClick:t,children:[n&&_(Zl,{name:n}),i&&_("span",{children:e})]})}function mi({label:n,value:e,options:t,onChange:i,isLabelled:s=!0,testId:r}){return _("label",{class:"field",children:[_("span",{class:s?"name":"sr-only",children:n}),_("select",{value:e,"data-testid":r,onChange:o=>i(o.currentTarget.value),children:t.map(o=>_("option",{value:o.value,selected:o.value===e,children:o.title},o.value))})]})}function ir({label:n,isOn:e,onChange:t,tip:i,isDisabled:s=!1}){return _("label",{class:"check","data-tip":i,children:[_("input",{type:"checkbox",checked:e,disabled:s,onChange:r=>t(r.currentTarget.checked)}),_("span",{children:n})]})}function Kl({label:n,text:e,onText:t,onStep:i,problem:s,isLabelled:r=!0,tip:o,unit:a,testId:l}){let[c,u]=Pt(null),[d,h]=Pt(null),f=At(null),g=d??s;Bt(()=>{document.activeElement!==f.current&&(u(null),h(null))},[e]);let y=()=>{u(null),h(null)};return _("label",{class:"field","data-tip":o,children:[_("span",{class:r?"name":"sr-only",children:n}),_("span",{class:"with-unit",children:[_("input",{ref:f,type:"text",inputMode:i?"decimal":"text",spellcheck:!1,autocomplete:"off",value:c??e,"aria-invalid":g?"true":void 0,"data-testid":l,onInput:p=>{u(p.currentTarget.value),h(t(p.currentTarget.value))},onBlur:y,onKeyDown:p=>{p.key==="Enter"&&y(),!(!i||p.key!=="ArrowUp"&&p.key!=="ArrowDown")&&(p.preventDefault(),y(),i((p.key==="ArrowUp"?1:-1)*(p.shiftKey?.1:1)))}}),a&&_("span",{class:"unit",children:a})]}),g&&_("span",{class:"problem",role:"alert",children:g})]})}function Rn({value:n,onChange:e,step:t,digits:i,minimum:s=-1e6,maximum:r=1e6,...o}){let a=c=>{let u=Number(c.trim().replace(",","."));return c.trim()===""||!Number.isFinite(u)?"Enter a number.":u<s?`Enter at least ${s}.`:u>r?`Enter at most ${r}.`:(e(u),null)},l=c=>{let u=Number((n+c*t).toFixed(i+1));e(Math.min(r,Math.max(s,u)))};return _(Kl,{...o,text:String(Number(n.toFixed(i))),onText:a,onStep:l})}function un({title:n,children:e,actions:t,isOpen:i=!0,testId:s}){let[r,o]=Pt(i);return _("section",{class:"section","data-testid":s,children:[_("div",{class:"section-head",children:[_("h2",{children:_("button",{type:"button",class:"fold","aria-expanded":r,onClick:()=>o(!r),children:n})}),t&&_("div",{class:"actions",children:t})]}),r&&_("div",{class:"section-body",children:e})]})}function Jl({title:n,children:e,onClose:t}){let i=At(null);return Bt(()=>{let s=i.current;return s?.showModal(),()=>s?.close()},[]),_("dialog",{ref:i,class:"dialog","aria-label":n,onClose:t,onClick:s=>s.target===i.current&&t(),children:[_("div",{class:"dialog-head",children:[_("h2",{children:n}),_(Ve,{icon:"close",label:"Close",onClick:t})]}),_("div",{class:"dialog-body",children:e})]})}var cy=[["Everywhere",[["Ctrl+Z, Ctrl+Shift+Z","Undo, redo"],["1, 2","Show or hide the controls, the numbers"],["G, R","Handles that move, turn the OAK"],["P","Points: none, true, measured, both"],["Home","Look at the OAK"],["C","Look from the OAK"],["[, ]","Select the previous, next OAK"],["Escape","Close, or stop probing"],["?","This list"]]],["3D view, after a click into it or with Tab",[["Drag","Orbit; with Ctrl turn the head; with Shift or the right button pan"],["Wheel","Zoom"],["Double click","Put a point into the centre"],["W A S D, Q E","Fly; with Shift faster"],["Arrow keys","Move the OAK by 5 cm; with Shift by 5 mm"],["Page up, page down","Raise, lower the OAK"],["Alt+arrow keys","Turn, tilt the OAK by 2°; with Shift by 0.2°"]]],["Images",[["Mouse, arrow keys","Probe a pixel"],["Drag","Rectangle for the statistics"]]],["Number fields",[["Up, down","One step; with Shift a tenth"]]]];function zm({onClose:n}){return _(Jl,{title:"Keys",onClose:n,children:_("div",{class:"keys",children:cy.map(([e,t])=>_("section",{children:[_("h3",{children:e}),_("dl",{children:t.map(([i,s])=>_("div",{children:[_("dt",{children:_("kbd",{children:i})}),_("dd",{children:s})]},i))})]},e))})})}var uy=4e3,Gm={depth:[0,5],error:.05};function Ql(n,e){let t=[...n];return{depth:e.depthRange??dy(t),error:e.errorRange??fy(t,e.errorUnit)}}function hy(n){return n.pictures.get("reference")??n.pictures.get("depth")}function dy(n){let e=[];for(let o of n){let a=hy(o)?.data??o.pictures.get("sensor")?.data;if(!a)continue;let l=Math.max(1,Math.floor(a.length/uy));for(let c=0;c<a.length;c+=l)a[c]&&e.push(a[c])}if(e.length===0)return Gm.depth;e.sort((o,a)=>o-a);let t=o=>e[Math.floor(o*(e.length-1))]/1e3,[i,s]=[t(.01),t(.99)],r=Math.max(Sd((s-i)/20),.01);return[Number((Math.floor(i/r)*r).toFixed(3)),Number((Math.ceil(s/r)*r).toFixed(3))]}function fy(n,e){let t=n.map(({header:{statistics:i}})=>e==="mm"?i.p95AbsoluteErrorM??0:(i.medianAbsoluteErrorPercent??0)*3);return Sd(Math.max(0,...t))||(e==="mm"?Gm.error:5)}function Vm({kinds:n,scales:e}){let t=n.includes("depth")||n.includes("sensor")||n.includes("confidence");return _("div",{class:"legend",children:[t&&_(py,{scales:e}),n.includes("error")&&_(my,{scales:e}),n.includes("reason")&&_(gy,{}),(t||n.includes("error"))&&_("span",{class:"swatch-label",children:[_("span",{class:"swatch hatch"}),"no value"]})]})}function py({scales:n}){let{studio:e}=qe(),{depthMap:t,depthRange:i}=Pe(e.display),[s,r]=n.depth;return _("div",{class:"scale",role:"group","aria-label":"Depth scale",children:[_("span",{class:"scale-name",children:"Depth"}),_(Rn,{label:"Nearest depth",isLabelled:!1,value:s,minimum:0,maximum:r-.001,step:.1,digits:3,onChange:o=>e.show({depthRange:[o,r]})}),_(Hm,{bytes:ao(t)}),_(Rn,{label:"Farthest depth",isLabelled:!1,value:r,minimum:s+.001,maximum:65.535,step:.1,digits:3,unit:"m",onChange:o=>e.show({depthRange:[s,o]})}),_(Ve,{label:"Auto",class:"chip",tip:"Follow the images",isOn:i===null,onClick:()=>e.show({depthRange:i?null:n.depth})}),_(mi,{label:"Colour map",isLabelled:!1,value:t,options:um.map(({map:o,title:a})=>({value:o,title:a})),onChange:o=>e.show({depthMap:o}),testId:"depth-map"})]})}function my({scales:n}){let{studio:e}=qe(),{errorUnit:t,errorRange:i}=Pe(e.display),s=t==="mm"?1e3:1,r=()=>e.show({errorUnit:t==="mm"?"%":"mm",errorRange:null});return _("div",{class:"scale",role:"group","aria-label":"Error scale",children:[_("span",{class:"scale-name",children:"Error"}),_("span",{class:"end",children:"too near"}),_(Hm,{bytes:lo()}),_("span",{class:"end",children:"too far"}),_("span",{class:"end",children:"±"}),_(Rn,{label:"End of the error scale",isLabelled:!1,value:n.error*s,minimum:.01,maximum:65535,step:t==="mm"?5:.5,digits:2,onChange:o=>e.show({errorRange:o/s})}),_(Ve,{label:t,class:"chip",tip:"Switch between millimetres and percent",onClick:r,testId:"error-unit"}),_(Ve,{label:"Auto",class:"chip",tip:"Follow the images",isOn:i===null,onClick:()=>e.show({errorRange:i?null:n.error})})]})}function gy(){let{studio:n}=qe(),{reasons:e}=Pe(n.catalog),t=Pe(n.frames),i=s=>[...t.values()].some(({header:r})=>(r.statistics.reasons[s]??0)>0);return _("div",{class:"reasons-legend",role:"group","aria-label":"Reasons",children:e.filter(({code:s})=>s===0||i(s)).map(({code:s,name:r,documentation:o})=>_("span",{class:"swatch-label","data-tip":o,children:[_("span",{class:"swatch",style:{background:cn(Es(s))}}),Cn(r)]},s))})}function Hm({bytes:n}){let e=At(null);return Qs(()=>{let t=new ImageData(new Uint8ClampedArray(n),ls,1);e.current?.getContext("2d")?.putImageData(t,0,0)},[n]),_("canvas",{ref:e,class:"gradient",width:ls,height:1})}var jl=Math.PI/180,Wm=[-Math.SQRT1_2,0,0,Math.SQRT1_2];function vo([n,e,t,i],[s,r,o,a]){return[i*s+n*a+e*o-t*r,i*r-n*o+e*a+t*s,i*o+n*r-e*s+t*a,i*a-n*s-e*r-t*o]}function Xm([n,e,t,i]){return[-n,-e,-t,i]}function ba(n,[e,t,i]){let[s,r,o]=vo(vo(n,[e,t,i,0]),Xm(n));return[s,r,o]}function qm(n){let e=Math.hypot(...n)||1;return[n[0]/e,n[1]/e,n[2]/e,n[3]/e]}function Md(n,e){let t=e*jl/2,i=[0,0,0,Math.cos(t)];return i[n]=Math.sin(t),i}function ec(n){return n==="z"?[0,0,1]:[0,1,0]}function tc({yaw:n,pitch:e,roll:t},i){let s=vo(vo(Md(2,n),Md(1,e)),Md(0,t));return qm(i==="z"?s:vo(Wm,s))}function cs(n,e){let[t,i,s,r]=qm(e==="z"?n:vo(Xm(Wm),n)),o=Math.max(-1,Math.min(1,2*(r*i-s*t)));return{yaw:Math.atan2(2*(r*s+t*i),1-2*(i*i+s*s))/jl,pitch:Math.asin(o)/jl,roll:Math.atan2(2*(r*t+i*s),1-2*(t*t+i*i))/jl}}function nc(n,[e,t,i],s){let r=tc({yaw:cs(n.quaternion,s).yaw,pitch:0,roll:0},s),[o,a,l]=ba(r,[e,t,i]),[c,u,d]=n.position;return{...n,position:[c+o,u+a,d+l]}}function ic(n,e,t){let i=cs(n.quaternion,t),s=Math.max(-90,Math.min(90,i.pitch+(e.pitch??0))),r={yaw:i.yaw+(e.yaw??0),pitch:s,roll:i.roll+(e.roll??0)};return{...n,quaternion:tc(r,t)}}function Ym({oak:n,kind:e}){let{studio:t}=qe(),i=ho(t.document,c=>c.region),s=i.every((c,u)=>c===js[u]),[r,o,a,l]=i;return _(wt,{children:[!s&&_("div",{class:"region",style:{left:`${r*100}%`,top:`${o*100}%`,width:`${(a-r)*100}%`,height:`${(l-o)*100}%`}}),_(_y,{oak:n,kind:e})]})}function _y({oak:n,kind:e}){let{studio:t}=qe(),i=Pe(t.hover),s=Pe(t.probe),r=Pe(t.catalog);if(!i)return null;let o=t.frames.get().get(n),a=o&&pi(r,o.state);if(!o||!a)return null;let l=s?.point?vy(o,a,s.point):null,c=i.oak===n?{x:i.x,y:i.y,z:l?.z??null}:l;if(!c||c.x<0||c.x>1||c.y<0||c.y>1)return null;let u=e==="right"?xy(o,a.baselineM,c.z):0;if(u===null)return null;let d=i.oak!==n;return _("div",{class:`cross ${d?"other":""}`,style:{left:`${(c.x-u)*100}%`,top:`${c.y*100}%`}})}function vy({header:n,state:e},t,i){let[s,r,o,a]=e.pose.quaternion,{position:l}=e.pose,c=ba([-s,-r,-o,a],[i[0]-l[0],i[1]-l[1],i[2]-l[2]]),u=t.bodyFromCamera,d=c.map((y,m)=>y-(u[m*4+3]??0)),h=y=>[0,1,2].reduce((m,p)=>m+(u[p*4+y]??0)*(d[p]??0),0),f=h(2);if(f<=0)return null;let g=(y,m)=>.5+y/(2*f*Math.tan(m*Math.PI/360));return{x:g(h(0),n.hfovDeg),y:g(h(1),n.vfovDeg),z:f}}function xy({header:n},e,t){return!e||!t?null:e/(t*2*Math.tan(n.hfovDeg*Math.PI/360))}var yy=5;function Zm({oak:n,index:e,kind:t,other:i,width:s,scales:r}){let{studio:o}=qe(),a=ho(o.frames,f=>f.get(n.key)),l=ho(o.rejections,f=>f.get(n.key)),c=ho(o.display,f=>f.wipeAt),u=a?Sy(a):1.6,d=f=>Fi.find(g=>g.kind===f)?.title??f,h=Math.round(s/u);return _("figure",{class:`panel ${l&&a?"stale":""}`,"data-testid":`panel-${n.key}-${t}`,children:[_("figcaption",{children:[_("span",{class:"dot-small",style:{background:cn(Yn(e))}}),_("span",{class:"panel-title",children:i?`${d(t)} | ${d(i)}`:d(t)}),_("span",{class:"panel-oak",children:n.state.model}),_("span",{class:"spring"}),a&&_("span",{class:"panel-fact",children:My(t,a)})]}),_(Ey,{oak:n.key,label:`${d(t)} of ${n.state.model}`,width:s,height:h,children:[_($m,{oak:n.key,kind:t,frame:a,width:s,height:h,scales:r}),i&&_("div",{class:"wiped",style:{clipPath:`inset(0 0 0 ${c*100}%)`},children:_($m,{oak:n.key,kind:i,frame:a,width:s,height:h,scales:r})}),i&&_("div",{class:"edge",style:{left:`${c*100}%`}}),_(Ym,{oak:n.key,kind:t}),l&&a&&_("p",{class:"stale-note",children:`Not measured: ${l.error}`}),!a&&_("p",{class:"empty",children:by(l?.error,o.hasDepth(n.state),n.state.model)})]})]})}function by(n,e,t){return n||(e?"Measuring…":`${t} has no depth sensor.`)}function Sy(n){let e=n.pictures.get("sensor")??[...n.pictures.values()][0];return e?e.width/e.height:1.6}function My(n,{header:{statistics:e,milliseconds:t}}){return n==="sensor"||n==="reason"?`${_o(e.fillRate)} filled`:n==="error"?`median ${tr(e.medianErrorM)}`:n==="color"?`${t.toFixed(0)} ms`:""}function $m({oak:n,kind:e,frame:t,width:i,height:s,scales:r}){let{painter:o,repaint:a,studio:l,signals:c}=qe(),u=Pe(l.display),d=Pe(a),h=At(null),[f,g]=Pt(!1),y=t?.pictures.get(e==="error"?"sensor":e),m=Math.min(devicePixelRatio*i,y?.width??640)/i,{depthMap:p,errorUnit:x}=u,T=e==="error"||e==="depth"?t?.pictures.get("reference")??t?.pictures.get("depth"):void 0,S=e==="error"?[r.error]:e==="depth"||e==="sensor"?r.depth:[];return Qs(()=>{let R=h.current;if(!R||!t)return;let[C,v]=[Math.max(1,Math.round(i*m)),Math.max(1,Math.round(s*m))];R.width!==C&&(R.width=C),R.height!==v&&(R.height=v),g(!o.paint(R,{oak:n,kind:e,frame:t,display:u,scales:r,empty:Ty()})),c.painted++},[y,T,i,s,m,S[0],S[1],p,x,e,d,u.theme,t===void 0]),_(wt,{children:[_("canvas",{ref:h,class:"picture"}),f&&t&&_("p",{class:"empty",children:wy(e,t)})]})}function wy(n,e){let{engine:t,model:i}=e.state;return(Fi.find(r=>r.kind===n)?.images??[]).every(r=>e.requested.includes(r))?n==="confidence"?`${t} makes no confidence.`:n==="left"||n==="right"?`${i} has no stereo pair here.`:"This image is not available.":"Measuring…"}function Ty(){let n=getComputedStyle(document.documentElement);return["--empty","--empty-line"].flatMap(e=>{let t=Number.parseInt(n.getPropertyValue(e).trim().slice(1),16);return[(t>>16)/255,(t>>8&255)/255,(t&255)/255]})}function Ey({oak:n,label:e,width:t,height:i,children:s}){let{studio:r}=qe(),o=At(null),a=At(()=>{});Bt(()=>()=>a.current(),[]);let l=h=>{let f=o.current?.getBoundingClientRect()??new DOMRect(0,0,1,1),g=y=>Math.max(0,Math.min(.99999,y));return[g((h.clientX-f.left)/f.width),g((h.clientY-f.top)/f.height)]},c=h=>{let[f,g]=l(h);r.hover.set({oak:n,x:f,y:g})},u=h=>{if(h.button!==0)return;let[f,g]=l(h),[y,m]=[h.clientX,h.clientY],p=T=>{if(Math.hypot(T.clientX-y,T.clientY-m)<yy)return;let[S,R]=l(T),C=[Math.min(f,S),Math.min(g,R),Math.max(f,S),Math.max(g,R)];r.document.commit("region",v=>({...v,region:C}))},x=()=>{removeEventListener("pointermove",p),removeEventListener("pointerup",x)};a.current=x,addEventListener("pointermove",p),addEventListener("pointerup",x)},d=h=>{let[f,g]={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,-1],ArrowDown:[0,1]}[h.key]??[0,0];if(f===0&&g===0)return;h.preventDefault(),h.stopPropagation();let y=h.shiftKey?.002:.02,{x:m,y:p}=r.hover.get()??{x:.5,y:.5},x=T=>Math.max(0,Math.min(.99999,T));r.hover.set({oak:n,x:x(m+(f??0)*y),y:x(p+(g??0)*y)})};return _("div",{ref:o,class:"surface",role:"application","aria-label":`${e}. Arrow keys move the probed pixel.`,tabIndex:0,style:{width:`${t}px`,height:`${i}px`},onPointerMove:c,onPointerDown:u,onKeyDown:d,children:s})}var Ay=1.7,Km=6,Jm=1.6,Cy=150;function Ry(n,e,t,i,s){let r=i*s,o=i>1&&s>1?[s,i]:Array.from({length:r},(c,u)=>u+1),a=Ay*Number.parseFloat(getComputedStyle(document.documentElement).fontSize),l={count:1,width:0};for(let c of o){let u=Math.ceil(r/c),d=Math.min((n-Km*(c-1))/c,((e-Km*(u-1))/u-a)*t);d>l.width&&(l={count:c,width:d})}return{count:l.count,width:Math.max(Cy,Math.floor(l.width))}}function Qm(){let{studio:n}=qe(),e=Pe(n.display),t=Pe(n.frames),{oaks:i}=Pe(n.document),s=i.filter(y=>!y.isHidden),r=hd(()=>Ql(t.values(),e),[t,e]),o=e.wipe?[e.wipe.left]:Fi.map(({kind:y})=>y).filter(y=>e.panels.includes(y)),a=At(null),[l,c]=Pt({width:800,height:300});Qs(()=>{let y=a.current;if(!y)return;let m=new ResizeObserver(()=>c({width:y.clientWidth-16,height:y.clientHeight-12}));return m.observe(y),()=>m.disconnect()},[]);let u=[...t.values()].map(({pictures:y})=>y.get("sensor")).map(y=>y?y.width/y.height:Jm),d=u.length?Math.min(...u):Jm,h=Ry(l.width,l.height,d,s.length,Math.max(o.length,1)),g=s.length>1&&o.length>1&&h.count===s.length&&h.count!==o.length?o.flatMap(y=>s.map(m=>[m,y])):s.flatMap(y=>o.map(m=>[y,m]));return _("section",{class:"images","aria-label":"Images",children:[_(Py,{}),_("div",{class:"panels",ref:a,children:[_("div",{class:"grid",style:{gridTemplateColumns:`repeat(${h.count}, ${h.width}px)`},children:g.map(([y,m])=>_(Zm,{oak:y,index:i.indexOf(y),kind:m,other:e.wipe?.right??null,width:h.width,scales:r},`${y.key}/${m}`))}),g.length===0&&_("p",{class:"hint pad",children:"Choose at least one image above."})]}),_(Vm,{kinds:e.wipe?[e.wipe.left,e.wipe.right]:o,scales:r})]})}function Py(){let{studio:n}=qe(),e=Pe(n.display),t=r=>{let o=e.panels.includes(r)?e.panels.filter(a=>a!==r):[...e.panels,r];n.show({panels:o})},i=Fi.map(({kind:r,title:o})=>({value:r,title:o})),{wipe:s}=e;return _("div",{class:"bar",role:"toolbar","aria-label":"Images that are shown",children:[s?_(wt,{children:[_(mi,{label:"Left of the edge",isLabelled:!1,value:s.left,options:i,onChange:r=>n.show({wipe:{...s,left:r}})}),_("input",{type:"range",class:"wipe-at",min:0,max:1,step:.01,"aria-label":"Edge of the wipe",value:e.wipeAt,onInput:r=>n.show({wipeAt:Number(r.currentTarget.value)})}),_(mi,{label:"Right of the edge",isLabelled:!1,value:s.right,options:i,onChange:r=>n.show({wipe:{...s,right:r}})})]}):Fi.map(({kind:r,title:o,help:a})=>_(Ve,{label:o,class:"chip",tip:a,isOn:e.panels.includes(r),onClick:()=>t(r),testId:`show-${r}`},r)),_("span",{class:"spring"}),_(Ve,{label:"Wipe",class:"chip",tip:"Two images in one panel with a movable edge",isOn:s!==null,onClick:()=>n.show({wipe:s?null:{left:"depth",right:"sensor"}})}),_(mi,{label:"Image size at rest",isLabelled:!1,value:e.fullSize,options:po.map(({size:r,title:o})=>({value:r,title:o})),onChange:r=>n.show({fullSize:r}),testId:"full-size"})]})}var Iy="uplot",Ly="u-hz",Dy="u-vt",Ny="u-title",Uy="u-wrap",Fy="u-under",Oy="u-over",ky="u-axis",Pr="u-off",By="u-select",zy="u-cursor-x",Gy="u-cursor-y",Vy="u-cursor-pt",Hy="u-legend",Wy="u-live",Xy="u-inline",qy="u-series",Yy="u-marker",jm="u-label",$y="u-value",Ma="width",wa="height";var eg="bottom",xo="left",wd="right",Gd="#000",tg=Gd+"0",Td="mousemove",ng="mousedown",Ed="mouseup",ig="mouseenter",sg="mouseleave",rg="dblclick",Zy="resize",Ky="scroll",og="change",lc="dppxchange",Vd="--",Eo=typeof window<"u",Id=Eo?document:null,bo=Eo?window:null,Jy=Eo?navigator:null,It,sc;function Ld(){let n=devicePixelRatio;It!=n&&(It=n,sc&&Nd(og,sc,Ld),sc=matchMedia(`(min-resolution: ${It-.001}dppx) and (max-resolution: ${It+.001}dppx)`),Ir(og,sc,Ld),bo.dispatchEvent(new CustomEvent(lc)))}function wi(n,e){if(e!=null){let t=n.classList;!t.contains(e)&&t.add(e)}}function Dd(n,e){let t=n.classList;t.contains(e)&&t.remove(e)}function Qt(n,e,t){n.style[e]=t+"px"}function Wi(n,e,t,i){let s=Id.createElement(n);return e!=null&&wi(s,e),t?.insertBefore(s,i),s}function Oi(n,e){return Wi("div",n,e)}var ag=new WeakMap;function us(n,e,t,i,s){let r="translate("+e+"px,"+t+"px)",o=ag.get(n);r!=o&&(n.style.transform=r,ag.set(n,r),e<0||t<0||e>i||t>s?wi(n,Pr):Dd(n,Pr))}var lg=new WeakMap;function cg(n,e,t){let i=e+t,s=lg.get(n);i!=s&&(lg.set(n,i),n.style.background=e,n.style.borderColor=t)}var ug=new WeakMap;function hg(n,e,t,i){let s=e+""+t,r=ug.get(n);s!=r&&(ug.set(n,s),n.style.height=t+"px",n.style.width=e+"px",n.style.marginLeft=i?-e/2+"px":0,n.style.marginTop=i?-t/2+"px":0)}var Hd={passive:!0},Qy={...Hd,capture:!0};function Ir(n,e,t,i){e.addEventListener(n,t,i?Qy:Hd)}function Nd(n,e,t,i){e.removeEventListener(n,t,Hd)}Eo&&Ld();function Xi(n,e,t,i){let s;t=t||0,i=i||e.length-1;let r=i<=2147483647;for(;i-t>1;)s=r?t+i>>1:Ti((t+i)/2),e[s]<n?t=s:i=s;return n-e[t]<=e[i]-n?t:i}function Bg(n){return(t,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(t[a])){r=a;break}for(let a=s;a>=i;a--)if(n(t[a])){o=a;break}return[r,o]}}var zg=n=>n!=null,Gg=n=>n!=null&&n>0,hc=Bg(zg),jy=Bg(Gg);function eb(n,e,t,i=0,s=!1){let r=s?jy:hc,o=s?Gg:zg;[e,t]=r(n,e,t);let a=n[e],l=n[e];if(e>-1)if(i==1)a=n[e],l=n[t];else if(i==-1)a=n[t],l=n[e];else for(let c=e;c<=t;c++){let u=n[c];o(u)&&(u<a?a=u:u>l&&(l=u))}return[a??Ht,l??-Ht]}function dc(n,e,t,i){let s=pg(n),r=pg(e);n==e&&(s==-1?(n*=t,e/=t):(n/=t,e*=t));let o=t==10?Cs:Vg,a=s==1?Ti:ki,l=r==1?ki:Ti,c=a(o(Fn(n))),u=l(o(Fn(e))),d=So(t,c),h=So(t,u);return t==10&&(c<0&&(d=Wt(d,-c)),u<0&&(h=Wt(h,-u))),i||t==2?(n=d*s,e=h*r):(n=qg(n,d),e=fc(e,h)),[n,e]}function Wd(n,e,t,i){let s=dc(n,e,t,i);return n==0&&(s[0]=0),e==0&&(s[1]=0),s}var Xd=.1,dg={mode:3,pad:Xd},Ea={pad:0,soft:null,mode:0},tb={min:Ea,max:Ea};function cc(n,e,t,i){return pc(t)?fg(n,e,t):(Ea.pad=t,Ea.soft=i?0:null,Ea.mode=i?3:0,fg(n,e,tb))}function Ct(n,e){return n??e}function nb(n,e,t){for(e=Ct(e,0),t=Ct(t,n.length-1);e<=t;){if(n[e]!=null)return!0;e++}return!1}function fg(n,e,t){let i=t.min,s=t.max,r=Ct(i.pad,0),o=Ct(s.pad,0),a=Ct(i.hard,-Ht),l=Ct(s.hard,Ht),c=Ct(i.soft,Ht),u=Ct(s.soft,-Ht),d=Ct(i.mode,0),h=Ct(s.mode,0),f=e-n,g=Cs(f),y=ci(Fn(n),Fn(e)),m=Cs(y),p=Fn(m-g);(f<1e-24||p>10)&&(f=0,(n==0||e==0)&&(f=1e-24,d==2&&c!=Ht&&(r=0),h==2&&u!=-Ht&&(o=0)));let x=f||y||1e3,T=Cs(x),S=So(10,Ti(T)),R=x*(f==0?n==0?.1:1:r),C=Wt(qg(n-R,S/10),24),v=n>=c&&(d==1||d==3&&C<=c||d==2&&C>=c)?c:Ht,w=ci(a,C<v&&n>=v?v:qi(v,C)),F=x*(f==0?e==0?.1:1:o),L=Wt(fc(e+F,S/10),24),D=e<=u&&(h==1||h==3&&L>=u||h==2&&L<=u)?u:-Ht,z=qi(l,L>D&&e<=D?D:ci(D,L));return w==z&&w==0&&(z=100),[w,z]}var ib=new Intl.NumberFormat(Eo?Jy.language:"en-US"),qd=n=>ib.format(n),Ei=Math,ac=Ei.PI,Fn=Ei.abs,Ti=Ei.floor,Un=Ei.round,ki=Ei.ceil,qi=Ei.min,ci=Ei.max,So=Ei.pow,pg=Ei.sign,Cs=Ei.log10,Vg=Ei.log2,sb=(n,e=1)=>Ei.sinh(n)*e,Ad=(n,e=1)=>Ei.asinh(n/e),Ht=1/0;function mg(n){return(Cs((n^n>>31)-(n>>31))|0)+1}function Ud(n,e,t){return qi(ci(n,e),t)}function Hg(n){return typeof n=="function"}function yt(n){return Hg(n)?n:()=>n}var rb=()=>{},Wg=n=>n,Xg=(n,e)=>e,ob=n=>null,gg=n=>!0,_g=(n,e)=>n==e,ab=/\.\d*?(?=9{6,}|0{6,})/gm,Lr=n=>{if($g(n)||rr.has(n))return n;let e=`${n}`,t=e.match(ab);if(t==null)return n;let i=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${Lr(s)}e${r}`}return Wt(n,i)};function Cr(n,e){return Lr(Wt(Lr(n/e))*e)}function fc(n,e){return Lr(ki(Lr(n/e))*e)}function qg(n,e){return Lr(Ti(Lr(n/e))*e)}function Wt(n,e=0){if($g(n))return n;let t=10**e,i=n*t*(1+Number.EPSILON);return Un(i)/t}var rr=new Map;function Yg(n){return((""+n).split(".")[1]||"").length}function Ca(n,e,t,i){let s=[],r=i.map(Yg);for(let o=e;o<t;o++){let a=Fn(o),l=Wt(So(n,o),a);for(let c=0;c<i.length;c++){let u=n==10?+`${i[c]}e${o}`:i[c]*l,d=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=n==10?u:Wt(u,d);s.push(h),rr.set(h,d)}}return s}var Aa={},Yd=[],Mo=[null,null],sr=Array.isArray,$g=Number.isInteger,lb=n=>n===void 0;function vg(n){return typeof n=="string"}function pc(n){let e=!1;if(n!=null){let t=n.constructor;e=t==null||t==Object}return e}function cb(n){return n!=null&&typeof n=="object"}var ub=Object.getPrototypeOf(Uint8Array),Zg="__proto__";function wo(n,e=pc){let t;if(sr(n)){let i=n.find(s=>s!=null);if(sr(i)||e(i)){t=Array(n.length);for(let s=0;s<n.length;s++)t[s]=wo(n[s],e)}else t=n.slice()}else if(n instanceof ub)t=n.slice();else if(e(n)){t={};for(let i in n)i!=Zg&&(t[i]=wo(n[i],e))}else t=n;return t}function Pn(n){let e=arguments;for(let t=1;t<e.length;t++){let i=e[t];for(let s in i)s!=Zg&&(pc(n[s])?Pn(n[s],wo(i[s])):n[s]=wo(i[s]))}return n}var hb=0,db=1,fb=2;function pb(n,e,t){for(let i=0,s,r=-1;i<e.length;i++){let o=e[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<t&&n[s]==null;)n[r=s++]=null}}}function mb(n,e){if(vb(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return xb(o[0])||(o=_b(o)),o}let t=new Set;for(let o=0;o<n.length;o++){let l=n[o][0],c=l.length;for(let u=0;u<c;u++)t.add(l[u])}let i=[Array.from(t).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],l=a[0];for(let c=1;c<a.length;c++){let u=a[c],d=Array(s).fill(void 0),h=e?e[o][c]:db,f=[];for(let g=0;g<u.length;g++){let y=u[g],m=r.get(l[g]);y===null?h!=hb&&(d[m]=y,h==fb&&f.push(m)):d[m]=y}pb(d,f,s),i.push(d)}}return i}var gb=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function _b(n){let e=n[0],t=e.length,i=Array(t);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[i[l]];s.push(a)}return s}function vb(n){let e=n[0][0],t=e.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function xb(n,e=100){let t=n.length;if(t<=1)return!0;let i=0,s=t-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=ci(1,Ti((s-i+1)/e));for(let o=n[i],a=i+r;a<=s;a+=r){let l=n[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var Kg=["January","February","March","April","May","June","July","August","September","October","November","December"],Jg=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function Qg(n){return n.slice(0,3)}var yb=Jg.map(Qg),bb=Kg.map(Qg),Sb={MMMM:Kg,MMM:bb,WWWW:Jg,WWW:yb};function Sa(n){return(n<10?"0":"")+n}function Mb(n){return(n<10?"00":n<100?"0":"")+n}var wb={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,e)=>e.MMMM[n.getMonth()],MMM:(n,e)=>e.MMM[n.getMonth()],MM:n=>Sa(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>Sa(n.getDate()),D:n=>n.getDate(),WWWW:(n,e)=>e.WWWW[n.getDay()],WWW:(n,e)=>e.WWW[n.getDay()],HH:n=>Sa(n.getHours()),H:n=>n.getHours(),h:n=>{let e=n.getHours();return e==0?12:e>12?e-12:e},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>Sa(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>Sa(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>Mb(n.getMilliseconds())};function $d(n,e){e=e||Sb;let t=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)t.push(s[0][0]=="{"?wb[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Tb=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Eb(n,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+n+n.getTimezoneOffset()*6e4):e==Tb?t=n:(t=new Date(n.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(n.getMilliseconds())),t}var jg=n=>n%1==0,uc=[1,2,2.5,5],Ab=Ca(10,-32,0,uc),e0=Ca(10,0,32,uc),Cb=e0.filter(jg),Rr=Ab.concat(e0),Zd=`
+`,t0="{YYYY}",xg=Zd+t0,n0="{M}/{D}",Ta=Zd+n0,rc=Ta+"/{YY}",i0="{aa}",Rb="{h}:{mm}",yo=Rb+i0,yg=Zd+yo,bg=":{ss}",Lt=null;function s0(n){let e=n*1e3,t=e*60,i=t*60,s=i*24,r=s*30,o=s*365,l=(n==1?Ca(10,0,3,uc).filter(jg):Ca(10,-3,0,uc)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,t0,Lt,Lt,Lt,Lt,Lt,Lt,1],[s*28,"{MMM}",xg,Lt,Lt,Lt,Lt,Lt,1],[s,n0,xg,Lt,Lt,Lt,Lt,Lt,1],[i,"{h}"+i0,rc,Lt,Ta,Lt,Lt,Lt,1],[t,yo,rc,Lt,Ta,Lt,Lt,Lt,1],[e,bg,rc+" "+yo,Lt,Ta+" "+yo,Lt,yg,Lt,1],[n,bg+".{fff}",rc+" "+yo,Lt,Ta+" "+yo,Lt,yg,Lt,1]];function u(d){return(h,f,g,y,m,p)=>{let x=[],T=m>=o,S=m>=r&&m<o,R=d(g),C=Wt(R*n,3),v=Cd(R.getFullYear(),T?0:R.getMonth(),S||T?1:R.getDate()),w=Wt(v*n,3);if(S||T){let F=S?m/r:0,L=T?m/o:0,D=C==w?C:Wt(Cd(v.getFullYear()+L,v.getMonth()+F,1)*n,3),z=new Date(Un(D/n)),V=z.getFullYear(),N=z.getMonth();for(let W=0;D<=y;W++){let $=Cd(V+L*W,N+F*W,1),H=$-d(Wt($*n,3));D=Wt((+$+H)*n,3),D<=y&&x.push(D)}}else{let F=m>=s?s:m,L=Ti(g)-Ti(C),D=w+L+fc(C-w,F);x.push(D);let z=d(D),V=z.getHours()+z.getMinutes()/t+z.getSeconds()/i,N=m/i,W=h.axes[f]._space,$=p/W;for(;D=Wt(D+m,n==1?0:3),!(D>y);)if(N>1){let H=Ti(Wt(V+N,6))%24,j=d(D).getHours()-H;j>1&&(j=-1),D-=j*i,V=(V+N)%24;let ie=x[x.length-1];Wt((D-ie)/m,3)*$>=.7&&x.push(D)}else x.push(D)}return x}}return[l,c,u]}var[Pb,Ib,Lb]=s0(1),[Db,Nb,Ub]=s0(.001);Ca(2,-53,53,[1]);function Sg(n,e){return n.map(t=>t.map((i,s)=>s==0||s==8||i==null?i:e(s==1||t[8]==0?i:t[1]+i)))}function Mg(n,e){return(t,i,s,r,o)=>{let a=e.find(g=>o>=g[0])||e[e.length-1],l,c,u,d,h,f;return i.map(g=>{let y=n(g),m=y.getFullYear(),p=y.getMonth(),x=y.getDate(),T=y.getHours(),S=y.getMinutes(),R=y.getSeconds(),C=m!=l&&a[2]||p!=c&&a[3]||x!=u&&a[4]||T!=d&&a[5]||S!=h&&a[6]||R!=f&&a[7]||a[1];return l=m,c=p,u=x,d=T,h=S,f=R,C(y)})}}function Fb(n,e){let t=$d(e);return(i,s,r,o,a)=>s.map(l=>t(n(l)))}function Cd(n,e,t){return new Date(n,e,t)}function wg(n,e){return e(n)}var Ob="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Tg(n,e){return(t,i,s,r)=>r==null?Vd:e(n(i))}function kb(n,e){let t=n.series[e];return t.width?t.stroke(n,e):t.points.width?t.points.stroke(n,e):null}function Bb(n,e){return n.series[e].fill(n,e)}var zb={show:!0,live:!0,isolate:!1,mount:rb,markers:{show:!0,width:2,stroke:kb,fill:Bb,dash:"solid"},idx:null,idxs:null,values:[]};function Gb(n,e){let t=n.cursor.points,i=Oi(),s=t.size(n,e);Qt(i,Ma,s),Qt(i,wa,s);let r=s/-2;Qt(i,"marginLeft",r),Qt(i,"marginTop",r);let o=t.width(n,e,s);return o&&Qt(i,"borderWidth",o),i}function Vb(n,e){let t=n.series[e].points;return t._fill||t._stroke}function Hb(n,e){let t=n.series[e].points;return t._stroke||t._fill}function Wb(n,e){return n.series[e].points.size}var Rd=[0,0];function Xb(n,e,t){return Rd[0]=e,Rd[1]=t,Rd}function oc(n,e,t,i=!0){return s=>{s.button==0&&(!i||s.target==e)&&t(s)}}function Pd(n,e,t,i=!0){return s=>{(!i||s.target==e)&&t(s)}}var qb={show:!0,x:!0,y:!0,lock:!1,move:Xb,points:{one:!1,show:Gb,size:Wb,width:0,stroke:Hb,fill:Vb},bind:{mousedown:oc,mouseup:oc,click:oc,dblclick:oc,mousemove:Pd,mouseleave:Pd,mouseenter:Pd},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,e,t,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},r0={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Kd=Pn({},r0,{filter:Xg}),o0=Pn({},Kd,{size:10}),a0=Pn({},r0,{show:!1}),Jd='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',l0="bold "+Jd,c0=1.5,Eg={show:!0,scale:"x",stroke:Gd,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:l0,side:2,grid:Kd,ticks:o0,border:a0,font:Jd,lineGap:c0,rotate:0},Yb="Value",$b="Time",Ag={show:!0,scale:"x",auto:!1,sorted:1,min:Ht,max:-Ht,idxs:[]};function Zb(n,e,t,i,s){return e.map(r=>r==null?"":qd(r))}function Kb(n,e,t,i,s,r,o){let a=[],l=rr.get(s)||0;t=o?t:Wt(fc(t,s),l);for(let c=t;c<=i;c=Wt(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function Fd(n,e,t,i,s,r,o){let a=[],l=n.scales[n.axes[e].scale].log,c=l==10?Cs:Vg,u=Ti(c(t));s=So(l,u),l==10&&(s=Rr[Xi(s,Rr)]);let d=t,h=s*l;l==10&&(h=Rr[Xi(h,Rr)]);do a.push(d),d=d+s,l==10&&!rr.has(d)&&(d=Wt(d,rr.get(s))),d>=h&&(s=d,h=s*l,l==10&&(h=Rr[Xi(h,Rr)]));while(d<=i);return a}function Jb(n,e,t,i,s,r,o){let l=n.scales[n.axes[e].scale].asinh,c=i>l?Fd(n,e,ci(l,t),i,s):[l],u=i>=0&&t<=0?[0]:[];return(t<-l?Fd(n,e,ci(l,-i),-t,s):[l]).reverse().map(h=>-h).concat(u,c)}var u0=/./,Qb=/[12357]/,jb=/[125]/,Cg=/1/,Od=(n,e,t,i)=>n.map((s,r)=>e==4&&s==0||r%i==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function eS(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=n.scales[o],l=n.valToPos,c=r._space,u=l(10,o),d=l(9,o)-u>=c?u0:l(7,o)-u>=c?Qb:l(5,o)-u>=c?jb:Cg;if(d==Cg){let h=Fn(l(1,o)-u);if(h<c)return Od(e.slice().reverse(),a.distr,d,ki(c/h)).reverse()}return Od(e,a.distr,d,1)}function tS(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=r._space,l=n.valToPos,c=Fn(l(1,o)-l(2,o));return c<a?Od(e.slice().reverse(),3,u0,ki(a/c)).reverse():e}function nS(n,e,t,i){return i==null?Vd:e==null?"":qd(e)}var Rg={show:!0,scale:"y",stroke:Gd,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:l0,side:3,grid:Kd,ticks:o0,border:a0,font:Jd,lineGap:c0,rotate:0};function iS(n,e){let t=3+(n||1)*2;return Wt(t*e,3)}function sS(n,e){let{scale:t,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],t,!0),o=n.valToPos(s[i[1]],t,!0),a=Fn(o-r),l=n.series[e],c=a/(l.points.space*It);return i[1]-i[0]<=c}var Pg={scale:null,auto:!0,sorted:0,min:Ht,max:-Ht},h0=(n,e,t,i,s)=>s,Ig={show:!0,auto:!0,sorted:0,gaps:h0,alpha:1,facets:[Pn({},Pg,{scale:"x"}),Pn({},Pg,{scale:"y"})]},Lg={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:h0,alpha:1,points:{show:sS,filter:null},values:null,min:Ht,max:-Ht,idxs:[],path:null,clip:null};function rS(n,e,t,i,s){return t/10}var d0={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},oS=Pn({},d0,{time:!1,ori:1}),Dg={};function f0(n,e){let t=Dg[n];return t||(t={key:n,plots:[],sub(i){t.plots.push(i)},unsub(i){t.plots=t.plots.filter(s=>s!=i)},pub(i,s,r,o,a,l,c){for(let u=0;u<t.plots.length;u++)t.plots[u]!=s&&t.plots[u].pub(i,s,r,o,a,l,c)}},n!=null&&(Dg[n]=t)),t}var To=1,kd=2;function Dr(n,e,t){let i=n.mode,s=n.series[e],r=i==2?n._data[e]:n._data,o=n.scales,a=n.bbox,l=r[0],c=i==2?r[1]:r[e],u=i==2?o[s.facets[0].scale]:o[n.series[0].scale],d=i==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,g=a.width,y=a.height,m=n.valToPosH,p=n.valToPosV;return u.ori==0?t(s,l,c,u,d,m,p,h,f,g,y,gc,Ao,vc,m0,_0):t(s,l,c,u,d,p,m,f,h,y,g,_c,Co,ef,g0,v0)}function Qd(n,e){let t=0,i=0,s=Ct(n.bands,Yd);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?i|=1:i|=2)}return[t,i==1?-1:i==2?1:i==3?2:0]}function aS(n,e,t,i,s){let r=n.mode,o=n.series[e],a=r==2?o.facets[1].scale:o.scale,l=n.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Rs(n,e,t,i,s,r){return Dr(n,e,(o,a,l,c,u,d,h,f,g,y,m)=>{let p=o.pxRound,x=c.dir*(c.ori==0?1:-1),T=c.ori==0?Ao:Co,S,R;x==1?(S=t,R=i):(S=i,R=t);let C=p(d(a[S],c,y,f)),v=p(h(l[S],u,m,g)),w=p(d(a[R],c,y,f)),F=p(h(r==1?u.max:u.min,u,m,g)),L=new Path2D(s);return T(L,w,F),T(L,C,F),T(L,C,v),L})}function mc(n,e,t,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=e==0?vc:ef,l=t;for(let d=0;d<n.length;d++){let h=n[d];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,i,f,i+r),l=h[1]}}let c=t+s-l,u=10;c>0&&a(o,l,i-u/2,c,i+r+u)}return o}function lS(n,e,t){let i=n[n.length-1];i&&i[0]==e?i[1]=t:n.push([e,t])}function jd(n,e,t,i,s,r,o){let a=[],l=n.length;for(let c=s==1?t:i;c>=t&&c<=i;c+=s)if(e[c]===null){let d=c,h=c;if(s==1)for(;++c<=i&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(n[d]),g=h==d?f:r(n[h]),y=d-s;f=o<=0&&y>=0&&y<l?r(n[y]):f;let p=h+s;g=o>=0&&p>=0&&p<l?r(n[p]):g,g>=f&&a.push([f,g])}return a}function Ng(n){return n==0?Wg:n==1?Un:e=>Cr(e,n)}function p0(n){let e=n==0?gc:_c,t=n==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},i=n==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,u=0)=>{c==0&&u==0?i(s,r,o,a,l):(c=qi(c,a/2,l/2),u=qi(u,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,u),t(s,r,o+l,r,o,u),t(s,r,o,r+a,o,c),s.closePath())}}var gc=(n,e,t)=>{n.moveTo(e,t)},_c=(n,e,t)=>{n.moveTo(t,e)},Ao=(n,e,t)=>{n.lineTo(e,t)},Co=(n,e,t)=>{n.lineTo(t,e)},vc=p0(0),ef=p0(1),m0=(n,e,t,i,s,r)=>{n.arc(e,t,i,s,r)},g0=(n,e,t,i,s,r)=>{n.arc(t,e,i,s,r)},_0=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(e,t,i,s,r,o)},v0=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(t,e,s,i,o,r)};function x0(n){return(e,t,i,s,r)=>Dr(e,t,(o,a,l,c,u,d,h,f,g,y,m)=>{let{pxRound:p,points:x}=o,T,S;c.ori==0?(T=gc,S=m0):(T=_c,S=g0);let R=Wt(x.width*It,3),C=(x.size-x.width)/2*It,v=Wt(C*2,3),w=new Path2D,F=new Path2D,{left:L,top:D,width:z,height:V}=e.bbox;vc(F,L-v,D-v,z+v*2,V+v*2);let N=W=>{if(l[W]!=null){let $=p(d(a[W],c,y,f)),H=p(h(l[W],u,m,g));T(w,$+C,H),S(w,$,H,C,0,ac*2)}};if(r)r.forEach(N);else for(let W=i;W<=s;W++)N(W);return{stroke:R>0?w:null,fill:w,clip:F,flags:To|kd}})}function y0(n){return(e,t,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(e,t,i),r!=s&&o!=s&&n(e,t,s),n(e,t,o))}}var cS=y0(Ao),uS=y0(Co);function b0(n){let e=Ct(n?.alignGaps,0);return(t,i,s,r)=>Dr(t,i,(o,a,l,c,u,d,h,f,g,y,m)=>{[s,r]=hc(l,s,r);let p=o.pxRound,x=V=>p(d(V,c,y,f)),T=V=>p(h(V,u,m,g)),S,R;c.ori==0?(S=Ao,R=cS):(S=Co,R=uS);let C=c.dir*(c.ori==0?1:-1),v={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:To},w=v.stroke,F=!1;if(r-s>=y*4){let V=de=>t.posToVal(de,c.key,!0),N=null,W=null,$,H,le,Y=x(a[C==1?s:r]),j=x(a[s]),ie=x(a[r]),he=V(C==1?j+1:ie-1);for(let de=C==1?s:r;de>=s&&de<=r;de+=C){let ee=a[de],ve=(C==1?ee<he:ee>he)?Y:x(ee),Ae=l[de];ve==Y?Ae!=null?(H=Ae,N==null?(S(w,ve,T(H)),$=N=W=H):H<N?N=H:H>W&&(W=H)):Ae===null&&(F=!0):(N!=null&&R(w,Y,T(N),T(W),T($),T(H)),Ae!=null?(H=Ae,S(w,ve,T(H)),N=W=$=H):(N=W=null,Ae===null&&(F=!0)),Y=ve,he=V(Y+C))}N!=null&&N!=W&&le!=Y&&R(w,Y,T(N),T(W),T($),T(H))}else for(let V=C==1?s:r;V>=s&&V<=r;V+=C){let N=l[V];N===null?F=!0:N!=null&&S(w,x(a[V]),T(N))}let[D,z]=Qd(t,i);if(o.fill!=null||D!=0){let V=v.fill=new Path2D(w),N=o.fillTo(t,i,o.min,o.max,D),W=T(N),$=x(a[s]),H=x(a[r]);C==-1&&([H,$]=[$,H]),S(V,H,W),S(V,$,W)}if(!o.spanGaps){let V=[];F&&V.push(...jd(a,l,s,r,C,x,e)),v.gaps=V=o.gaps(t,i,s,r,V),v.clip=mc(V,c.ori,f,g,y,m)}return z!=0&&(v.band=z==2?[Rs(t,i,s,r,w,-1),Rs(t,i,s,r,w,1)]:Rs(t,i,s,r,w,z)),v})}function hS(n){let e=Ct(n.align,1),t=Ct(n.ascDesc,!1),i=Ct(n.alignGaps,0),s=Ct(n.extend,!1);return(r,o,a,l)=>Dr(r,o,(c,u,d,h,f,g,y,m,p,x,T)=>{[a,l]=hc(d,a,l);let S=c.pxRound,{left:R,width:C}=r.bbox,v=j=>S(g(j,h,x,m)),w=j=>S(y(j,f,T,p)),F=h.ori==0?Ao:Co,L={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:To},D=L.stroke,z=h.dir*(h.ori==0?1:-1),V=w(d[z==1?a:l]),N=v(u[z==1?a:l]),W=N,$=N;s&&e==-1&&($=R,F(D,$,V)),F(D,N,V);for(let j=z==1?a:l;j>=a&&j<=l;j+=z){let ie=d[j];if(ie==null)continue;let he=v(u[j]),de=w(ie);e==1?F(D,he,V):F(D,W,de),F(D,he,de),V=de,W=he}let H=W;s&&e==1&&(H=R+C,F(D,H,V));let[le,Y]=Qd(r,o);if(c.fill!=null||le!=0){let j=L.fill=new Path2D(D),ie=c.fillTo(r,o,c.min,c.max,le),he=w(ie);F(j,H,he),F(j,$,he)}if(!c.spanGaps){let j=[];j.push(...jd(u,d,a,l,z,v,i));let ie=c.width*It/2,he=t||e==1?ie:-ie,de=t||e==-1?-ie:ie;j.forEach(ee=>{ee[0]+=he,ee[1]+=de}),L.gaps=j=c.gaps(r,o,a,l,j),L.clip=mc(j,h.ori,m,p,x,T)}return Y!=0&&(L.band=Y==2?[Rs(r,o,a,l,D,-1),Rs(r,o,a,l,D,1)]:Rs(r,o,a,l,D,Y)),L})}function Ug(n,e,t,i,s,r,o=Ht){if(n.length>1){let a=null;for(let l=0,c=1/0;l<n.length;l++)if(e[l]!==void 0){if(a!=null){let u=Fn(n[l]-n[a]);u<c&&(c=u,o=Fn(t(n[l],i,s,r)-t(n[a],i,s,r)))}a=l}}return o}function dS(n){n=n||Aa;let e=Ct(n.size,[.6,Ht,1]),t=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=yt(s),o=1-e[0],a=Ct(e[1],Ht),l=Ct(e[2],1),c=Ct(n.disp,Aa),u=Ct(n.each,f=>{}),{fill:d,stroke:h}=c;return(f,g,y,m)=>Dr(f,g,(p,x,T,S,R,C,v,w,F,L,D)=>{let z=p.pxRound,V=t,N=i*It,W=a*It,$=l*It,H,le;S.ori==0?[H,le]=r(f,g):[le,H]=r(f,g);let Y=S.dir*(S.ori==0?1:-1),j=S.ori==0?vc:ef,ie=S.ori==0?u:(Re,Ke,lt,Me,Vt,He,Ze)=>{u(Re,Ke,lt,Vt,Me,Ze,He)},he=Ct(f.bands,Yd).find(Re=>Re.series[0]==g),de=he!=null?he.dir:0,ee=p.fillTo(f,g,p.min,p.max,de),me=z(v(ee,R,D,F)),ve,Ae,Se,Ye=L,at=z(p.width*It),We=!1,pt=null,ht=null,rt=null,en=null;d!=null&&(at==0||h!=null)&&(We=!0,pt=d.values(f,g,y,m),ht=new Map,new Set(pt).forEach(Re=>{Re!=null&&ht.set(Re,new Path2D)}),at>0&&(rt=h.values(f,g,y,m),en=new Map,new Set(rt).forEach(Re=>{Re!=null&&en.set(Re,new Path2D)})));let{x0:qt,size:Sn}=c;if(qt!=null&&Sn!=null){V=1,x=qt.values(f,g,y,m),qt.unit==2&&(x=x.map(lt=>f.posToVal(w+lt*L,S.key,!0)));let Re=Sn.values(f,g,y,m);Sn.unit==2?Ae=Re[0]*L:Ae=C(Re[0],S,L,w)-C(0,S,L,w),Ye=Ug(x,T,C,S,L,w,Ye),Se=Ye-Ae+N}else Ye=Ug(x,T,C,S,L,w,Ye),Se=Ye*o+N,Ae=Ye-Se;Se<1&&(Se=0),at>=Ae/2&&(at=0),Se<5&&(z=Wg);let zt=Se>0,Bn=Ye-Se-(zt?at:0);Ae=z(Ud(Bn,$,W)),ve=(V==0?Ae/2:V==Y?0:Ae)-V*Y*((V==0?N/2:0)+(zt?at/2:0));let Mt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},Dn=We?null:new Path2D,hn=null;if(he!=null)hn=f.data[he.series[1]];else{let{y0:Re,y1:Ke}=c;Re!=null&&Ke!=null&&(T=Ke.values(f,g,y,m),hn=Re.values(f,g,y,m))}let Mn=H*Ae,B=le*Ae;for(let Re=Y==1?y:m;Re>=y&&Re<=m;Re+=Y){let Ke=T[Re];if(Ke==null)continue;if(hn!=null){let q=hn[Re]??0;if(Ke-q==0)continue;me=v(q,R,D,F)}let lt=S.distr!=2||c!=null?x[Re]:Re,Me=C(lt,S,L,w),Vt=v(Ct(Ke,ee),R,D,F),He=z(Me-ve),Ze=z(ci(Vt,me)),P=z(qi(Vt,me)),M=Ze-P;if(Ke!=null){let q=Ke<0?B:Mn,ue=Ke<0?Mn:B;We?(at>0&&rt[Re]!=null&&j(en.get(rt[Re]),He,P+Ti(at/2),Ae,ci(0,M-at),q,ue),pt[Re]!=null&&j(ht.get(pt[Re]),He,P+Ti(at/2),Ae,ci(0,M-at),q,ue)):j(Dn,He,P+Ti(at/2),Ae,ci(0,M-at),q,ue),ie(f,g,Re,He-at/2,P,Ae+at,M)}}return at>0?Mt.stroke=We?en:Dn:We||(Mt._fill=p.width==0?p._fill:p._stroke??p._fill,Mt.width=0),Mt.fill=We?ht:Dn,Mt})}function fS(n,e){let t=Ct(e?.alignGaps,0);return(i,s,r,o)=>Dr(i,s,(a,l,c,u,d,h,f,g,y,m,p)=>{[r,o]=hc(c,r,o);let x=a.pxRound,T=H=>x(h(H,u,m,g)),S=H=>x(f(H,d,p,y)),R,C,v;u.ori==0?(R=gc,v=Ao,C=_0):(R=_c,v=Co,C=v0);let w=u.dir*(u.ori==0?1:-1),F=T(l[w==1?r:o]),L=F,D=[],z=[];for(let H=w==1?r:o;H>=r&&H<=o;H+=w)if(c[H]!=null){let Y=l[H],j=T(Y);D.push(L=j),z.push(S(c[H]))}let V={stroke:n(D,z,R,v,C,x),fill:null,clip:null,band:null,gaps:null,flags:To},N=V.stroke,[W,$]=Qd(i,s);if(a.fill!=null||W!=0){let H=V.fill=new Path2D(N),le=a.fillTo(i,s,a.min,a.max,W),Y=S(le);v(H,L,Y),v(H,F,Y)}if(!a.spanGaps){let H=[];H.push(...jd(l,c,r,o,w,T,t)),V.gaps=H=a.gaps(i,s,r,o,H),V.clip=mc(H,u.ori,g,y,m,p)}return $!=0&&(V.band=$==2?[Rs(i,s,r,o,N,-1),Rs(i,s,r,o,N,1)]:Rs(i,s,r,o,N,$)),V})}function pS(n){return fS(mS,n)}function mS(n,e,t,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(t(a,n[0],e[0]),o==2)i(a,n[1],e[1]);else{let l=Array(o),c=Array(o-1),u=Array(o-1),d=Array(o-1);for(let h=0;h<o-1;h++)u[h]=e[h+1]-e[h],d[h]=n[h+1]-n[h],c[h]=u[h]/d[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(d[h-1]+d[h])/((2*d[h]+d[h-1])/c[h-1]+(d[h]+2*d[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,n[h]+d[h]/3,e[h]+l[h]*d[h]/3,n[h+1]-d[h]/3,e[h+1]-l[h+1]*d[h]/3,n[h+1],e[h+1])}return a}var Bd=new Set;function Fg(){for(let n of Bd)n.syncRect(!0)}Eo&&(Ir(Zy,bo,Fg),Ir(Ky,bo,Fg,!0),Ir(lc,bo,()=>{Zn.pxRatio=It}));var gS=b0(),_S=x0();function Og(n,e,t,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>zd(r,o,e,t))}function vS(n,e){return n.map((t,i)=>i==0?{}:Pn({},e,t))}function zd(n,e,t,i){return Pn({},e==0?t:i,n)}function S0(n,e,t){return e==null?Mo:[e,t]}var xS=S0;function yS(n,e,t){return e==null?Mo:cc(e,t,Xd,!0)}function M0(n,e,t,i){return e==null?Mo:dc(e,t,n.scales[i].log,!1)}var bS=M0;function w0(n,e,t,i){return e==null?Mo:Wd(e,t,n.scales[i].log,!1)}var SS=w0;function MS(n,e,t,i,s){let r=ci(mg(n),mg(e)),o=e-n,a=Xi(s/i*o,t);do{let l=t[a],c=i*l/o;if(c>=s&&r+(l<5?rr.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function kg(n){let e,t;return n=n.replace(/(\d+)px/,(i,s)=>(e=Un((t=+s)*It))+"px"),[n,e,t]}function wS(n){n.show&&[n.font,n.labelFont].forEach(e=>{let t=Wt(e[2]*It,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function Zn(n,e,t){let i={mode:Ct(n.mode,1)},s=i.mode;function r(b,E,I,U){let X=E.valToPct(b);return U+I*(E.dir==-1?1-X:X)}function o(b,E,I,U){let X=E.valToPct(b);return U+I*(E.dir==-1?X:1-X)}function a(b,E,I,U){return E.ori==0?r(b,E,I,U):o(b,E,I,U)}i.valToPosH=r,i.valToPosV=o;let l=!1;i.status=0;let c=i.root=Oi(Iy);if(n.id!=null&&(c.id=n.id),wi(c,n.class),n.title){let b=Oi(Ny,c);b.textContent=n.title}let u=Wi("canvas"),d=i.ctx=u.getContext("2d"),h=Oi(Uy,c);Ir("click",h,b=>{b.target===g&&(Zt!=no||tn!=io)&&qn.click(i,b)},!0);let f=i.under=Oi(Fy,h);h.appendChild(u);let g=i.over=Oi(Oy,h);n=wo(n);let y=+Ct(n.pxAlign,1),m=Ng(y);(n.plugins||[]).forEach(b=>{b.opts&&(n=b.opts(i,n)||n)});let p=n.ms||.001,x=i.series=s==1?Og(n.series||[],Ag,Lg,!1):vS(n.series||[null],Ig),T=i.axes=Og(n.axes||[],Eg,Rg,!0),S=i.scales={},R=i.bands=n.bands||[];R.forEach(b=>{b.fill=yt(b.fill||null),b.dir=Ct(b.dir,-1)});let C=s==2?x[1].facets[0].scale:x[0].scale,v={axes:ws,series:_t},w=(n.drawOrder||["axes","series"]).map(b=>v[b]);function F(b){let E=b.distr==3?I=>Cs(I>0?I:b.clamp(i,I,b.min,b.max,b.key)):b.distr==4?I=>Ad(I,b.asinh):b.distr==100?I=>b.fwd(I):I=>I;return I=>{let U=E(I),{_min:X,_max:J}=b,ae=J-X;return(U-X)/ae}}function L(b){let E=S[b];if(E==null){let I=(n.scales||Aa)[b]||Aa;if(I.from!=null){L(I.from);let U=Pn({},S[I.from],I,{key:b});U.valToPct=F(U),S[b]=U}else{E=S[b]=Pn({},b==C?d0:oS,I),E.key=b;let U=E.time,X=E.range,J=sr(X);if((b!=C||s==2&&!U)&&(J&&(X[0]==null||X[1]==null)&&(X={min:X[0]==null?dg:{mode:1,hard:X[0],soft:X[0]},max:X[1]==null?dg:{mode:1,hard:X[1],soft:X[1]}},J=!1),!J&&pc(X))){let ae=X;X=(fe,ye,Ue)=>ye==null?Mo:cc(ye,Ue,ae)}E.range=yt(X||(U?xS:b==C?E.distr==3?bS:E.distr==4?SS:S0:E.distr==3?M0:E.distr==4?w0:yS)),E.auto=yt(J?!1:E.auto),E.clamp=yt(E.clamp||rS),E._min=E._max=null,E.valToPct=F(E)}}}L("x"),L("y"),s==1&&x.forEach(b=>{L(b.scale)}),T.forEach(b=>{L(b.scale)});for(let b in n.scales)L(b);let D=S[C],z=D.distr,V,N;D.ori==0?(wi(c,Ly),V=r,N=o):(wi(c,Dy),V=o,N=r);let W={};for(let b in S){let E=S[b];(E.min!=null||E.max!=null)&&(W[b]={min:E.min,max:E.max},E.min=E.max=null)}let $=n.tzDate||(b=>new Date(Un(b/p))),H=n.fmtDate||$d,le=p==1?Lb($):Ub($),Y=Mg($,Sg(p==1?Ib:Nb,H)),j=Tg($,wg(Ob,H)),ie=[],he=i.legend=Pn({},zb,n.legend),de=i.cursor=Pn({},qb,{drag:{y:s==2}},n.cursor),ee=he.show,me=de.show,ve=he.markers;he.idxs=ie,ve.width=yt(ve.width),ve.dash=yt(ve.dash),ve.stroke=yt(ve.stroke),ve.fill=yt(ve.fill);let Ae,Se,Ye,at=[],We=[],pt,ht=!1,rt={};if(he.live){let b=x[1]?x[1].values:null;ht=b!=null,pt=ht?b(i,1,0):{_:0};for(let E in pt)rt[E]=Vd}if(ee)if(Ae=Wi("table",Hy,c),Ye=Wi("tbody",null,Ae),he.mount(i,Ae),ht){Se=Wi("thead",null,Ae,Ye);let b=Wi("tr",null,Se);Wi("th",null,b);for(var en in pt)Wi("th",jm,b).textContent=en}else wi(Ae,Xy),he.live&&wi(Ae,Wy);let qt={show:!0},Sn={show:!1};function zt(b,E){if(E==0&&(ht||!he.live||s==2))return Mo;let I=[],U=Wi("tr",qy,Ye,Ye.childNodes[E]);wi(U,b.class),b.show||wi(U,Pr);let X=Wi("th",null,U);if(ve.show){let fe=Oi(Yy,X);if(E>0){let ye=ve.width(i,E);ye&&(fe.style.border=ye+"px "+ve.dash(i,E)+" "+ve.stroke(i,E)),fe.style.background=ve.fill(i,E)}}let J=Oi(jm,X);b.label instanceof HTMLElement?J.appendChild(b.label):J.textContent=b.label,E>0&&(ve.show||(J.style.color=b.width>0?ve.stroke(i,E):ve.fill(i,E)),Mt("click",X,fe=>{if(de._lock)return;je(fe);let ye=x.indexOf(b);if((fe.ctrlKey||fe.metaKey)!=he.isolate){let Ue=x.some((Fe,ke)=>ke>0&&ke!=ye&&Fe.show);x.forEach((Fe,ke)=>{ke>0&&ss(ke,Ue?ke==ye?qt:Sn:qt,!0,An.setSeries)})}else ss(ye,{show:!b.show},!0,An.setSeries)},!1),et&&Mt(ig,X,fe=>{de._lock||(je(fe),ss(x.indexOf(b),ro,!0,An.setSeries))},!1));for(var ae in pt){let fe=Wi("td",$y,U);fe.textContent="--",I.push(fe)}return[U,I]}let Bn=new Map;function Mt(b,E,I,U=!0){let X=Bn.get(E)||{},J=de.bind[b](i,E,I,U);J&&(Ir(b,E,X[b]=J),Bn.set(E,X))}function Dn(b,E,I){let U=Bn.get(E)||{};for(let X in U)(b==null||X==b)&&(Nd(X,E,U[X]),delete U[X]);b==null&&Bn.delete(E)}let hn=0,Mn=0,B=0,Re=0,Ke=0,lt=0,Me=Ke,Vt=lt,He=B,Ze=Re,P=0,M=0,q=0,ue=0;i.bbox={};let oe=!1,_e=!1,xe=!1,te=!1,se=!1,pe=!1;function k(b,E,I){(I||b!=i.width||E!=i.height)&&re(b,E),dt(!1),xe=!0,_e=!0,Qn()}function re(b,E){i.width=hn=B=b,i.height=Mn=Re=E,Ke=lt=0,be(),Xe();let I=i.bbox;P=I.left=Cr(Ke*It,.5),M=I.top=Cr(lt*It,.5),q=I.width=Cr(B*It,.5),ue=I.height=Cr(Re*It,.5)}let ne=3;function we(){let b=!1,E=0;for(;!b;){E++;let I=jr(E),U=is(E);b=E==ne||I&&U,b||(re(i.width,i.height),_e=!0)}}function ge({width:b,height:E}){k(b,E)}i.setSize=ge;function be(){let b=!1,E=!1,I=!1,U=!1;T.forEach((X,J)=>{if(X.show&&X._show){let{side:ae,_size:fe}=X,ye=ae%2,Ue=X.label!=null?X.labelSize:0,Fe=fe+Ue;Fe>0&&(ye?(B-=Fe,ae==3?(Ke+=Fe,U=!0):I=!0):(Re-=Fe,ae==0?(lt+=Fe,b=!0):E=!0))}}),ts[0]=b,ts[1]=I,ts[2]=E,ts[3]=U,B-=Gi[1]+Gi[3],Ke+=Gi[3],Re-=Gi[2]+Gi[0],lt+=Gi[0]}function Xe(){let b=Ke+B,E=lt+Re,I=Ke,U=lt;function X(J,ae){switch(J){case 1:return b+=ae,b-ae;case 2:return E+=ae,E-ae;case 3:return I-=ae,I+ae;case 0:return U-=ae,U+ae}}T.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;J._pos=X(fe,J._size),J.label!=null&&(J._lpos=X(fe,J.labelSize))}})}if(de.dataIdx==null){let b=de.hover,E=b.skip=new Set(b.skip??[]);E.add(void 0);let I=b.prox=yt(b.prox),U=b.bias??=0;de.dataIdx=(X,J,ae,fe)=>{if(J==0)return ae;let ye=ae,Ue=I(X,J,ae,fe)??Ht,Fe=Ue>=0&&Ue<Ht,ke=D.ori==0?B:Re,ot=de.left,Rt=e[0],Et=e[J];if(E.has(Et[ae])){ye=null;let vt=null,Qe=null,$e;if(U==0||U==-1)for($e=ae;vt==null&&$e-- >0;)E.has(Et[$e])||(vt=$e);if(U==0||U==1)for($e=ae;Qe==null&&$e++<Et.length;)E.has(Et[$e])||(Qe=$e);if(vt!=null||Qe!=null)if(Fe){let Jt=vt==null?-1/0:V(Rt[vt],D,ke,0),pn=Qe==null?1/0:V(Rt[Qe],D,ke,0),Hn=ot-Jt,Gt=pn-ot;Hn<=Gt?Hn<=Ue&&(ye=vt):Gt<=Ue&&(ye=Qe)}else ye=Qe==null?vt:vt==null?Qe:ae-vt<=Qe-ae?vt:Qe}else Fe&&Fn(ot-V(Rt[ae],D,ke,0))>Ue&&(ye=null);return ye}}let je=b=>{de.event=b};de.idxs=ie,de._lock=!1;let ce=de.points;ce.show=yt(ce.show),ce.size=yt(ce.size),ce.stroke=yt(ce.stroke),ce.width=yt(ce.width),ce.fill=yt(ce.fill);let Be=i.focus=Pn({},n.focus||{alpha:.3},de.focus),et=Be.prox>=0,Ce=et&&ce.one,ut=[],$t=[],si=[];function oa(b,E){let I=ce.show(i,E);if(I instanceof HTMLElement)return wi(I,Vy),wi(I,b.class),us(I,-10,-10,B,Re),g.insertBefore(I,ut[E]),I}function Kr(b,E){if(s==1||E>0){let I=s==1&&S[b.scale].time,U=b.value;b.value=I?vg(U)?Tg($,wg(U,H)):U||j:U||nS,b.label=b.label||(I?$b:Yb)}if(Ce||E>0){b.width=b.width==null?1:b.width,b.paths=b.paths||gS||ob,b.fillTo=yt(b.fillTo||aS),b.pxAlign=+Ct(b.pxAlign,y),b.pxRound=Ng(b.pxAlign),b.stroke=yt(b.stroke||null),b.fill=yt(b.fill||null),b._stroke=b._fill=b._paths=b._focus=null;let I=iS(ci(1,b.width),1),U=b.points=Pn({},{size:I,width:ci(1,I*.2),stroke:b.stroke,space:I*2,paths:_S,_stroke:null,_fill:null},b.points);U.show=yt(U.show),U.filter=yt(U.filter),U.fill=yt(U.fill),U.stroke=yt(U.stroke),U.paths=yt(U.paths),U.pxAlign=b.pxAlign}if(ee){let I=zt(b,E);at.splice(E,0,I[0]),We.splice(E,0,I[1]),he.values.push(null)}if(me){ie.splice(E,0,null);let I=null;Ce?E==0&&(I=oa(b,E)):E>0&&(I=oa(b,E)),ut.splice(E,0,I),$t.splice(E,0,0),si.splice(E,0,0)}Vn("addSeries",E)}function zh(b,E){E=E??x.length,b=s==1?zd(b,E,Ag,Lg):zd(b,E,{},Ig),x.splice(E,0,b),Kr(x[E],E)}i.addSeries=zh;function Sl(b){if(x.splice(b,1),ee){he.values.splice(b,1),We.splice(b,1);let E=at.splice(b,1)[0];Dn(null,E.firstChild),E.remove()}me&&(ie.splice(b,1),ut.splice(b,1)[0].remove(),$t.splice(b,1),si.splice(b,1)),Vn("delSeries",b)}i.delSeries=Sl;let ts=[!1,!1,!1,!1];function bs(b,E){if(b._show=b.show,b.show){let I=b.side%2,U=S[b.scale];U==null&&(b.scale=I?x[1].scale:C,U=S[b.scale]);let X=U.time;b.size=yt(b.size),b.space=yt(b.space),b.rotate=yt(b.rotate),sr(b.incrs)&&b.incrs.forEach(ae=>{!rr.has(ae)&&rr.set(ae,Yg(ae))}),b.incrs=yt(b.incrs||(U.distr==2?Cb:X?p==1?Pb:Db:Rr)),b.splits=yt(b.splits||(X&&U.distr==1?le:U.distr==3?Fd:U.distr==4?Jb:Kb)),b.stroke=yt(b.stroke),b.grid.stroke=yt(b.grid.stroke),b.ticks.stroke=yt(b.ticks.stroke),b.border.stroke=yt(b.border.stroke);let J=b.values;b.values=sr(J)&&!sr(J[0])?yt(J):X?sr(J)?Mg($,Sg(J,H)):vg(J)?Fb($,J):J||Y:J||Zb,b.filter=yt(b.filter||(U.distr>=3&&U.log==10?eS:U.distr==3&&U.log==2?tS:Xg)),b.font=kg(b.font),b.labelFont=kg(b.labelFont),b._size=b.size(i,null,E,0),b._space=b._rotate=b._incrs=b._found=b._splits=b._values=null,b._size>0&&(ts[E]=!0,b._el=Oi(ky,h))}}function Ss(b,E,I,U){let[X,J,ae,fe]=I,ye=E%2,Ue=0;return ye==0&&(fe||J)&&(Ue=E==0&&!X||E==2&&!ae?Un(Eg.size/3):0),ye==1&&(X||ae)&&(Ue=E==1&&!J||E==3&&!fe?Un(Rg.size/2):0),Ue}let aa=i.padding=(n.padding||[Ss,Ss,Ss,Ss]).map(b=>yt(Ct(b,Ss))),Gi=i._padding=aa.map((b,E)=>b(i,E,ts,0)),dn,vn=null,xn=null,ns=s==1?x[0].idxs:null,xi=null,Ws=!1;function la(b,E){if(e=b??[],i.data=i._data=e,s==2){dn=0;for(let I=1;I<x.length;I++)dn+=e[I][0].length}else{e.length==0&&(i.data=i._data=e=[[]]),xi=e[0],dn=xi.length;let I=e;if(z==2){I=e.slice();let U=I[0]=Array(dn);for(let X=0;X<dn;X++)U[X]=X}i._data=e=I}if(dt(!0),Vn("setData"),z==2&&(xe=!0),E!==!1){let I=D;I.auto(i,Ws)?ca():Ys(C,I.min,I.max),te=te||de.left>=0,pe=!0,Qn()}}i.setData=la;function ca(){Ws=!0;let b,E;s==1&&(dn>0?(vn=ns[0]=0,xn=ns[1]=dn-1,b=e[0][vn],E=e[0][xn],z==2?(b=vn,E=xn):b==E&&(z==3?[b,E]=dc(b,b,D.log,!1):z==4?[b,E]=Wd(b,b,D.log,!1):D.time?E=b+Un(86400/p):[b,E]=cc(b,E,Xd,!0))):(vn=ns[0]=b=null,xn=ns[1]=E=null)),Ys(C,b,E)}let Jr,Xs,Qr,A,G,Q,Z,K,Te,Ie;function Ee(b,E,I,U,X,J){b??=tg,I??=Yd,U??="butt",X??=tg,J??="round",b!=Jr&&(d.strokeStyle=Jr=b),X!=Xs&&(d.fillStyle=Xs=X),E!=Qr&&(d.lineWidth=Qr=E),J!=G&&(d.lineJoin=G=J),U!=Q&&(d.lineCap=Q=U),I!=A&&d.setLineDash(A=I)}function Le(b,E,I,U){E!=Xs&&(d.fillStyle=Xs=E),b!=Z&&(d.font=Z=b),I!=K&&(d.textAlign=K=I),U!=Te&&(d.textBaseline=Te=U)}function Ge(b,E,I,U,X=0){if(U.length>0&&b.auto(i,Ws)&&(E==null||E.min==null)){let J=Ct(vn,0),ae=Ct(xn,U.length-1),fe=I.min==null?eb(U,J,ae,X,b.distr==3):[I.min,I.max];b.min=qi(b.min,I.min=fe[0]),b.max=ci(b.max,I.max=fe[1])}}let nt={min:null,max:null};function gt(){for(let U in S){let X=S[U];W[U]==null&&(X.min==null||W[C]!=null&&X.auto(i,Ws))&&(W[U]=nt)}for(let U in S){let X=S[U];W[U]==null&&X.from!=null&&W[X.from]!=null&&(W[U]=nt)}W[C]!=null&&dt(!0);let b={};for(let U in W){let X=W[U];if(X!=null){let J=b[U]=wo(S[U],cb);if(X.min!=null)Pn(J,X);else if(U!=C||s==2)if(dn==0&&J.from==null){let ae=J.range(i,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Ht,J.max=-Ht}}if(dn>0){x.forEach((U,X)=>{if(s==1){let J=U.scale,ae=W[J];if(ae==null)return;let fe=b[J];if(X==0){let ye=fe.range(i,fe.min,fe.max,J);fe.min=ye[0],fe.max=ye[1],vn=Xi(fe.min,e[0]),xn=Xi(fe.max,e[0]),xn-vn>1&&(e[0][vn]<fe.min&&vn++,e[0][xn]>fe.max&&xn--),U.min=xi[vn],U.max=xi[xn]}else U.show&&U.auto&&Ge(fe,ae,U,e[X],U.sorted);U.idxs[0]=vn,U.idxs[1]=xn}else if(X>0&&U.show&&U.auto){let[J,ae]=U.facets,fe=J.scale,ye=ae.scale,[Ue,Fe]=e[X],ke=b[fe],ot=b[ye];ke!=null&&Ge(ke,W[fe],J,Ue,J.sorted),ot!=null&&Ge(ot,W[ye],ae,Fe,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in b){let X=b[U],J=W[U];if(X.from==null&&(J==null||J.min==null)){let ae=X.range(i,X.min==Ht?null:X.min,X.max==-Ht?null:X.max,U);X.min=ae[0],X.max=ae[1]}}}for(let U in b){let X=b[U];if(X.from!=null){let J=b[X.from];if(J.min==null)X.min=X.max=null;else{let ae=X.range(i,J.min,J.max,U);X.min=ae[0],X.max=ae[1]}}}let E={},I=!1;for(let U in b){let X=b[U],J=S[U];if(J.min!=X.min||J.max!=X.max){J.min=X.min,J.max=X.max;let ae=J.distr;J._min=ae==3?Cs(J.min):ae==4?Ad(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,J._max=ae==3?Cs(J.max):ae==4?Ad(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,E[U]=I=!0}}if(I){x.forEach((U,X)=>{s==2?X>0&&E.y&&(U._paths=null):E[U.scale]&&(U._paths=null)});for(let U in E)xe=!0,Vn("setScale",U);me&&de.left>=0&&(te=pe=!0)}for(let U in W)W[U]=null}function ze(b){let E=Ud(vn-1,0,dn-1),I=Ud(xn+1,0,dn-1);for(;b[E]==null&&E>0;)E--;for(;b[I]==null&&I<dn-1;)I++;return[E,I]}function _t(){if(dn>0){let b=x.some(E=>E._focus)&&Ie!=Be.alpha;b&&(d.globalAlpha=Ie=Be.alpha),x.forEach((E,I)=>{if(I>0&&E.show&&(ln(I,!1),ln(I,!0),E._paths==null)){let U=Ie;Ie!=E.alpha&&(d.globalAlpha=Ie=E.alpha);let X=s==2?[0,e[I][0].length-1]:ze(e[I]);E._paths=E.paths(i,I,X[0],X[1]),Ie!=U&&(d.globalAlpha=Ie=U)}}),x.forEach((E,I)=>{if(I>0&&E.show){let U=Ie;Ie!=E.alpha&&(d.globalAlpha=Ie=E.alpha),E._paths!=null&&Ut(I,!1);{let X=E._paths!=null?E._paths.gaps:null,J=E.points.show(i,I,vn,xn,X),ae=E.points.filter(i,I,J,X);(J||ae)&&(E.points._paths=E.points.paths(i,I,vn,xn,ae),Ut(I,!0))}Ie!=U&&(d.globalAlpha=Ie=U),Vn("drawSeries",I)}}),b&&(d.globalAlpha=Ie=1)}}function ln(b,E){let I=E?x[b].points:x[b];I._stroke=I.stroke(i,b),I._fill=I.fill(i,b)}function Ut(b,E){let I=E?x[b].points:x[b],{stroke:U,fill:X,clip:J,flags:ae,_stroke:fe=I._stroke,_fill:ye=I._fill,_width:Ue=I.width}=I._paths;Ue=Wt(Ue*It,3);let Fe=null,ke=Ue%2/2;E&&ye==null&&(ye=Ue>0?"#fff":fe);let ot=I.pxAlign==1&&ke>0;if(ot&&d.translate(ke,ke),!E){let Rt=P-Ue/2,Et=M-Ue/2,vt=q+Ue,Qe=ue+Ue;Fe=new Path2D,Fe.rect(Rt,Et,vt,Qe)}E?Oe(fe,Ue,I.dash,I.cap,ye,U,X,ae,J):Ft(b,fe,Ue,I.dash,I.cap,ye,U,X,ae,Fe,J),ot&&d.translate(-ke,-ke)}function Ft(b,E,I,U,X,J,ae,fe,ye,Ue,Fe){let ke=!1;ye!=0&&R.forEach((ot,Rt)=>{if(ot.series[0]==b){let Et=x[ot.series[1]],vt=e[ot.series[1]],Qe=(Et._paths||Aa).band;sr(Qe)&&(Qe=ot.dir==1?Qe[0]:Qe[1]);let $e,Jt=null;Et.show&&Qe&&nb(vt,vn,xn)?(Jt=ot.fill(i,Rt)||J,$e=Et._paths.clip):Qe=null,Oe(E,I,U,X,Jt,ae,fe,ye,Ue,Fe,$e,Qe),ke=!0}}),ke||Oe(E,I,U,X,J,ae,fe,ye,Ue,Fe)}let Nn=To|kd;function Oe(b,E,I,U,X,J,ae,fe,ye,Ue,Fe,ke){Ee(b,E,I,U,X),(ye||Ue||ke)&&(d.save(),ye&&d.clip(ye),Ue&&d.clip(Ue)),ke?(fe&Nn)==Nn?(d.clip(ke),Fe&&d.clip(Fe),xt(X,ae),wn(b,J,E)):fe&kd?(xt(X,ae),d.clip(ke),wn(b,J,E)):fe&To&&(d.save(),d.clip(ke),Fe&&d.clip(Fe),xt(X,ae),d.restore(),wn(b,J,E)):(xt(X,ae),wn(b,J,E)),(ye||Ue||ke)&&d.restore()}function wn(b,E,I){I>0&&(E instanceof Map?E.forEach((U,X)=>{d.strokeStyle=Jr=X,d.stroke(U)}):E!=null&&b&&d.stroke(E))}function xt(b,E){E instanceof Map?E.forEach((I,U)=>{d.fillStyle=Xs=U,d.fill(I)}):E!=null&&b&&d.fill(E)}function Ms(b,E,I,U){let X=T[b],J;if(U<=0)J=[0,0];else{let ae=X._space=X.space(i,b,E,I,U),fe=X._incrs=X.incrs(i,b,E,I,U,ae);J=MS(E,I,fe,U,ae)}return X._found=J}function Tn(b,E,I,U,X,J,ae,fe,ye,Ue){let Fe=ae%2/2;y==1&&d.translate(Fe,Fe),Ee(fe,ae,ye,Ue,fe),d.beginPath();let ke,ot,Rt,Et,vt=X+(U==0||U==3?-J:J);I==0?(ot=X,Et=vt):(ke=X,Rt=vt);for(let Qe=0;Qe<b.length;Qe++)E[Qe]!=null&&(I==0?ke=Rt=b[Qe]:ot=Et=b[Qe],d.moveTo(ke,ot),d.lineTo(Rt,Et));d.stroke(),y==1&&d.translate(-Fe,-Fe)}function jr(b){let E=!0;return T.forEach((I,U)=>{if(!I.show)return;let X=S[I.scale];if(X.min==null){I._show&&(E=!1,I._show=!1,dt(!1));return}else I._show||(E=!1,I._show=!0,dt(!1));let J=I.side,ae=J%2,{min:fe,max:ye}=X,[Ue,Fe]=Ms(U,fe,ye,ae==0?B:Re);if(Fe==0)return;let ke=X.distr==2,ot=I._splits=I.splits(i,U,fe,ye,Ue,Fe,ke),Rt=X.distr==2?ot.map($e=>xi[$e]):ot,Et=X.distr==2?xi[ot[1]]-xi[ot[0]]:Ue,vt=I._values=I.values(i,I.filter(i,Rt,U,Fe,Et),U,Fe,Et);I._rotate=J==2?I.rotate(i,vt,U,Fe):0;let Qe=I._size;I._size=ki(I.size(i,vt,U,b)),Qe!=null&&I._size!=Qe&&(E=!1)}),E}function is(b){let E=!0;return aa.forEach((I,U)=>{let X=I(i,U,ts,b);X!=Gi[U]&&(E=!1),Gi[U]=X}),E}function ws(){for(let b=0;b<T.length;b++){let E=T[b];if(!E.show||!E._show)continue;let I=E.side,U=I%2,X,J,ae=E.stroke(i,b),fe=I==0||I==3?-1:1,[ye,Ue]=E._found;if(E.label!=null){let ai=E.labelGap*fe,Si=Un((E._lpos+ai)*It);Le(E.labelFont[0],ae,"center",I==2?"top":eg),d.save(),U==1?(X=J=0,d.translate(Si,Un(M+ue/2)),d.rotate((I==3?-ac:ac)/2)):(X=Un(P+q/2),J=Si);let wr=Hg(E.label)?E.label(i,b,ye,Ue):E.label;d.fillText(wr,X,J),d.restore()}if(Ue==0)continue;let Fe=S[E.scale],ke=U==0?q:ue,ot=U==0?P:M,Rt=E._splits,Et=Fe.distr==2?Rt.map(ai=>xi[ai]):Rt,vt=Fe.distr==2?xi[Rt[1]]-xi[Rt[0]]:ye,Qe=E.ticks,$e=E.border,Jt=Qe.show?Qe.size:0,pn=Un(Jt*It),Hn=Un((E.alignTo==2?E._size-Jt-E.gap:E.gap)*It),Gt=E._rotate*-ac/180,mn=m(E._pos*It),yi=(pn+Hn)*fe,oi=mn+yi;J=U==0?oi:0,X=U==1?oi:0;let Ni=E.font[0],Vi=E.align==1?xo:E.align==2?wd:Gt>0?xo:Gt<0?wd:U==0?"center":I==3?wd:xo,os=Gt||U==1?"middle":I==2?"top":eg;Le(Ni,ae,Vi,os);let bi=E.font[1]*E.lineGap,Ui=Rt.map(ai=>m(a(ai,Fe,ke,ot))),Hi=E._values;for(let ai=0;ai<Hi.length;ai++){let Si=Hi[ai];if(Si!=null){U==0?X=Ui[ai]:J=Ui[ai],Si=""+Si;let wr=Si.indexOf(`
+`)==-1?[Si]:Si.split(/\n/gm);for(let li=0;li<wr.length;li++){let Yp=wr[li];Gt?(d.save(),d.translate(X,J+li*bi),d.rotate(Gt),d.fillText(Yp,0,0),d.restore()):d.fillText(Yp,X,J+li*bi)}}}Qe.show&&Tn(Ui,Qe.filter(i,Et,b,Ue,vt),U,I,mn,pn,Wt(Qe.width*It,3),Qe.stroke(i,b),Qe.dash,Qe.cap);let as=E.grid;as.show&&Tn(Ui,as.filter(i,Et,b,Ue,vt),U,U==0?2:1,U==0?M:P,U==0?ue:q,Wt(as.width*It,3),as.stroke(i,b),as.dash,as.cap),$e.show&&Tn([mn],[1],U==0?1:0,U==0?1:2,U==1?M:P,U==1?ue:q,Wt($e.width*It,3),$e.stroke(i,b),$e.dash,$e.cap)}Vn("drawAxes")}function dt(b){x.forEach((E,I)=>{I>0&&(E._paths=null,b&&(s==1?(E.min=null,E.max=null):E.facets.forEach(U=>{U.min=null,U.max=null})))})}let fn=!1,ri=!1,Ot=[];function En(){ri=!1;for(let b=0;b<Ot.length;b++)Vn(...Ot[b]);Ot.length=0}function Qn(){fn||(gb(Rp),fn=!0)}function Ml(b,E=!1){fn=!0,ri=E,b(i),Rp(),E&&Ot.length>0&&queueMicrotask(En)}i.batch=Ml;function Rp(){if(oe&&(gt(),oe=!1),xe&&(we(),xe=!1),_e){if(Qt(f,xo,Ke),Qt(f,"top",lt),Qt(f,Ma,B),Qt(f,wa,Re),Qt(g,xo,Ke),Qt(g,"top",lt),Qt(g,Ma,B),Qt(g,wa,Re),Qt(h,Ma,hn),Qt(h,wa,Mn),u.width=Un(hn*It),u.height=Un(Mn*It),T.forEach(({_el:b,_show:E,_size:I,_pos:U,side:X})=>{if(b!=null)if(E){let J=X===3||X===0?I:0,ae=X%2==1;Qt(b,ae?"left":"top",U-J),Qt(b,ae?"width":"height",I),Qt(b,ae?"top":"left",ae?lt:Ke),Qt(b,ae?"height":"width",ae?Re:B),Dd(b,Pr)}else wi(b,Pr)}),Jr=Xs=Qr=G=Q=Z=K=Te=A=null,Ie=1,da(!0),Ke!=Me||lt!=Vt||B!=He||Re!=Ze){dt(!1);let b=B/He,E=Re/Ze;if(me&&!te&&de.left>=0){de.left*=b,de.top*=E,eo&&us(eo,Un(de.left),0,B,Re),to&&us(to,0,Un(de.top),B,Re);for(let I=0;I<ut.length;I++){let U=ut[I];U!=null&&($t[I]*=b,si[I]*=E,us(U,ki($t[I]),ki(si[I]),B,Re))}}if(Kt.show&&!se&&Kt.left>=0&&Kt.width>0){Kt.left*=b,Kt.width*=b,Kt.top*=E,Kt.height*=E;for(let I in qh)Qt(so,I,Kt[I])}Me=Ke,Vt=lt,He=B,Ze=Re}Vn("setSize"),_e=!1}hn>0&&Mn>0&&(d.clearRect(0,0,u.width,u.height),Vn("drawClear"),w.forEach(b=>b()),Vn("draw")),Kt.show&&se&&(wl(Kt),se=!1),me&&te&&(Mr(null,!0,!1),te=!1),he.show&&he.live&&pe&&(Wh(),pe=!1),l||(l=!0,i.status=1,Vn("ready")),Ws=!1,fn=!1}i.redraw=(b,E)=>{xe=E||!1,b!==!1?Ys(C,D.min,D.max):Qn()};function Gh(b,E){let I=S[b];if(I.from==null){if(dn==0){let U=I.range(i,E.min,E.max,b);E.min=U[0],E.max=U[1]}if(E.min>E.max){let U=E.min;E.min=E.max,E.max=U}if(dn>1&&E.min!=null&&E.max!=null&&E.max-E.min<1e-16)return;b==C&&I.distr==2&&dn>0&&(E.min=Xi(E.min,e[0]),E.max=Xi(E.max,e[0]),E.min==E.max&&E.max++),W[b]=E,oe=!0,Qn()}}i.setScale=Gh;let Vh,Hh,eo,to,Pp,Ip,no,io,Lp,Dp,Zt,tn,qs=!1,qn=de.drag,zn=qn.x,Gn=qn.y;me&&(de.x&&(Vh=Oi(zy,g)),de.y&&(Hh=Oi(Gy,g)),D.ori==0?(eo=Vh,to=Hh):(eo=Hh,to=Vh),Zt=de.left,tn=de.top);let Kt=i.select=Pn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),so=Kt.show?Oi(By,Kt.over?g:f):null;function wl(b,E){if(Kt.show){for(let I in b)Kt[I]=b[I],I in qh&&Qt(so,I,b[I]);E!==!1&&Vn("setSelect")}}i.setSelect=wl;function px(b){if(x[b].show)ee&&Dd(at[b],Pr);else if(ee&&wi(at[b],Pr),me){let I=Ce?ut[0]:ut[b];I!=null&&us(I,-10,-10,B,Re)}}function Ys(b,E,I){Gh(b,{min:E,max:I})}function ss(b,E,I,U){E.focus!=null&&xx(b),E.show!=null&&x.forEach((X,J)=>{J>0&&(b==J||b==null)&&(X.show=E.show,px(J),s==2?(Ys(X.facets[0].scale,null,null),Ys(X.facets[1].scale,null,null)):Ys(X.scale,null,null),Qn())}),I!==!1&&Vn("setSeries",b,E),U&&fa("setSeries",i,b,E)}i.setSeries=ss;function mx(b,E){Pn(R[b],E)}function gx(b,E){b.fill=yt(b.fill||null),b.dir=Ct(b.dir,-1),E=E??R.length,R.splice(E,0,b)}function _x(b){b==null?R.length=0:R.splice(b,1)}i.addBand=gx,i.setBand=mx,i.delBand=_x;function vx(b,E){x[b].alpha=E,me&&ut[b]!=null&&(ut[b].style.opacity=E),ee&&at[b]&&(at[b].style.opacity=E)}let Ts,$s,Sr,ro={focus:!0};function xx(b){if(b!=Sr){let E=b==null,I=Be.alpha!=1;x.forEach((U,X)=>{if(s==1||X>0){let J=E||X==0||X==b;U._focus=E?null:J,I&&vx(X,J?1:Be.alpha)}}),Sr=b,I&&Qn()}}ee&&et&&Mt(sg,Ae,b=>{de._lock||(je(b),Sr!=null&&ss(null,ro,!0,An.setSeries))});function rs(b,E,I){let U=S[E];I&&(b=b/It-(U.ori==1?lt:Ke));let X=B;U.ori==1&&(X=Re,b=X-b),U.dir==-1&&(b=X-b);let J=U._min,ae=U._max,fe=b/X,ye=J+(ae-J)*fe,Ue=U.distr;return Ue==3?So(10,ye):Ue==4?sb(ye,U.asinh):Ue==100?U.bwd(ye):ye}function yx(b,E){let I=rs(b,C,E);return Xi(I,e[0],vn,xn)}i.valToIdx=b=>Xi(b,e[0]),i.posToIdx=yx,i.posToVal=rs,i.valToPos=(b,E,I)=>S[E].ori==0?r(b,S[E],I?q:B,I?P:0):o(b,S[E],I?ue:Re,I?M:0),i.setCursor=(b,E,I)=>{Zt=b.left,tn=b.top,Mr(null,E,I)};function Np(b,E){Qt(so,xo,Kt.left=b),Qt(so,Ma,Kt.width=E)}function Up(b,E){Qt(so,"top",Kt.top=b),Qt(so,wa,Kt.height=E)}let ua=D.ori==0?Np:Up,ha=D.ori==1?Np:Up;function bx(){if(ee&&he.live)for(let b=s==2?1:0;b<x.length;b++){if(b==0&&ht)continue;let E=he.values[b],I=0;for(let U in E)We[b][I++].firstChild.nodeValue=E[U]}}function Wh(b,E){if(b!=null&&(b.idxs?b.idxs.forEach((I,U)=>{ie[U]=I}):lb(b.idx)||ie.fill(b.idx),he.idx=ie[0]),ee&&he.live){for(let I=0;I<x.length;I++)(I>0||s==1&&!ht)&&Sx(I,ie[I]);bx()}pe=!1,E!==!1&&Vn("setLegend")}i.setLegend=Wh;function Sx(b,E){let I=x[b],U=b==0&&z==2?xi:e[b],X;ht?X=I.values(i,b,E)??rt:(X=I.value(i,E==null?null:U[E],b,E),X=X==null?rt:{_:X}),he.values[b]=X}function Mr(b,E,I){Lp=Zt,Dp=tn,[Zt,tn]=de.move(i,Zt,tn),de.left=Zt,de.top=tn,me&&(eo&&us(eo,Un(Zt),0,B,Re),to&&us(to,0,Un(tn),B,Re));let U,X=vn>xn;Ts=Ht,$s=null;let J=D.ori==0?B:Re,ae=D.ori==1?B:Re;if(Zt<0||dn==0||X){U=de.idx=null;for(let fe=0;fe<x.length;fe++){let ye=ut[fe];ye!=null&&us(ye,-10,-10,B,Re)}et&&ss(null,ro,!0,b==null&&An.setSeries),he.live&&(ie.fill(U),pe=!0)}else{let fe,ye,Ue;s==1&&(fe=D.ori==0?Zt:tn,ye=rs(fe,C),U=de.idx=Xi(ye,e[0],vn,xn),Ue=V(e[0][U],D,J,0));let Fe=-10,ke=-10,ot=0,Rt=0,Et=!0,vt="",Qe="";for(let $e=s==2?1:0;$e<x.length;$e++){let Jt=x[$e],pn=ie[$e],Hn=pn==null?null:s==1?e[$e][pn]:e[$e][1][pn],Gt=de.dataIdx(i,$e,U,ye),mn=Gt==null?null:s==1?e[$e][Gt]:e[$e][1][Gt];if(pe=pe||mn!=Hn||Gt!=pn,ie[$e]=Gt,$e>0&&Jt.show){let yi=Gt==null?-10:Gt==U?Ue:V(s==1?e[0][Gt]:e[$e][0][Gt],D,J,0),oi=mn==null?-10:N(mn,s==1?S[Jt.scale]:S[Jt.facets[1].scale],ae,0);if(et&&mn!=null){let Ni=D.ori==1?Zt:tn,Vi=Fn(Be.dist(i,$e,Gt,oi,Ni));if(Vi<Ts){let os=Be.bias;if(os!=0){let bi=rs(Ni,Jt.scale),Ui=mn>=0?1:-1,Hi=bi>=0?1:-1;Hi==Ui&&(Hi==1?os==1?mn>=bi:mn<=bi:os==1?mn<=bi:mn>=bi)&&(Ts=Vi,$s=$e)}else Ts=Vi,$s=$e}}if(pe||Ce){let Ni,Vi;D.ori==0?(Ni=yi,Vi=oi):(Ni=oi,Vi=yi);let os,bi,Ui,Hi,as,ai,Si=!0,wr=ce.bbox;if(wr!=null){Si=!1;let li=wr(i,$e);Ui=li.left,Hi=li.top,os=li.width,bi=li.height}else Ui=Ni,Hi=Vi,os=bi=ce.size(i,$e);if(ai=ce.fill(i,$e),as=ce.stroke(i,$e),Ce)$e==$s&&Ts<=Be.prox&&(Fe=Ui,ke=Hi,ot=os,Rt=bi,Et=Si,vt=ai,Qe=as);else{let li=ut[$e];li!=null&&($t[$e]=Ui,si[$e]=Hi,hg(li,os,bi,Si),cg(li,ai,as),us(li,ki(Ui),ki(Hi),B,Re))}}}}if(Ce){let $e=Be.prox,Jt=Sr==null?Ts<=$e:Ts>$e||$s!=Sr;if(pe||Jt){let pn=ut[0];pn!=null&&($t[0]=Fe,si[0]=ke,hg(pn,ot,Rt,Et),cg(pn,vt,Qe),us(pn,ki(Fe),ki(ke),B,Re))}}}if(Kt.show&&qs)if(b!=null){let[fe,ye]=An.scales,[Ue,Fe]=An.match,[ke,ot]=b.cursor.sync.scales,Rt=b.cursor.drag;if(zn=Rt._x,Gn=Rt._y,zn||Gn){let{left:Et,top:vt,width:Qe,height:$e}=b.select,Jt=b.scales[ke].ori,pn=b.posToVal,Hn,Gt,mn,yi,oi,Ni=fe!=null&&Ue(fe,ke),Vi=ye!=null&&Fe(ye,ot);Ni&&zn?(Jt==0?(Hn=Et,Gt=Qe):(Hn=vt,Gt=$e),mn=S[fe],yi=V(pn(Hn,ke),mn,J,0),oi=V(pn(Hn+Gt,ke),mn,J,0),ua(qi(yi,oi),Fn(oi-yi))):ua(0,J),Vi&&Gn?(Jt==1?(Hn=Et,Gt=Qe):(Hn=vt,Gt=$e),mn=S[ye],yi=N(pn(Hn,ot),mn,ae,0),oi=N(pn(Hn+Gt,ot),mn,ae,0),ha(qi(yi,oi),Fn(oi-yi))):ha(0,ae)}else Yh()}else{let fe=Fn(Lp-Pp),ye=Fn(Dp-Ip);if(D.ori==1){let ot=fe;fe=ye,ye=ot}zn=qn.x&&fe>=qn.dist,Gn=qn.y&&ye>=qn.dist;let Ue=qn.uni;Ue!=null?zn&&Gn&&(zn=fe>=Ue,Gn=ye>=Ue,!zn&&!Gn&&(ye>fe?Gn=!0:zn=!0)):qn.x&&qn.y&&(zn||Gn)&&(zn=Gn=!0);let Fe,ke;zn&&(D.ori==0?(Fe=no,ke=Zt):(Fe=io,ke=tn),ua(qi(Fe,ke),Fn(ke-Fe)),Gn||ha(0,ae)),Gn&&(D.ori==1?(Fe=no,ke=Zt):(Fe=io,ke=tn),ha(qi(Fe,ke),Fn(ke-Fe)),zn||ua(0,J)),!zn&&!Gn&&(ua(0,0),ha(0,0))}if(qn._x=zn,qn._y=Gn,b==null){if(I){if(qp!=null){let[fe,ye]=An.scales;An.values[0]=fe!=null?rs(D.ori==0?Zt:tn,fe):null,An.values[1]=ye!=null?rs(D.ori==1?Zt:tn,ye):null}fa(Td,i,Zt,tn,B,Re,U)}if(et){let fe=I&&An.setSeries,ye=Be.prox;Sr==null?Ts<=ye&&ss($s,ro,!0,fe):Ts>ye?ss(null,ro,!0,fe):$s!=Sr&&ss($s,ro,!0,fe)}}pe&&(he.idx=U,Wh()),E!==!1&&Vn("setCursor")}let Zs=null;Object.defineProperty(i,"rect",{get(){return Zs==null&&da(!1),Zs}});function da(b=!1){b?Zs=null:(Zs=g.getBoundingClientRect(),Vn("syncRect",Zs))}function Fp(b,E,I,U,X,J,ae){de._lock||qs&&b!=null&&b.movementX==0&&b.movementY==0||(Xh(b,E,I,U,X,J,ae,!1,b!=null),b!=null?Mr(null,!0,!0):Mr(E,!0,!1))}function Xh(b,E,I,U,X,J,ae,fe,ye){if(Zs==null&&da(!1),je(b),b!=null)I=b.clientX-Zs.left,U=b.clientY-Zs.top;else{if(I<0||U<0){Zt=-10,tn=-10;return}let[Ue,Fe]=An.scales,ke=E.cursor.sync,[ot,Rt]=ke.values,[Et,vt]=ke.scales,[Qe,$e]=An.match,Jt=E.axes[0].side%2==1,pn=D.ori==0?B:Re,Hn=D.ori==1?B:Re,Gt=Jt?J:X,mn=Jt?X:J,yi=Jt?U:I,oi=Jt?I:U;if(Et!=null?I=Qe(Ue,Et)?a(ot,S[Ue],pn,0):-10:I=pn*(yi/Gt),vt!=null?U=$e(Fe,vt)?a(Rt,S[Fe],Hn,0):-10:U=Hn*(oi/mn),D.ori==1){let Ni=I;I=U,U=Ni}}ye&&(E==null||E.cursor.event.type==Td)&&((I<=1||I>=B-1)&&(I=Cr(I,B)),(U<=1||U>=Re-1)&&(U=Cr(U,Re))),fe?(Pp=I,Ip=U,[no,io]=de.move(i,I,U)):(Zt=I,tn=U)}let qh={width:0,height:0,left:0,top:0};function Yh(){wl(qh,!1)}let Op,kp,Bp,zp;function Gp(b,E,I,U,X,J,ae){qs=!0,zn=Gn=qn._x=qn._y=!1,Xh(b,E,I,U,X,J,ae,!0,!1),b!=null&&(Mt(Ed,Id,Vp,!1),fa(ng,i,no,io,B,Re,null));let{left:fe,top:ye,width:Ue,height:Fe}=Kt;Op=fe,kp=ye,Bp=Ue,zp=Fe}function Vp(b,E,I,U,X,J,ae){qs=qn._x=qn._y=!1,Xh(b,E,I,U,X,J,ae,!1,!0);let{left:fe,top:ye,width:Ue,height:Fe}=Kt,ke=Ue>0||Fe>0,ot=Op!=fe||kp!=ye||Bp!=Ue||zp!=Fe;if(ke&&ot&&wl(Kt),qn.setScale&&ke&&ot){let Rt=fe,Et=Ue,vt=ye,Qe=Fe;if(D.ori==1&&(Rt=ye,Et=Fe,vt=fe,Qe=Ue),zn&&Ys(C,rs(Rt,C),rs(Rt+Et,C)),Gn)for(let $e in S){let Jt=S[$e];$e!=C&&Jt.from==null&&Jt.min!=Ht&&Ys($e,rs(vt+Qe,$e),rs(vt,$e))}Yh()}else de.lock&&(de._lock=!de._lock,Mr(E,!0,b!=null));b!=null&&(Dn(Ed,Id),fa(Ed,i,Zt,tn,B,Re,null))}function Mx(b,E,I,U,X,J,ae){if(de._lock)return;je(b);let fe=qs;if(qs){let ye=!0,Ue=!0,Fe=10,ke,ot;D.ori==0?(ke=zn,ot=Gn):(ke=Gn,ot=zn),ke&&ot&&(ye=Zt<=Fe||Zt>=B-Fe,Ue=tn<=Fe||tn>=Re-Fe),ke&&ye&&(Zt=Zt<no?0:B),ot&&Ue&&(tn=tn<io?0:Re),Mr(null,!0,!0),qs=!1}Zt=-10,tn=-10,ie.fill(null),Mr(null,!0,!0),fe&&(qs=fe)}function Hp(b,E,I,U,X,J,ae){de._lock||(je(b),ca(),Yh(),b!=null&&fa(rg,i,Zt,tn,B,Re,null))}function Wp(){T.forEach(wS),k(i.width,i.height,!0)}Ir(lc,bo,Wp);let oo={};oo.mousedown=Gp,oo.mousemove=Fp,oo.mouseup=Vp,oo.dblclick=Hp,oo.setSeries=(b,E,I,U)=>{let X=An.match[2];I=X(i,E,I),I!=-1&&ss(I,U,!0,!1)},me&&(Mt(ng,g,Gp),Mt(Td,g,Fp),Mt(ig,g,b=>{je(b),da(!1)}),Mt(sg,g,Mx),Mt(rg,g,Hp),Bd.add(i),i.syncRect=da);let Tl=i.hooks=n.hooks||{};function Vn(b,E,I){ri?Ot.push([b,E,I]):b in Tl&&Tl[b].forEach(U=>{U.call(null,i,E,I)})}(n.plugins||[]).forEach(b=>{for(let E in b.hooks)Tl[E]=(Tl[E]||[]).concat(b.hooks[E])});let Xp=(b,E,I)=>I,An=Pn({key:null,setSeries:!1,filters:{pub:gg,sub:gg},scales:[C,x[1]?x[1].scale:null],match:[_g,_g,Xp],values:[null,null]},de.sync);An.match.length==2&&An.match.push(Xp),de.sync=An;let qp=An.key,$h=f0(qp);function fa(b,E,I,U,X,J,ae){An.filters.pub(b,E,I,U,X,J,ae)&&$h.pub(b,E,I,U,X,J,ae)}$h.sub(i);function wx(b,E,I,U,X,J,ae){An.filters.sub(b,E,I,U,X,J,ae)&&oo[b](null,E,I,U,X,J,ae)}i.pub=wx;function Tx(){$h.unsub(i),Bd.delete(i),Bn.clear(),Nd(lc,bo,Wp),c.remove(),Ae?.remove(),Vn("destroy")}i.destroy=Tx;function Zh(){Vn("init",n,e),la(e||n.data,!1),W[C]?Gh(C,W[C]):ca(),se=Kt.show&&(Kt.width>0||Kt.height>0),te=pe=!0,k(n.width,n.height)}return x.forEach(Kr),T.forEach(bs),t?t instanceof HTMLElement?(t.appendChild(c),Zh()):t(i,Zh):Zh(),i}Zn.assign=Pn;Zn.fmtNum=qd;Zn.rangeNum=cc;Zn.rangeLog=dc;Zn.rangeAsinh=Wd;Zn.orient=Dr;Zn.pxRatio=It;Zn.join=mb;Zn.fmtDate=$d,Zn.tzDate=Eb;Zn.sync=f0;{Zn.addGap=lS,Zn.clipGaps=mc;let n=Zn.paths={points:x0};n.linear=b0,n.stepped=hS,n.bars=dS,n.spline=pS}var TS=350;function ES(n){return JSON.stringify({...n,pose:null})}var xc=class extends Yt{constructor(t){super(new Map);this.studio=t;t.document.subscribe(()=>this.later()),t.connection.subscribe(()=>this.later())}studio;timer=0;running=null;isWanted=!1;want(t){this.isWanted=t,this.later()}later(){clearTimeout(this.timer),this.timer=window.setTimeout(()=>{this.follow()},TS)}async follow(){this.running?.abort();let{studio:t}=this,i=t.document.get().oaks.filter(o=>!o.isHidden&&t.hasDepth(o.state));if(!this.isWanted||t.connection.get()!=="open")return;let s=new AbortController;this.running=s;let r=this.get();[...r.keys()].some(o=>!i.some(a=>a.key===o))&&this.set(new Map([...r].filter(([o])=>i.some(a=>a.key===o))));for(let o of i){let a=ES(o.state);if(this.get().get(o.key)?.key===a)continue;let l=await this.measure(a,o.state,s.signal);if(s.signal.aborted)return;this.set(new Map(this.get()).set(o.key,l))}}async measure(t,i,s){try{return{key:t,curve:await yn.accuracy(i,s),error:null}}catch(r){return{key:t,curve:null,error:r instanceof Error?r.message:String(r)}}}};var AS=170;function T0(){return _(un,{title:"Accuracy over distance",testId:"accuracy",children:_(CS,{})})}function CS(){let{studio:n}=qe(),e=At(null);e.current??=new xc(n);let t=e.current;Bt(()=>(t.want(!0),()=>t.want(!1)),[t]);let i=Pe(t),{oaks:s,selected:r}=Pe(n.document),o=Pe(n.display),a=At(null),l=At(null),c=At(null);Bt(()=>{if(a.current)return l.current?.destroy(),l.current=PS(a.current,s,i,i.get(r)?.curve?.bands??[],c),()=>{l.current?.destroy(),l.current=null}},[i,r,s.map(({key:h,state:f})=>h+f.model).join(),o.theme,o.showRight]),Bt(()=>n.probe.subscribe(()=>{c.current=n.probe.get()?.trueM??null,l.current?.redraw(!1)}),[n]);let u=[...i.values()].find(({error:h})=>h!==null)?.error,d=[...i.values()].every(({curve:h})=>h===null);return _(wt,{children:[_("div",{ref:a,class:"plot"}),u&&_("p",{class:"problem",role:"alert",children:u}),d&&!u&&_("p",{class:"hint",children:"Measuring…"}),!d&&_("p",{class:"hint",children:"Median error at a flat target. Shaded: what the maker specifies."})]})}function RS(n){let e=[...new Set(n.flatMap(({distancesM:i})=>i))].sort((i,s)=>i-s),t=n.map(i=>{let s=new Map(i.distancesM.map((r,o)=>[r,i.errorPercent[o]??null]));return e.map(r=>s.has(r)?s.get(r):void 0)});return[e,...t]}function PS(n,e,t,i,s){let r=e.flatMap((f,g)=>{let y=t.get(f.key)?.curve;return y?[{oak:f,index:g,curve:y}]:[]});if(r.length===0)return null;let o=getComputedStyle(document.documentElement),a=f=>o.getPropertyValue(f).trim(),l={stroke:a("--muted"),grid:{stroke:a("--line"),width:1},ticks:{stroke:a("--line"),width:1},font:"11px system-ui",size:34},c=r.flatMap(({curve:f})=>f.errorPercent.filter(g=>g!==null)),u=Math.max(1,...c.map(Math.abs),...i.map(({percent:f})=>f))*1.1,d=Math.min(0,...c)*1.1,h={width:Math.max(n.clientWidth,120),height:AS,legend:{show:!1},cursor:{drag:{x:!1,y:!1},points:{size:5}},scales:{x:{time:!1},y:{range:[d,u]}},axes:[{...l,values:(f,g)=>g.map(y=>`${y} m`)},{...l,size:40,values:(f,g)=>g.map(y=>`${Number(y.toFixed(2))} %`)}],series:[{},...r.map(({oak:f,index:g})=>({label:f.state.model,stroke:cn(Yn(g)),width:2,points:{show:!1}}))],hooks:{drawClear:[f=>IS(f,i,a("--band"))],draw:[f=>LS(f,s.current)]}};return new Zn(h,RS(r.map(({curve:f})=>f)),n)}function IS(n,e,t){let{ctx:i}=n;i.save(),i.beginPath(),i.rect(n.bbox.left,n.bbox.top,n.bbox.width,n.bbox.height),i.clip(),i.fillStyle=t;for(let{fromM:s,toM:r,percent:o}of e){let[a,l]=[n.valToPos(s,"x",!0),n.valToPos(r,"x",!0)],[c,u]=[n.valToPos(o,"y",!0),n.valToPos(-o,"y",!0)];i.fillRect(a,c,l-a,u-c)}i.restore()}function LS(n,e){let{ctx:t,bbox:i}=n,[s=0,r=0]=[n.scales.x?.min??0,n.scales.x?.max??0];if(e===null||e<s||e>r)return;let o=n.valToPos(e,"x",!0);t.save(),t.strokeStyle="#ff2d78",t.lineWidth=devicePixelRatio,t.beginPath(),t.moveTo(o,i.top),t.lineTo(o,i.top+i.height),t.stroke(),t.restore()}var yc=260,Ro=90;function DS({counts:n,fromM:e,toM:t},i,s,r){let o=c=>(c-i)/(s-i)*yc,a=(t-e)/n.length,l=n.flatMap((c,u)=>{let d=(Ro-c/r*(Ro-4)).toFixed(1);return[`${o(e+u*a).toFixed(1)},${d}`,`${o(e+(u+1)*a).toFixed(1)},${d}`]});return`M${o(e).toFixed(1)},${Ro}L${l.join("L")}L${o(t).toFixed(1)},${Ro}`}function E0(){let{studio:n}=qe(),e=Pe(n.frames),{oaks:t}=Pe(n.document),i=t.flatMap((l,c)=>{let u=e.get(l.key)?.header.statistics.histogram,d=u?.counts.reduce((h,f)=>h+f,0)??0;return u&&d?[{oak:l,index:c,histogram:u}]:[]}),s=Math.min(...i.map(({histogram:l})=>l.fromM)),r=Math.max(...i.map(({histogram:l})=>l.toM)),o=Math.max(...i.flatMap(({histogram:l})=>l.counts)),a=(0-s)/(r-s)*yc;return _(un,{title:"Errors, measured minus true",testId:"histogram",children:i.length===0?_("p",{class:"hint",children:"No pixel has a value."}):_("figure",{class:"chart",children:[_("svg",{viewBox:`0 0 ${yc} ${Ro}`,preserveAspectRatio:"none",role:"img","aria-label":"Histogram of the errors",children:[a>0&&a<yc&&_("line",{class:"zero",x1:a,x2:a,y1:0,y2:Ro}),i.map(({oak:l,index:c,histogram:u})=>_("path",{d:DS(u,s,r,o),fill:cn(Yn(c)),"fill-opacity":i.length>1?.18:.4,stroke:cn(Yn(c)),"vector-effect":"non-scaling-stroke"},l.key))]}),_("figcaption",{children:[_("span",{children:tr(s)}),_("span",{children:tr(r)})]})]})})}function A0(){return _(wt,{children:[_(NS,{}),_(OS,{}),_(kS,{}),_(E0,{}),_(T0,{}),_(BS,{})]})}function NS(){let{studio:n}=qe(),e=Pe(n.probe),{reasons:t}=Pe(n.catalog),{oaks:i}=Pe(n.document),s=i.findIndex(({key:a})=>a===e?.oak),r=e?t.find(({code:a})=>a===e.reason):void 0,o=e?.reason===0;return _(un,{title:"Pixel",testId:"readout",children:[!e&&_("p",{class:"hint",children:"Move the mouse over an image."}),e&&_(wt,{children:[_("div",{class:`verdict ${o?"":"missing"}`,children:[_("span",{class:"swatch",style:{background:cn(o?Yn(Math.max(s,0)):Es(e.reason))}}),_("div",{children:[_("strong",{children:o?`${ya(e.measuredM)}, ${tr(e.errorM)}`:Cn(r?.name??"unknown")}),_("p",{children:o?i[s]?.state.model:r?.documentation})]})]}),_("dl",{class:"facts",children:[_("dt",{children:"Pixel"}),_("dd",{children:[e.pixel[0],", ",e.pixel[1]]}),_("dt",{children:"True depth"}),_("dd",{children:ya(e.trueM)}),_("dt",{children:"Measured depth"}),_("dd",{children:ya(e.measuredM)}),_("dt",{children:"Error"}),_("dd",{children:[tr(e.errorM),US(e.errorM,e.trueM)]}),_("dt",{children:"Disparity"}),_("dd",{children:e.disparityPx===null?"–":`${e.disparityPx.toFixed(2)} px`}),_("dt",{"data-tip":"The distance to the next depth that the sensor can report",children:"Depth step"}),_("dd",{children:ya(e.stepM===null?null:Math.abs(e.stepM))}),_("dt",{children:"Object"}),_("dd",{class:"path",children:e.object??"–"}),e.occluder&&_(wt,{children:[_("dt",{children:"Hidden by"}),_("dd",{class:"path",children:e.occluder})]})]})]})]})}function US(n,e){return n===null||!e?"":` (${(100*n/e).toFixed(2)} %)`}var FS=["Left","Top","Right","Bottom"];function OS(){let{studio:n}=qe(),e=Pe(n.frames),{oaks:t,region:i}=Pe(n.document),s=t.filter(({key:c})=>e.has(c)),r=i.every((c,u)=>c===js[u]),o=(c,u,d)=>_("tr",{children:[_("th",{scope:"row","data-tip":u,children:c}),s.map(({key:h})=>_("td",{children:d(h)},h))]}),a=c=>e.get(c)?.header.statistics,l=(c,u)=>n.document.commit("region",d=>{let h=d.region.map((f,g)=>g===c?u/100:f);return h[0]<h[2]&&h[1]<h[3]?{...d,region:h}:d});return _(un,{title:r?"Whole image":"Rectangle",testId:"statistics",actions:!r&&_(Ve,{label:"Whole image",class:"text",onClick:()=>n.document.commit("region",c=>({...c,region:js}))}),children:[_("div",{class:"scroll-x",children:_("table",{class:"numbers",children:[_("thead",{children:_("tr",{children:[_("td",{}),s.map(({key:c,state:u})=>_("th",{scope:"col","data-tip":u.model,children:[_("span",{class:"dot-small",style:{background:cn(Yn(t.findIndex(d=>d.key===c)))}}),_("span",{class:s.length>2?"sr-only":"",children:u.model})]},c))]})}),_("tbody",{children:[o("Fill rate, %","The share of the pixels that show a surface and have a value",c=>go(a(c)?.fillRate)),o("Median error, mm","Measured minus true",c=>nr(a(c)?.medianErrorM,!0)),o("Median |error|, mm","The median of the size of the error",c=>nr(a(c)?.medianAbsoluteErrorM)),o("Median |error|, %","The median of the size of the error, relative to the true depth",c=>a(c)?.medianAbsoluteErrorPercent?.toFixed(2)??"–"),o("95th percentile, mm","95 % of the errors are smaller than this",c=>nr(a(c)?.p95AbsoluteErrorM)),o("Pixels, thousands","Those that show a surface",c=>((a(c)?.pixels??0)/1e3).toFixed(0))]})]})}),r?_("p",{class:"hint",children:"Drag a rectangle on an image to measure a part of it."}):_("div",{class:"quad",children:FS.map((c,u)=>_(Rn,{label:c,value:(i[u]??0)*100,onChange:d=>l(u,d),step:1,digits:1,minimum:0,maximum:100,unit:"%"},c))}),r&&_(Ve,{label:"Rectangle…",class:"text",onClick:()=>n.document.commit("region",c=>({...c,region:[.25,.25,.75,.75]}))})]})}function kS(){let{studio:n}=qe(),{reasons:e}=Pe(n.catalog),t=Pe(n.frames),{oaks:i}=Pe(n.document),s=i.flatMap(o=>{let a=t.get(o.key)?.header.statistics.reasons,l=a?.reduce((c,u)=>c+u,0)??0;return a&&l?[{oak:o,shares:a.map(c=>c/l)}]:[]}),r=e.filter(({code:o})=>o!==0&&s.some(({shares:a})=>(a[o]??0)>0));return _(un,{title:"Why pixels have no value",testId:"reasons",children:[r.length===0&&_("p",{class:"hint",children:s.length?"Every pixel has a value.":"–"}),s.map(({oak:o,shares:a})=>_("div",{class:"stack",role:"img","aria-label":`${o.state.model}: ${r.map(({code:l,name:c})=>`${Cn(c)} ${_o(a[l])}`).join(", ")}`,children:e.map(({code:l})=>a[l]?_("span",{style:{width:`${(a[l]??0)*100}%`,background:cn(Es(l))}},l):null)},o.key)),_("table",{class:"numbers",children:_("tbody",{children:r.map(({code:o,name:a,documentation:l})=>_("tr",{children:[_("th",{scope:"row","data-tip":l,children:[_("span",{class:"swatch",style:{background:cn(Es(o))}}),Cn(a),", %"]}),s.map(({oak:c,shares:u})=>_("td",{children:go(u[o]??0)},c.key))]},o))})})]})}function BS(){let{studio:n}=qe(),e=Pe(n.frames),{oaks:t}=Pe(n.document),i=t.flatMap(({key:s,state:r})=>(e.get(s)?.header.findings??[]).map(o=>({key:s,state:r,finding:o})));return i.length===0?null:_(un,{title:`Remarks (${i.length})`,isOpen:!1,children:_("ul",{class:"findings",children:i.map(({key:s,state:r,finding:o},a)=>_("li",{class:o.level,children:[_("strong",{children:[r.model,", ",o.place]}),": ",o.message,o.remedy&&`; ${o.remedy}`]},`${s}${a}`))})})}var zS=6e3;function C0(){let{studio:n}=qe(),e=Pe(n.notices),t=Pe(n.connection);return _("div",{class:"notices",role:"region","aria-label":"Messages","aria-live":"polite",children:[t==="lost"&&_("div",{class:"notice error","data-testid":"lost",children:_("p",{children:"No connection to the server. The page connects again as soon as it runs."})}),e.map(i=>_(GS,{notice:i,onClose:()=>n.dismiss(i.id)},i.id))]})}function GS({notice:n,onClose:e}){let t=n.level==="note"&&n.findings.length===0;return Bt(()=>{if(!t)return;let i=setTimeout(e,zS);return()=>clearTimeout(i)},[]),_("div",{class:`notice ${n.level}`,"data-testid":"notice",children:[_("div",{class:"notice-head",children:[_("p",{children:n.text}),_(Ve,{icon:"close",label:"Close",class:"small",onClick:e})]}),n.findings.length>0&&_("ul",{class:"findings",children:n.findings.map(({level:i,place:s,message:r,remedy:o},a)=>_("li",{class:i,children:[_("strong",{children:s}),": ",r,o&&`; ${o}`]},a))})]})}function R0(){let{studio:n}=qe(),e=Pe(n.document),{oaks:t}=e,i=t.length>=va;return _(un,{title:"OAKs",actions:_(wt,{children:[_(VS,{isDisabled:i}),_(Ve,{icon:"copy",label:"Duplicate the selected OAK",onClick:()=>{let r=$n(e);r&&n.document.commit("add",o=>gd(o,structuredClone(r.state)))},isDisabled:i,testId:"duplicate"})]}),children:[_("ul",{class:"oaks","data-testid":"oaks",children:t.map((r,o)=>_(HS,{oak:r,index:o,isLast:t.length===1},r.key))}),t.length>1&&_(ir,{label:"Same pose for all",tip:"Moving one OAK moves all, to compare models at the same place",isOn:e.arePosesLinked,onChange:r=>n.document.commit("link poses",o=>({...o,arePosesLinked:r}))})]})}function VS({isDisabled:n}){let{studio:e}=qe(),{models:t}=Pe(e.catalog),i=s=>{let r=e.catalog.get(),o=fi(r,s),a=$n(e.document.get());!o||!a||e.document.commit("add",l=>gd(l,Vl(o,a.state.pose)))};return _("select",{class:"add","aria-label":"Add an OAK at the same pose","data-tip":"Add an OAK at the same pose, to compare models","data-testid":"add-oak",disabled:n,value:"",onChange:s=>{i(s.currentTarget.value),s.currentTarget.value=""},children:[_("option",{value:"",children:"Add…"}),t.map(({name:s})=>_("option",{value:s,children:s},s))]})}function HS({oak:n,index:e,isLast:t}){let{studio:i}=qe(),s=Pe(i.catalog),{selected:r}=Pe(i.document),o=Pe(i.rejections).get(n.key),a=r===n.key,l=()=>i.document.set({...i.document.get(),selected:n.key}),c=d=>{let h=fi(s,d);h&&i.document.commit("model",f=>er({...f,selected:n.key},n.key,g=>Hl(g,h)))},u=()=>i.document.commit("hide",d=>({...d,oaks:d.oaks.map(h=>h.key===n.key?{...h,isHidden:!h.isHidden}:h)}));return _("li",{class:`oak ${a?"selected":""}`,children:[_("button",{type:"button",class:"dot","aria-label":`Select OAK ${e+1}, ${n.state.model}`,"aria-pressed":a,onClick:l,children:_("span",{style:{background:cn(Yn(e))}})}),_("div",{class:"oak-main",onClick:l,children:[_("select",{"aria-label":`Model of OAK ${e+1}`,"data-testid":"model",value:n.state.model,onChange:d=>c(d.currentTarget.value),children:s.models.map(({name:d})=>_("option",{value:d,selected:d===n.state.model,children:d},d))}),_("span",{class:"detail",children:WS(n,s)}),o&&!a&&_("span",{class:"problem",role:"alert",children:o.error})]}),_(Ve,{icon:n.isHidden?"hidden":"eye",label:n.isHidden?"Show":"Hide",isOn:n.isHidden,onClick:u}),_(Ve,{icon:"close",label:"Remove",isDisabled:t,onClick:()=>i.document.commit("remove",d=>Um(d,n.key))})]})}function WS(n,e){let t=fi(e,n.state.model),i=pi(e,n.state);return t?i?`${i.kind==="tof"?"ToF":i.baselineM?`${(i.baselineM*1e3).toFixed(0)} mm`:"stereo"} · ${i.hfovDeg.toFixed(0)}° · ${n.state.engine}`:`${t.generation} · no depth sensor`:"The server does not know this model."}var a_=0,Nf=1,l_=2;var sl=1,c_=2,jo=3,gs=0,di=1,ni=2,Hr=0,ea=1,Uf=2,Ff=3,Of=4,u_=5;var Wr=100,h_=101,d_=102,f_=103,p_=104,m_=200,g_=201,__=202,v_=203,kf=204,Bf=205,x_=206,y_=207,b_=208,S_=209,M_=210,w_=211,T_=212,E_=213,A_=214,Qc=0,jc=1,eu=2,Wo=3,tu=4,nu=5,iu=6,su=7,Pu=0,C_=1,R_=2,_s=0,zf=1,Gf=2,Vf=3,Hf=4,Wf=5,Xf=6,qf=7;var Yf=300,Xr=301,ta=302,Iu=303,Lu=304,ru=1e3,ds=1001,ou=1002,Ln=1003,P_=1004;var rl=1005;var hi=1006,Du=1007;var Gs=1008;var Jn=1009,$f=1010,Zf=1011,xr=1012,Nu=1013,Qi=1014,ji=1015,es=1016,Uu=1017,Fu=1018,qr=1020,Kf=35902,Jf=35899,Qf=1021,jf=1022,Di=1023,Os=1026,Vs=1027,ep=1028,na=1029,yr=1030,Ou=1031;var ku=1033,ol=33776,al=33777,ll=33778,cl=33779,Bu=35840,zu=35841,Gu=35842,Vu=35843,Hu=36196,Wu=37492,Xu=37496,qu=37488,Yu=37489,ul=37490,$u=37491,Zu=37808,Ku=37809,Ju=37810,Qu=37811,ju=37812,eh=37813,th=37814,nh=37815,ih=37816,sh=37817,rh=37818,oh=37819,ah=37820,lh=37821,ch=36492,uh=36494,hh=36495,dh=36283,fh=36284,hl=36285,ph=36286;var Ua=2300,au=2301,Zc=2302,Tf=2303,Ef=2400,Af=2401,Cf=2402;var I_=3200;var mh=0,L_=1,Hs="",Ri="srgb",Fa="srgb-linear",Oa="linear",Dt="srgb";var Kc=7680;var D_=519,N_=512,U_=513,F_=514,tp=515,O_=516,k_=517,np=518,ip=519,B_=35044;var dl="300 es",zi=2e3,Xo=2001;function XS(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function qS(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function ka(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function z_(){let n=ka("canvas");return n.style.display="block",n}var P0={},qo=null;function sp(...n){let e="THREE."+n.shift();qo?qo("log",e,...n):console.log(e,...n)}function G_(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Je(...n){n=G_(n);let e="THREE."+n.shift();if(qo)qo("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function tt(...n){n=G_(n);let e="THREE."+n.shift();if(qo)qo("error",e,...n);else{let t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function Na(...n){let e=n.join(" ");e in P0||(P0[e]=!0,Je(...n))}function V_(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}var H_={[Qc]:Qc,[eu]:iu,[tu]:tu,[Wo]:nu,[jc]:jc,[iu]:eu,[su]:su,[nu]:Wo},Ki=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){let i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){let i=this._listeners;if(i===void 0)return;let s=i[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let i=t[e.type];if(i!==void 0){e.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},jn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Jc=Math.PI/180,lu=180/Math.PI;function fl(){let n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(jn[n&255]+jn[n>>8&255]+jn[n>>16&255]+jn[n>>24&255]+"-"+jn[e&255]+jn[e>>8&255]+"-"+jn[e>>16&15|64]+jn[e>>24&255]+"-"+jn[t&63|128]+jn[t>>8&255]+"-"+jn[t>>16&255]+jn[t>>24&255]+jn[i&255]+jn[i>>8&255]+jn[i>>16&255]+jn[i>>24&255]).toLowerCase()}function St(n,e,t){return Math.max(e,Math.min(t,n))}function YS(n,e){return(n%e+e)%e}function tf(n,e,t){return(1-t)*n+t*e}function W_(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function rp(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function $S(n,e){if(e.constructor===Float32Array)return n;let t=rp(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function ZS(n,e){if(e.constructor===Float32Array)return n;let t=rp(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}var ct=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=St(this.x,e.x,t.x),this.y=St(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=St(this.x,e,t),this.y=St(this.y,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(St(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(St(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*i-o*s+e.x,this.y=r*s+o*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},nn=class{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,o,a){let l=i[s+0],c=i[s+1],u=i[s+2],d=i[s+3],h=r[o+0],f=r[o+1],g=r[o+2],y=r[o+3];if(d!==y||l!==h||c!==f||u!==g){let m=l*h+c*f+u*g+d*y;m<0&&(h=-h,f=-f,g=-g,y=-y,m=-m);let p=1-a;if(m<.9995){let x=Math.acos(m),T=Math.sin(x);p=Math.sin(p*x)/T,a=Math.sin(a*x)/T,l=l*p+h*a,c=c*p+f*a,u=u*p+g*a,d=d*p+y*a}else{l=l*p+h*a,c=c*p+f*a,u=u*p+g*a,d=d*p+y*a;let x=1/Math.sqrt(l*l+c*c+u*u+d*d);l*=x,c*=x,u*=x,d*=x}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=d}static multiplyQuaternionsFlat(e,t,i,s,r,o){let a=i[s],l=i[s+1],c=i[s+2],u=i[s+3],d=r[o],h=r[o+1],f=r[o+2],g=r[o+3];return e[t]=a*g+u*d+l*f-c*h,e[t+1]=l*g+u*h+c*d-a*f,e[t+2]=c*g+u*f+a*h-l*d,e[t+3]=u*g-a*d-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let i=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(i/2),u=a(s/2),d=a(r/2),h=l(i/2),f=l(s/2),g=l(r/2);switch(o){case"XYZ":this._x=h*u*d+c*f*g,this._y=c*f*d-h*u*g,this._z=c*u*g+h*f*d,this._w=c*u*d-h*f*g;break;case"YXZ":this._x=h*u*d+c*f*g,this._y=c*f*d-h*u*g,this._z=c*u*g-h*f*d,this._w=c*u*d+h*f*g;break;case"ZXY":this._x=h*u*d-c*f*g,this._y=c*f*d+h*u*g,this._z=c*u*g+h*f*d,this._w=c*u*d-h*f*g;break;case"ZYX":this._x=h*u*d-c*f*g,this._y=c*f*d+h*u*g,this._z=c*u*g-h*f*d,this._w=c*u*d+h*f*g;break;case"YZX":this._x=h*u*d+c*f*g,this._y=c*f*d+h*u*g,this._z=c*u*g-h*f*d,this._w=c*u*d-h*f*g;break;case"XZY":this._x=h*u*d-c*f*g,this._y=c*f*d-h*u*g,this._z=c*u*g+h*f*d,this._w=c*u*d+h*f*g;break;default:Je("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,i=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],u=t[6],d=t[10],h=i+a+d;if(h>0){let f=.5/Math.sqrt(h+1);this._w=.25/f,this._x=(u-l)*f,this._y=(r-c)*f,this._z=(o-s)*f}else if(i>a&&i>d){let f=2*Math.sqrt(1+i-a-d);this._w=(u-l)/f,this._x=.25*f,this._y=(s+o)/f,this._z=(r+c)/f}else if(a>d){let f=2*Math.sqrt(1+a-i-d);this._w=(r-c)/f,this._x=(s+o)/f,this._y=.25*f,this._z=(l+u)/f}else{let f=2*Math.sqrt(1+d-i-a);this._w=(o-s)/f,this._x=(r+c)/f,this._y=(l+u)/f,this._z=.25*f}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(St(this.dot(e),-1,1)))}rotateTowards(e,t){let i=this.angleTo(e);if(i===0)return this;let s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,u=t._w;return this._x=i*u+o*a+s*c-r*l,this._y=s*u+o*l+r*a-i*c,this._z=r*u+o*c+i*l-s*a,this._w=o*u-i*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},O=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(I0.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(I0.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,i=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*i),u=2*(a*t-r*s),d=2*(r*i-o*t);return this.x=t+l*c+o*d-a*u,this.y=i+l*u+a*c-r*d,this.z=s+l*d+r*u-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=St(this.x,e.x,t.x),this.y=St(this.y,e.y,t.y),this.z=St(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=St(this.x,e,t),this.y=St(this.y,e,t),this.z=St(this.z,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(St(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let i=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.y=r*o-i*l,this.z=i*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return nf.copy(this).projectOnVector(e),this.sub(nf)}reflect(e){return this.sub(nf.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(St(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){let s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},nf=new O,I0=new nn,it=class{static{this.prototype.isMatrix3=!0}constructor(e,t,i,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c)}set(e,t,i,s,r,o,a,l,c){let u=this.elements;return u[0]=e,u[1]=s,u[2]=a,u[3]=t,u[4]=r,u[5]=l,u[6]=i,u[7]=o,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[3],l=i[6],c=i[1],u=i[4],d=i[7],h=i[2],f=i[5],g=i[8],y=s[0],m=s[3],p=s[6],x=s[1],T=s[4],S=s[7],R=s[2],C=s[5],v=s[8];return r[0]=o*y+a*x+l*R,r[3]=o*m+a*T+l*C,r[6]=o*p+a*S+l*v,r[1]=c*y+u*x+d*R,r[4]=c*m+u*T+d*C,r[7]=c*p+u*S+d*v,r[2]=h*y+f*x+g*R,r[5]=h*m+f*T+g*C,r[8]=h*p+f*S+g*v,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8];return t*o*u-t*a*c-i*r*u+i*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],d=u*o-a*c,h=a*l-u*r,f=c*r-o*l,g=t*d+i*h+s*f;if(g===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/g;return e[0]=d*y,e[1]=(s*c-u*i)*y,e[2]=(a*i-s*o)*y,e[3]=h*y,e[4]=(u*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=f*y,e[7]=(i*l-c*t)*y,e[8]=(o*t-i*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(i*l,i*c,-i*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return Na("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(sf.makeScale(e,t)),this}rotate(e){return Na("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(sf.makeRotation(-e)),this}translate(e,t){return Na("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(sf.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}},sf=new it,L0=new it().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),D0=new it().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function KS(){let n={enabled:!0,workingColorSpace:Fa,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Dt&&(s.r=Fs(s.r),s.g=Fs(s.g),s.b=Fs(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Dt&&(s.r=Ho(s.r),s.g=Ho(s.g),s.b=Ho(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Hs?Oa:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[Fa]:{primaries:e,whitePoint:i,transfer:Oa,toXYZ:L0,fromXYZ:D0,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Ri},outputColorSpaceConfig:{drawingBufferColorSpace:Ri}},[Ri]:{primaries:e,whitePoint:i,transfer:Dt,toXYZ:L0,fromXYZ:D0,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Ri}}}),n}var bt=KS();function Fs(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Ho(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var Po,cu=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{Po===void 0&&(Po=ka("canvas")),Po.width=e.width,Po.height=e.height;let s=Po.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=Po}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=ka("canvas");t.width=e.width,t.height=e.height;let i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);let s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=Fs(r[o]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(Fs(t[i]/255)*255):t[i]=Fs(t[i]);return{data:t,width:e.width,height:e.height}}else return Je("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},JS=0,Yo=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:JS++}),this.uuid=fl(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(rf(s[o].image)):r.push(rf(s[o]))}else r=rf(s);i.url=r}return t||(e.images[this.uuid]=i),i}};function rf(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?cu.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Je("Texture: Unable to serialize Texture."),{})}var QS=0,of=new O,_i=class n extends Ki{constructor(e=n.DEFAULT_IMAGE,t=n.DEFAULT_MAPPING,i=ds,s=ds,r=hi,o=Gs,a=Di,l=Jn,c=n.DEFAULT_ANISOTROPY,u=Hs){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:QS++}),this.uuid=fl(),this.name="",this.source=new Yo(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new ct(0,0),this.repeat=new ct(1,1),this.center=new ct(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new it,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(of).x}get height(){return this.source.getSize(of).y}get depth(){return this.source.getSize(of).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let i=e[t];if(i===void 0){Je(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Je(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Yf)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case ru:e.x=e.x-Math.floor(e.x);break;case ds:e.x=e.x<0?0:1;break;case ou:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case ru:e.y=e.y-Math.floor(e.y);break;case ds:e.y=e.y<0?0:1;break;case ou:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};_i.DEFAULT_IMAGE=null;_i.DEFAULT_MAPPING=Yf;_i.DEFAULT_ANISOTROPY=1;var sn=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*i+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r,l=e.elements,c=l[0],u=l[4],d=l[8],h=l[1],f=l[5],g=l[9],y=l[2],m=l[6],p=l[10];if(Math.abs(u-h)<.01&&Math.abs(d-y)<.01&&Math.abs(g-m)<.01){if(Math.abs(u+h)<.1&&Math.abs(d+y)<.1&&Math.abs(g+m)<.1&&Math.abs(c+f+p-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let T=(c+1)/2,S=(f+1)/2,R=(p+1)/2,C=(u+h)/4,v=(d+y)/4,w=(g+m)/4;return T>S&&T>R?T<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(T),s=C/i,r=v/i):S>R?S<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(S),i=C/s,r=w/s):R<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(R),i=v/r,s=w/r),this.set(i,s,r,t),this}let x=Math.sqrt((m-g)*(m-g)+(d-y)*(d-y)+(h-u)*(h-u));return Math.abs(x)<.001&&(x=1),this.x=(m-g)/x,this.y=(d-y)/x,this.z=(h-u)/x,this.w=Math.acos((c+f+p-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=St(this.x,e.x,t.x),this.y=St(this.y,e.y,t.y),this.z=St(this.z,e.z,t.z),this.w=St(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=St(this.x,e,t),this.y=St(this.y,e,t),this.z=St(this.z,e,t),this.w=St(this.w,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(St(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},uu=class extends Ki{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:hi,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new sn(0,0,e,t),this.scissorTest=!1,this.viewport=new sn(0,0,e,t),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new _i({width:e,height:t,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:hi,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Yo(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},Ii=class extends uu{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}},Ba=class extends _i{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=Ln,this.minFilter=Ln,this.wrapR=ds,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var hu=class extends _i{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=Ln,this.minFilter=Ln,this.wrapR=ds,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var Tt=class n{static{this.prototype.isMatrix4=!0}constructor(e,t,i,s,r,o,a,l,c,u,d,h,f,g,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c,u,d,h,f,g,y,m)}set(e,t,i,s,r,o,a,l,c,u,d,h,f,g,y,m){let p=this.elements;return p[0]=e,p[4]=t,p[8]=i,p[12]=s,p[1]=r,p[5]=o,p[9]=a,p[13]=l,p[2]=c,p[6]=u,p[10]=d,p[14]=h,p[3]=f,p[7]=g,p[11]=y,p[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new n().fromArray(this.elements)}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){let t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,i=e.elements,s=1/Io.setFromMatrixColumn(e,0).length(),r=1/Io.setFromMatrixColumn(e,1).length(),o=1/Io.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*o,t[9]=i[9]*o,t[10]=i[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,i=e.x,s=e.y,r=e.z,o=Math.cos(i),a=Math.sin(i),l=Math.cos(s),c=Math.sin(s),u=Math.cos(r),d=Math.sin(r);if(e.order==="XYZ"){let h=o*u,f=o*d,g=a*u,y=a*d;t[0]=l*u,t[4]=-l*d,t[8]=c,t[1]=f+g*c,t[5]=h-y*c,t[9]=-a*l,t[2]=y-h*c,t[6]=g+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*u,f=l*d,g=c*u,y=c*d;t[0]=h+y*a,t[4]=g*a-f,t[8]=o*c,t[1]=o*d,t[5]=o*u,t[9]=-a,t[2]=f*a-g,t[6]=y+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*u,f=l*d,g=c*u,y=c*d;t[0]=h-y*a,t[4]=-o*d,t[8]=g+f*a,t[1]=f+g*a,t[5]=o*u,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*u,f=o*d,g=a*u,y=a*d;t[0]=l*u,t[4]=g*c-f,t[8]=h*c+y,t[1]=l*d,t[5]=y*c+h,t[9]=f*c-g,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,g=a*l,y=a*c;t[0]=l*u,t[4]=y-h*d,t[8]=g*d+f,t[1]=d,t[5]=o*u,t[9]=-a*u,t[2]=-c*u,t[6]=f*d+g,t[10]=h-y*d}else if(e.order==="XZY"){let h=o*l,f=o*c,g=a*l,y=a*c;t[0]=l*u,t[4]=-d,t[8]=c*u,t[1]=h*d+y,t[5]=o*u,t[9]=f*d-g,t[2]=g*d-f,t[6]=a*u,t[10]=y*d+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(jS,e,eM)}lookAt(e,t,i){let s=this.elements;return Ai.subVectors(e,t),Ai.lengthSq()===0&&(Ai.z=1),Ai.normalize(),or.crossVectors(i,Ai),or.lengthSq()===0&&(Math.abs(i.z)===1?Ai.x+=1e-4:Ai.z+=1e-4,Ai.normalize(),or.crossVectors(i,Ai)),or.normalize(),Sc.crossVectors(Ai,or),s[0]=or.x,s[4]=Sc.x,s[8]=Ai.x,s[1]=or.y,s[5]=Sc.y,s[9]=Ai.y,s[2]=or.z,s[6]=Sc.z,s[10]=Ai.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[4],l=i[8],c=i[12],u=i[1],d=i[5],h=i[9],f=i[13],g=i[2],y=i[6],m=i[10],p=i[14],x=i[3],T=i[7],S=i[11],R=i[15],C=s[0],v=s[4],w=s[8],F=s[12],L=s[1],D=s[5],z=s[9],V=s[13],N=s[2],W=s[6],$=s[10],H=s[14],le=s[3],Y=s[7],j=s[11],ie=s[15];return r[0]=o*C+a*L+l*N+c*le,r[4]=o*v+a*D+l*W+c*Y,r[8]=o*w+a*z+l*$+c*j,r[12]=o*F+a*V+l*H+c*ie,r[1]=u*C+d*L+h*N+f*le,r[5]=u*v+d*D+h*W+f*Y,r[9]=u*w+d*z+h*$+f*j,r[13]=u*F+d*V+h*H+f*ie,r[2]=g*C+y*L+m*N+p*le,r[6]=g*v+y*D+m*W+p*Y,r[10]=g*w+y*z+m*$+p*j,r[14]=g*F+y*V+m*H+p*ie,r[3]=x*C+T*L+S*N+R*le,r[7]=x*v+T*D+S*W+R*Y,r[11]=x*w+T*z+S*$+R*j,r[15]=x*F+T*V+S*H+R*ie,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],u=e[2],d=e[6],h=e[10],f=e[14],g=e[3],y=e[7],m=e[11],p=e[15],x=l*f-c*h,T=a*f-c*d,S=a*h-l*d,R=o*f-c*u,C=o*h-l*u,v=o*d-a*u;return t*(y*x-m*T+p*S)-i*(g*x-m*R+p*C)+s*(g*T-y*R+p*v)-r*(g*S-y*C+m*v)}determinantAffine(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],u=e[10];return t*(o*u-a*c)-i*(r*u-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],d=e[9],h=e[10],f=e[11],g=e[12],y=e[13],m=e[14],p=e[15],x=t*a-i*o,T=t*l-s*o,S=t*c-r*o,R=i*l-s*a,C=i*c-r*a,v=s*c-r*l,w=u*y-d*g,F=u*m-h*g,L=u*p-f*g,D=d*m-h*y,z=d*p-f*y,V=h*p-f*m,N=x*V-T*z+S*D+R*L-C*F+v*w;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let W=1/N;return e[0]=(a*V-l*z+c*D)*W,e[1]=(s*z-i*V-r*D)*W,e[2]=(y*v-m*C+p*R)*W,e[3]=(h*C-d*v-f*R)*W,e[4]=(l*L-o*V-c*F)*W,e[5]=(t*V-s*L+r*F)*W,e[6]=(m*S-g*v-p*T)*W,e[7]=(u*v-h*S+f*T)*W,e[8]=(o*z-a*L+c*w)*W,e[9]=(i*L-t*z-r*w)*W,e[10]=(g*C-y*S+p*x)*W,e[11]=(d*S-u*C-f*x)*W,e[12]=(a*F-o*D-l*w)*W,e[13]=(t*D-i*F+s*w)*W,e[14]=(y*T-g*R-m*x)*W,e[15]=(u*R-d*T+h*x)*W,this}scale(e){let t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let i=Math.cos(t),s=Math.sin(t),r=1-i,o=e.x,a=e.y,l=e.z,c=r*o,u=r*a;return this.set(c*o+i,c*a-s*l,c*l+s*a,0,c*a+s*l,u*a+i,u*l-s*o,0,c*l-s*a,u*l+s*o,r*l*l+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,o){return this.set(1,i,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){let s=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,u=o+o,d=a+a,h=r*c,f=r*u,g=r*d,y=o*u,m=o*d,p=a*d,x=l*c,T=l*u,S=l*d,R=i.x,C=i.y,v=i.z;return s[0]=(1-(y+p))*R,s[1]=(f+S)*R,s[2]=(g-T)*R,s[3]=0,s[4]=(f-S)*C,s[5]=(1-(h+p))*C,s[6]=(m+x)*C,s[7]=0,s[8]=(g+T)*v,s[9]=(m-x)*v,s[10]=(1-(h+y))*v,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),t.identity(),this;let o=Io.set(s[0],s[1],s[2]).length(),a=Io.set(s[4],s[5],s[6]).length(),l=Io.set(s[8],s[9],s[10]).length();r<0&&(o=-o),Yi.copy(this);let c=1/o,u=1/a,d=1/l;return Yi.elements[0]*=c,Yi.elements[1]*=c,Yi.elements[2]*=c,Yi.elements[4]*=u,Yi.elements[5]*=u,Yi.elements[6]*=u,Yi.elements[8]*=d,Yi.elements[9]*=d,Yi.elements[10]*=d,t.setFromRotationMatrix(Yi),i.x=o,i.y=a,i.z=l,this}makePerspective(e,t,i,s,r,o,a=zi,l=!1){let c=this.elements,u=2*r/(t-e),d=2*r/(i-s),h=(t+e)/(t-e),f=(i+s)/(i-s),g,y;if(l)g=r/(o-r),y=o*r/(o-r);else if(a===zi)g=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===Xo)g=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=d,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=g,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,i,s,r,o,a=zi,l=!1){let c=this.elements,u=2/(t-e),d=2/(i-s),h=-(t+e)/(t-e),f=-(i+s)/(i-s),g,y;if(l)g=1/(o-r),y=o/(o-r);else if(a===zi)g=-2/(o-r),y=-(o+r)/(o-r);else if(a===Xo)g=-1/(o-r),y=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=d,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=g,c[14]=y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}},Io=new O,Yi=new Tt,jS=new O(0,0,0),eM=new O(1,1,1),or=new O,Sc=new O,Ai=new O,N0=new Tt,U0=new nn,Ji=class n{constructor(e=0,t=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],u=s[9],d=s[2],h=s[6],f=s[10];switch(t){case"XYZ":this._y=Math.asin(St(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,f),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(h,c),this._z=0);break;case"YXZ":this._x=Math.asin(-St(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,f),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-d,r),this._z=0);break;case"ZXY":this._x=Math.asin(St(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-d,f),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-St(d,-1,1)),Math.abs(d)<.9999999?(this._x=Math.atan2(h,f),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(St(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-d,r)):(this._x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-St(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-u,f),this._y=0);break;default:Je("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return N0.makeRotationFromQuaternion(e),this.setFromRotationMatrix(N0,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return U0.setFromEuler(this),this.setFromQuaternion(U0,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Ji.DEFAULT_ORDER="XYZ";var $o=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},tM=0,F0=new O,Lo=new nn,Ps=new Tt,Mc=new O,Ra=new O,nM=new O,iM=new nn,O0=new O(1,0,0),k0=new O(0,1,0),B0=new O(0,0,1),z0={type:"added"},sM={type:"removed"},Do={type:"childadded",child:null},af={type:"childremoved",child:null},rn=class n extends Ki{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:tM++}),this.uuid=fl(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let e=new O,t=new Ji,i=new nn,s=new O(1,1,1);function r(){i.setFromEuler(t,!1)}function o(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Tt},normalMatrix:{value:new it}}),this.matrix=new Tt,this.matrixWorld=new Tt,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new $o,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Lo.setFromAxisAngle(e,t),this.quaternion.multiply(Lo),this}rotateOnWorldAxis(e,t){return Lo.setFromAxisAngle(e,t),this.quaternion.premultiply(Lo),this}rotateX(e){return this.rotateOnAxis(O0,e)}rotateY(e){return this.rotateOnAxis(k0,e)}rotateZ(e){return this.rotateOnAxis(B0,e)}translateOnAxis(e,t){return F0.copy(e).applyQuaternion(this.quaternion),this.position.add(F0.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(O0,e)}translateY(e){return this.translateOnAxis(k0,e)}translateZ(e){return this.translateOnAxis(B0,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(Ps.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Mc.copy(e):Mc.set(e,t,i);let s=this.parent;this.updateWorldMatrix(!0,!1),Ra.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?Ps.lookAt(Ra,Mc,this.up):Ps.lookAt(Mc,Ra,this.up),this.quaternion.setFromRotationMatrix(Ps),s&&(Ps.extractRotation(s.matrixWorld),Lo.setFromRotationMatrix(Ps),this.quaternion.premultiply(Lo.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(tt("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(z0),Do.child=e,this.dispatchEvent(Do),Do.child=null):tt("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(sM),af.child=e,this.dispatchEvent(af),af.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Ps.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),Ps.multiply(e.parent.matrixWorld)),e.applyMatrix4(Ps),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(z0),Do.child=e,this.dispatchEvent(Do),Do.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ra,e,nM),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ra,iM,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(e){let t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){let d=l[c];r(e.shapes,d)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),u=o(e.images),d=o(e.shapes),h=o(e.skeletons),f=o(e.animations),g=o(e.nodes);a.length>0&&(i.geometries=a),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),u.length>0&&(i.images=u),d.length>0&&(i.shapes=d),h.length>0&&(i.skeletons=h),f.length>0&&(i.animations=f),g.length>0&&(i.nodes=g)}return i.object=s,i;function o(a){let l=[];for(let c in a){let u=a[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){let s=e.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};rn.DEFAULT_UP=new O(0,1,0);rn.DEFAULT_MATRIX_AUTO_UPDATE=!0;rn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var gi=class extends rn{constructor(){super(),this.isGroup=!0,this.type="Group"}},rM={type:"move"},Zo=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new gi,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new gi,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new O,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new O),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new gi,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new O,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new O,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){let m=t.getJointPose(y,i),p=this._getHandJoint(c,y);m!==null&&(p.matrix.fromArray(m.transform.matrix),p.matrix.decompose(p.position,p.quaternion,p.scale),p.matrixWorldNeedsUpdate=!0,p.jointRadius=m.radius),p.visible=m!==null}let u=c.joints["index-finger-tip"],d=c.joints["thumb-tip"],h=u.position.distanceTo(d.position),f=.02,g=.005;c.inputState.pinching&&h>f+g?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-g&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(rM)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let i=new gi;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}},X_={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ar={h:0,s:0,l:0},wc={h:0,s:0,l:0};function lf(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}var st=class{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Ri){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,bt.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=bt.workingColorSpace){return this.r=e,this.g=t,this.b=i,bt.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=bt.workingColorSpace){if(e=YS(e,1),t=St(t,0,1),i=St(i,0,1),t===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+t):i+t-i*t,o=2*i-r;this.r=lf(o,r,e+1/3),this.g=lf(o,r,e),this.b=lf(o,r,e-1/3)}return bt.colorSpaceToWorking(this,s),this}setStyle(e,t=Ri){function i(r){r!==void 0&&parseFloat(r)<1&&Je("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Je("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Je("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Ri){let i=X_[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Je("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=Fs(e.r),this.g=Fs(e.g),this.b=Fs(e.b),this}copyLinearToSRGB(e){return this.r=Ho(e.r),this.g=Ho(e.g),this.b=Ho(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Ri){return bt.workingToColorSpace(ei.copy(this),e),Math.round(St(ei.r*255,0,255))*65536+Math.round(St(ei.g*255,0,255))*256+Math.round(St(ei.b*255,0,255))}getHexString(e=Ri){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=bt.workingColorSpace){bt.workingToColorSpace(ei.copy(this),t);let i=ei.r,s=ei.g,r=ei.b,o=Math.max(i,s,r),a=Math.min(i,s,r),l,c,u=(a+o)/2;if(a===o)l=0,c=0;else{let d=o-a;switch(c=u<=.5?d/(o+a):d/(2-o-a),o){case i:l=(s-r)/d+(s<r?6:0);break;case s:l=(r-i)/d+2;break;case r:l=(i-s)/d+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=bt.workingColorSpace){return bt.workingToColorSpace(ei.copy(this),t),e.r=ei.r,e.g=ei.g,e.b=ei.b,e}getStyle(e=Ri){bt.workingToColorSpace(ei.copy(this),e);let t=ei.r,i=ei.g,s=ei.b;return e!==Ri?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(ar),this.setHSL(ar.h+e,ar.s+t,ar.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(ar),e.getHSL(wc);let i=tf(ar.h,wc.h,t),s=tf(ar.s,wc.s,t),r=tf(ar.l,wc.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},ei=new st;st.NAMES=X_;var za=class extends rn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Ji,this.environmentIntensity=1,this.environmentRotation=new Ji,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},$i=new O,Is=new O,cf=new O,Ls=new O,No=new O,Uo=new O,G0=new O,uf=new O,hf=new O,df=new O,ff=new sn,pf=new sn,mf=new sn,Us=class n{constructor(e=new O,t=new O,i=new O){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),$i.subVectors(e,t),s.cross($i);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){$i.subVectors(s,t),Is.subVectors(i,t),cf.subVectors(e,t);let o=$i.dot($i),a=$i.dot(Is),l=$i.dot(cf),c=Is.dot(Is),u=Is.dot(cf),d=o*c-a*a;if(d===0)return r.set(0,0,0),null;let h=1/d,f=(c*l-a*u)*h,g=(o*u-a*l)*h;return r.set(1-f-g,g,f)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,Ls)===null?!1:Ls.x>=0&&Ls.y>=0&&Ls.x+Ls.y<=1}static getInterpolation(e,t,i,s,r,o,a,l){return this.getBarycoord(e,t,i,s,Ls)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,Ls.x),l.addScaledVector(o,Ls.y),l.addScaledVector(a,Ls.z),l)}static getInterpolatedAttribute(e,t,i,s,r,o){return ff.setScalar(0),pf.setScalar(0),mf.setScalar(0),ff.fromBufferAttribute(e,t),pf.fromBufferAttribute(e,i),mf.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(ff,r.x),o.addScaledVector(pf,r.y),o.addScaledVector(mf,r.z),o}static isFrontFacing(e,t,i,s){return $i.subVectors(i,t),Is.subVectors(e,t),$i.cross(Is).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return $i.subVectors(this.c,this.b),Is.subVectors(this.a,this.b),$i.cross(Is).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return n.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return n.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return n.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return n.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return n.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let i=this.a,s=this.b,r=this.c,o,a;No.subVectors(s,i),Uo.subVectors(r,i),uf.subVectors(e,i);let l=No.dot(uf),c=Uo.dot(uf);if(l<=0&&c<=0)return t.copy(i);hf.subVectors(e,s);let u=No.dot(hf),d=Uo.dot(hf);if(u>=0&&d<=u)return t.copy(s);let h=l*d-u*c;if(h<=0&&l>=0&&u<=0&&l-u>0)return o=l/(l-u),t.copy(i).addScaledVector(No,o);df.subVectors(e,r);let f=No.dot(df),g=Uo.dot(df);if(g>=0&&f<=g)return t.copy(r);let y=f*c-l*g;if(y<=0&&c>=0&&g<=0)return a=c/(c-g),t.copy(i).addScaledVector(Uo,a);let m=u*g-f*d;if(m<=0&&d-u>=0&&f-g>=0)return G0.subVectors(r,s),a=(d-u)/(d-u+(f-g)),t.copy(s).addScaledVector(G0,a);let p=1/(m+y+h);return o=y*p,a=h*p,t.copy(i).addScaledVector(No,o).addScaledVector(Uo,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},fs=class{constructor(e=new O(1/0,1/0,1/0),t=new O(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(Zi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(Zi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let i=Zi.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let i=e.geometry;if(i!==void 0){let r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,Zi):Zi.fromBufferAttribute(r,o),Zi.applyMatrix4(e.matrixWorld),this.expandByPoint(Zi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Tc.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Tc.copy(i.boundingBox)),Tc.applyMatrix4(e.matrixWorld),this.union(Tc)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Zi),Zi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(Pa),Ec.subVectors(this.max,Pa),Fo.subVectors(e.a,Pa),Oo.subVectors(e.b,Pa),ko.subVectors(e.c,Pa),lr.subVectors(Oo,Fo),cr.subVectors(ko,Oo),Nr.subVectors(Fo,ko);let t=[0,-lr.z,lr.y,0,-cr.z,cr.y,0,-Nr.z,Nr.y,lr.z,0,-lr.x,cr.z,0,-cr.x,Nr.z,0,-Nr.x,-lr.y,lr.x,0,-cr.y,cr.x,0,-Nr.y,Nr.x,0];return!gf(t,Fo,Oo,ko,Ec)||(t=[1,0,0,0,1,0,0,0,1],!gf(t,Fo,Oo,ko,Ec))?!1:(Ac.crossVectors(lr,cr),t=[Ac.x,Ac.y,Ac.z],gf(t,Fo,Oo,ko,Ec))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Zi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Zi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(Ds[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),Ds[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),Ds[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),Ds[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),Ds[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),Ds[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),Ds[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),Ds[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(Ds),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},Ds=[new O,new O,new O,new O,new O,new O,new O,new O],Zi=new O,Tc=new fs,Fo=new O,Oo=new O,ko=new O,lr=new O,cr=new O,Nr=new O,Pa=new O,Ec=new O,Ac=new O,Ur=new O;function gf(n,e,t,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){Ur.fromArray(n,r);let a=s.x*Math.abs(Ur.x)+s.y*Math.abs(Ur.y)+s.z*Math.abs(Ur.z),l=e.dot(Ur),c=t.dot(Ur),u=i.dot(Ur);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>a)return!1}return!0}var In=new O,Cc=new ct,oM=0,Kn=class extends Ki{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:oM++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=B_,this.updateRanges=[],this.gpuType=ji,this.version=0,this._normalizationScale=e!==void 0?rp(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Cc.fromBufferAttribute(this,t),Cc.applyMatrix3(e),this.setXY(t,Cc.x,Cc.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)In.fromBufferAttribute(this,t),In.applyMatrix3(e),this.setXYZ(t,In.x,In.y,In.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)In.fromBufferAttribute(this,t),In.applyMatrix4(e),this.setXYZ(t,In.x,In.y,In.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)In.fromBufferAttribute(this,t),In.applyNormalMatrix(e),this.setXYZ(t,In.x,In.y,In.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)In.fromBufferAttribute(this,t),In.transformDirection(e),this.setXYZ(t,In.x,In.y,In.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):$S(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):ZS(e,this.array)}};var Ga=class extends Kn{constructor(e,t,i){super(new Uint16Array(e),t,i)}};var Va=class extends Kn{constructor(e,t,i){super(new Uint32Array(e),t,i)}};var mt=class extends Kn{constructor(e,t,i){super(new Float32Array(e),t,i)}},aM=new fs,Ia=new O,_f=new O,hr=class{constructor(e=new O,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let i=this.center;t!==void 0?i.copy(t):aM.setFromPoints(e).getCenter(i);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;Ia.subVectors(e,this.center);let t=Ia.lengthSq();if(t>this.radius*this.radius){let i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(Ia,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(_f.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Ia.copy(e.center).add(_f)),this.expandByPoint(Ia.copy(e.center).sub(_f))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},lM=0,Bi=new Tt,vf=new rn,Bo=new O,Ci=new fs,La=new fs,Wn=new O,Nt=class n extends Ki{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:lM++}),this.uuid=fl(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(XS(e)?Va:Ga)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new it().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return Bi.makeRotationFromQuaternion(e),this.applyMatrix4(Bi),this}rotateX(e){return Bi.makeRotationX(e),this.applyMatrix4(Bi),this}rotateY(e){return Bi.makeRotationY(e),this.applyMatrix4(Bi),this}rotateZ(e){return Bi.makeRotationZ(e),this.applyMatrix4(Bi),this}translate(e,t,i){return Bi.makeTranslation(e,t,i),this.applyMatrix4(Bi),this}scale(e,t,i){return Bi.makeScale(e,t,i),this.applyMatrix4(Bi),this}lookAt(e){return vf.lookAt(e),vf.updateMatrix(),this.applyMatrix4(vf.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Bo).negate(),this.translate(Bo.x,Bo.y,Bo.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let i=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new mt(i,3))}else{let i=Math.min(e.length,t.count);for(let s=0;s<i;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Je("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new fs);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){tt("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new O(-1/0,-1/0,-1/0),new O(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){let r=t[i];Ci.setFromBufferAttribute(r),this.morphTargetsRelative?(Wn.addVectors(this.boundingBox.min,Ci.min),this.boundingBox.expandByPoint(Wn),Wn.addVectors(this.boundingBox.max,Ci.max),this.boundingBox.expandByPoint(Wn)):(this.boundingBox.expandByPoint(Ci.min),this.boundingBox.expandByPoint(Ci.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&tt('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new hr);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){tt("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new O,1/0);return}if(e){let i=this.boundingSphere.center;if(Ci.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];La.setFromBufferAttribute(a),this.morphTargetsRelative?(Wn.addVectors(Ci.min,La.min),Ci.expandByPoint(Wn),Wn.addVectors(Ci.max,La.max),Ci.expandByPoint(Wn)):(Ci.expandByPoint(La.min),Ci.expandByPoint(La.max))}Ci.getCenter(i);let s=0;for(let r=0,o=e.count;r<o;r++)Wn.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(Wn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,u=a.count;c<u;c++)Wn.fromBufferAttribute(a,c),l&&(Bo.fromBufferAttribute(e,c),Wn.add(Bo)),s=Math.max(s,i.distanceToSquared(Wn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&tt('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){tt("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new Kn(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(i.count);for(let F=0;F<i.count;F++)a[F]=new O,l[F]=new O;let u=new O,d=new O,h=new O,f=new ct,g=new ct,y=new ct,m=new O,p=new O;function x(F,L,D){c[F]=c[L]=c[D]=1,u.fromBufferAttribute(i,F),d.fromBufferAttribute(i,L),h.fromBufferAttribute(i,D),f.fromBufferAttribute(r,F),g.fromBufferAttribute(r,L),y.fromBufferAttribute(r,D),d.sub(u),h.sub(u),g.sub(f),y.sub(f);let z=1/(g.x*y.y-y.x*g.y);isFinite(z)&&(m.copy(d).multiplyScalar(y.y).addScaledVector(h,-g.y).multiplyScalar(z),p.copy(h).multiplyScalar(g.x).addScaledVector(d,-y.x).multiplyScalar(z),a[F].add(m),a[L].add(m),a[D].add(m),l[F].add(p),l[L].add(p),l[D].add(p))}let T=this.groups;T.length===0&&(T=[{start:0,count:e.count}]);for(let F=0,L=T.length;F<L;++F){let D=T[F],z=D.start,V=D.count;for(let N=z,W=z+V;N<W;N+=3)x(e.getX(N+0),e.getX(N+1),e.getX(N+2))}let S=new O,R=new O,C=new O,v=new O;function w(F){C.fromBufferAttribute(s,F),v.copy(C);let L=a[F];S.copy(L),S.sub(C.multiplyScalar(C.dot(L))).normalize(),R.crossVectors(v,L);let z=R.dot(l[F])<0?-1:1;o.setXYZW(F,S.x,S.y,S.z,z)}for(let F=0,L=i.count;F<L;++F)c[F]&&w(F);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new Kn(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let h=0,f=i.count;h<f;h++)i.setXYZ(h,0,0,0);let s=new O,r=new O,o=new O,a=new O,l=new O,c=new O,u=new O,d=new O;if(e)for(let h=0,f=e.count;h<f;h+=3){let g=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(t,g),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),u.subVectors(o,r),d.subVectors(s,r),u.cross(d),a.fromBufferAttribute(i,g),l.fromBufferAttribute(i,y),c.fromBufferAttribute(i,m),a.add(u),l.add(u),c.add(u),i.setXYZ(g,a.x,a.y,a.z),i.setXYZ(y,l.x,l.y,l.z),i.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),u.subVectors(o,r),d.subVectors(s,r),u.cross(d),i.setXYZ(h+0,u.x,u.y,u.z),i.setXYZ(h+1,u.x,u.y,u.z),i.setXYZ(h+2,u.x,u.y,u.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)Wn.fromBufferAttribute(e,t),Wn.normalize(),e.setXYZ(t,Wn.x,Wn.y,Wn.z)}toNonIndexed(){function e(a,l){let c=a.array,u=a.itemSize,d=a.normalized,h=new c.constructor(l.length*u),f=0,g=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*u;for(let p=0;p<u;p++)h[g++]=c[f++]}return new Kn(h,u,d)}if(this.index===null)return Je("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new n,i=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=e(l,i);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let u=0,d=c.length;u<d;u++){let h=c[u],f=e(h,i);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let i=this.attributes;for(let l in i){let c=i[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],u=[];for(let d=0,h=c.length;d<h;d++){let f=c[d];u.push(f.toJSON(e.data))}u.length>0&&(s[l]=u,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let i=e.index;i!==null&&this.setIndex(i.clone());let s=e.attributes;for(let c in s){let u=s[c];this.setAttribute(c,u.clone(t))}let r=e.morphAttributes;for(let c in r){let u=[],d=r[c];for(let h=0,f=d.length;h<f;h++)u.push(d[h].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,u=o.length;c<u;c++){let d=o[c];this.addGroup(d.start,d.count,d.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var xf=new O,cM=new O,uM=new it,Pi=class{constructor(e=new O(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){let s=xf.subVectors(i,t).cross(cM.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){let s=e.delta(xf),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let i=t||uM.getNormalMatrix(e),s=this.coplanarPoint(xf).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},hM=0,ps=class extends Ki{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:hM++}),this.uuid=fl(),this.name="",this.type="Material",this.blending=ea,this.side=gs,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=kf,this.blendDst=Bf,this.blendEquation=Wr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=Wo,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=D_,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Kc,this.stencilZFail=Kc,this.stencilZPass=Kc,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let i=e[t];if(i===void 0){Je(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Je(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new st().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new Pi().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new ct().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new ct().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,i=null;if(t!==null){let s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var Ns=new O,yf=new O,Rc=new O,Pc=new O,kr=class{constructor(e=new O,t=new O(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,Ns)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=Ns.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Ns.copy(this.origin).addScaledVector(this.direction,t),Ns.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){yf.copy(e).add(t).multiplyScalar(.5),Rc.copy(t).sub(e).normalize(),Pc.copy(this.origin).sub(yf);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Rc),a=Pc.dot(this.direction),l=-Pc.dot(Rc),c=Pc.lengthSq(),u=Math.abs(1-o*o),d,h,f,g;if(u>0)if(d=o*l-a,h=o*a-l,g=r*u,d>=0)if(h>=-g)if(h<=g){let y=1/u;d*=y,h*=y,f=d*(d+o*h+2*a)+h*(o*d+h+2*l)+c}else h=r,d=Math.max(0,-(o*h+a)),f=-d*d+h*(h+2*l)+c;else h=-r,d=Math.max(0,-(o*h+a)),f=-d*d+h*(h+2*l)+c;else h<=-g?(d=Math.max(0,-(-o*r+a)),h=d>0?-r:Math.min(Math.max(-r,-l),r),f=-d*d+h*(h+2*l)+c):h<=g?(d=0,h=Math.min(Math.max(-r,-l),r),f=h*(h+2*l)+c):(d=Math.max(0,-(o*r+a)),h=d>0?r:Math.min(Math.max(-r,-l),r),f=-d*d+h*(h+2*l)+c);else h=o>0?-r:r,d=Math.max(0,-(o*h+a)),f=-d*d+h*(h+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,d),s&&s.copy(yf).addScaledVector(Rc,h),f}intersectSphere(e,t){if(e.radius<0)return null;Ns.subVectors(e.center,this.origin);let i=Ns.dot(this.direction),s=Ns.dot(Ns)-i*i,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,l=i+o;return l<0?null:a<0?this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){let i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,o,a,l,c=1/this.direction.x,u=1/this.direction.y,d=1/this.direction.z,h=this.origin;return c>=0?(i=(e.min.x-h.x)*c,s=(e.max.x-h.x)*c):(i=(e.max.x-h.x)*c,s=(e.min.x-h.x)*c),u>=0?(r=(e.min.y-h.y)*u,o=(e.max.y-h.y)*u):(r=(e.max.y-h.y)*u,o=(e.min.y-h.y)*u),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),d>=0?(a=(e.min.z-h.z)*d,l=(e.max.z-h.z)*d):(a=(e.max.z-h.z)*d,l=(e.min.z-h.z)*d),i>l||a>s)||((a>i||i!==i)&&(i=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,Ns)!==null}intersectTriangle(e,t,i,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,u=a.z,d=e.x-o.x,h=e.y-o.y,f=e.z-o.z,g=t.x-o.x,y=t.y-o.y,m=t.z-o.z,p=i.x-o.x,x=i.y-o.y,T=i.z-o.z,S=Math.abs(l),R=Math.abs(c),C=Math.abs(u),v,w,F,L,D,z,V,N,W,$,H,le;if(S>=R&&S>=C?(F=l,z=d,W=g,le=p,l>=0?(v=c,w=u,L=h,D=f,V=y,N=m,$=x,H=T):(v=u,w=c,L=f,D=h,V=m,N=y,$=T,H=x)):R>=C?(F=c,z=h,W=y,le=x,c>=0?(v=u,w=l,L=f,D=d,V=m,N=g,$=T,H=p):(v=l,w=u,L=d,D=f,V=g,N=m,$=p,H=T)):(F=u,z=f,W=m,le=T,u>=0?(v=l,w=c,L=d,D=h,V=g,N=y,$=p,H=x):(v=c,w=l,L=h,D=d,V=y,N=g,$=x,H=p)),F===0)return null;let Y=v/F,j=w/F,ie=1/F,he=L-Y*z,de=D-j*z,ee=V-Y*W,me=N-j*W,ve=$-Y*le,Ae=H-j*le,Se=ve*me-Ae*ee,Ye=he*Ae-de*ve,at=ee*de-me*he;if(s){if(Se<0||Ye<0||at<0)return null}else if((Se<0||Ye<0||at<0)&&(Se>0||Ye>0||at>0))return null;let We=Se+Ye+at;if(We===0)return null;let pt=ie*(Se*z+Ye*W+at*le);return(We>0?pt<0:pt>0)?null:this.at(pt/We,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},ks=class extends ps{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new st(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ji,this.combine=Pu,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},V0=new Tt,Fr=new kr,Ic=new hr,H0=new O,Lc=new O,Dc=new O,Nc=new O,bf=new O,Uc=new O,W0=new O,Fc=new O,De=class extends rn{constructor(e=new Nt,t=new ks){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Uc.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let u=a[l],d=r[l];u!==0&&(bf.fromBufferAttribute(d,e),o?Uc.addScaledVector(bf,u):Uc.addScaledVector(bf.sub(t),u))}t.add(Uc)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),Ic.copy(i.boundingSphere),Ic.applyMatrix4(r),Fr.copy(e.ray).recast(e.near),!(Ic.containsPoint(Fr.origin)===!1&&(Fr.intersectSphere(Ic,H0)===null||Fr.origin.distanceToSquared(H0)>(e.far-e.near)**2))&&(V0.copy(r).invert(),Fr.copy(e.ray).applyMatrix4(V0),!(i.boundingBox!==null&&Fr.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,Fr)))}_computeIntersections(e,t,i){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,u=r.attributes.uv1,d=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let g=0,y=h.length;g<y;g++){let m=h[g],p=o[m.materialIndex],x=Math.max(m.start,f.start),T=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let S=x,R=T;S<R;S+=3){let C=a.getX(S),v=a.getX(S+1),w=a.getX(S+2);s=Oc(this,p,e,i,c,u,d,C,v,w),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),y=Math.min(a.count,f.start+f.count);for(let m=g,p=y;m<p;m+=3){let x=a.getX(m),T=a.getX(m+1),S=a.getX(m+2);s=Oc(this,o,e,i,c,u,d,x,T,S),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let g=0,y=h.length;g<y;g++){let m=h[g],p=o[m.materialIndex],x=Math.max(m.start,f.start),T=Math.min(l.count,Math.min(m.start+m.count,f.start+f.count));for(let S=x,R=T;S<R;S+=3){let C=S,v=S+1,w=S+2;s=Oc(this,p,e,i,c,u,d,C,v,w),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=g,p=y;m<p;m+=3){let x=m,T=m+1,S=m+2;s=Oc(this,o,e,i,c,u,d,x,T,S),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function dM(n,e,t,i,s,r,o,a){let l;if(e.side===di?l=i.intersectTriangle(o,r,s,!0,a):l=i.intersectTriangle(s,r,o,e.side===gs,a),l===null)return null;Fc.copy(a),Fc.applyMatrix4(n.matrixWorld);let c=t.ray.origin.distanceTo(Fc);return c<t.near||c>t.far?null:{distance:c,point:Fc.clone(),object:n}}function Oc(n,e,t,i,s,r,o,a,l,c){n.getVertexPosition(a,Lc),n.getVertexPosition(l,Dc),n.getVertexPosition(c,Nc);let u=dM(n,e,t,i,Lc,Dc,Nc,W0);if(u){let d=new O;Us.getBarycoord(W0,Lc,Dc,Nc,d),s&&(u.uv=Us.getInterpolatedAttribute(s,a,l,c,d,new ct)),r&&(u.uv1=Us.getInterpolatedAttribute(r,a,l,c,d,new ct)),o&&(u.normal=Us.getInterpolatedAttribute(o,a,l,c,d,new O),u.normal.dot(i.direction)>0&&u.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new O,materialIndex:0};Us.getNormal(Lc,Dc,Nc,h.normal),u.face=h,u.barycoord=d}return u}var Br=class extends _i{constructor(e=null,t=1,i=1,s,r,o,a,l,c=Ln,u=Ln,d,h){super(null,o,a,l,c,u,s,r,d,h),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Or=new hr,fM=new ct(.5,.5),kc=new O,dr=class{constructor(e=new Pi,t=new Pi,i=new Pi,s=new Pi,r=new Pi,o=new Pi){this.planes=[e,t,i,s,r,o]}set(e,t,i,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=zi,i=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],u=r[4],d=r[5],h=r[6],f=r[7],g=r[8],y=r[9],m=r[10],p=r[11],x=r[12],T=r[13],S=r[14],R=r[15];if(s[0].setComponents(c-o,f-u,p-g,R-x).normalize(),s[1].setComponents(c+o,f+u,p+g,R+x).normalize(),s[2].setComponents(c+a,f+d,p+y,R+T).normalize(),s[3].setComponents(c-a,f-d,p-y,R-T).normalize(),i)s[4].setComponents(l,h,m,S).normalize(),s[5].setComponents(c-l,f-h,p-m,R-S).normalize();else if(s[4].setComponents(c-l,f-h,p-m,R-S).normalize(),t===zi)s[5].setComponents(c+l,f+h,p+m,R+S).normalize();else if(t===Xo)s[5].setComponents(l,h,m,S).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),Or.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Or.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Or)}intersectsSprite(e){Or.center.set(0,0,0);let t=fM.distanceTo(e.center);return Or.radius=.7071067811865476+t,Or.applyMatrix4(e.matrixWorld),this.intersectsSphere(Or)}intersectsSphere(e){let t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let i=0;i<6;i++){let s=t[i];if(kc.x=s.normal.x>0?e.max.x:e.min.x,kc.y=s.normal.y>0?e.max.y:e.min.y,kc.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(kc)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},X0=new Tt,du=class n{constructor(){this.coordinateSystem=zi,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,i=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];X0.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new dr),i[s].setFromProjectionMatrix(X0,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,i=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new dr),t[s].copy(i[s]);return this._count=e._count,this}clone(){return new n().copy(this)}};var vi=class extends ps{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new st(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},fu=new O,pu=new O,q0=new Tt,Da=new kr,Bc=new hr,Sf=new O,Y0=new O,ti=class extends rn{constructor(e=new Nt,t=new vi){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[0];for(let s=1,r=t.count;s<r;s++)fu.fromBufferAttribute(t,s-1),pu.fromBufferAttribute(t,s),i[s]=i[s-1],i[s]+=fu.distanceTo(pu);e.setAttribute("lineDistance",new mt(i,1))}else Je("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),Bc.copy(i.boundingSphere),Bc.applyMatrix4(s),Bc.radius+=r,e.ray.intersectsSphere(Bc)===!1)return;q0.copy(s).invert(),Da.copy(e.ray).applyMatrix4(q0);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,u=i.index,h=i.attributes.position;if(u!==null){let f=Math.max(0,o.start),g=Math.min(u.count,o.start+o.count);for(let y=f,m=g-1;y<m;y+=c){let p=u.getX(y),x=u.getX(y+1),T=zc(this,e,Da,l,p,x,y);T&&t.push(T)}if(this.isLineLoop){let y=u.getX(g-1),m=u.getX(f),p=zc(this,e,Da,l,y,m,g-1);p&&t.push(p)}}else{let f=Math.max(0,o.start),g=Math.min(h.count,o.start+o.count);for(let y=f,m=g-1;y<m;y+=c){let p=zc(this,e,Da,l,y,y+1,y);p&&t.push(p)}if(this.isLineLoop){let y=zc(this,e,Da,l,g-1,f,g-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function zc(n,e,t,i,s,r,o){let a=n.geometry.attributes.position;if(fu.fromBufferAttribute(a,s),pu.fromBufferAttribute(a,r),t.distanceSqToSegment(fu,pu,Sf,Y0)>i)return;Sf.applyMatrix4(n.matrixWorld);let c=e.ray.origin.distanceTo(Sf);if(!(c<e.near||c>e.far))return{distance:c,point:Y0.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var $0=new O,Z0=new O,fr=class extends ti{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[];for(let s=0,r=t.count;s<r;s+=2)$0.fromBufferAttribute(t,s),Z0.fromBufferAttribute(t,s+1),i[s]=s===0?0:i[s-1],i[s+1]=i[s]+$0.distanceTo(Z0);e.setAttribute("lineDistance",new mt(i,1))}else Je("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}},Ha=class extends ti{constructor(e,t){super(e,t),this.isLineLoop=!0,this.type="LineLoop"}},Ko=class extends ps{constructor(e){super(),this.isPointsMaterial=!0,this.type="PointsMaterial",this.color=new st(16777215),this.map=null,this.alphaMap=null,this.size=1,this.sizeAttenuation=!0,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.alphaMap=e.alphaMap,this.size=e.size,this.sizeAttenuation=e.sizeAttenuation,this.fog=e.fog,this}},K0=new Tt,Rf=new kr,Gc=new hr,Vc=new O,zr=class extends rn{constructor(e=new Nt,t=new Ko){super(),this.isPoints=!0,this.type="Points",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Points.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),Gc.copy(i.boundingSphere),Gc.applyMatrix4(s),Gc.radius+=r,e.ray.intersectsSphere(Gc)===!1)return;K0.copy(s).invert(),Rf.copy(e.ray).applyMatrix4(K0);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=i.index,d=i.attributes.position;if(c!==null){let h=Math.max(0,o.start),f=Math.min(c.count,o.start+o.count);for(let g=h,y=f;g<y;g++){let m=c.getX(g);Vc.fromBufferAttribute(d,m),J0(Vc,m,l,s,e,t,this)}}else{let h=Math.max(0,o.start),f=Math.min(d.count,o.start+o.count);for(let g=h,y=f;g<y;g++)Vc.fromBufferAttribute(d,g),J0(Vc,g,l,s,e,t,this)}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function J0(n,e,t,i,s,r,o){let a=Rf.distanceSqToPoint(n);if(a<t){let l=new O;Rf.closestPointToPoint(n,l),l.applyMatrix4(i);let c=s.ray.origin.distanceTo(l);if(c<s.near||c>s.far)return;r.push({distance:c,distanceToRay:Math.sqrt(a),point:l,index:e,face:null,faceIndex:null,barycoord:null,object:o})}}var Wa=class extends _i{constructor(e=[],t=Xr,i,s,r,o,a,l,c,u){super(e,t,i,s,r,o,a,l,c,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var Bs=class extends _i{constructor(e,t,i=Qi,s,r,o,a=Ln,l=Ln,c,u=Os,d=1){if(u!==Os&&u!==Vs)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:d};super(h,s,r,o,a,l,u,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Yo(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Xa=class extends Bs{constructor(e,t=Qi,i=Xr,s,r,o=Ln,a=Ln,l,c=Os){let u={width:e,height:e,depth:1},d=[u,u,u,u,u,u];super(e,e,t,i,s,r,o,a,l,c),this.image=d,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},qa=class extends _i{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},on=class n extends Nt{constructor(e=1,t=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],u=[],d=[],h=0,f=0;g("z","y","x",-1,-1,i,t,e,o,r,0),g("z","y","x",1,-1,i,t,-e,o,r,1),g("x","z","y",1,1,e,i,t,s,o,2),g("x","z","y",1,-1,e,i,-t,s,o,3),g("x","y","z",1,-1,e,t,i,s,r,4),g("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(l),this.setAttribute("position",new mt(c,3)),this.setAttribute("normal",new mt(u,3)),this.setAttribute("uv",new mt(d,2));function g(y,m,p,x,T,S,R,C,v,w,F){let L=S/v,D=R/w,z=S/2,V=R/2,N=C/2,W=v+1,$=w+1,H=0,le=0,Y=new O;for(let j=0;j<$;j++){let ie=j*D-V;for(let he=0;he<W;he++){let de=he*L-z;Y[y]=de*x,Y[m]=ie*T,Y[p]=N,c.push(Y.x,Y.y,Y.z),Y[y]=0,Y[m]=0,Y[p]=C>0?1:-1,u.push(Y.x,Y.y,Y.z),d.push(he/v),d.push(1-j/w),H+=1}}for(let j=0;j<w;j++)for(let ie=0;ie<v;ie++){let he=h+ie+W*j,de=h+ie+W*(j+1),ee=h+(ie+1)+W*(j+1),me=h+(ie+1)+W*j;l.push(he,de,me),l.push(de,ee,me),le+=6}a.addGroup(f,le,F),f+=le,h+=H}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var Xn=class n extends Nt{constructor(e=1,t=1,i=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,height:i,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let u=[],d=[],h=[],f=[],g=0,y=[],m=i/2,p=0;x(),o===!1&&(e>0&&T(!0),t>0&&T(!1)),this.setIndex(u),this.setAttribute("position",new mt(d,3)),this.setAttribute("normal",new mt(h,3)),this.setAttribute("uv",new mt(f,2));function x(){let S=new O,R=new O,C=0,v=(t-e)/i;for(let w=0;w<=r;w++){let F=[],L=w/r,D=L*(t-e)+e;for(let z=0;z<=s;z++){let V=z/s,N=V*l+a,W=Math.sin(N),$=Math.cos(N);R.x=D*W,R.y=-L*i+m,R.z=D*$,d.push(R.x,R.y,R.z),S.set(W,v,$).normalize(),h.push(S.x,S.y,S.z),f.push(V,1-L),F.push(g++)}y.push(F)}for(let w=0;w<s;w++)for(let F=0;F<r;F++){let L=y[F][w],D=y[F+1][w],z=y[F+1][w+1],V=y[F][w+1];(e>0||F!==0)&&(u.push(L,D,V),C+=3),(t>0||F!==r-1)&&(u.push(D,z,V),C+=3)}c.addGroup(p,C,0),p+=C}function T(S){let R=g,C=new ct,v=new O,w=0,F=S===!0?e:t,L=S===!0?1:-1;for(let z=1;z<=s;z++)d.push(0,m*L,0),h.push(0,L,0),f.push(.5,.5),g++;let D=g;for(let z=0;z<=s;z++){let N=z/s*l+a,W=Math.cos(N),$=Math.sin(N);v.x=F*$,v.y=m*L,v.z=F*W,d.push(v.x,v.y,v.z),h.push(0,L,0),C.x=W*.5+.5,C.y=$*.5*L+.5,f.push(C.x,C.y),g++}for(let z=0;z<s;z++){let V=R+z,N=D+z;S===!0?u.push(N,N+1,V):u.push(N+1,N,V),w+=3}c.addGroup(p,w,S===!0?1:2),p+=w}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}};var mu=class n extends Nt{constructor(e=[],t=[],i=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:i,detail:s};let r=[],o=[];a(s),c(i),u(),this.setAttribute("position",new mt(r,3)),this.setAttribute("normal",new mt(r.slice(),3)),this.setAttribute("uv",new mt(o,2)),s===0?this.computeVertexNormals():this.normalizeNormals();function a(x){let T=new O,S=new O,R=new O;for(let C=0;C<t.length;C+=3)f(t[C+0],T),f(t[C+1],S),f(t[C+2],R),l(T,S,R,x)}function l(x,T,S,R){let C=R+1,v=[];for(let w=0;w<=C;w++){v[w]=[];let F=x.clone().lerp(S,w/C),L=T.clone().lerp(S,w/C),D=C-w;for(let z=0;z<=D;z++)z===0&&w===C?v[w][z]=F:v[w][z]=F.clone().lerp(L,z/D)}for(let w=0;w<C;w++)for(let F=0;F<2*(C-w)-1;F++){let L=Math.floor(F/2);F%2===0?(h(v[w][L+1]),h(v[w+1][L]),h(v[w][L])):(h(v[w][L+1]),h(v[w+1][L+1]),h(v[w+1][L]))}}function c(x){let T=new O;for(let S=0;S<r.length;S+=3)T.x=r[S+0],T.y=r[S+1],T.z=r[S+2],T.normalize().multiplyScalar(x),r[S+0]=T.x,r[S+1]=T.y,r[S+2]=T.z}function u(){let x=new O;for(let T=0;T<r.length;T+=3){x.x=r[T+0],x.y=r[T+1],x.z=r[T+2];let S=m(x)/2/Math.PI+.5,R=p(x)/Math.PI+.5;o.push(S,1-R)}g(),d()}function d(){for(let x=0;x<o.length;x+=6){let T=o[x+0],S=o[x+2],R=o[x+4],C=Math.max(T,S,R),v=Math.min(T,S,R);C>.9&&v<.1&&(T<.2&&(o[x+0]+=1),S<.2&&(o[x+2]+=1),R<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,T){let S=x*3;T.x=e[S+0],T.y=e[S+1],T.z=e[S+2]}function g(){let x=new O,T=new O,S=new O,R=new O,C=new ct,v=new ct,w=new ct;for(let F=0,L=0;F<r.length;F+=9,L+=6){x.set(r[F+0],r[F+1],r[F+2]),T.set(r[F+3],r[F+4],r[F+5]),S.set(r[F+6],r[F+7],r[F+8]),C.set(o[L+0],o[L+1]),v.set(o[L+2],o[L+3]),w.set(o[L+4],o[L+5]),R.copy(x).add(T).add(S).divideScalar(3);let D=m(R);y(C,L+0,x,D),y(v,L+2,T,D),y(w,L+4,S,D)}}function y(x,T,S,R){R<0&&x.x===1&&(o[T]=x.x-1),S.x===0&&S.z===0&&(o[T]=R/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function p(x){return Math.atan2(-x.y,Math.sqrt(x.x*x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.vertices,e.indices,e.radius,e.detail)}};var Hc=new O,Wc=new O,Mf=new O,Xc=new Us,Ya=class extends Nt{constructor(e=null,t=1){if(super(),this.type="EdgesGeometry",this.parameters={geometry:e,thresholdAngle:t},e!==null){let s=Math.pow(10,4),r=Math.cos(Jc*t),o=e.getIndex(),a=e.getAttribute("position"),l=o?o.count:a.count,c=[0,0,0],u=["a","b","c"],d=new Array(3),h=new Map,f=[];for(let g=0;g<l;g+=3){o?(c[0]=o.getX(g),c[1]=o.getX(g+1),c[2]=o.getX(g+2)):(c[0]=g,c[1]=g+1,c[2]=g+2);let{a:y,b:m,c:p}=Xc;if(y.fromBufferAttribute(a,c[0]),m.fromBufferAttribute(a,c[1]),p.fromBufferAttribute(a,c[2]),Xc.getNormal(Mf),d[0]=`${Math.round(y.x*s)},${Math.round(y.y*s)},${Math.round(y.z*s)}`,d[1]=`${Math.round(m.x*s)},${Math.round(m.y*s)},${Math.round(m.z*s)}`,d[2]=`${Math.round(p.x*s)},${Math.round(p.y*s)},${Math.round(p.z*s)}`,!(d[0]===d[1]||d[1]===d[2]||d[2]===d[0]))for(let x=0;x<3;x++){let T=(x+1)%3,S=d[x],R=d[T],C=Xc[u[x]],v=Xc[u[T]],w=`${S}_${R}`,F=`${R}_${S}`,L=h.get(F);L?(Mf.dot(L.normal)<=r&&(f.push(C.x,C.y,C.z),f.push(v.x,v.y,v.z)),h.set(F,null)):h.has(w)||h.set(w,{index0:c[x],index1:c[T],normal:Mf.clone()})}}for(let g of h.values())if(g){let{index0:y,index1:m}=g;Hc.fromBufferAttribute(a,y),Wc.fromBufferAttribute(a,m),f.push(Hc.x,Hc.y,Hc.z),f.push(Wc.x,Wc.y,Wc.z)}this.setAttribute("position",new mt(f,3))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}};var pr=class n extends mu{constructor(e=1,t=0){let i=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(i,s,e,t),this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new n(e.radius,e.detail)}},Gr=class n extends Nt{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(i),l=Math.floor(s),c=a+1,u=l+1,d=e/a,h=t/l,f=[],g=[],y=[],m=[];for(let p=0;p<u;p++){let x=p*h-o;for(let T=0;T<c;T++){let S=T*d-r;g.push(S,-x,0),y.push(0,0,1),m.push(T/a),m.push(1-p/l)}}for(let p=0;p<l;p++)for(let x=0;x<a;x++){let T=x+c*p,S=x+c*(p+1),R=x+1+c*(p+1),C=x+1+c*p;f.push(T,S,C),f.push(S,R,C)}this.setIndex(f),this.setAttribute("position",new mt(g,3)),this.setAttribute("normal",new mt(y,3)),this.setAttribute("uv",new mt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.widthSegments,e.heightSegments)}};var $a=class n extends Nt{constructor(e=1,t=32,i=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,heightSegments:i,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),i=Math.max(2,Math.floor(i));let l=Math.min(o+a,Math.PI),c=0,u=[],d=new O,h=new O,f=[],g=[],y=[],m=[];for(let p=0;p<=i;p++){let x=[],T=p/i,S=o+T*a,R=e*Math.cos(S),C=Math.sqrt(e*e-R*R),v=0;p===0&&o===0?v=.5/t:p===i&&l===Math.PI&&(v=-.5/t);for(let w=0;w<=t;w++){let F=w/t,L=s+F*r;d.x=-C*Math.cos(L),d.y=R,d.z=C*Math.sin(L),g.push(d.x,d.y,d.z),h.copy(d).normalize(),y.push(h.x,h.y,h.z),m.push(F+v,1-T),x.push(c++)}u.push(x)}for(let p=0;p<i;p++)for(let x=0;x<t;x++){let T=u[p][x+1],S=u[p][x],R=u[p+1][x],C=u[p+1][x+1];(p!==0||o>0)&&f.push(T,S,C),(p!==i-1||l<Math.PI)&&f.push(S,R,C)}this.setIndex(f),this.setAttribute("position",new mt(g,3)),this.setAttribute("normal",new mt(y,3)),this.setAttribute("uv",new mt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.phiLength,e.thetaStart,e.thetaLength)}};var zs=class n extends Nt{constructor(e=1,t=.4,i=12,s=48,r=Math.PI*2,o=0,a=Math.PI*2){super(),this.type="TorusGeometry",this.parameters={radius:e,tube:t,radialSegments:i,tubularSegments:s,arc:r,thetaStart:o,thetaLength:a},i=Math.floor(i),s=Math.floor(s);let l=[],c=[],u=[],d=[],h=new O,f=new O,g=new O;for(let y=0;y<=i;y++){let m=o+y/i*a;for(let p=0;p<=s;p++){let x=p/s*r;f.x=(e+t*Math.cos(m))*Math.cos(x),f.y=(e+t*Math.cos(m))*Math.sin(x),f.z=t*Math.sin(m),c.push(f.x,f.y,f.z),h.x=e*Math.cos(x),h.y=e*Math.sin(x),g.subVectors(f,h).normalize(),u.push(g.x,g.y,g.z),d.push(p/s),d.push(y/i)}}for(let y=1;y<=i;y++)for(let m=1;m<=s;m++){let p=(s+1)*y+m-1,x=(s+1)*(y-1)+m-1,T=(s+1)*(y-1)+m,S=(s+1)*y+m;l.push(p,x,S),l.push(x,T,S)}this.setIndex(l),this.setAttribute("position",new mt(c,3)),this.setAttribute("normal",new mt(u,3)),this.setAttribute("uv",new mt(d,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.radius,e.tube,e.radialSegments,e.tubularSegments,e.arc,e.thetaStart,e.thetaLength)}};function Yr(n){let e={};for(let t in n){e[t]={};for(let i in n[t]){let s=n[t][i];if(Q0(s))s.isRenderTargetTexture?(Je("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(Q0(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function ii(n){let e={};for(let t=0;t<n.length;t++){let i=Yr(n[t]);for(let s in i)e[s]=i[s]}return e}function Q0(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function pM(n){let e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function op(n){let e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:bt.workingColorSpace}var q_={clone:Yr,merge:ii},mM=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,gM=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,ms=class extends ps{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=mM,this.fragmentShader=gM,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Yr(e.uniforms),this.uniformsGroups=pM(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let i in e.uniforms){let s=e.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=t[s.value]||null;break;case"c":this.uniforms[i].value=new st().setHex(s.value);break;case"v2":this.uniforms[i].value=new ct().fromArray(s.value);break;case"v3":this.uniforms[i].value=new O().fromArray(s.value);break;case"v4":this.uniforms[i].value=new sn().fromArray(s.value);break;case"m3":this.uniforms[i].value=new it().fromArray(s.value);break;case"m4":this.uniforms[i].value=new Tt().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},Jo=class extends ms{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Vr=class extends ps{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new st(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new st(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=mh,this.normalScale=new ct(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ji,this.combine=Pu,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.emissive.copy(e.emissive),this.emissiveMap=e.emissiveMap,this.emissiveIntensity=e.emissiveIntensity,this.bumpMap=e.bumpMap,this.bumpScale=e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.normalScale.copy(e.normalScale),this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.flatShading,this.fog=e.fog,this}},gu=class extends ps{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=I_,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},_u=class extends ps{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function zo(n,e){return!n||n.constructor===e?n:typeof e.BYTES_PER_ELEMENT=="number"?new e(n):Array.prototype.slice.call(n)}function qc(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var mr=class{constructor(e,t,i,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(i),this.sampleValues=t,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,i=this._cachedIndex,s=t[i],r=t[i-1];e:{t:{let o;n:{i:if(!(e<s)){for(let a=i+2;;){if(s===void 0){if(e<r)break i;return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=t[++i],e<s)break t}o=t.length;break n}if(!(e>=r)){let a=t[1];e<a&&(i=2,r=a);for(let l=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===l)break;if(s=r,r=t[--i-1],e>=r)break t}o=i,i=0;break n}break e}for(;i<o;){let a=i+o>>>1;e<t[a]?o=a:i=a+1}if(s=t[i],r=t[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=i[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},vu=class extends mr{constructor(e,t,i,s){super(e,t,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Ef,endingEnd:Ef}}intervalChanged_(e,t,i){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Af:r=e,a=2*t-i;break;case Cf:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=i}if(l===void 0)switch(this.getSettings_().endingEnd){case Af:o=e,l=2*i-t;break;case Cf:o=1,l=i+s[1]-s[0];break;default:o=e-1,l=t}let c=(i-t)*.5,u=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-i),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this._offsetPrev,d=this._offsetNext,h=this._weightPrev,f=this._weightNext,g=(i-t)/(s-t),y=g*g,m=y*g,p=-h*m+2*h*y-h*g,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*g+1,T=(-1-f)*m+(1.5+f)*y+.5*g,S=f*m-f*y;for(let R=0;R!==a;++R)r[R]=p*o[u+R]+x*o[c+R]+T*o[l+R]+S*o[d+R];return r}},xu=class extends mr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=(i-t)/(s-t),d=1-u;for(let h=0;h!==a;++h)r[h]=o[c+h]*d+o[l+h]*u;return r}},yu=class extends mr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e){return this.copySampleValue_(e-1)}},bu=class extends mr{interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this.inTangents,d=this.outTangents;if(!u||!d){let g=(i-t)/(s-t),y=1-g;for(let m=0;m!==a;++m)r[m]=o[c+m]*y+o[l+m]*g;return r}let h=a*2,f=e-1;for(let g=0;g!==a;++g){let y=o[c+g],m=o[l+g],p=f*h+g*2,x=d[p],T=d[p+1],S=e*h+g*2,R=u[S],C=u[S+1],v=vM(i,t,x,R,s);r[g]=Y_(v,y,T,C,m)}return r}};function Y_(n,e,t,i,s){let r=1-n;return r*r*r*e+3*r*r*n*t+3*r*n*n*i+n*n*n*s}function _M(n,e,t,i,s){let r=1-n;return 3*r*r*(t-e)+6*r*n*(i-t)+3*n*n*(s-i)}function vM(n,e,t,i,s){let r=(n-e)/(s-e);for(let o=0;o<8;o++){let a=Y_(r,e,t,i,s)-n;if(Math.abs(a)<1e-10)break;let l=_M(r,e,t,i,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var Li=class{constructor(e,t,i,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=zo(t,this.TimeBufferType),this.values=zo(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,i;if(t.toJSON!==this.toJSON)i=t.toJSON(e);else{i={name:e.name,times:zo(e.times,Array),values:zo(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(i.interpolation=s),qc(e.settings)&&(i.settings={inTangents:zo(e.settings.inTangents,Array),outTangents:zo(e.settings.outTangents,Array)})}return i.type=e.ValueTypeName,i}InterpolantFactoryMethodDiscrete(e){return new yu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new xu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new vu(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new bu(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case Ua:t=this.InterpolantFactoryMethodDiscrete;break;case au:t=this.InterpolantFactoryMethodLinear;break;case Zc:t=this.InterpolantFactoryMethodSmooth;break;case Tf:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return Je("KeyframeTrack:",i),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return Ua;case this.InterpolantFactoryMethodLinear:return au;case this.InterpolantFactoryMethodSmooth:return Zc;case this.InterpolantFactoryMethodBezier:return Tf}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]+=e;qc(this.settings)&&(j0(this.settings.inTangents,e),j0(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]*=e;qc(this.settings)&&(e_(this.settings.inTangents,e),e_(this.settings.outTangents,e))}return this}trim(e,t){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<e;)++r;for(;o!==-1&&i[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(tt("KeyframeTrack: Invalid value size in track.",this),e=!1);let i=this.times,s=this.values,r=i.length;r===0&&(tt("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=i[a];if(typeof l=="number"&&isNaN(l)){tt("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){tt("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(s!==void 0&&qS(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){tt("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===Zc,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],u=e[a+1];if(c!==u&&(a!==1||c!==e[0]))if(s)l=!0;else{let d=a*i,h=d-i,f=d+i;for(let g=0;g!==i;++g){let y=t[d+g];if(y!==t[h+g]||y!==t[f+g]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let d=a*i,h=o*i;for(let f=0;f!==i;++f)t[h+f]=t[d+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*i,l=o*i,c=0;c!==i;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*i)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),i=this.constructor,s=new i(this.name,e,t);return s.createInterpolant=this.createInterpolant,qc(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function j0(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]+=e}function e_(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]*=e}Li.prototype.ValueTypeName="";Li.prototype.TimeBufferType=Float32Array;Li.prototype.ValueBufferType=Float32Array;Li.prototype.DefaultInterpolation=au;var gr=class extends Li{constructor(e,t,i){super(e,t,i)}};gr.prototype.ValueTypeName="bool";gr.prototype.ValueBufferType=Array;gr.prototype.DefaultInterpolation=Ua;gr.prototype.InterpolantFactoryMethodLinear=void 0;gr.prototype.InterpolantFactoryMethodSmooth=void 0;var Su=class extends Li{constructor(e,t,i,s){super(e,t,i,s)}};Su.prototype.ValueTypeName="color";var Mu=class extends Li{constructor(e,t,i,s){super(e,t,i,s)}};Mu.prototype.ValueTypeName="number";var wu=class extends mr{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(i-t)/(s-t),c=e*a;for(let u=c+a;c!==u;c+=4)nn.slerpFlat(r,0,o,c-a,o,c,l);return r}},Za=class extends Li{constructor(e,t,i,s){super(e,t,i,s)}InterpolantFactoryMethodLinear(e){return new wu(this.times,this.values,this.getValueSize(),e)}};Za.prototype.ValueTypeName="quaternion";Za.prototype.InterpolantFactoryMethodSmooth=void 0;var _r=class extends Li{constructor(e,t,i){super(e,t,i)}};_r.prototype.ValueTypeName="string";_r.prototype.ValueBufferType=Array;_r.prototype.DefaultInterpolation=Ua;_r.prototype.InterpolantFactoryMethodLinear=void 0;_r.prototype.InterpolantFactoryMethodSmooth=void 0;var Tu=class extends Li{constructor(e,t,i,s){super(e,t,i,s)}};Tu.prototype.ValueTypeName="vector";var Eu=class{constructor(e,t,i){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=i,this._abortController=null,this.itemStart=function(u){a++,r===!1&&s.onStart!==void 0&&s.onStart(u,o,a),r=!0},this.itemEnd=function(u){o++,s.onProgress!==void 0&&s.onProgress(u,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(u){s.onError!==void 0&&s.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),l?l(u):u},this.setURLModifier=function(u){return l=u,this},this.addHandler=function(u,d){return c.push(u,d),this},this.removeHandler=function(u){let d=c.indexOf(u);return d!==-1&&c.splice(d,2),this},this.getHandler=function(u){for(let d=0,h=c.length;d<h;d+=2){let f=c[d],g=c[d+1];if(f.global&&(f.lastIndex=0),f.test(u))return g}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},$_=new Eu,Au=class{constructor(e){this.manager=e!==void 0?e:$_,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let i=this;return new Promise(function(s,r){i.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Au.DEFAULT_MATERIAL_NAME="__DEFAULT";var Ka=class extends rn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new st(e),this.intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.color.getHex(),t.object.intensity=this.intensity,t}},Ja=class extends Ka{constructor(e,t,i){super(e,i),this.isHemisphereLight=!0,this.type="HemisphereLight",this.position.copy(rn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new st(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},wf=new Tt,t_=new O,n_=new O,Cu=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new ct(512,512),this.mapType=Jn,this.map=null,this.mapPass=null,this.matrix=new Tt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new dr,this._frameExtents=new ct(1,1),this._viewportCount=1,this._viewports=[new sn(0,0,1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;t_.setFromMatrixPosition(e.matrixWorld),t.position.copy(t_),n_.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(n_),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,i,s){wf.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),i.setFromProjectionMatrix(wf,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===Xo||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(wf)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return e.intensity=this.intensity,e.bias=this.bias,e.normalBias=this.normalBias,e.radius=this.radius,e.blurSamples=this.blurSamples,e.mapSize=this.mapSize.toArray(),e.mapType=this.mapType,e.camera=this.camera.toJSON(!1).object,delete e.camera.matrix,e}},Yc=new O,$c=new nn,hs=new O,Qa=class extends rn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Tt,this.projectionMatrix=new Tt,this.projectionMatrixInverse=new Tt,this.coordinateSystem=zi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(Yc,$c,hs),hs.x===1&&hs.y===1&&hs.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Yc,$c,hs.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(Yc,$c,hs),hs.x===1&&hs.y===1&&hs.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Yc,$c,hs.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},ur=new O,i_=new ct,s_=new ct,ui=class extends Qa{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=lu*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(Jc*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return lu*2*Math.atan(Math.tan(Jc*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){ur.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(ur.x,ur.y).multiplyScalar(-e/ur.z),ur.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(ur.x,ur.y).multiplyScalar(-e/ur.z)}getViewSize(e,t){return this.getViewBounds(e,i_,s_),t.subVectors(s_,i_)}setViewOffset(e,t,i,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(Jc*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*i/c,s*=o.width/l,i*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var ja=class extends Qa{constructor(e=-1,t=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-e,o=i+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=u*this.view.offsetY,l=a-u*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Pf=class extends Cu{constructor(){super(new ja(-5,5,5,-5,.5,500)),this.isDirectionalLightShadow=!0}},el=class extends Ka{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.copy(rn.DEFAULT_UP),this.updateMatrix(),this.target=new rn,this.shadow=new Pf}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.uuid,t}};var Go=-90,Vo=1,Qo=class extends rn{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new ui(Go,Vo,e,t);s.layers=this.layers,this.add(s);let r=new ui(Go,Vo,e,t);r.layers=this.layers,this.add(r);let o=new ui(Go,Vo,e,t);o.layers=this.layers,this.add(o);let a=new ui(Go,Vo,e,t);a.layers=this.layers,this.add(a);let l=new ui(Go,Vo,e,t);l.layers=this.layers,this.add(l);let c=new ui(Go,Vo,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[i,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===zi)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Xo)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,u]=this.children,d=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),g=e.xr.enabled;e.xr.enabled=!1;let y=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(i,4,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),i.texture.mipmapsAutoUpdate=y,e.setRenderTarget(i,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(d,h,f),e.xr.enabled=g,i.texture.needsPMREMUpdate=!0}},Ru=class extends ui{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var ap="\\[\\]\\.:\\/",xM=new RegExp("["+ap+"]","g"),lp="[^"+ap+"]",yM="[^"+ap.replace("\\.","")+"]",bM=/((?:WC+[\/:])*)/.source.replace("WC",lp),SM=/(WCOD+)?/.source.replace("WCOD",yM),MM=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",lp),wM=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",lp),TM=new RegExp("^"+bM+SM+MM+wM+"$"),EM=["material","materials","bones","map"],If=class{constructor(e,t,i){let s=i||jt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(e,t)}setValue(e,t){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].unbind()}},jt=class n{constructor(e,t,i){this.path=t,this.parsedPath=i||n.parseTrackName(t),this.node=n.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,i){return e&&e.isAnimationObjectGroup?new n.Composite(e,t,i):new n(e,t,i)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(xM,"")}static parseTrackName(e){let t=TM.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let i={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);EM.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return i}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let i=e.skeleton.getBoneByName(t);if(i!==void 0)return i}if(e.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=i(a.children);if(l)return l}return null},s=i(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)e[t++]=i[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,i=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=n.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Je("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let c=t.objectIndex;switch(i){case"materials":if(!e.material){tt("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){tt("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){tt("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===c){c=u;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){tt("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){tt("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[i]===void 0){tt("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[i]}if(c!==void 0){if(e[c]===void 0){tt("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;tt("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){tt("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){tt("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};jt.Composite=If;jt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};jt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};jt.prototype.GetterByBindingType=[jt.prototype._getValue_direct,jt.prototype._getValue_array,jt.prototype._getValue_arrayElement,jt.prototype._getValue_toArray];jt.prototype.SetterByBindingTypeAndVersioning=[[jt.prototype._setValue_direct,jt.prototype._setValue_direct_setNeedsUpdate,jt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[jt.prototype._setValue_array,jt.prototype._setValue_array_setNeedsUpdate,jt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[jt.prototype._setValue_arrayElement,jt.prototype._setValue_arrayElement_setNeedsUpdate,jt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[jt.prototype._setValue_fromArray,jt.prototype._setValue_fromArray_setNeedsUpdate,jt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var cI=new Float32Array(1);var r_=new Tt,vr=class{constructor(e,t,i=0,s=1/0){this.ray=new kr(e,t),this.near=i,this.far=s,this.camera=null,this.layers=new $o,this.params={Mesh:{},Line:{threshold:1},LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):tt("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){return r_.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(r_),this}intersectObject(e,t=!0,i=[]){return Lf(e,this,i,t),i.sort(o_),i}intersectObjects(e,t=!0,i=[]){for(let s=0,r=e.length;s<r;s++)Lf(e[s],this,i,t);return i.sort(o_),i}};function o_(n,e){return n.distance-e.distance}function Lf(n,e,t,i){let s=!0;if(n.layers.test(e.layers)&&n.raycast(e,t)===!1&&(s=!1),s===!0&&i===!0){let r=n.children;for(let o=0,a=r.length;o<a;o++)Lf(r[o],e,t,!0)}}var Df=class{static{this.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}};var tl=class extends fr{constructor(e=10,t=10,i=4473924,s=8947848){i=new st(i),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,g=-a;h<=t;h++,g+=o){l.push(-a,0,g,a,0,g),l.push(g,0,-a,g,0,a);let y=h===r?i:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let u=new Nt;u.setAttribute("position",new mt(l,3)),u.setAttribute("color",new mt(c,3));let d=new vi({vertexColors:!0,toneMapped:!1});super(u,d),this.type="GridHelper"}dispose(){super.dispose(),this.geometry.dispose(),this.material.dispose()}};var nl=class extends fr{constructor(e,t=16776960){let i=new Uint16Array([0,1,1,2,2,3,3,0,4,5,5,6,6,7,7,4,0,4,1,5,2,6,3,7]),s=[1,1,1,-1,1,1,-1,-1,1,1,-1,1,1,1,-1,-1,1,-1,-1,-1,-1,1,-1,-1],r=new Nt;r.setIndex(new Kn(i,1)),r.setAttribute("position",new mt(s,3)),super(r,new vi({color:t,toneMapped:!1})),this.box=e,this.type="Box3Helper",this.geometry.computeBoundingSphere()}updateMatrixWorld(e){let t=this.box;t.isEmpty()||(t.getCenter(this.position),t.getSize(this.scale),this.scale.multiplyScalar(.5),super.updateMatrixWorld(e))}dispose(){super.dispose(),this.geometry.dispose(),this.material.dispose()}};var il=class extends Ki{constructor(e,t=null){super(),this.object=e,this.domElement=t,this.enabled=!0,this.state=-1,this.keys={},this.mouseButtons={LEFT:null,MIDDLE:null,RIGHT:null},this.touches={ONE:null,TWO:null}}connect(e){this.domElement!==null&&this.disconnect(),this.domElement=e}disconnect(){}dispose(){}update(){}};function cp(n,e,t,i){let s=AM(i);switch(t){case Qf:return n*e;case ep:return n*e/s.components*s.byteLength;case na:return n*e/s.components*s.byteLength;case yr:return n*e*2/s.components*s.byteLength;case Ou:return n*e*2/s.components*s.byteLength;case jf:return n*e*3/s.components*s.byteLength;case Di:return n*e*4/s.components*s.byteLength;case ku:return n*e*4/s.components*s.byteLength;case ol:case al:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case ll:case cl:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case zu:case Vu:return Math.max(n,16)*Math.max(e,8)/4;case Bu:case Gu:return Math.max(n,8)*Math.max(e,8)/2;case Hu:case Wu:case qu:case Yu:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case Xu:case ul:case $u:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Zu:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Ku:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case Ju:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case Qu:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case ju:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case eh:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case th:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case nh:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case ih:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case sh:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case rh:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case oh:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case ah:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case lh:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case ch:case uh:case hh:return Math.ceil(n/4)*Math.ceil(e/4)*16;case dh:case fh:return Math.ceil(n/4)*Math.ceil(e/4)*8;case hl:case ph:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function AM(n){switch(n){case Jn:case $f:return{byteLength:1,components:1};case xr:case Zf:case es:return{byteLength:2,components:1};case Uu:case Fu:return{byteLength:2,components:4};case Qi:case Nu:case ji:return{byteLength:4,components:1};case Kf:case Jf:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Je("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function gv(){let n=null,e=!1,t=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function RM(n){let e=new WeakMap;function t(a,l){let c=a.array,u=a.usage,d=c.byteLength,h=n.createBuffer();n.bindBuffer(l,h),n.bufferData(l,c,u),a.onUploadCallback();let f;if(c instanceof Float32Array)f=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=n.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=n.HALF_FLOAT:f=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=n.SHORT;else if(c instanceof Uint32Array)f=n.UNSIGNED_INT;else if(c instanceof Int32Array)f=n.INT;else if(c instanceof Int8Array)f=n.BYTE;else if(c instanceof Uint8Array)f=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:h,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:d}}function i(a,l,c){let u=l.array,d=l.updateRanges;if(n.bindBuffer(c,a),d.length===0)n.bufferSubData(c,0,u);else{d.sort((f,g)=>f.start-g.start);let h=0;for(let f=1;f<d.length;f++){let g=d[h],y=d[f];y.start<=g.start+g.count+1?g.count=Math.max(g.count,y.start+y.count-g.start):(++h,d[h]=y)}d.length=h+1;for(let f=0,g=d.length;f<g;f++){let y=d[f];n.bufferSubData(c,y.start*u.BYTES_PER_ELEMENT,u,y.start,y.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(n.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let u=e.get(a);(!u||u.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var PM=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,IM=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,LM=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,DM=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,NM=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,UM=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,FM=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,OM=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,kM=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,BM=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,zM=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,GM=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,VM=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,HM=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,WM=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,XM=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,qM=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,YM=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,$M=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,ZM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,KM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,JM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,QM=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,jM=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,ew=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,tw=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,nw=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,iw=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,sw=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,rw="gl_FragColor = linearToOutputTexel( gl_FragColor );",ow=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,aw=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,lw=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,cw=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,uw=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,hw=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,dw=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,fw=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,pw=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,mw=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,gw=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,_w=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,vw=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,xw=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,yw=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,bw=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,Sw=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,Mw=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,ww=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Tw=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Ew=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Aw=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Cw=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,Rw=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,Pw=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Iw=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,Lw=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,Dw=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Nw=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Uw=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Fw=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Ow=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,kw=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,Bw=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,zw=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,Gw=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,Vw=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,Hw=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,Ww=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Xw=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,qw=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Yw=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,$w=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,Zw=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,Kw=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,Jw=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,Qw=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,jw=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,e1=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,t1=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,n1=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,i1=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,s1=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,r1=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,o1=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,a1=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,l1=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,c1=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,u1=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,h1=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,d1=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,f1=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,p1=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,m1=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,g1=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,_1=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,v1=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,x1=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,y1=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,b1=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,S1=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,M1=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,w1=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,T1=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,E1=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,A1=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,C1=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,R1=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,P1=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,I1=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,L1=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,D1=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,N1=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,U1=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,F1=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,O1=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,k1=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,B1=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,z1=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,G1=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,V1=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,H1=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,W1=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,X1=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,q1=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Y1=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,$1=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Z1=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,K1=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,J1=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Q1=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,j1=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,eT=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,tT=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,nT=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,iT=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,sT=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,rT=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,oT=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,aT=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,lT=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,ft={alphahash_fragment:PM,alphahash_pars_fragment:IM,alphamap_fragment:LM,alphamap_pars_fragment:DM,alphatest_fragment:NM,alphatest_pars_fragment:UM,aomap_fragment:FM,aomap_pars_fragment:OM,batching_pars_vertex:kM,batching_vertex:BM,begin_vertex:zM,beginnormal_vertex:GM,bsdfs:VM,iridescence_fragment:HM,bumpmap_pars_fragment:WM,clipping_planes_fragment:XM,clipping_planes_pars_fragment:qM,clipping_planes_pars_vertex:YM,clipping_planes_vertex:$M,color_fragment:ZM,color_pars_fragment:KM,color_pars_vertex:JM,color_vertex:QM,common:jM,defaultnormal_vertex:ew,displacementmap_pars_vertex:tw,displacementmap_vertex:nw,emissivemap_fragment:iw,emissivemap_pars_fragment:sw,colorspace_fragment:rw,colorspace_pars_fragment:ow,envmap_fragment:aw,envmap_common_pars_fragment:lw,envmap_pars_fragment:cw,envmap_pars_vertex:uw,envmap_physical_pars_fragment:bw,envmap_vertex:hw,fog_vertex:dw,fog_pars_vertex:fw,fog_fragment:pw,fog_pars_fragment:mw,gradientmap_pars_fragment:gw,lightmap_pars_fragment:_w,lights_lambert_fragment:vw,lights_lambert_pars_fragment:xw,lights_pars_begin:yw,lights_toon_fragment:Sw,lights_toon_pars_fragment:Mw,lights_phong_fragment:ww,lights_phong_pars_fragment:Tw,lights_physical_fragment:Ew,lights_physical_pars_fragment:Aw,lights_fragment_begin:Cw,lights_fragment_maps:Rw,lights_fragment_end:Pw,lightprobes_pars_fragment:Iw,logdepthbuf_fragment:Lw,logdepthbuf_pars_fragment:Dw,logdepthbuf_pars_vertex:Nw,logdepthbuf_vertex:Uw,map_fragment:Fw,map_pars_fragment:Ow,map_particle_fragment:kw,map_particle_pars_fragment:Bw,metalnessmap_fragment:zw,metalnessmap_pars_fragment:Gw,morphinstance_vertex:Vw,morphcolor_vertex:Hw,morphnormal_vertex:Ww,morphtarget_pars_vertex:Xw,morphtarget_vertex:qw,normal_fragment_begin:Yw,normal_fragment_maps:$w,normal_pars_fragment:Zw,normal_pars_vertex:Kw,normal_vertex:Jw,normalmap_pars_fragment:Qw,clearcoat_normal_fragment_begin:jw,clearcoat_normal_fragment_maps:e1,clearcoat_pars_fragment:t1,iridescence_pars_fragment:n1,opaque_fragment:i1,packing:s1,premultiplied_alpha_fragment:r1,project_vertex:o1,dithering_fragment:a1,dithering_pars_fragment:l1,roughnessmap_fragment:c1,roughnessmap_pars_fragment:u1,shadowmap_pars_fragment:h1,shadowmap_pars_vertex:d1,shadowmap_vertex:f1,shadowmask_pars_fragment:p1,skinbase_vertex:m1,skinning_pars_vertex:g1,skinning_vertex:_1,skinnormal_vertex:v1,specularmap_fragment:x1,specularmap_pars_fragment:y1,tonemapping_fragment:b1,tonemapping_pars_fragment:S1,transmission_fragment:M1,transmission_pars_fragment:w1,uv_pars_fragment:T1,uv_pars_vertex:E1,uv_vertex:A1,worldpos_vertex:C1,background_vert:R1,background_frag:P1,backgroundCube_vert:I1,backgroundCube_frag:L1,cube_vert:D1,cube_frag:N1,depth_vert:U1,depth_frag:F1,distance_vert:O1,distance_frag:k1,equirect_vert:B1,equirect_frag:z1,linedashed_vert:G1,linedashed_frag:V1,meshbasic_vert:H1,meshbasic_frag:W1,meshlambert_vert:X1,meshlambert_frag:q1,meshmatcap_vert:Y1,meshmatcap_frag:$1,meshnormal_vert:Z1,meshnormal_frag:K1,meshphong_vert:J1,meshphong_frag:Q1,meshphysical_vert:j1,meshphysical_frag:eT,meshtoon_vert:tT,meshtoon_frag:nT,points_vert:iT,points_frag:sT,shadow_vert:rT,shadow_frag:oT,sprite_vert:aT,sprite_frag:lT},Ne={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new it},alphaMap:{value:null},alphaMapTransform:{value:new it},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new it}},envmap:{envMap:{value:null},envMapRotation:{value:new it},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new it}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new it}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new it},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new it},normalScale:{value:new ct(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new it},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new it}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new it}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new it}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new st(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new st(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new it},alphaTest:{value:0},uvTransform:{value:new it}},sprite:{diffuse:{value:new st(16777215)},opacity:{value:1},center:{value:new ct(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new it},alphaMap:{value:null},alphaMapTransform:{value:new it},alphaTest:{value:0}}},xs={basic:{uniforms:ii([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.fog]),vertexShader:ft.meshbasic_vert,fragmentShader:ft.meshbasic_frag},lambert:{uniforms:ii([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new st(0)},envMapIntensity:{value:1}}]),vertexShader:ft.meshlambert_vert,fragmentShader:ft.meshlambert_frag},phong:{uniforms:ii([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new st(0)},specular:{value:new st(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ft.meshphong_vert,fragmentShader:ft.meshphong_frag},standard:{uniforms:ii([Ne.common,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.roughnessmap,Ne.metalnessmap,Ne.fog,Ne.lights,{emissive:{value:new st(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ft.meshphysical_vert,fragmentShader:ft.meshphysical_frag},toon:{uniforms:ii([Ne.common,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.gradientmap,Ne.fog,Ne.lights,{emissive:{value:new st(0)}}]),vertexShader:ft.meshtoon_vert,fragmentShader:ft.meshtoon_frag},matcap:{uniforms:ii([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,{matcap:{value:null}}]),vertexShader:ft.meshmatcap_vert,fragmentShader:ft.meshmatcap_frag},points:{uniforms:ii([Ne.points,Ne.fog]),vertexShader:ft.points_vert,fragmentShader:ft.points_frag},dashed:{uniforms:ii([Ne.common,Ne.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ft.linedashed_vert,fragmentShader:ft.linedashed_frag},depth:{uniforms:ii([Ne.common,Ne.displacementmap]),vertexShader:ft.depth_vert,fragmentShader:ft.depth_frag},normal:{uniforms:ii([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,{opacity:{value:1}}]),vertexShader:ft.meshnormal_vert,fragmentShader:ft.meshnormal_frag},sprite:{uniforms:ii([Ne.sprite,Ne.fog]),vertexShader:ft.sprite_vert,fragmentShader:ft.sprite_frag},background:{uniforms:{uvTransform:{value:new it},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:ft.background_vert,fragmentShader:ft.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new it}},vertexShader:ft.backgroundCube_vert,fragmentShader:ft.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ft.cube_vert,fragmentShader:ft.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ft.equirect_vert,fragmentShader:ft.equirect_frag},distance:{uniforms:ii([Ne.common,Ne.displacementmap,{referencePosition:{value:new O},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ft.distance_vert,fragmentShader:ft.distance_frag},shadow:{uniforms:ii([Ne.lights,Ne.fog,{color:{value:new st(0)},opacity:{value:1}}]),vertexShader:ft.shadow_vert,fragmentShader:ft.shadow_frag}};xs.physical={uniforms:ii([xs.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new it},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new it},clearcoatNormalScale:{value:new ct(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new it},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new it},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new it},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new it},sheen:{value:0},sheenColor:{value:new st(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new it},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new it},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new it},transmissionSamplerSize:{value:new ct},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new it},attenuationDistance:{value:0},attenuationColor:{value:new st(0)},specularColor:{value:new st(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new it},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new it},anisotropyVector:{value:new ct},anisotropyMap:{value:null},anisotropyMapTransform:{value:new it}}]),vertexShader:ft.meshphysical_vert,fragmentShader:ft.meshphysical_frag};var gh={r:0,b:0,g:0},cT=new Tt,_v=new it;_v.set(-1,0,0,0,1,0,0,0,1);function uT(n,e,t,i,s,r){let o=new st(0),a=s===!0?0:1,l,c,u=null,d=0,h=null;function f(x){let T=x.isScene===!0?x.background:null;if(T&&T.isTexture){let S=x.backgroundBlurriness>0;T=e.get(T,S)}return T}function g(x){let T=!1,S=f(x);S===null?m(o,a):S&&S.isColor&&(m(S,1),T=!0);let R=n.xr.getEnvironmentBlendMode();R==="additive"?t.buffers.color.setClear(0,0,0,1,r):R==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||T)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function y(x,T){let S=f(T);S&&S.isCubeTexture?(c===void 0&&(c=new De(new on(1,1,1),new ms({name:"BackgroundCubeMaterial",uniforms:Yr(xs.backgroundCube.uniforms),vertexShader:xs.backgroundCube.vertexShader,fragmentShader:xs.backgroundCube.fragmentShader,side:di,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(R,C,v){this.matrixWorld.copyPosition(v.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=S,c.material.uniforms.backgroundBlurriness.value=T.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=T.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(cT.makeRotationFromEuler(T.backgroundRotation)).transpose(),S.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(_v),c.material.toneMapped=bt.getTransfer(S.colorSpace)!==Dt,(u!==S||d!==S.version||h!==n.toneMapping)&&(c.material.needsUpdate=!0,u=S,d=S.version,h=n.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):S&&S.isTexture&&(l===void 0&&(l=new De(new Gr(2,2),new ms({name:"BackgroundMaterial",uniforms:Yr(xs.background.uniforms),vertexShader:xs.background.vertexShader,fragmentShader:xs.background.fragmentShader,side:gs,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=S,l.material.uniforms.backgroundIntensity.value=T.backgroundIntensity,l.material.toneMapped=bt.getTransfer(S.colorSpace)!==Dt,S.matrixAutoUpdate===!0&&S.updateMatrix(),l.material.uniforms.uvTransform.value.copy(S.matrix),(u!==S||d!==S.version||h!==n.toneMapping)&&(l.material.needsUpdate=!0,u=S,d=S.version,h=n.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,T){x.getRGB(gh,op(n)),t.buffers.color.setClear(gh.r,gh.g,gh.b,T,r)}function p(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,T=1){o.set(x),a=T,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){a=x,m(o,a)},render:g,addToRenderList:y,dispose:p}}function hT(n,e){let t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=h(null),r=s,o=!1;function a(D,z,V,N,W){let $=!1,H=d(D,N,V,z);r!==H&&(r=H,c(r.object)),$=f(D,N,V,W),$&&g(D,N,V,W),W!==null&&e.update(W,n.ELEMENT_ARRAY_BUFFER),($||o)&&(o=!1,S(D,z,V,N),W!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(W).buffer))}function l(){return n.createVertexArray()}function c(D){return n.bindVertexArray(D)}function u(D){return n.deleteVertexArray(D)}function d(D,z,V,N){let W=N.wireframe===!0,$=i[z.id];$===void 0&&($={},i[z.id]=$);let H=D.isInstancedMesh===!0?D.id:0,le=$[H];le===void 0&&(le={},$[H]=le);let Y=le[V.id];Y===void 0&&(Y={},le[V.id]=Y);let j=Y[W];return j===void 0&&(j=h(l()),Y[W]=j),j}function h(D){let z=[],V=[],N=[];for(let W=0;W<t;W++)z[W]=0,V[W]=0,N[W]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:z,enabledAttributes:V,attributeDivisors:N,object:D,attributes:{},index:null}}function f(D,z,V,N){let W=r.attributes,$=z.attributes,H=0,le=V.getAttributes();for(let Y in le)if(le[Y].location>=0){let ie=W[Y],he=$[Y];if(he===void 0&&(Y==="instanceMatrix"&&D.instanceMatrix&&(he=D.instanceMatrix),Y==="instanceColor"&&D.instanceColor&&(he=D.instanceColor)),ie===void 0||ie.attribute!==he||he&&ie.data!==he.data)return!0;H++}return r.attributesNum!==H||r.index!==N}function g(D,z,V,N){let W={},$=z.attributes,H=0,le=V.getAttributes();for(let Y in le)if(le[Y].location>=0){let ie=$[Y];ie===void 0&&(Y==="instanceMatrix"&&D.instanceMatrix&&(ie=D.instanceMatrix),Y==="instanceColor"&&D.instanceColor&&(ie=D.instanceColor));let he={};he.attribute=ie,ie&&ie.data&&(he.data=ie.data),W[Y]=he,H++}r.attributes=W,r.attributesNum=H,r.index=N}function y(){let D=r.newAttributes;for(let z=0,V=D.length;z<V;z++)D[z]=0}function m(D){p(D,0)}function p(D,z){let V=r.newAttributes,N=r.enabledAttributes,W=r.attributeDivisors;V[D]=1,N[D]===0&&(n.enableVertexAttribArray(D),N[D]=1),W[D]!==z&&(n.vertexAttribDivisor(D,z),W[D]=z)}function x(){let D=r.newAttributes,z=r.enabledAttributes;for(let V=0,N=z.length;V<N;V++)z[V]!==D[V]&&(n.disableVertexAttribArray(V),z[V]=0)}function T(D,z,V,N,W,$,H){H===!0?n.vertexAttribIPointer(D,z,V,W,$):n.vertexAttribPointer(D,z,V,N,W,$)}function S(D,z,V,N){y();let W=N.attributes,$=V.getAttributes(),H=z.defaultAttributeValues;for(let le in $){let Y=$[le];if(Y.location>=0){let j=W[le];if(j===void 0&&(le==="instanceMatrix"&&D.instanceMatrix&&(j=D.instanceMatrix),le==="instanceColor"&&D.instanceColor&&(j=D.instanceColor)),j!==void 0){let ie=j.normalized,he=j.itemSize,de=e.get(j);if(de===void 0)continue;let ee=de.buffer,me=de.type,ve=de.bytesPerElement,Ae=me===n.INT||me===n.UNSIGNED_INT||j.gpuType===Nu;if(j.isInterleavedBufferAttribute){let Se=j.data,Ye=Se.isInterleavedBuffer===!0?Se.stride:Se.itemSize,at=j.offset;if(Se.isInstancedInterleavedBuffer||Se.isInstancedBufferAttribute){for(let We=0;We<Y.locationSize;We++)p(Y.location+We,Se.meshPerAttribute);D.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=Se.meshPerAttribute*Se.count)}else for(let We=0;We<Y.locationSize;We++)m(Y.location+We);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let We=0;We<Y.locationSize;We++)T(Y.location+We,he/Y.locationSize,me,ie,Ye*ve,(at+he/Y.locationSize*We)*ve,Ae)}else{if(j.isInstancedBufferAttribute){for(let Se=0;Se<Y.locationSize;Se++)p(Y.location+Se,j.meshPerAttribute);D.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=j.meshPerAttribute*j.count)}else for(let Se=0;Se<Y.locationSize;Se++)m(Y.location+Se);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let Se=0;Se<Y.locationSize;Se++)T(Y.location+Se,he/Y.locationSize,me,ie,he*ve,he/Y.locationSize*Se*ve,Ae)}}else if(H!==void 0){let ie=H[le];if(ie!==void 0)switch(ie.length){case 2:n.vertexAttrib2fv(Y.location,ie);break;case 3:n.vertexAttrib3fv(Y.location,ie);break;case 4:n.vertexAttrib4fv(Y.location,ie);break;default:n.vertexAttrib1fv(Y.location,ie)}}}}x()}function R(){F();for(let D in i){let z=i[D];for(let V in z){let N=z[V];for(let W in N){let $=N[W];for(let H in $)u($[H].object),delete $[H];delete N[W]}}delete i[D]}}function C(D){if(i[D.id]===void 0)return;let z=i[D.id];for(let V in z){let N=z[V];for(let W in N){let $=N[W];for(let H in $)u($[H].object),delete $[H];delete N[W]}}delete i[D.id]}function v(D){for(let z in i){let V=i[z];for(let N in V){let W=V[N];if(W[D.id]===void 0)continue;let $=W[D.id];for(let H in $)u($[H].object),delete $[H];delete W[D.id]}}}function w(D){for(let z in i){let V=i[z],N=D.isInstancedMesh===!0?D.id:0,W=V[N];if(W!==void 0){for(let $ in W){let H=W[$];for(let le in H)u(H[le].object),delete H[le];delete W[$]}delete V[N],Object.keys(V).length===0&&delete i[z]}}}function F(){L(),o=!0,r!==s&&(r=s,c(r.object))}function L(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:F,resetDefaultState:L,dispose:R,releaseStatesOfGeometry:C,releaseStatesOfObject:w,releaseStatesOfProgram:v,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function dT(n,e,t){let i;function s(l){i=l}function r(l,c){n.drawArrays(i,l,c),t.update(c,i,1)}function o(l,c,u){u!==0&&(n.drawArraysInstanced(i,l,c,u),t.update(c,i,u))}function a(l,c,u){if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,u);let h=0;for(let f=0;f<u;f++)h+=c[f];t.update(h,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function fT(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let v=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(v.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(v){return!(v!==Di&&i.convert(v)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(v){let w=v===es&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(v!==Jn&&v!==ji&&!w&&i.convert(v)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(v){if(v==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";v="mediump"}return v==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",u=l(c);u!==c&&(Je("WebGLRenderer:",c,"not supported, using",u,"instead."),c=u);let d=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===!0&&d===!1;t.reversedDepthBuffer===!0&&d===!1&&Je("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&d===!0&&Je("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),g=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=n.getParameter(n.MAX_TEXTURE_SIZE),m=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),p=n.getParameter(n.MAX_VERTEX_ATTRIBS),x=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),T=n.getParameter(n.MAX_VARYING_VECTORS),S=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),R=n.getParameter(n.MAX_SAMPLES),C=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:d,maxTextures:f,maxVertexTextures:g,maxTextureSize:y,maxCubemapSize:m,maxAttributes:p,maxVertexUniforms:x,maxVaryings:T,maxFragmentUniforms:S,maxSamples:R,samples:C}}function pT(n){let e=this,t=null,i=0,s=!1,r=!1,o=new Pi,a=new it,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(d,h){let f=d.length!==0||h||i!==0||s;return s=h,i=d.length,f},this.beginShadows=function(){r=!0,u(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(d,h){t=u(d,h,0)},this.setState=function(d,h,f){let g=d.clippingPlanes,y=d.clipIntersection,m=d.clipShadows,p=n.get(d);if(!s||g===null||g.length===0||r&&!m)r?u(null):c();else{let x=r?0:i,T=x*4,S=p.clippingState||null;l.value=S,S=u(g,h,T,f);for(let R=0;R!==T;++R)S[R]=t[R];p.clippingState=S,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function u(d,h,f,g){let y=d!==null?d.length:0,m=null;if(y!==0){if(m=l.value,g!==!0||m===null){let p=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(x),(m===null||m.length<p)&&(m=new Float32Array(p));for(let T=0,S=f;T!==y;++T,S+=4)o.copy(d[T]).applyMatrix4(x,a),o.normal.toArray(m,S),m[S+3]=o.constant}l.value=m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var gl=class extends Ii{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new Wa(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new on(5,5,5),r=new ms({name:"CubemapFromEquirect",uniforms:Yr(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:di,blending:Hr});r.uniforms.tEquirect.value=t;let o=new De(s,r),a=t.minFilter;return t.minFilter===Gs&&(t.minFilter=hi),new Qo(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,i,s);e.setRenderTarget(r)}},Z_=256,mT=3,gT=20,vv=256,xv=16,_T=3,vT=new O,xT=new st,vh=class n{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Qo(1,10,null),this._boxMesh=new De(new on(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){let{size:o=256,position:a=vT}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let d=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,g=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(xT));let m=new Qo(i,s,u);return m.position.copy(a),m.update(l,e),l.autoClear=d,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=g,e.background=y,t>0&&(u.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=Q_(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=J_(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(Z_,W_(e))}_fromTexture(e,t){e.mapping===Xr||e.mapping===ta?this._setSize(e.image.length===0?Z_:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){let e=this._cubeSize,t=K_(e,!1,!1),i=Math.log2(e)-mT;for(let s=0;s<=i;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=K_(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Xr||e.mapping===ta?(this._cubemapMaterial===null&&(this._cubemapMaterial=Q_()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=J_()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=yT(),this._integrationMaterial=bT());let t=this._cubeSize,i=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/xv);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-_T)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(vv*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=ST());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,i),s.envMap.value=e.texture,this._renderCube(r,0,i)}};function K_(n,e,t){return new gl(n,{minFilter:Gs,generateMipmaps:e,type:es,colorSpace:Fa,depthBuffer:t})}function _l(n,e,t){return new ms({name:n,uniforms:e,vertexShader:ft.cube_vert,fragmentShader:t,side:di,blending:Hr,depthTest:!1,depthWrite:!1})}function yT(){return _l("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${vv}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function bT(){return _l("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:xv}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function ST(){return _l("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${gT}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function J_(){return _l("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function Q_(){return _l("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function MT(n){let e=new WeakMap,t=new WeakMap,i=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===Iu||f===Lu)if(e.has(h)){let g=e.get(h).texture;return a(g,h.mapping)}else{let g=h.image;if(g&&g.height>0){let y=new gl(g.height);return y.fromEquirectangularTexture(n,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.mapping,g=f===Iu||f===Lu,y=f===Xr||f===ta;if(g||y){let m=t.get(h),p=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==p)return i===null&&(i=new vh(n)),m=g?i.fromEquirectangular(h,m):i.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;{let x=h.image;return g&&x&&x.height>0||y&&x&&l(x)?(i===null&&(i=new vh(n)),m=g?i.fromEquirectangular(h):i.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),h.addEventListener("dispose",u),m.texture):null}}}return h}function a(h,f){return f===Iu?h.mapping=Xr:f===Lu&&(h.mapping=ta),h}function l(h){let f=0,g=6;for(let y=0;y<g;y++)h[y]!==void 0&&f++;return f===g}function c(h){let f=h.target;f.removeEventListener("dispose",c);let g=e.get(f);g!==void 0&&(e.delete(f),g.dispose())}function u(h){let f=h.target;f.removeEventListener("dispose",u);let g=t.get(f);g!==void 0&&(t.delete(f),g.dispose())}function d(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:d}}function wT(n){let e={};function t(i){if(e[i]!==void 0)return e[i];let s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){let s=t(i);return s===null&&Na("WebGLRenderer: "+i+" extension not supported."),s}}}function TT(n,e,t,i){let s={},r=new WeakMap,o=new FinalizationRegistry(g=>delete s[g]);function a(g){l(g.target)}function l(g){g.index!==null&&e.remove(g.index);for(let m in g.attributes)e.remove(g.attributes[m]);g.removeEventListener("dispose",a),delete s[g.id],o.unregister(g);let y=r.get(g);y&&(e.remove(y),r.delete(g)),i.releaseStatesOfGeometry(g),g.isInstancedBufferGeometry===!0&&delete g._maxInstanceCount,t.memory.geometries--}function c(g,y){return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function u(g){let y=g.attributes;for(let m in y)e.update(y[m],n.ARRAY_BUFFER)}function d(g){let y=g.index,m=g.attributes.position,p=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.length/3-1,T=m.count>=65535?Va:Ga,S=new T(Math.ceil(x/3)*6,1),R=S.array;if(y!==null){let v=y.array;p=y.version;for(let w=0,F=0;w<x;w+=3){let L=v[w+0],D=v[w+1],z=v[w+2];R[F++]=L,R[F++]=D,R[F++]=D,R[F++]=z,R[F++]=z,R[F++]=L}}else{p=m.version;for(let v=0,w=0;v<x;v+=3){let F=v+0,L=v+1,D=v+2;R[w++]=F,R[w++]=L,R[w++]=L,R[w++]=D,R[w++]=D,R[w++]=F}}S.version=p;let C=r.get(g);C&&e.remove(C),r.set(g,S)}function h(g){let y=r.get(g);if(y){let m=g.index;m!==null&&y.version<m.version&&d(g)}else d(g);return r.get(g)}function f(){for(let g in s){let y=s[g].deref();y!==void 0&&l(y)}}return{get:c,update:u,getWireframeAttribute:h,dispose:f}}function ET(n,e,t){let i;function s(d){i=d}let r,o;function a(d){r=d.type,o=d.bytesPerElement}function l(d,h){n.drawElements(i,h,r,d*o),t.update(h,i,1)}function c(d,h,f){f!==0&&(n.drawElementsInstanced(i,h,r,d*o,f),t.update(h,i,f))}function u(d,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,h,0,r,d,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];t.update(y,i,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=u}function AT(n){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(t.calls++,o){case n.TRIANGLES:t.triangles+=a*(r/3);break;case n.LINES:t.lines+=a*(r/2);break;case n.LINE_STRIP:t.lines+=a*(r-1);break;case n.LINE_LOOP:t.lines+=a*r;break;case n.POINTS:t.points+=a*r;break;default:tt("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function CT(n,e,t){let i=new WeakMap,s=new sn;function r(o,a,l){let c=o.morphTargetInfluences,u=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,d=u!==void 0?u.length:0,h=i.get(a);if(h===void 0||h.count!==d){let F=function(){v.dispose(),i.delete(a),a.removeEventListener("dispose",F)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.position!==void 0,g=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],p=a.morphAttributes.normal||[],x=a.morphAttributes.color||[],T=0;f===!0&&(T=1),g===!0&&(T=2),y===!0&&(T=3);let S=a.attributes.position.count*T,R=1;S>e.maxTextureSize&&(R=Math.ceil(S/e.maxTextureSize),S=e.maxTextureSize);let C=new Float32Array(S*R*4*d),v=new Ba(C,S,R,d);v.type=ji,v.needsUpdate=!0;let w=T*4;for(let L=0;L<d;L++){let D=m[L],z=p[L],V=x[L],N=S*R*4*L;for(let W=0;W<D.count;W++){let $=W*w;f===!0&&(s.fromBufferAttribute(D,W),C[N+$+0]=s.x,C[N+$+1]=s.y,C[N+$+2]=s.z,C[N+$+3]=0),g===!0&&(s.fromBufferAttribute(z,W),C[N+$+4]=s.x,C[N+$+5]=s.y,C[N+$+6]=s.z,C[N+$+7]=0),y===!0&&(s.fromBufferAttribute(V,W),C[N+$+8]=s.x,C[N+$+9]=s.y,C[N+$+10]=s.z,C[N+$+11]=V.itemSize===4?s.w:1)}}h={count:d,texture:v,size:new ct(S,R)},i.set(a,h),a.addEventListener("dispose",F)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",o.morphTexture,t);else{let f=0;for(let y=0;y<c.length;y++)f+=c[y];let g=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(n,"morphTargetBaseInfluence",g),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(n,"morphTargetsTextureSize",h.size)}return{update:r}}function RT(n,e,t,i,s){let r=new WeakMap;function o(c){let u=s.render.frame,d=c.geometry,h=e.get(c,d);if(r.get(h)!==u&&(e.update(h),r.set(h,u)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==u&&(t.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,n.ARRAY_BUFFER),r.set(c,u))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==u&&(f.update(),r.set(f,u))}return h}function a(){r=new WeakMap}function l(c){let u=c.target;u.removeEventListener("dispose",l),i.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{update:o,dispose:a}}var PT={[zf]:"LINEAR_TONE_MAPPING",[Gf]:"REINHARD_TONE_MAPPING",[Vf]:"CINEON_TONE_MAPPING",[Hf]:"ACES_FILMIC_TONE_MAPPING",[Xf]:"AGX_TONE_MAPPING",[qf]:"NEUTRAL_TONE_MAPPING",[Wf]:"CUSTOM_TONE_MAPPING"};function IT(n,e,t,i,s,r){let o=new Ii(e,t,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,u=new Nt;u.setAttribute("position",new mt([-1,3,0,-1,-1,0,3,-1,0],3)),u.setAttribute("uv",new mt([0,2,0,0,2,0],2));let d=new Jo({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),h=new De(u,d),f=new ja(-1,1,1,-1,0,1),g=null,y=null,m=!1,p,x=null,T=[],S=!1;this.setSize=function(R,C){o.setSize(R,C),a!==null&&a.setSize(R,C),l!==null&&l.setSize(R,C);for(let v=0;v<T.length;v++){let w=T[v];w.setSize&&w.setSize(R,C)}},this.setEffects=function(R){T=R,S=T.length>0&&T[0].isRenderPass===!0;let C=o.width,v=o.height;T.length>0&&a===null&&(a=new Ii(C,v,{type:es,depthBuffer:!1,stencilBuffer:!1}),l=new Ii(C,v,{type:es,depthBuffer:!1,stencilBuffer:!1}));let w=s===!0&&T.some(F=>F.needsDepthTexture===!0);w!==(o.depthTexture!==null)&&(w===!0&&c===null&&(c=new Bs(C,v),r===!0&&(c.format=Vs,c.type=qr)),o.dispose(),o.depthTexture=w?c:null,o.resolveDepthBuffer=w,o.storeMultisampledDepthBuffer=w);for(let F=0;F<T.length;F++){let L=T[F];L.setSize&&L.setSize(C,v),w&&L.needsDepthTexture===!0&&L.setDepthTexture&&L.setDepthTexture(c)}},this.begin=function(R,C){if(m||R.toneMapping===_s&&T.length===0)return!1;if(x=C,C!==null){let v=C.width,w=C.height;(o.width!==v||o.height!==w)&&this.setSize(v,w)}return S===!1&&R.setRenderTarget(o),p=R.toneMapping,R.toneMapping=_s,!0},this.hasRenderPass=function(){return S},this.end=function(R,C){R.toneMapping=p,m=!0;let v=o,w=a;for(let F=0;F<T.length;F++){let L=T[F];L.enabled!==!1&&(L.render(R,w,v,C),L.needsSwap!==!1&&(v=w,w=w===a?l:a))}if(g!==R.outputColorSpace||y!==R.toneMapping){g=R.outputColorSpace,y=R.toneMapping,d.defines={},bt.getTransfer(g)===Dt&&(d.defines.SRGB_TRANSFER="");let F=PT[y];F&&(d.defines[F]=""),d.needsUpdate=!0}d.uniforms.tDiffuse.value=v.texture,R.setRenderTarget(x),R.render(h,f),x=null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),u.dispose(),d.dispose()}}var yv=new _i,bv=new Bs(1,1),Sv=new Xa(1),Mv=new Ba,wv=new hu,Tv=new Wa,j_=[],ev=[],tv=new Float32Array(16),nv=new Float32Array(9),iv=new Float32Array(4);function sa(n,e,t){let i=n[0];if(i<=0||i>0)return n;let s=e*t,r=j_[s];if(r===void 0&&(r=new Float32Array(s),j_[s]=r),e!==0){i.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,n[o].toArray(r,a)}return r}function On(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function kn(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function yh(n,e){let t=ev[e];t===void 0&&(t=new Int32Array(e),ev[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function LT(n,e){let t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function DT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(On(t,e))return;n.uniform2fv(this.addr,e),kn(t,e)}}function NT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(On(t,e))return;n.uniform3fv(this.addr,e),kn(t,e)}}function UT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(On(t,e))return;n.uniform4fv(this.addr,e),kn(t,e)}}function FT(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(On(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),kn(t,e)}else{if(On(t,i))return;iv.set(i),n.uniformMatrix2fv(this.addr,!1,iv),kn(t,i)}}function OT(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(On(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),kn(t,e)}else{if(On(t,i))return;nv.set(i),n.uniformMatrix3fv(this.addr,!1,nv),kn(t,i)}}function kT(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(On(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),kn(t,e)}else{if(On(t,i))return;tv.set(i),n.uniformMatrix4fv(this.addr,!1,tv),kn(t,i)}}function BT(n,e){let t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function zT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(On(t,e))return;n.uniform2iv(this.addr,e),kn(t,e)}}function GT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(On(t,e))return;n.uniform3iv(this.addr,e),kn(t,e)}}function VT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(On(t,e))return;n.uniform4iv(this.addr,e),kn(t,e)}}function HT(n,e){let t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function WT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(On(t,e))return;n.uniform2uiv(this.addr,e),kn(t,e)}}function XT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(On(t,e))return;n.uniform3uiv(this.addr,e),kn(t,e)}}function qT(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(On(t,e))return;n.uniform4uiv(this.addr,e),kn(t,e)}}function bh(n){return n.version===0&&(n.compareFunction=ip,n.needsUpdate=!0),n}function YT(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=bh(bv):r=yv,t.setTexture2D(e||r,s)}function $T(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||wv,s)}function ZT(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=bh(Sv):r=Tv,t.setTextureCube(e||r,s)}function KT(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||Mv,s)}function JT(n){switch(n){case 5126:return LT;case 35664:return DT;case 35665:return NT;case 35666:return UT;case 35674:return FT;case 35675:return OT;case 35676:return kT;case 5124:case 35670:return BT;case 35667:case 35671:return zT;case 35668:case 35672:return GT;case 35669:case 35673:return VT;case 5125:return HT;case 36294:return WT;case 36295:return XT;case 36296:return qT;case 35678:case 36198:case 36298:case 36306:case 35682:return YT;case 35679:case 36299:case 36307:return $T;case 35680:case 36300:case 36308:case 36293:return ZT;case 36289:case 36303:case 36311:case 36292:return KT}}function QT(n,e){n.uniform1fv(this.addr,e)}function jT(n,e){let t=sa(e,this.size,2);n.uniform2fv(this.addr,t)}function eE(n,e){let t=sa(e,this.size,3);n.uniform3fv(this.addr,t)}function tE(n,e){let t=sa(e,this.size,4);n.uniform4fv(this.addr,t)}function nE(n,e){let t=sa(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function iE(n,e){let t=sa(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function sE(n,e){let t=sa(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function rE(n,e){n.uniform1iv(this.addr,e)}function oE(n,e){n.uniform2iv(this.addr,e)}function aE(n,e){n.uniform3iv(this.addr,e)}function lE(n,e){n.uniform4iv(this.addr,e)}function cE(n,e){n.uniform1uiv(this.addr,e)}function uE(n,e){n.uniform2uiv(this.addr,e)}function hE(n,e){n.uniform3uiv(this.addr,e)}function dE(n,e){n.uniform4uiv(this.addr,e)}function fE(n,e,t){let i=this.cache,s=e.length,r=yh(t,s);On(i,r)||(n.uniform1iv(this.addr,r),kn(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=bh(bv):o=yv;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function pE(n,e,t){let i=this.cache,s=e.length,r=yh(t,s);On(i,r)||(n.uniform1iv(this.addr,r),kn(i,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||wv,r[o])}function mE(n,e,t){let i=this.cache,s=e.length,r=yh(t,s);On(i,r)||(n.uniform1iv(this.addr,r),kn(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=bh(Sv):o=Tv;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function gE(n,e,t){let i=this.cache,s=e.length,r=yh(t,s);On(i,r)||(n.uniform1iv(this.addr,r),kn(i,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||Mv,r[o])}function _E(n){switch(n){case 5126:return QT;case 35664:return jT;case 35665:return eE;case 35666:return tE;case 35674:return nE;case 35675:return iE;case 35676:return sE;case 5124:case 35670:return rE;case 35667:case 35671:return oE;case 35668:case 35672:return aE;case 35669:case 35673:return lE;case 5125:return cE;case 36294:return uE;case 36295:return hE;case 36296:return dE;case 35678:case 36198:case 36298:case 36306:case 35682:return fE;case 35679:case 36299:case 36307:return pE;case 35680:case 36300:case 36308:case 36293:return mE;case 36289:case 36303:case 36311:case 36292:return gE}}var dp=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=JT(t.type)}},fp=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=_E(t.type)}},pp=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],i)}}},up=/(\w+)(\])?(\[|\.)?/g;function sv(n,e){n.seq.push(e),n.map[e.id]=e}function vE(n,e,t){let i=n.name,s=i.length;for(up.lastIndex=0;;){let r=up.exec(i),o=up.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){sv(t,c===void 0?new dp(a,n,e):new fp(a,n,e));break}else{let d=t.map[a];d===void 0&&(d=new pp(a),sv(t,d)),t=d}}}var ia=class{constructor(e,t){this.seq=[],this.map={};let i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);vE(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){let r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){let s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=i[a.id];l.needsUpdate!==!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let i=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&i.push(o)}return i}};function rv(n,e,t){let i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}var xE=37297,yE=0;function bE(n,e){let t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return i.join(`
+`)}var ov=new it;function SE(n){bt._getMatrix(ov,bt.workingColorSpace,n);let e=`mat3( ${ov.elements.map(t=>t.toFixed(4))} )`;switch(bt.getTransfer(n)){case Oa:return[e,"LinearTransferOETF"];case Dt:return[e,"sRGBTransferOETF"];default:return Je("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function av(n,e,t){let i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+bE(n.getShaderSource(e),a)}else return r}function ME(n,e){let t=SE(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var wE={[zf]:"Linear",[Gf]:"Reinhard",[Vf]:"Cineon",[Hf]:"ACESFilmic",[Xf]:"AgX",[qf]:"Neutral",[Wf]:"Custom"};function TE(n,e){let t=wE[e];return t===void 0?(Je("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var _h=new O;function EE(){bt.getLuminanceCoefficients(_h);let n=_h.x.toFixed(4),e=_h.y.toFixed(4),t=_h.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function AE(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(ml).join(`
+`)}function CE(n){let e=[];for(let t in n){let i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function RE(n,e){let t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(e,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:n.getAttribLocation(e,o),locationSize:a}}return t}function ml(n){return n!==""}function lv(n,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function cv(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var PE=/^[ \t]*#include +<([\w\d./]+)>/gm;function mp(n){return n.replace(PE,IE)}function IE(n,e){let t=ft[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return mp(t)}var LE=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function uv(n){return n.replace(LE,DE)}function DE(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function hv(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var NE={[sl]:"SHADOWMAP_TYPE_PCF",[jo]:"SHADOWMAP_TYPE_VSM"};function UE(n){return NE[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var FE={[ta]:"ENVMAP_MODE_REFRACTION"};function OE(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":FE[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var kE={[Pu]:"ENVMAP_BLENDING_MULTIPLY",[C_]:"ENVMAP_BLENDING_MIX",[R_]:"ENVMAP_BLENDING_ADD"};function BE(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":kE[n.combine]||"ENVMAP_BLENDING_NONE"}function zE(n,e,t,i){let s=n.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=UE(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=OE(t),d=BE(t),h=AE(t),f=CE(r),g=s.createProgram(),y,m,p=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ml).join(`
+`),y.length>0&&(y+=`
+`),m=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ml).join(`
+`),m.length>0&&(m+=`
+`)):(y=[hv(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+u:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(ml).join(`
+`),m=[hv(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+u:"",t.envMap?"#define "+d:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==_s?"#define TONE_MAPPING":"",t.toneMapping!==_s?ft.tonemapping_pars_fragment:"",t.toneMapping!==_s?TE("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ft.colorspace_pars_fragment,ME("linearToOutputTexel",t.outputColorSpace),EE(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(ml).join(`
+`)),o=mp(o),o=lv(o,t),o=cv(o,t),a=mp(a),a=lv(a,t),a=cv(a,t),o=uv(o),a=uv(a),t.isRawShaderMaterial!==!0&&(p=`#version 300 es
+`,y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+y,m=["#define varying in",t.glslVersion===dl?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===dl?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+m);let x=p+y+o,T=p+m+a,S=rv(s,s.VERTEX_SHADER,x),R=rv(s,s.FRAGMENT_SHADER,T);s.attachShader(g,S),s.attachShader(g,R),t.index0AttributeName!==void 0?s.bindAttribLocation(g,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(g,0,"position"),s.linkProgram(g);function C(L){if(n.debug.checkShaderErrors){let D=s.getProgramInfoLog(g)||"",z=s.getShaderInfoLog(S)||"",V=s.getShaderInfoLog(R)||"",N=D.trim(),W=z.trim(),$=V.trim(),H=!0,le=!0;if(s.getProgramParameter(g,s.LINK_STATUS)===!1)if(H=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,g,S,R);else{let Y=av(s,S,"vertex"),j=av(s,R,"fragment");tt("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(g,s.VALIDATE_STATUS)+`
+
+Material Name: `+L.name+`
+Material Type: `+L.type+`
+
+Program Info Log: `+N+`
+`+Y+`
+`+j)}else N!==""?Je("WebGLProgram: Program Info Log:",N):(W===""||$==="")&&(le=!1);le&&(L.diagnostics={runnable:H,programLog:N,vertexShader:{log:W,prefix:y},fragmentShader:{log:$,prefix:m}})}s.deleteShader(S),s.deleteShader(R),v=new ia(s,g),w=RE(s,g)}let v;this.getUniforms=function(){return v===void 0&&C(this),v};let w;this.getAttributes=function(){return w===void 0&&C(this),w};let F=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return F===!1&&(F=s.getProgramParameter(g,xE)),F},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(g),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=yE++,this.cacheKey=e,this.usedTimes=1,this.program=g,this.vertexShader=S,this.fragmentShader=R,this}var GE=0,gp=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){let t=this.shaderCache,i=t.get(e);return i===void 0&&(i=new _p(e),t.set(e,i)),i}},_p=class{constructor(e){this.id=GE++,this.code=e,this.usedTimes=0}};function VE(n){return n===yr||n===ul||n===hl}function HE(n,e,t,i,s,r){let o=new $o,a=new gp,l=new Set,c=[],u=new Map,d=i.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(v){return l.add(v),v===0?"uv":`uv${v}`}function g(v,w,F,L,D,z){let V=L.fog,N=D.geometry,W=v.isMeshStandardMaterial||v.isMeshLambertMaterial||v.isMeshPhongMaterial?L.environment:null,$=v.isMeshStandardMaterial||v.isMeshLambertMaterial&&!v.envMap||v.isMeshPhongMaterial&&!v.envMap,H=e.get(v.envMap||W,$),le=h[v.type],Y=i.precision;v.precision!==null&&(Y=i.getMaxPrecision(v.precision),Y!==v.precision&&Je("WebGLProgram.getParameters:",v.precision,"not supported, using",Y,"instead."));let j=N.morphAttributes.position||N.morphAttributes.normal||N.morphAttributes.color,ie=j!==void 0?j.length:0,he=0;N.morphAttributes.position!==void 0&&(he=1),N.morphAttributes.normal!==void 0&&(he=2),N.morphAttributes.color!==void 0&&(he=3);let de,ee,me,ve;if(le){let Ce=xs[le];de=Ce.vertexShader,ee=Ce.fragmentShader}else{de=v.vertexShader,ee=v.fragmentShader;let Ce=a.getVertexShaderStage(v),ut=a.getFragmentShaderStage(v);a.update(v,Ce,ut),me=Ce.id,ve=ut.id}let Ae=n.getRenderTarget(),Se=n.state.buffers.depth.getReversed(),Ye=D.isInstancedMesh===!0,at=D.isBatchedMesh===!0,We=!!v.map,pt=!!v.matcap,ht=!!H,rt=ht&&H.isPMREMTexture===!0,en=!!v.aoMap,qt=!!v.lightMap,Sn=!!v.bumpMap&&v.wireframe===!1,zt=!!v.normalMap,Bn=!!v.displacementMap,Mt=!!v.emissiveMap,Dn=!!v.metalnessMap,hn=!!v.roughnessMap,Mn=v.anisotropy>0,B=v.clearcoat>0,Re=v.diffuseRoughness>0,Ke=v.dispersion>0,lt=v.retroreflectivity>0,Me=v.iridescence>0,Vt=v.sheen>0,He=v.transmission>0,Ze=Mn&&!!v.anisotropyMap,P=B&&!!v.clearcoatMap,M=B&&!!v.clearcoatNormalMap,q=B&&!!v.clearcoatRoughnessMap,ue=Re&&!!v.diffuseRoughnessMap,oe=Me&&!!v.iridescenceMap,_e=Me&&!!v.iridescenceThicknessMap,xe=Vt&&!!v.sheenColorMap,te=Vt&&!!v.sheenRoughnessMap,se=!!v.specularMap,pe=!!v.specularColorMap,k=!!v.specularIntensityMap,re=He&&!!v.transmissionMap,ne=He&&!!v.thicknessMap,we=!!v.gradientMap,ge=!!v.alphaMap,be=v.alphaTest>0,Xe=!!v.alphaHash,je=!!v.extensions,ce=_s;v.toneMapped&&(Ae===null||Ae.isXRRenderTarget===!0)&&(ce=n.toneMapping);let Be=rt?H.isCompressedCubeTexture?H.image[0].mipmaps:H.mipmaps:null,et={shaderID:le,shaderType:v.type,shaderName:v.name,vertexShader:de,fragmentShader:ee,defines:v.defines,customVertexShaderID:me,customFragmentShaderID:ve,isRawShaderMaterial:v.isRawShaderMaterial===!0,glslVersion:v.glslVersion,precision:Y,batching:at,batchingColor:at&&D._colorsTexture!==null,instancing:Ye,instancingColor:Ye&&D.instanceColor!==null,instancingMorph:Ye&&D.morphTexture!==null,outputColorSpace:Ae===null?n.outputColorSpace:Ae.isXRRenderTarget===!0?Ae.texture.colorSpace:bt.workingColorSpace,alphaToCoverage:!!v.alphaToCoverage,map:We,matcap:pt,envMap:ht,envMapMode:ht&&H.mapping,envMapPMREM:rt,envMapMaxLod:rt?Be.length-1:null,envMapSize:rt?Be[0].width:null,aoMap:en,lightMap:qt,bumpMap:Sn,normalMap:zt,displacementMap:Bn,emissiveMap:Mt,normalMapObjectSpace:zt&&v.normalMapType===L_,normalMapTangentSpace:zt&&v.normalMapType===mh,packedNormalMap:zt&&v.normalMapType===mh&&VE(v.normalMap.format),metalnessMap:Dn,roughnessMap:hn,anisotropy:Mn,anisotropyMap:Ze,clearcoat:B,clearcoatMap:P,clearcoatNormalMap:M,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:ue,dispersion:Ke,retroreflection:lt,iridescence:Me,iridescenceMap:oe,iridescenceThicknessMap:_e,sheen:Vt,sheenColorMap:xe,sheenRoughnessMap:te,specularMap:se,specularColorMap:pe,specularIntensityMap:k,transmission:He,transmissionMap:re,thicknessMap:ne,gradientMap:we,opaque:v.transparent===!1&&v.blending===ea&&v.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:Xe,combine:v.combine,mapUv:We&&f(v.map.channel),aoMapUv:en&&f(v.aoMap.channel),lightMapUv:qt&&f(v.lightMap.channel),bumpMapUv:Sn&&f(v.bumpMap.channel),normalMapUv:zt&&f(v.normalMap.channel),displacementMapUv:Bn&&f(v.displacementMap.channel),emissiveMapUv:Mt&&f(v.emissiveMap.channel),metalnessMapUv:Dn&&f(v.metalnessMap.channel),roughnessMapUv:hn&&f(v.roughnessMap.channel),anisotropyMapUv:Ze&&f(v.anisotropyMap.channel),clearcoatMapUv:P&&f(v.clearcoatMap.channel),clearcoatNormalMapUv:M&&f(v.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&f(v.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:ue&&f(v.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(v.iridescenceMap.channel),iridescenceThicknessMapUv:_e&&f(v.iridescenceThicknessMap.channel),sheenColorMapUv:xe&&f(v.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(v.sheenRoughnessMap.channel),specularMapUv:se&&f(v.specularMap.channel),specularColorMapUv:pe&&f(v.specularColorMap.channel),specularIntensityMapUv:k&&f(v.specularIntensityMap.channel),transmissionMapUv:re&&f(v.transmissionMap.channel),thicknessMapUv:ne&&f(v.thicknessMap.channel),alphaMapUv:ge&&f(v.alphaMap.channel),vertexTangents:!!N.attributes.tangent&&(zt||Mn),vertexNormals:!!N.attributes.normal,vertexColors:v.vertexColors,vertexAlphas:v.vertexColors===!0&&!!N.attributes.color&&N.attributes.color.itemSize===4,pointsUvs:D.isPoints===!0&&!!N.attributes.uv&&(We||ge),fog:!!V,useFog:v.fog===!0,fogExp2:!!V&&V.isFogExp2,flatShading:v.wireframe===!1&&(v.flatShading===!0||N.attributes.normal===void 0&&zt===!1&&(v.isMeshLambertMaterial||v.isMeshPhongMaterial||v.isMeshStandardMaterial||v.isMeshPhysicalMaterial)),sizeAttenuation:v.sizeAttenuation===!0,logarithmicDepthBuffer:d,reversedDepthBuffer:Se,skinning:D.isSkinnedMesh===!0,hasPositionAttribute:N.attributes.position!==void 0,morphTargets:N.morphAttributes.position!==void 0,morphNormals:N.morphAttributes.normal!==void 0,morphColors:N.morphAttributes.color!==void 0,morphTargetsCount:ie,morphTextureStride:he,numSunLights:w.sun.length,numDirLights:w.directional.length,numPointLights:w.point.length,numSpotLights:w.spot.length,numSpotLightMaps:w.spotLightMap.length,numRectAreaLights:w.rectArea.length,numHemiLights:w.hemi.length,numSunLightShadows:w.sunShadowMap.length,numDirLightShadows:w.directionalShadowMap.length,numPointLightShadows:w.pointShadowMap.length,numSpotLightShadows:w.spotShadowMap.length,numSpotLightShadowsWithMaps:w.numSpotLightShadowsWithMaps,numLightProbes:w.numLightProbes,numLightProbeGrids:z.filter(Ce=>Ce.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:v.dithering,shadowMapEnabled:n.shadowMap.enabled&&F.length>0,shadowMapType:n.shadowMap.type,toneMapping:ce,decodeVideoTexture:We&&v.map.isVideoTexture===!0&&bt.getTransfer(v.map.colorSpace)===Dt,decodeVideoTextureEmissive:Mt&&v.emissiveMap.isVideoTexture===!0&&bt.getTransfer(v.emissiveMap.colorSpace)===Dt,premultipliedAlpha:v.premultipliedAlpha,doubleSided:v.side===ni,flipSided:v.side===di,useDepthPacking:v.depthPacking>=0,depthPacking:v.depthPacking||0,index0AttributeName:v.index0AttributeName,extensionClipCullDistance:je&&v.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(je&&v.extensions.multiDraw===!0||at)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:v.customProgramCacheKey()};return et.vertexUv1s=l.has(1),et.vertexUv2s=l.has(2),et.vertexUv3s=l.has(3),l.clear(),et}function y(v){let w=[];if(v.shaderID?w.push(v.shaderID):(w.push(v.customVertexShaderID),w.push(v.customFragmentShaderID)),v.defines!==void 0)for(let F in v.defines)w.push(F),w.push(v.defines[F]);return v.isRawShaderMaterial===!1&&(m(w,v),p(w,v),w.push(n.outputColorSpace)),w.push(v.customProgramCacheKey),w.join()}function m(v,w){v.push(w.precision),v.push(w.outputColorSpace),v.push(w.envMapMode),v.push(w.envMapPMREM),v.push(w.envMapMaxLod),v.push(w.envMapSize),v.push(w.mapUv),v.push(w.alphaMapUv),v.push(w.lightMapUv),v.push(w.aoMapUv),v.push(w.bumpMapUv),v.push(w.normalMapUv),v.push(w.displacementMapUv),v.push(w.emissiveMapUv),v.push(w.metalnessMapUv),v.push(w.roughnessMapUv),v.push(w.anisotropyMapUv),v.push(w.clearcoatMapUv),v.push(w.clearcoatNormalMapUv),v.push(w.clearcoatRoughnessMapUv),v.push(w.diffuseRoughnessMapUv),v.push(w.iridescenceMapUv),v.push(w.iridescenceThicknessMapUv),v.push(w.sheenColorMapUv),v.push(w.sheenRoughnessMapUv),v.push(w.specularMapUv),v.push(w.specularColorMapUv),v.push(w.specularIntensityMapUv),v.push(w.transmissionMapUv),v.push(w.thicknessMapUv),v.push(w.combine),v.push(w.fogExp2),v.push(w.sizeAttenuation),v.push(w.morphTargetsCount),v.push(w.numSunLights),v.push(w.numDirLights),v.push(w.numPointLights),v.push(w.numSpotLights),v.push(w.numSpotLightMaps),v.push(w.numHemiLights),v.push(w.numRectAreaLights),v.push(w.numSunLightShadows),v.push(w.numDirLightShadows),v.push(w.numPointLightShadows),v.push(w.numSpotLightShadows),v.push(w.numSpotLightShadowsWithMaps),v.push(w.numLightProbes),v.push(w.numLightProbeGrids),v.push(w.shadowMapType),v.push(w.toneMapping),v.push(w.numClippingPlanes),v.push(w.numClipIntersection),v.push(w.depthPacking)}function p(v,w){o.disableAll(),w.instancing&&o.enable(0),w.instancingColor&&o.enable(1),w.instancingMorph&&o.enable(2),w.matcap&&o.enable(3),w.envMap&&o.enable(4),w.normalMapObjectSpace&&o.enable(5),w.normalMapTangentSpace&&o.enable(6),w.clearcoat&&o.enable(7),w.iridescence&&o.enable(8),w.alphaTest&&o.enable(9),w.vertexColors&&o.enable(10),w.vertexAlphas&&o.enable(11),w.vertexUv1s&&o.enable(12),w.vertexUv2s&&o.enable(13),w.vertexUv3s&&o.enable(14),w.vertexTangents&&o.enable(15),w.anisotropy&&o.enable(16),w.alphaHash&&o.enable(17),w.batching&&o.enable(18),w.dispersion&&o.enable(19),w.retroreflection&&o.enable(24),w.diffuseRoughness&&o.enable(25),w.batchingColor&&o.enable(20),w.gradientMap&&o.enable(21),w.packedNormalMap&&o.enable(22),w.vertexNormals&&o.enable(23),v.push(o.mask),o.disableAll(),w.fog&&o.enable(0),w.useFog&&o.enable(1),w.flatShading&&o.enable(2),w.logarithmicDepthBuffer&&o.enable(3),w.reversedDepthBuffer&&o.enable(4),w.skinning&&o.enable(5),w.morphTargets&&o.enable(6),w.morphNormals&&o.enable(7),w.morphColors&&o.enable(8),w.premultipliedAlpha&&o.enable(9),w.shadowMapEnabled&&o.enable(10),w.doubleSided&&o.enable(11),w.flipSided&&o.enable(12),w.useDepthPacking&&o.enable(13),w.dithering&&o.enable(14),w.transmission&&o.enable(15),w.sheen&&o.enable(16),w.opaque&&o.enable(17),w.pointsUvs&&o.enable(18),w.decodeVideoTexture&&o.enable(19),w.decodeVideoTextureEmissive&&o.enable(20),w.alphaToCoverage&&o.enable(21),w.numLightProbeGrids>0&&o.enable(22),w.hasPositionAttribute&&o.enable(23),v.push(o.mask)}function x(v){let w=h[v.type],F;if(w){let L=xs[w];F=q_.clone(L.uniforms)}else F=v.uniforms;return F}function T(v,w){let F=u.get(w);return F!==void 0?++F.usedTimes:(F=new zE(n,w,v,s),c.push(F),u.set(w,F)),F}function S(v){if(--v.usedTimes===0){let w=c.indexOf(v);c[w]=c[c.length-1],c.pop(),u.delete(v.cacheKey),v.destroy()}}function R(v){a.remove(v)}function C(){a.dispose()}return{getParameters:g,getProgramCacheKey:y,getUniforms:x,acquireProgram:T,releaseProgram:S,releaseShaderCache:R,programs:c,dispose:C}}function WE(){let n=new WeakMap;function e(o){return n.has(o)}function t(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,l){n.get(o)[a]=l}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function XE(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function dv(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function fv(){let n=[],e=0,t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,g,y,m,p){let x=n[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:g,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:p},n[e]=x):(x.id=h.id,x.object=h,x.geometry=f,x.material=g,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=p),e++,x}function l(h,f,g,y,m,p,x){x.reversedDepth===!0&&(m=-m);let T=a(h,f,g,y,m,p);g.transmission>0?i.push(T):g.transparent===!0?s.push(T):t.push(T)}function c(h,f,g,y,m,p){let x=a(h,f,g,y,m,p);g.transmission>0?i.unshift(x):g.transparent===!0?s.unshift(x):t.unshift(x)}function u(h,f){t.length>1&&t.sort(h||XE),i.length>1&&i.sort(f||dv),s.length>1&&s.sort(f||dv)}function d(){for(let h=e,f=n.length;h<f;h++){let g=n[h];if(g.id===null)break;g.id=null,g.object=null,g.geometry=null,g.material=null,g.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:l,unshift:c,finish:d,sort:u}}function qE(){let n=new WeakMap;function e(i,s){let r=n.get(i),o;return r===void 0?(o=new fv,n.set(i,[o])):s>=r.length?(o=new fv,r.push(o)):o=r[s],o}function t(){n=new WeakMap}return{get:e,dispose:t}}function YE(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new O,color:new st};break;case"SpotLight":t={position:new O,direction:new O,color:new st,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new O,color:new st,distance:0,decay:0};break;case"HemisphereLight":t={direction:new O,skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new O,halfWidth:new O,halfHeight:new O};break}return n[e.id]=t,t}}}function $E(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}var ZE=0;function KE(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function JE(n){let e=new YE,t=$E(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new O);let s=new O,r=new Tt,o=new Tt;function a(c){let u=0,d=0,h=0;for(let z=0;z<9;z++)i.probe[z].set(0,0,0);let f=0,g=0,y=0,m=0,p=0,x=0,T=0,S=0,R=0,C=0,v=0,w=0,F=0,L=0;c.sort(KE);for(let z=0,V=c.length;z<V;z++){let N=c[z],W=N.color,$=N.intensity,H=N.distance,le=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===yr?le=N.shadow.map.texture:le=N.shadow.map.depthTexture||N.shadow.map.texture),N.isAmbientLight)u+=W.r*$,d+=W.g*$,h+=W.b*$;else if(N.isLightProbe){for(let Y=0;Y<9;Y++)i.probe[Y].addScaledVector(N.sh.coefficients[Y],$);L++}else if(N.isSunLight){let Y=e.get(N);if(Y.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let j=N.shadow,ie=t.get(N);ie.shadowIntensity=j.intensity,ie.shadowBias=j.bias,ie.shadowNormalBias=j.normalBias,ie.shadowRadius=j.radius,ie.shadowMapSize.copy(j.mapSize).multiply(j.getFrameExtents()),i.sunShadow[g]=ie,i.sunShadowMap[g]=le;let he=j.getViewportCount();for(let de=0;de<he;de++)i.sunShadowMatrix[y+de]=j.getMatrix(de),i.sunShadowCascade[y+de]=j._cascadeData[de];y+=he,g++}i.sun[f]=Y,f++}else if(N.isDirectionalLight){let Y=e.get(N);if(Y.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let j=N.shadow,ie=t.get(N);ie.shadowIntensity=j.intensity,ie.shadowBias=j.bias,ie.shadowNormalBias=j.normalBias,ie.shadowRadius=j.radius,ie.shadowMapSize=j.mapSize,i.directionalShadow[m]=ie,i.directionalShadowMap[m]=le,i.directionalShadowMatrix[m]=N.shadow.matrix,R++}i.directional[m]=Y,m++}else if(N.isSpotLight){let Y=e.get(N);Y.position.setFromMatrixPosition(N.matrixWorld),Y.color.copy(W).multiplyScalar($),Y.distance=H,Y.coneCos=Math.cos(N.angle),Y.penumbraCos=Math.cos(N.angle*(1-N.penumbra)),Y.decay=N.decay,i.spot[x]=Y;let j=N.shadow;if(N.map&&(i.spotLightMap[w]=N.map,w++,j.updateMatrices(N),N.castShadow&&F++),i.spotLightMatrix[x]=j.matrix,N.castShadow){let ie=t.get(N);ie.shadowIntensity=j.intensity,ie.shadowBias=j.bias,ie.shadowNormalBias=j.normalBias,ie.shadowRadius=j.radius,ie.shadowMapSize=j.mapSize,i.spotShadow[x]=ie,i.spotShadowMap[x]=le,v++}x++}else if(N.isRectAreaLight){let Y=e.get(N);Y.color.copy(W).multiplyScalar($),Y.halfWidth.set(N.width*.5,0,0),Y.halfHeight.set(0,N.height*.5,0),i.rectArea[T]=Y,T++}else if(N.isPointLight){let Y=e.get(N);if(Y.color.copy(N.color).multiplyScalar(N.intensity),Y.distance=N.distance,Y.decay=N.decay,N.castShadow){let j=N.shadow,ie=t.get(N);ie.shadowIntensity=j.intensity,ie.shadowBias=j.bias,ie.shadowNormalBias=j.normalBias,ie.shadowRadius=j.radius,ie.shadowMapSize=j.mapSize,ie.shadowCameraNear=j.camera.near,ie.shadowCameraFar=j.camera.far,i.pointShadow[p]=ie,i.pointShadowMap[p]=le,i.pointShadowMatrix[p]=N.shadow.matrix,C++}i.point[p]=Y,p++}else if(N.isHemisphereLight){let Y=e.get(N);Y.skyColor.copy(N.color).multiplyScalar($),Y.groundColor.copy(N.groundColor).multiplyScalar($),i.hemi[S]=Y,S++}}T>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=Ne.LTC_FLOAT_1,i.rectAreaLTC2=Ne.LTC_FLOAT_2):(i.rectAreaLTC1=Ne.LTC_HALF_1,i.rectAreaLTC2=Ne.LTC_HALF_2)),i.ambient[0]=u,i.ambient[1]=d,i.ambient[2]=h;let D=i.hash;(D.sunLength!==f||D.directionalLength!==m||D.pointLength!==p||D.spotLength!==x||D.rectAreaLength!==T||D.hemiLength!==S||D.numSunShadows!==g||D.numDirectionalShadows!==R||D.numPointShadows!==C||D.numSpotShadows!==v||D.numSpotMaps!==w||D.numLightProbes!==L)&&(i.sun.length=f,i.directional.length=m,i.spot.length=x,i.rectArea.length=T,i.point.length=p,i.hemi.length=S,i.sunShadow.length=g,i.sunShadowMap.length=g,i.sunShadowMatrix.length=y,i.sunShadowCascade.length=y,i.directionalShadow.length=R,i.directionalShadowMap.length=R,i.directionalShadowMatrix.length=R,i.pointShadow.length=C,i.pointShadowMap.length=C,i.pointShadowMatrix.length=C,i.spotShadow.length=v,i.spotShadowMap.length=v,i.spotLightMatrix.length=v+w-F,i.spotLightMap.length=w,i.numSpotLightShadowsWithMaps=F,i.numLightProbes=L,D.sunLength=f,D.directionalLength=m,D.pointLength=p,D.spotLength=x,D.rectAreaLength=T,D.hemiLength=S,D.numSunShadows=g,D.numDirectionalShadows=R,D.numPointShadows=C,D.numSpotShadows=v,D.numSpotMaps=w,D.numLightProbes=L,i.version=ZE++)}function l(c,u){let d=0,h=0,f=0,g=0,y=0,m=0,p=u.matrixWorldInverse;for(let x=0,T=c.length;x<T;x++){let S=c[x];if(S.isSunLight){let R=i.sun[d];R.direction.setFromMatrixPosition(S.matrixWorld),R.direction.transformDirection(p),d++}else if(S.isDirectionalLight){let R=i.directional[h];R.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(p),h++}else if(S.isSpotLight){let R=i.spot[g];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(p),R.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(p),g++}else if(S.isRectAreaLight){let R=i.rectArea[y];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(p),o.identity(),r.copy(S.matrixWorld),r.premultiply(p),o.extractRotation(r),R.halfWidth.set(S.width*.5,0,0),R.halfHeight.set(0,S.height*.5,0),R.halfWidth.applyMatrix4(o),R.halfHeight.applyMatrix4(o),y++}else if(S.isPointLight){let R=i.point[f];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(p),f++}else if(S.isHemisphereLight){let R=i.hemi[m];R.direction.setFromMatrixPosition(S.matrixWorld),R.direction.transformDirection(p),m++}}}return{setup:a,setupView:l,state:i}}function pv(n){let e=new JE(n),t=[],i=[],s=[];function r(d){u.camera=d,t.length=0,i.length=0,s.length=0}function o(d){d.isLightProbeGrid?s.push(d):t.push(d)}function a(d){i.push(d)}function l(){e.setup(t),s.sort((d,h)=>d.priority-h.priority||d.id-h.id)}function c(d){e.setupView(t,d)}let u={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:u,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function QE(n){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new pv(n),e.set(s,[a])):r>=o.length?(a=new pv(n),o.push(a)):a=o[r],a}function i(){e=new WeakMap}return{get:t,dispose:i}}var jE=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,eA=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,tA=[new O(1,0,0),new O(-1,0,0),new O(0,1,0),new O(0,-1,0),new O(0,0,1),new O(0,0,-1)],nA=[new O(0,-1,0),new O(0,-1,0),new O(0,0,1),new O(0,0,-1),new O(0,-1,0),new O(0,-1,0)],mv=new Tt,pl=new O,hp=new O;function iA(n,e,t){let i=new dr,s=new ct,r=new ct,o=new sn,a=new gu,l=new _u,c={},u=t.maxTextureSize,d={[gs]:di,[di]:gs,[ni]:ni},h=new ms({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new ct},radius:{value:4}},vertexShader:jE,fragmentShader:eA}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let g=new Nt;g.setAttribute("position",new Kn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new De(g,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=sl;let p=this.type;this.render=function(C,v,w){if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||C.length===0)return;this.type===c_&&(Je("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=sl);let F=n.getRenderTarget(),L=n.getActiveCubeFace(),D=n.getActiveMipmapLevel(),z=n.state;z.setBlending(Hr),z.buffers.depth.getReversed()===!0?z.buffers.color.setClear(0,0,0,0):z.buffers.color.setClear(1,1,1,1),z.buffers.depth.setTest(!0),z.setScissorTest(!1);let V=p!==this.type;V&&v.traverse(function(N){N.material&&(Array.isArray(N.material)?N.material.forEach(W=>W.needsUpdate=!0):N.material.needsUpdate=!0)});for(let N=0,W=C.length;N<W;N++){let $=C[N],H=$.shadow;if(H===void 0){Je("WebGLShadowMap:",$,"has no shadow.");continue}if(H.autoUpdate===!1&&H.needsUpdate===!1)continue;s.copy(H.mapSize);let le=H.getFrameExtents();s.multiply(le),r.copy(H.mapSize),(s.x>u||s.y>u)&&(s.x>u&&(r.x=Math.floor(u/le.x),s.x=r.x*le.x,H.mapSize.x=r.x),s.y>u&&(r.y=Math.floor(u/le.y),s.y=r.y*le.y,H.mapSize.y=r.y));let Y=n.state.buffers.depth.getReversed();if(H.camera._reversedDepth=Y,H.map===null||V===!0){if(H.map!==null&&(H.map.depthTexture!==null&&(H.map.depthTexture.dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===jo){if($.isPointLight){Je("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}H.map=new Ii(s.x,s.y,{format:yr,type:es,minFilter:hi,magFilter:hi,generateMipmaps:!1}),H.map.texture.name=$.name+".shadowMap",H.map.depthTexture=new Bs(s.x,s.y,ji),H.map.depthTexture.name=$.name+".shadowMapDepth",H.map.depthTexture.format=Os,H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=Ln,H.map.depthTexture.magFilter=Ln}else $.isPointLight?(H.map=new gl(s.x),H.map.depthTexture=new Xa(s.x,Qi)):(H.map=new Ii(s.x,s.y),H.map.depthTexture=new Bs(s.x,s.y,Qi)),H.map.depthTexture.name=$.name+".shadowMap",H.map.depthTexture.format=Os,this.type===sl?(H.map.depthTexture.compareFunction=Y?np:tp,H.map.depthTexture.minFilter=hi,H.map.depthTexture.magFilter=hi):(H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=Ln,H.map.depthTexture.magFilter=Ln);H.camera.updateProjectionMatrix()}H.map.isWebGLCubeRenderTarget!==!0&&(H.map.width!==s.x||H.map.height!==s.y)&&H.map.setSize(s.x,s.y);let j=H.map.isWebGLCubeRenderTarget?6:H.getViewportCount();$.isPointLight!==!0&&H.updateMatrices($,w);let ie=(H.camera.layers.mask&4294967294)!==0?H.camera.layers:w.layers;for(let he=0;he<j;he++){let de=H.getCamera(he);if($.isPointLight){let ee=H.camera,me=H.matrix,ve=$.distance||ee.far;ve!==ee.far&&(ee.far=ve,ee.updateProjectionMatrix()),pl.setFromMatrixPosition($.matrixWorld),ee.position.copy(pl),hp.copy(ee.position),hp.add(tA[he]),ee.up.copy(nA[he]),ee.lookAt(hp),ee.updateMatrixWorld(),me.makeTranslation(-pl.x,-pl.y,-pl.z),mv.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(mv,ee.coordinateSystem,ee.reversedDepth)}if(H.map.isWebGLCubeRenderTarget)n.setRenderTarget(H.map,he),n.clear();else{he===0&&(n.setRenderTarget(H.map),n.clear());let ee=H.getViewport(he);o.set(r.x*ee.x,r.y*ee.y,r.x*ee.z,r.y*ee.w),z.viewport(o)}i=H.getFrustum(he),S(v,w,de,$,ie,this.type)}H.isPointLightShadow!==!0&&this.type===jo&&x(H,w),H.needsUpdate=!1}p=this.type,m.needsUpdate=!1,n.setRenderTarget(F,L,D)};function x(C,v){let w=e.update(y);h.defines.VSM_SAMPLES!==C.blurSamples&&(h.defines.VSM_SAMPLES=C.blurSamples,f.defines.VSM_SAMPLES=C.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),C.mapPass===null?C.mapPass=new Ii(s.x,s.y,{format:yr,type:es}):(C.mapPass.width!==C.map.width||C.mapPass.height!==C.map.height)&&C.mapPass.setSize(C.map.width,C.map.height),h.uniforms.shadow_pass.value=C.map.depthTexture,h.uniforms.resolution.value.set(C.map.width,C.map.height),h.uniforms.radius.value=C.radius,n.setRenderTarget(C.mapPass),n.clear(),n.renderBufferDirect(v,null,w,h,y,null),f.uniforms.shadow_pass.value=C.mapPass.texture,f.uniforms.resolution.value.set(C.map.width,C.map.height),f.uniforms.radius.value=C.radius,n.setRenderTarget(C.map),n.clear(),n.renderBufferDirect(v,null,w,f,y,null)}function T(C,v,w,F){let L=null,D=w.isPointLight===!0?C.customDistanceMaterial:C.customDepthMaterial;if(D!==void 0)L=D;else if(L=w.isPointLight===!0?l:a,n.localClippingEnabled&&v.clipShadows===!0&&Array.isArray(v.clippingPlanes)&&v.clippingPlanes.length!==0||v.displacementMap&&v.displacementScale!==0||v.alphaMap&&v.alphaTest>0||v.map&&v.alphaTest>0||v.alphaToCoverage===!0){let z=L.uuid,V=v.uuid,N=c[z];N===void 0&&(N={},c[z]=N);let W=N[V];W===void 0&&(W=L.clone(),N[V]=W,v.addEventListener("dispose",R)),L=W}if(L.visible=v.visible,L.wireframe=v.wireframe,F===jo?L.side=v.shadowSide!==null?v.shadowSide:v.side:L.side=v.shadowSide!==null?v.shadowSide:d[v.side],L.alphaMap=v.alphaMap,L.alphaTest=v.alphaToCoverage===!0?.5:v.alphaTest,L.map=v.map,L.clipShadows=v.clipShadows,L.clippingPlanes=v.clippingPlanes,L.clipIntersection=v.clipIntersection,L.displacementMap=v.displacementMap,L.displacementScale=v.displacementScale,L.displacementBias=v.displacementBias,L.wireframeLinewidth=v.wireframeLinewidth,L.linewidth=v.linewidth,w.isPointLight===!0&&L.isMeshDistanceMaterial===!0){let z=n.properties.get(L);z.light=w}return L}function S(C,v,w,F,L,D){if(C.visible===!1)return;if(C.layers.test(L)&&(C.isMesh||C.isLine||C.isPoints)&&(C.castShadow||C.receiveShadow&&D===jo)&&(!C.frustumCulled||C.intersectsFrustum(i))){C.modelViewMatrix.multiplyMatrices(w.matrixWorldInverse,C.matrixWorld);let N=e.update(C),W=C.material;if(Array.isArray(W)){let $=N.groups;for(let H=0,le=$.length;H<le;H++){let Y=$[H],j=W[Y.materialIndex];if(j&&j.visible){let ie=T(C,j,F,D);C.onBeforeShadow(n,C,v,w,N,ie,Y),n.renderBufferDirect(w,null,N,ie,C,Y),C.onAfterShadow(n,C,v,w,N,ie,Y)}}}else if(W.visible){let $=T(C,W,F,D);C.onBeforeShadow(n,C,v,w,N,$,null),n.renderBufferDirect(w,null,N,$,C,null),C.onAfterShadow(n,C,v,w,N,$,null)}}let V=C.children;for(let N=0,W=V.length;N<W;N++)S(V[N],v,w,F,L,D)}function R(C){C.target.removeEventListener("dispose",R);for(let w in c){let F=c[w],L=C.target.uuid;L in F&&(F[L].dispose(),delete F[L])}}}function sA(n,e){function t(){let k=!1,re=new sn,ne=null,we=new sn(0,0,0,0);return{setMask:function(ge){ne!==ge&&!k&&(n.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){k=ge},setClear:function(ge,be,Xe,je,ce){ce===!0&&(ge*=je,be*=je,Xe*=je),re.set(ge,be,Xe,je),we.equals(re)===!1&&(n.clearColor(ge,be,Xe,je),we.copy(re))},reset:function(){k=!1,ne=null,we.set(-1,0,0,0)}}}function i(){let k=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){if(re!==be){let Xe=e.get("EXT_clip_control");be?Xe.clipControlEXT(Xe.LOWER_LEFT_EXT,Xe.ZERO_TO_ONE_EXT):Xe.clipControlEXT(Xe.LOWER_LEFT_EXT,Xe.NEGATIVE_ONE_TO_ONE_EXT),re=be;let je=ge;ge=null,this.setClear(je)}},getReversed:function(){return re},setTest:function(be){be?Se(n.DEPTH_TEST):Ye(n.DEPTH_TEST)},setMask:function(be){ne!==be&&!k&&(n.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=H_[be]),we!==be){switch(be){case Qc:n.depthFunc(n.NEVER);break;case jc:n.depthFunc(n.ALWAYS);break;case eu:n.depthFunc(n.LESS);break;case Wo:n.depthFunc(n.LEQUAL);break;case tu:n.depthFunc(n.EQUAL);break;case nu:n.depthFunc(n.GEQUAL);break;case iu:n.depthFunc(n.GREATER);break;case su:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}we=be}},setLocked:function(be){k=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),n.clearDepth(be))},reset:function(){k=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let k=!1,re=null,ne=null,we=null,ge=null,be=null,Xe=null,je=null,ce=null;return{setTest:function(Be){k||(Be?Se(n.STENCIL_TEST):Ye(n.STENCIL_TEST))},setMask:function(Be){re!==Be&&!k&&(n.stencilMask(Be),re=Be)},setFunc:function(Be,et,Ce){(ne!==Be||we!==et||ge!==Ce)&&(n.stencilFunc(Be,et,Ce),ne=Be,we=et,ge=Ce)},setOp:function(Be,et,Ce){(be!==Be||Xe!==et||je!==Ce)&&(n.stencilOp(Be,et,Ce),be=Be,Xe=et,je=Ce)},setLocked:function(Be){k=Be},setClear:function(Be){ce!==Be&&(n.clearStencil(Be),ce=Be)},reset:function(){k=!1,re=null,ne=null,we=null,ge=null,be=null,Xe=null,je=null,ce=null}}}let r=new t,o=new i,a=new s,l={},c=new WeakMap,u={},d={},h={},f=new WeakMap,g=[],y=null,m=!1,p=null,x=null,T=null,S=null,R=null,C=null,v=null,w=new st(0,0,0),F=0,L=!1,D=null,z=null,V=null,N=null,W=null,$=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),H=!1,le=0,Y=n.getParameter(n.VERSION);Y.indexOf("WebGL")!==-1?(le=parseFloat(/^WebGL (\d)/.exec(Y)[1]),H=le>=1):Y.indexOf("OpenGL ES")!==-1&&(le=parseFloat(/^OpenGL ES (\d)/.exec(Y)[1]),H=le>=2);let j=null,ie={},he=n.getParameter(n.SCISSOR_BOX),de=n.getParameter(n.VIEWPORT),ee=new sn().fromArray(he),me=new sn().fromArray(de);function ve(k,re,ne,we){let ge=new Uint8Array(4),be=n.createTexture();n.bindTexture(k,be),n.texParameteri(k,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(k,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let Xe=0;Xe<ne;Xe++)k===n.TEXTURE_3D||k===n.TEXTURE_2D_ARRAY?n.texImage3D(re,0,n.RGBA,1,1,we,0,n.RGBA,n.UNSIGNED_BYTE,ge):n.texImage2D(re+Xe,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,ge);return be}let Ae={};Ae[n.TEXTURE_2D]=ve(n.TEXTURE_2D,n.TEXTURE_2D,1),Ae[n.TEXTURE_CUBE_MAP]=ve(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ae[n.TEXTURE_2D_ARRAY]=ve(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Ae[n.TEXTURE_3D]=ve(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Se(n.DEPTH_TEST),o.setFunc(Wo),Sn(!1),zt(Nf),Se(n.CULL_FACE),en(Hr);function Se(k){u[k]!==!0&&(n.enable(k),u[k]=!0)}function Ye(k){u[k]!==!1&&(n.disable(k),u[k]=!1)}function at(k,re){return h[k]!==re?(n.bindFramebuffer(k,re),h[k]=re,k===n.DRAW_FRAMEBUFFER&&(h[n.FRAMEBUFFER]=re),k===n.FRAMEBUFFER&&(h[n.DRAW_FRAMEBUFFER]=re),!0):!1}function We(k,re){let ne=g,we=!1;if(k){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=k.textures;if(ne.length!==ge.length||ne[0]!==n.COLOR_ATTACHMENT0){for(let be=0,Xe=ge.length;be<Xe;be++)ne[be]=n.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==n.BACK&&(ne[0]=n.BACK,we=!0);we&&n.drawBuffers(ne)}function pt(k){return y!==k?(n.useProgram(k),y=k,!0):!1}let ht={[Wr]:n.FUNC_ADD,[h_]:n.FUNC_SUBTRACT,[d_]:n.FUNC_REVERSE_SUBTRACT};ht[f_]=n.MIN,ht[p_]=n.MAX;let rt={[m_]:n.ZERO,[g_]:n.ONE,[__]:n.SRC_COLOR,[kf]:n.SRC_ALPHA,[M_]:n.SRC_ALPHA_SATURATE,[b_]:n.DST_COLOR,[x_]:n.DST_ALPHA,[v_]:n.ONE_MINUS_SRC_COLOR,[Bf]:n.ONE_MINUS_SRC_ALPHA,[S_]:n.ONE_MINUS_DST_COLOR,[y_]:n.ONE_MINUS_DST_ALPHA,[w_]:n.CONSTANT_COLOR,[T_]:n.ONE_MINUS_CONSTANT_COLOR,[E_]:n.CONSTANT_ALPHA,[A_]:n.ONE_MINUS_CONSTANT_ALPHA};function en(k,re,ne,we,ge,be,Xe,je,ce,Be){if(k===Hr){m===!0&&(Ye(n.BLEND),m=!1);return}if(m===!1&&(Se(n.BLEND),m=!0),k!==u_){if(k!==p||Be!==L){if((x!==Wr||R!==Wr)&&(n.blendEquation(n.FUNC_ADD),x=Wr,R=Wr),Be)switch(k){case ea:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Uf:n.blendFunc(n.ONE,n.ONE);break;case Ff:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Of:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:tt("WebGLState: Invalid blending: ",k);break}else switch(k){case ea:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Uf:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case Ff:tt("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Of:tt("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:tt("WebGLState: Invalid blending: ",k);break}T=null,S=null,C=null,v=null,w.set(0,0,0),F=0,p=k,L=Be}return}ge=ge||re,be=be||ne,Xe=Xe||we,(re!==x||ge!==R)&&(n.blendEquationSeparate(ht[re],ht[ge]),x=re,R=ge),(ne!==T||we!==S||be!==C||Xe!==v)&&(n.blendFuncSeparate(rt[ne],rt[we],rt[be],rt[Xe]),T=ne,S=we,C=be,v=Xe),(je.equals(w)===!1||ce!==F)&&(n.blendColor(je.r,je.g,je.b,ce),w.copy(je),F=ce),p=k,L=!1}function qt(k,re){k.side===ni?Ye(n.CULL_FACE):Se(n.CULL_FACE);let ne=k.side===di;re&&(ne=!ne),Sn(ne),k.blending===ea&&k.transparent===!1?en(Hr):en(k.blending,k.blendEquation,k.blendSrc,k.blendDst,k.blendEquationAlpha,k.blendSrcAlpha,k.blendDstAlpha,k.blendColor,k.blendAlpha,k.premultipliedAlpha),o.setFunc(k.depthFunc),o.setTest(k.depthTest),o.setMask(k.depthWrite),r.setMask(k.colorWrite);let we=k.stencilWrite;a.setTest(we),we&&(a.setMask(k.stencilWriteMask),a.setFunc(k.stencilFunc,k.stencilRef,k.stencilFuncMask),a.setOp(k.stencilFail,k.stencilZFail,k.stencilZPass)),Mt(k.polygonOffset,k.polygonOffsetFactor,k.polygonOffsetUnits),k.alphaToCoverage===!0?Se(n.SAMPLE_ALPHA_TO_COVERAGE):Ye(n.SAMPLE_ALPHA_TO_COVERAGE)}function Sn(k){D!==k&&(k?n.frontFace(n.CW):n.frontFace(n.CCW),D=k)}function zt(k){k!==a_?(Se(n.CULL_FACE),k!==z&&(k===Nf?n.cullFace(n.BACK):k===l_?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Ye(n.CULL_FACE),z=k}function Bn(k){k!==V&&(H&&n.lineWidth(k),V=k)}function Mt(k,re,ne){k?(Se(n.POLYGON_OFFSET_FILL),(N!==re||W!==ne)&&(N=re,W=ne,o.getReversed()&&(re=-re,ne=-ne),n.polygonOffset(re,ne))):Ye(n.POLYGON_OFFSET_FILL)}function Dn(k){k?Se(n.SCISSOR_TEST):Ye(n.SCISSOR_TEST)}function hn(k){k===void 0&&(k=n.TEXTURE0+$-1),j!==k&&(n.activeTexture(k),j=k)}function Mn(k,re,ne){ne===void 0&&(j===null?ne=n.TEXTURE0+$-1:ne=j);let we=ie[ne];we===void 0&&(we={type:void 0,texture:void 0},ie[ne]=we),(we.type!==k||we.texture!==re)&&(j!==ne&&(n.activeTexture(ne),j=ne),n.bindTexture(k,re||Ae[k]),we.type=k,we.texture=re)}function B(){let k=ie[j];k!==void 0&&k.type!==void 0&&(n.bindTexture(k.type,null),k.type=void 0,k.texture=void 0)}function Re(){try{n.compressedTexImage2D(...arguments)}catch(k){tt("WebGLState:",k)}}function Ke(){try{n.compressedTexImage3D(...arguments)}catch(k){tt("WebGLState:",k)}}function lt(){try{n.texSubImage2D(...arguments)}catch(k){tt("WebGLState:",k)}}function Me(){try{n.texSubImage3D(...arguments)}catch(k){tt("WebGLState:",k)}}function Vt(){try{n.compressedTexSubImage2D(...arguments)}catch(k){tt("WebGLState:",k)}}function He(){try{n.compressedTexSubImage3D(...arguments)}catch(k){tt("WebGLState:",k)}}function Ze(){try{n.texStorage2D(...arguments)}catch(k){tt("WebGLState:",k)}}function P(){try{n.texStorage3D(...arguments)}catch(k){tt("WebGLState:",k)}}function M(){try{n.texImage2D(...arguments)}catch(k){tt("WebGLState:",k)}}function q(){try{n.texImage3D(...arguments)}catch(k){tt("WebGLState:",k)}}function ue(k){return d[k]!==void 0?d[k]:n.getParameter(k)}function oe(k,re){d[k]!==re&&(n.pixelStorei(k,re),d[k]=re)}function _e(k){ee.equals(k)===!1&&(n.scissor(k.x,k.y,k.z,k.w),ee.copy(k))}function xe(k){me.equals(k)===!1&&(n.viewport(k.x,k.y,k.z,k.w),me.copy(k))}function te(k,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let we=ne.get(k);we===void 0&&(we=n.getUniformBlockIndex(re,k.name),n.uniformBlockBinding(re,we,we),ne.set(k,we))}function se(k,re,ne){let ge=c.get(re).get(k);l[ge]!==ne&&(n.bindBufferBase(n.UNIFORM_BUFFER,ge,ne),l[ge]=ne)}function pe(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),u={},d={},j=null,ie={},h={},l={},f=new WeakMap,g=[],y=null,m=!1,p=null,x=null,T=null,S=null,R=null,C=null,v=null,w=new st(0,0,0),F=0,L=!1,D=null,z=null,V=null,N=null,W=null,ee.set(0,0,n.canvas.width,n.canvas.height),me.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Se,disable:Ye,bindFramebuffer:at,drawBuffers:We,useProgram:pt,setBlending:en,setMaterial:qt,setFlipSided:Sn,setCullFace:zt,setLineWidth:Bn,setPolygonOffset:Mt,setScissorTest:Dn,activeTexture:hn,bindTexture:Mn,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:Ke,texImage2D:M,texImage3D:q,pixelStorei:oe,getParameter:ue,updateUBOMapping:te,uniformBlockBinding:se,texStorage2D:Ze,texStorage3D:P,texSubImage2D:lt,texSubImage3D:Me,compressedTexSubImage2D:Vt,compressedTexSubImage3D:He,scissor:_e,viewport:xe,reset:pe}}function rA(n,e,t,i,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new ct,u=new WeakMap,d=new Set,h,f=new WeakMap,g=new Set,y=new FinalizationRegistry(P=>g.delete(P)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function p(P,M){return m?new OffscreenCanvas(P,M):ka("canvas")}function x(P,M,q){let ue=1,oe=Ze(P);if((oe.width>q||oe.height>q)&&(ue=q/Math.max(oe.width,oe.height)),ue<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&P instanceof ImageBitmap||typeof VideoFrame<"u"&&P instanceof VideoFrame){let _e=Math.floor(ue*oe.width),xe=Math.floor(ue*oe.height);h===void 0&&(h=p(_e,xe));let te=M?p(_e,xe):h;return te.width=_e,te.height=xe,te.getContext("2d").drawImage(P,0,0,_e,xe),Je("WebGLRenderer: Texture has been resized from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+xe+")."),te}else return"data"in P&&Je("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+")."),P;return P}function T(P){return P.generateMipmaps}function S(P){n.generateMipmap(P)}function R(P){return P.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?n.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function C(P,M,q,ue,oe,_e=!1){if(P!==null){if(n[P]!==void 0)return n[P];Je("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let xe;ue&&(xe=e.get("EXT_texture_norm16"),xe||Je("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let te=M;if(M===n.RED&&(q===n.FLOAT&&(te=n.R32F),q===n.HALF_FLOAT&&(te=n.R16F),q===n.UNSIGNED_BYTE&&(te=n.R8),q===n.UNSIGNED_SHORT&&xe&&(te=xe.R16_EXT),q===n.SHORT&&xe&&(te=xe.R16_SNORM_EXT)),M===n.RED_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.R8UI),q===n.UNSIGNED_SHORT&&(te=n.R16UI),q===n.UNSIGNED_INT&&(te=n.R32UI),q===n.BYTE&&(te=n.R8I),q===n.SHORT&&(te=n.R16I),q===n.INT&&(te=n.R32I)),M===n.RG&&(q===n.FLOAT&&(te=n.RG32F),q===n.HALF_FLOAT&&(te=n.RG16F),q===n.UNSIGNED_BYTE&&(te=n.RG8),q===n.UNSIGNED_SHORT&&xe&&(te=xe.RG16_EXT),q===n.SHORT&&xe&&(te=xe.RG16_SNORM_EXT)),M===n.RG_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RG8UI),q===n.UNSIGNED_SHORT&&(te=n.RG16UI),q===n.UNSIGNED_INT&&(te=n.RG32UI),q===n.BYTE&&(te=n.RG8I),q===n.SHORT&&(te=n.RG16I),q===n.INT&&(te=n.RG32I)),M===n.RGB_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RGB8UI),q===n.UNSIGNED_SHORT&&(te=n.RGB16UI),q===n.UNSIGNED_INT&&(te=n.RGB32UI),q===n.BYTE&&(te=n.RGB8I),q===n.SHORT&&(te=n.RGB16I),q===n.INT&&(te=n.RGB32I)),M===n.RGBA_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RGBA8UI),q===n.UNSIGNED_SHORT&&(te=n.RGBA16UI),q===n.UNSIGNED_INT&&(te=n.RGBA32UI),q===n.BYTE&&(te=n.RGBA8I),q===n.SHORT&&(te=n.RGBA16I),q===n.INT&&(te=n.RGBA32I)),M===n.RGB&&(q===n.UNSIGNED_SHORT&&xe&&(te=xe.RGB16_EXT),q===n.SHORT&&xe&&(te=xe.RGB16_SNORM_EXT),q===n.UNSIGNED_INT_5_9_9_9_REV&&(te=n.RGB9_E5),q===n.UNSIGNED_INT_10F_11F_11F_REV&&(te=n.R11F_G11F_B10F)),M===n.RGBA){let se=_e?Oa:bt.getTransfer(oe);q===n.FLOAT&&(te=n.RGBA32F),q===n.HALF_FLOAT&&(te=n.RGBA16F),q===n.UNSIGNED_BYTE&&(te=se===Dt?n.SRGB8_ALPHA8:n.RGBA8),q===n.UNSIGNED_SHORT&&xe&&(te=xe.RGBA16_EXT),q===n.SHORT&&xe&&(te=xe.RGBA16_SNORM_EXT),q===n.UNSIGNED_SHORT_4_4_4_4&&(te=n.RGBA4),q===n.UNSIGNED_SHORT_5_5_5_1&&(te=n.RGB5_A1)}return(te===n.R16F||te===n.R32F||te===n.RG16F||te===n.RG32F||te===n.RGBA16F||te===n.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function v(P,M){let q;return P?M===null||M===Qi||M===qr?q=n.DEPTH24_STENCIL8:M===ji?q=n.DEPTH32F_STENCIL8:M===xr&&(q=n.DEPTH24_STENCIL8,Je("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):M===null||M===Qi||M===qr?q=n.DEPTH_COMPONENT24:M===ji?q=n.DEPTH_COMPONENT32F:M===xr&&(q=n.DEPTH_COMPONENT16),q}function w(P,M){return T(P)===!0||P.isFramebufferTexture&&P.minFilter!==Ln&&P.minFilter!==hi?Math.log2(Math.max(M.width,M.height))+1:P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&Array.isArray(P.image)?M.mipmaps.length:1}function F(P){let M=new WeakRef(P);i.get(P).__ref=M,g.add(M),y.register(P,M,M)}function L(P){let M=i.get(P).__ref;M!==void 0&&(g.delete(M),y.unregister(M))}function D(P){V(P.target)}function z(P){N(P.target)}function V(P){P.removeEventListener("dispose",D),L(P),$(P),P.isVideoTexture&&u.delete(P),P.isHTMLTexture&&d.delete(P)}function N(P){P.removeEventListener("dispose",z),L(P),le(P)}function W(){for(let P of g){let M=P.deref();M!==void 0&&(M.isRenderTarget===!0?N(M):V(M))}g.clear(),d.clear()}function $(P){let M=i.get(P);if(M.__webglInit===void 0)return;let q=P.source,ue=f.get(q);if(ue){let oe=ue[M.__cacheKey];oe.usedTimes--,oe.usedTimes===0&&H(P),Object.keys(ue).length===0&&f.delete(q)}i.remove(P)}function H(P){let M=i.get(P);n.deleteTexture(M.__webglTexture);let q=P.source,ue=f.get(q);delete ue[M.__cacheKey],o.memory.textures--}function le(P){let M=i.get(P);M.__depthDisposeCallback&&M.__depthDisposeCallback();let q=P.depthTexture;if(q&&q.renderTarget===P&&V(q),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(M.__webglFramebuffer[oe]))for(let _e=0;_e<M.__webglFramebuffer[oe].length;_e++)n.deleteFramebuffer(M.__webglFramebuffer[oe][_e]);else n.deleteFramebuffer(M.__webglFramebuffer[oe]);M.__webglDepthbuffer&&n.deleteRenderbuffer(M.__webglDepthbuffer[oe])}else{if(Array.isArray(M.__webglFramebuffer))for(let oe=0;oe<M.__webglFramebuffer.length;oe++)n.deleteFramebuffer(M.__webglFramebuffer[oe]);else n.deleteFramebuffer(M.__webglFramebuffer);if(M.__webglDepthbuffer&&n.deleteRenderbuffer(M.__webglDepthbuffer),M.__webglMultisampledFramebuffer&&n.deleteFramebuffer(M.__webglMultisampledFramebuffer),M.__webglColorRenderbuffer)for(let oe=0;oe<M.__webglColorRenderbuffer.length;oe++)M.__webglColorRenderbuffer[oe]&&n.deleteRenderbuffer(M.__webglColorRenderbuffer[oe]);M.__webglDepthRenderbuffer&&n.deleteRenderbuffer(M.__webglDepthRenderbuffer)}let ue=P.textures;for(let oe=0,_e=ue.length;oe<_e;oe++){let xe=i.get(ue[oe]);xe.__webglTexture&&(n.deleteTexture(xe.__webglTexture),o.memory.textures--),i.remove(ue[oe])}i.remove(P)}let Y=0;function j(){Y=0}function ie(){return Y}function he(P){Y=P}function de(){let P=Y;return P>=s.maxTextures&&Je("WebGLTextures: Trying to use "+(P+1)+" texture units while this GPU supports only "+s.maxTextures),Y+=1,P}function ee(P){let M=[];return M.push(P.wrapS),M.push(P.wrapT),M.push(P.wrapR||0),M.push(P.magFilter),M.push(P.minFilter),M.push(P.anisotropy),M.push(P.internalFormat),M.push(P.format),M.push(P.type),M.push(P.generateMipmaps),M.push(P.mipmapsAutoUpdate),M.push(P.premultiplyAlpha),M.push(P.flipY),M.push(P.unpackAlignment),M.push(P.colorSpace),M.join()}function me(P,M){let q=i.get(P);if(P.isVideoTexture&&Vt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&q.__version!==P.version){let ue=P.image;if(ue===null)Je("WebGLRenderer: Texture marked for update but no image data found.");else if(ue.complete===!1)Je("WebGLRenderer: Texture marked for update but image is incomplete");else{qt(q,P,M);return}}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,q.__webglTexture,n.TEXTURE0+M)}function ve(P,M){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){qt(q,P,M);return}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,q.__webglTexture,n.TEXTURE0+M)}function Ae(P,M){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){qt(q,P,M);return}t.bindTexture(n.TEXTURE_3D,q.__webglTexture,n.TEXTURE0+M)}function Se(P,M){let q=i.get(P);if(P.version>0&&q.__version!==P.version){Sn(q,P,M);return}t.bindTexture(n.TEXTURE_CUBE_MAP,q.__webglTexture,n.TEXTURE0+M)}let Ye={[ru]:n.REPEAT,[ds]:n.CLAMP_TO_EDGE,[ou]:n.MIRRORED_REPEAT},at={[Ln]:n.NEAREST,[P_]:n.NEAREST_MIPMAP_NEAREST,[rl]:n.NEAREST_MIPMAP_LINEAR,[hi]:n.LINEAR,[Du]:n.LINEAR_MIPMAP_NEAREST,[Gs]:n.LINEAR_MIPMAP_LINEAR},We={[N_]:n.NEVER,[ip]:n.ALWAYS,[U_]:n.LESS,[tp]:n.LEQUAL,[F_]:n.EQUAL,[np]:n.GEQUAL,[O_]:n.GREATER,[k_]:n.NOTEQUAL};function pt(P,M){if(M.type===ji&&e.has("OES_texture_float_linear")===!1&&(M.magFilter===hi||M.magFilter===Du||M.magFilter===rl||M.magFilter===Gs||M.minFilter===hi||M.minFilter===Du||M.minFilter===rl||M.minFilter===Gs)&&Je("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(P,n.TEXTURE_WRAP_S,Ye[M.wrapS]),n.texParameteri(P,n.TEXTURE_WRAP_T,Ye[M.wrapT]),(P===n.TEXTURE_3D||P===n.TEXTURE_2D_ARRAY)&&n.texParameteri(P,n.TEXTURE_WRAP_R,Ye[M.wrapR]),n.texParameteri(P,n.TEXTURE_MAG_FILTER,at[M.magFilter]),n.texParameteri(P,n.TEXTURE_MIN_FILTER,at[M.minFilter]),M.compareFunction&&(n.texParameteri(P,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(P,n.TEXTURE_COMPARE_FUNC,We[M.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(M.magFilter===Ln||M.minFilter!==rl&&M.minFilter!==Gs||M.type===ji&&e.has("OES_texture_float_linear")===!1)return;if(M.anisotropy>1||i.get(M).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");n.texParameterf(P,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(M.anisotropy,s.getMaxAnisotropy())),i.get(M).__currentAnisotropy=M.anisotropy}}}function ht(P,M){let q=!1;P.__webglInit===void 0&&(P.__webglInit=!0,M.addEventListener("dispose",D),F(M));let ue=M.source,oe=f.get(ue);oe===void 0&&(oe={},f.set(ue,oe));let _e=ee(M);if(_e!==P.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[_e].usedTimes++;let xe=oe[P.__cacheKey];xe!==void 0&&(oe[P.__cacheKey].usedTimes--,xe.usedTimes===0&&H(M)),P.__cacheKey=_e,P.__webglTexture=oe[_e].texture}return q}function rt(P,M,q){return Math.floor(Math.floor(P/q)/M)}function en(P,M,q,ue){let _e=P.updateRanges;if(_e.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,M.width,M.height,q,ue,M.data);else{_e.sort((k,re)=>k.start-re.start);let xe=0;for(let k=1;k<_e.length;k++){let re=_e[xe],ne=_e[k],we=re.start+re.count,ge=rt(ne.start,M.width,4),be=rt(re.start,M.width,4);ne.start<=we+1&&ge===be&&rt(ne.start+ne.count-1,M.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++xe,_e[xe]=ne)}_e.length=xe+1;let te=t.getParameter(n.UNPACK_ROW_LENGTH),se=t.getParameter(n.UNPACK_SKIP_PIXELS),pe=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,M.width);for(let k=0,re=_e.length;k<re;k++){let ne=_e[k],we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),be=we%M.width,Xe=Math.floor(we/M.width),je=ge,ce=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,be),t.pixelStorei(n.UNPACK_SKIP_ROWS,Xe),t.texSubImage2D(n.TEXTURE_2D,0,be,Xe,je,ce,q,ue,M.data)}P.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,te),t.pixelStorei(n.UNPACK_SKIP_PIXELS,se),t.pixelStorei(n.UNPACK_SKIP_ROWS,pe)}}function qt(P,M,q){let ue=n.TEXTURE_2D;(M.isDataArrayTexture||M.isCompressedArrayTexture)&&(ue=n.TEXTURE_2D_ARRAY),M.isData3DTexture&&(ue=n.TEXTURE_3D);let oe=ht(P,M),_e=M.source;t.bindTexture(ue,P.__webglTexture,n.TEXTURE0+q);let xe=i.get(_e);if(_e.version!==xe.__version||oe===!0){if(t.activeTexture(n.TEXTURE0+q),(typeof ImageBitmap<"u"&&M.image instanceof ImageBitmap)===!1){let ce=bt.getPrimaries(bt.workingColorSpace),Be=M.colorSpace===Hs?null:bt.getPrimaries(M.colorSpace),et=M.colorSpace===Hs||ce===Be?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,M.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,M.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,et)}t.pixelStorei(n.UNPACK_ALIGNMENT,M.unpackAlignment);let se=x(M.image,!1,s.maxTextureSize);se=He(M,se);let pe=r.convert(M.format,M.colorSpace),k=r.convert(M.type),re=C(M.internalFormat,pe,k,M.normalized,M.colorSpace,M.isVideoTexture);pt(ue,M);let ne,we=M.mipmaps,ge=M.isVideoTexture!==!0,be=xe.__version===void 0||oe===!0,Xe=_e.dataReady,je=w(M,se);if(M.isDepthTexture)re=v(M.format===Vs,M.type),be&&(ge?t.texStorage2D(n.TEXTURE_2D,1,re,se.width,se.height):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,pe,k,null));else if(M.isDataTexture)if(we.length>0){ge&&be&&t.texStorage2D(n.TEXTURE_2D,je,re,we[0].width,we[0].height);for(let ce=0,Be=we.length;ce<Be;ce++)ne=we[ce],ge?Xe&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,k,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,k,ne.data);M.generateMipmaps=!1}else ge?(be&&t.texStorage2D(n.TEXTURE_2D,je,re,se.width,se.height),Xe&&en(M,se,pe,k)):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,pe,k,se.data);else if(M.isCompressedTexture)if(M.isCompressedArrayTexture){ge&&be&&t.texStorage3D(n.TEXTURE_2D_ARRAY,je,re,we[0].width,we[0].height,se.depth);for(let ce=0,Be=we.length;ce<Be;ce++)if(ne=we[ce],M.format!==Di)if(pe!==null)if(ge){if(Xe)if(M.layerUpdates.size>0){let et=cp(ne.width,ne.height,M.format,M.type);for(let Ce of M.layerUpdates){let ut=ne.data.subarray(Ce*et/ne.data.BYTES_PER_ELEMENT,(Ce+1)*et/ne.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,Ce,ne.width,ne.height,1,pe,ut)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,ne.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,ne.data,0,0);else Je("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else ge?Xe&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,k,ne.data):t.texImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,pe,k,ne.data);M.layerUpdates.size>0&&M.clearLayerUpdates()}else{ge&&be&&t.texStorage2D(n.TEXTURE_2D,je,re,we[0].width,we[0].height);for(let ce=0,Be=we.length;ce<Be;ce++)ne=we[ce],M.format!==Di?pe!==null?ge?Xe&&t.compressedTexSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,ne.data):t.compressedTexImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,ne.data):Je("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):ge?Xe&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,k,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,k,ne.data)}else if(M.isDataArrayTexture)if(ge){if(be&&t.texStorage3D(n.TEXTURE_2D_ARRAY,je,re,se.width,se.height,se.depth),Xe)if(M.layerUpdates.size>0){let ce=cp(se.width,se.height,M.format,M.type);for(let Be of M.layerUpdates){let et=se.data.subarray(Be*ce/se.data.BYTES_PER_ELEMENT,(Be+1)*ce/se.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,Be,se.width,se.height,1,pe,k,et)}M.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,se.width,se.height,se.depth,pe,k,se.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,re,se.width,se.height,se.depth,0,pe,k,se.data);else if(M.isData3DTexture)ge?(be&&t.texStorage3D(n.TEXTURE_3D,je,re,se.width,se.height,se.depth),Xe&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,se.width,se.height,se.depth,pe,k,se.data)):t.texImage3D(n.TEXTURE_3D,0,re,se.width,se.height,se.depth,0,pe,k,se.data);else if(M.isFramebufferTexture){if(be)if(ge)t.texStorage2D(n.TEXTURE_2D,je,re,se.width,se.height);else{let ce=se.width,Be=se.height;for(let et=0;et<je;et++)t.texImage2D(n.TEXTURE_2D,et,re,ce,Be,0,pe,k,null),ce>>=1,Be>>=1}}else if(M.isHTMLTexture){if("texElementImage2D"in n){let ce=n.canvas;if(ce.hasAttribute("layoutsubtree")||ce.setAttribute("layoutsubtree","true"),se.parentNode!==ce){ce.appendChild(se),d.add(M),ce.onpaint=Be=>{let et=Be.changedElements;for(let Ce of d)et.includes(Ce.image)&&(Ce.needsUpdate=!0)},ce.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,se);else{let et=n.RGBA,Ce=n.RGBA,ut=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,et,Ce,ut,se)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&be){let ce=Ze(we[0]);t.texStorage2D(n.TEXTURE_2D,je,re,ce.width,ce.height)}for(let ce=0,Be=we.length;ce<Be;ce++)ne=we[ce],ge?Xe&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,pe,k,ne):t.texImage2D(n.TEXTURE_2D,ce,re,pe,k,ne);M.generateMipmaps=!1}else if(ge){if(be){let ce=Ze(se);t.texStorage2D(n.TEXTURE_2D,je,re,ce.width,ce.height)}Xe&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,pe,k,se)}else t.texImage2D(n.TEXTURE_2D,0,re,pe,k,se);T(M)&&M.mipmapsAutoUpdate===!0&&S(ue),xe.__version=_e.version,M.onUpdate&&M.onUpdate(M)}P.__version=M.version}function Sn(P,M,q){if(M.image.length!==6)return;let ue=ht(P,M),oe=M.source;t.bindTexture(n.TEXTURE_CUBE_MAP,P.__webglTexture,n.TEXTURE0+q);let _e=i.get(oe);if(oe.version!==_e.__version||ue===!0){t.activeTexture(n.TEXTURE0+q);let xe=bt.getPrimaries(bt.workingColorSpace),te=M.colorSpace===Hs?null:bt.getPrimaries(M.colorSpace),se=M.colorSpace===Hs||xe===te?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,M.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,M.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,M.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,se);let pe=M.isCompressedTexture||M.image[0].isCompressedTexture,k=M.image[0]&&M.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!k?re[Ce]=x(M.image[Ce],!0,s.maxCubemapSize):re[Ce]=k?M.image[Ce].image:M.image[Ce],re[Ce]=He(M,re[Ce]);let ne=re[0],we=r.convert(M.format,M.colorSpace),ge=r.convert(M.type),be=C(M.internalFormat,we,ge,M.normalized,M.colorSpace),Xe=M.isVideoTexture!==!0,je=_e.__version===void 0||ue===!0,ce=oe.dataReady,Be=w(M,ne);pt(n.TEXTURE_CUBE_MAP,M);let et;if(M.isDepthTexture){if(be=v(M.format===Vs,M.type),je)if(Xe)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,be,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,ne.width,ne.height,0,we,ge,null)}else if(pe){Xe&&je&&t.texStorage2D(n.TEXTURE_CUBE_MAP,Be,be,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){et=re[Ce].mipmaps;for(let ut=0;ut<et.length;ut++){let $t=et[ut];M.format!==Di?we!==null?Xe?ce&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut,0,0,$t.width,$t.height,we,$t.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut,be,$t.width,$t.height,0,$t.data):Je("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):Xe?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut,0,0,$t.width,$t.height,we,ge,$t.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut,be,$t.width,$t.height,0,we,ge,$t.data)}}}else{if(et=M.mipmaps,Xe&&je){et.length>0&&Be++;let Ce=Ze(re[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,Be,be,Ce.width,Ce.height)}for(let Ce=0;Ce<6;Ce++)if(k){Xe?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ut=0;ut<et.length;ut++){let si=et[ut].image[Ce].image;Xe?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut+1,0,0,si.width,si.height,we,ge,si.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut+1,be,si.width,si.height,0,we,ge,si.data)}}else{Xe?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let ut=0;ut<et.length;ut++){let $t=et[ut];Xe?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut+1,0,0,we,ge,$t.image[Ce]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ut+1,be,we,ge,$t.image[Ce])}}}T(M)&&M.mipmapsAutoUpdate===!0&&S(n.TEXTURE_CUBE_MAP),_e.__version=oe.version,M.onUpdate&&M.onUpdate(M)}P.__version=M.version}function zt(P,M,q,ue,oe,_e){let xe=r.convert(q.format,q.colorSpace),te=r.convert(q.type),se=C(q.internalFormat,xe,te,q.normalized,q.colorSpace),pe=i.get(M),k=i.get(q);if(k.__renderTarget=M,!pe.__hasExternalTextures){let re=Math.max(1,M.width>>_e),ne=Math.max(1,M.height>>_e);oe===n.TEXTURE_3D||oe===n.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,se,re,ne,M.depth,0,xe,te,null):t.texImage2D(oe,_e,se,re,ne,0,xe,te,null)}t.bindFramebuffer(n.FRAMEBUFFER,P),Me(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ue,oe,k.__webglTexture,0,lt(M)):(oe===n.TEXTURE_2D||oe>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,ue,oe,k.__webglTexture,_e),t.bindFramebuffer(n.FRAMEBUFFER,null)}function Bn(P,M,q){if(n.bindRenderbuffer(n.RENDERBUFFER,P),M.depthBuffer){let ue=M.depthTexture,oe=ue&&ue.isDepthTexture?ue.type:null,_e=v(M.stencilBuffer,oe),xe=M.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;Me(M)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,lt(M),_e,M.width,M.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,lt(M),_e,M.width,M.height):n.renderbufferStorage(n.RENDERBUFFER,_e,M.width,M.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,xe,n.RENDERBUFFER,P)}else{let ue=M.textures;for(let oe=0;oe<ue.length;oe++){let _e=ue[oe],xe=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),se=C(_e.internalFormat,xe,te,_e.normalized,_e.colorSpace);Me(M)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,lt(M),se,M.width,M.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,lt(M),se,M.width,M.height):n.renderbufferStorage(n.RENDERBUFFER,se,M.width,M.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function Mt(P,M,q){let ue=M.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,P),!(M.depthTexture&&M.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=i.get(M.depthTexture);oe.__renderTarget=M;let _e=ue?M.depthTexture.image[0]:M.depthTexture.image;(!oe.__webglTexture||_e.width!==M.width||_e.height!==M.height)&&(_e.width=M.width,_e.height=M.height,M.depthTexture.needsUpdate=!0),ue?Se(M.depthTexture,0):me(M.depthTexture,0);let xe=oe.__webglTexture,te=lt(M),se=ue?n.TEXTURE_CUBE_MAP_POSITIVE_X+q:n.TEXTURE_2D,pe=M.depthTexture.format===Vs?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(M.depthTexture.format===Os)Me(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pe,se,xe,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,pe,se,xe,0);else if(M.depthTexture.format===Vs)Me(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pe,se,xe,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,pe,se,xe,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function Dn(P){let M=i.get(P),q=P.isWebGLCubeRenderTarget===!0;if(M.__boundDepthTexture!==P.depthTexture){let ue=P.depthTexture;if(M.__depthDisposeCallback&&M.__depthDisposeCallback(),ue){let oe=()=>{delete M.__boundDepthTexture,delete M.__depthDisposeCallback,ue.removeEventListener("dispose",oe)};ue.addEventListener("dispose",oe),M.__depthDisposeCallback=oe}M.__boundDepthTexture=ue}if(P.depthTexture&&!M.__autoAllocateDepthBuffer)if(q)for(let ue=0;ue<6;ue++)Mt(M.__webglFramebuffer[ue],P,ue);else P.texture.mipmaps.length>0?Mt(M.__webglFramebuffer[0],P,0):Mt(M.__webglFramebuffer,P,0);else if(q){M.__webglDepthbuffer=[];for(let ue=0;ue<6;ue++)if(t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer[ue]),M.__webglDepthbuffer[ue]===void 0)M.__webglDepthbuffer[ue]=n.createRenderbuffer(),Bn(M.__webglDepthbuffer[ue],P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,_e=M.__webglDepthbuffer[ue];n.bindRenderbuffer(n.RENDERBUFFER,_e),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,_e)}}else if(P.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer),M.__webglDepthbuffer===void 0)M.__webglDepthbuffer=n.createRenderbuffer(),Bn(M.__webglDepthbuffer,P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,_e=M.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,_e),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,_e)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function hn(P,M,q){let ue=i.get(P);M!==void 0&&zt(ue.__webglFramebuffer,P,P.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),q!==void 0&&Dn(P)}function Mn(P){let M=P.texture,q=i.get(P),ue=i.get(M);P.addEventListener("dispose",z),F(P);let oe=P.textures,_e=P.isWebGLCubeRenderTarget===!0,xe=oe.length>1;if(xe||(ue.__webglTexture===void 0&&(ue.__webglTexture=n.createTexture()),ue.__version=M.version,o.memory.textures++),_e){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(M.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let se=0;se<M.mipmaps.length;se++)q.__webglFramebuffer[te][se]=n.createFramebuffer()}else q.__webglFramebuffer[te]=n.createFramebuffer()}else{if(M.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<M.mipmaps.length;te++)q.__webglFramebuffer[te]=n.createFramebuffer()}else q.__webglFramebuffer=n.createFramebuffer();if(xe)for(let te=0,se=oe.length;te<se;te++){let pe=i.get(oe[te]);pe.__webglTexture===void 0&&(pe.__webglTexture=n.createTexture(),o.memory.textures++)}if(P.samples>0&&Me(P)===!1){q.__webglMultisampledFramebuffer=n.createFramebuffer(),q.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let se=oe[te];q.__webglColorRenderbuffer[te]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(se.format,se.colorSpace),k=r.convert(se.type),re=C(se.internalFormat,pe,k,se.normalized,se.colorSpace,P.isXRRenderTarget===!0),ne=lt(P);n.renderbufferStorageMultisample(n.RENDERBUFFER,ne,re,P.width,P.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+te,n.RENDERBUFFER,q.__webglColorRenderbuffer[te])}n.bindRenderbuffer(n.RENDERBUFFER,null),P.depthBuffer&&(q.__webglDepthRenderbuffer=n.createRenderbuffer(),Bn(q.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(_e){t.bindTexture(n.TEXTURE_CUBE_MAP,ue.__webglTexture),pt(n.TEXTURE_CUBE_MAP,M);for(let te=0;te<6;te++)if(M.mipmaps.length>0)for(let se=0;se<M.mipmaps.length;se++)zt(q.__webglFramebuffer[te][se],P,M,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,se);else zt(q.__webglFramebuffer[te],P,M,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);T(M)?S(n.TEXTURE_CUBE_MAP):M.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,M.mipmaps.length-1),t.unbindTexture()}else if(xe){for(let te=0,se=oe.length;te<se;te++){let pe=oe[te],k=i.get(pe),re=n.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(re=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(re,k.__webglTexture),pt(re,pe),zt(q.__webglFramebuffer,P,pe,n.COLOR_ATTACHMENT0+te,re,0),T(pe)&&S(re)}t.unbindTexture()}else{let te=n.TEXTURE_2D;if((P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(te=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(te,ue.__webglTexture),pt(te,M),M.mipmaps.length>0)for(let se=0;se<M.mipmaps.length;se++)zt(q.__webglFramebuffer[se],P,M,n.COLOR_ATTACHMENT0,te,se);else zt(q.__webglFramebuffer,P,M,n.COLOR_ATTACHMENT0,te,0);T(M)?S(te):M.mipmaps.length>0&&n.texParameteri(te,n.TEXTURE_MAX_LEVEL,M.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&Dn(P)}function B(P){let M=P.textures;for(let q=0,ue=M.length;q<ue;q++){let oe=M[q];if(T(oe)&&oe.mipmapsAutoUpdate===!0){let _e=R(P),xe=i.get(oe).__webglTexture;t.bindTexture(_e,xe),S(_e),t.unbindTexture()}}}let Re=[];function Ke(P){if(P.samples>0){if(Me(P)===!1){let M=P.textures,q=P.width,ue=P.height,oe=n.COLOR_BUFFER_BIT,_e=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xe=i.get(P),te=M.length>1;if(te)for(let pe=0;pe<M.length;pe++)t.bindFramebuffer(n.FRAMEBUFFER,xe.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,xe.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,xe.__webglMultisampledFramebuffer),P.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,xe.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,xe.__webglFramebuffer);for(let pe=0;pe<M.length;pe++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(oe|=n.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(oe|=n.STENCIL_BUFFER_BIT)),te){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,xe.__webglColorRenderbuffer[pe]);let k=i.get(M[pe]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,k,0)}n.blitFramebuffer(0,0,q,ue,0,0,q,ue,oe,n.NEAREST),l===!0&&(Re.length=0,Re.push(n.COLOR_ATTACHMENT0+pe),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Re.push(_e),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Re))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<M.length;pe++){t.bindFramebuffer(n.FRAMEBUFFER,xe.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,xe.__webglColorRenderbuffer[pe]);let k=i.get(M[pe]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,xe.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,k,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,xe.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&l){let M=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[M])}}}function lt(P){return Math.min(s.maxSamples,P.samples)}function Me(P){let M=i.get(P);return P.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&M.__useRenderToTexture!==!1}function Vt(P){let M=o.render.frame;u.get(P)!==M&&(u.set(P,M),P.update())}function He(P,M){let q=P.colorSpace,ue=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===!0||q!==Fa&&q!==Hs&&(bt.getTransfer(q)===Dt?(ue!==Di||oe!==Jn)&&Je("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):tt("WebGLTextures: Unsupported texture color space:",q)),M}function Ze(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.height),c}this.allocateTextureUnit=de,this.resetTextureUnits=j,this.getTextureUnits=ie,this.setTextureUnits=he,this.setTexture2D=me,this.setTexture2DArray=ve,this.setTexture3D=Ae,this.setTextureCube=Se,this.rebindTextures=hn,this.setupRenderTarget=Mn,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=Ke,this.setupDepthRenderbuffer=Dn,this.setupFrameBufferTexture=zt,this.useMultisampledRTT=Me,this.dispose=W}function oA(n,e){function t(i,s=Hs){let r,o=bt.getTransfer(s);if(i===Jn)return n.UNSIGNED_BYTE;if(i===Uu)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Fu)return n.UNSIGNED_SHORT_5_5_5_1;if(i===Kf)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===Jf)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===$f)return n.BYTE;if(i===Zf)return n.SHORT;if(i===xr)return n.UNSIGNED_SHORT;if(i===Nu)return n.INT;if(i===Qi)return n.UNSIGNED_INT;if(i===ji)return n.FLOAT;if(i===es)return n.HALF_FLOAT;if(i===Qf)return n.ALPHA;if(i===jf)return n.RGB;if(i===Di)return n.RGBA;if(i===Os)return n.DEPTH_COMPONENT;if(i===Vs)return n.DEPTH_STENCIL;if(i===ep)return n.RED;if(i===na)return n.RED_INTEGER;if(i===yr)return n.RG;if(i===Ou)return n.RG_INTEGER;if(i===ku)return n.RGBA_INTEGER;if(i===ol||i===al||i===ll||i===cl)if(o===Dt)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===ol)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===al)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===ll)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===cl)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===ol)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===al)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===ll)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===cl)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===Bu||i===zu||i===Gu||i===Vu)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===Bu)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===zu)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Gu)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===Vu)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===Hu||i===Wu||i===Xu||i===qu||i===Yu||i===ul||i===$u)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===Hu||i===Wu)return o===Dt?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===Xu)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===qu)return r.COMPRESSED_R11_EAC;if(i===Yu)return r.COMPRESSED_SIGNED_R11_EAC;if(i===ul)return r.COMPRESSED_RG11_EAC;if(i===$u)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===Zu||i===Ku||i===Ju||i===Qu||i===ju||i===eh||i===th||i===nh||i===ih||i===sh||i===rh||i===oh||i===ah||i===lh)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===Zu)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===Ku)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===Ju)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===Qu)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===ju)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===eh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===th)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===nh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===ih)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===sh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===rh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===oh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===ah)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===lh)return o===Dt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===ch||i===uh||i===hh)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===ch)return o===Dt?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===uh)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===hh)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===dh||i===fh||i===hl||i===ph)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===dh)return r.COMPRESSED_RED_RGTC1_EXT;if(i===fh)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===hl)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===ph)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===qr?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}var aA=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,lA=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,vp=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let i=new qa(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,i=new ms({vertexShader:aA,fragmentShader:lA,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new De(new Gr(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},xp=class extends Ki{constructor(e,t){super();let i=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,u=null,d=null,h=null,f=null,g=null,y=typeof XRWebGLBinding<"u",m=new vp,p={},x=t.getContextAttributes(),T=null,S=null,R=[],C=[],v=new ct,w=null,F=null,L=new ui;L.viewport=new sn;let D=new ui;D.viewport=new sn;let z=[L,D],V=new Ru,N=null,W=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=R[ee];return me===void 0&&(me=new Zo,R[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=function(ee){let me=R[ee];return me===void 0&&(me=new Zo,R[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=R[ee];return me===void 0&&(me=new Zo,R[ee]=me),me.getHandSpace()};function $(ee){let me=C.indexOf(ee.inputSource);if(me===-1)return;let ve=R[me];ve!==void 0&&(ve.update(ee.inputSource,ee.frame,c||o),ve.dispatchEvent({type:ee.type,data:ee.inputSource}))}function H(){s.removeEventListener("select",$),s.removeEventListener("selectstart",$),s.removeEventListener("selectend",$),s.removeEventListener("squeeze",$),s.removeEventListener("squeezestart",$),s.removeEventListener("squeezeend",$),s.removeEventListener("end",H),s.removeEventListener("inputsourceschange",le);for(let ee=0;ee<R.length;ee++){let me=C[ee];me!==null&&(C[ee]=null,R[ee].disconnect(me))}N=null,W=null,m.reset();for(let ee in p)delete p[ee];if(e.setRenderTarget(T),f=null,h=null,d=null,s=null,S=null,de.stop(),i.isPresenting=!1,e.setPixelRatio(w),e.setSize(v.width,v.height,!1),F!==null){let ee=F.camera;ee.fov=F.fov,ee.zoom=F.zoom,ee.updateProjectionMatrix(),F=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,i.isPresenting===!0&&Je("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,i.isPresenting===!0&&Je("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=function(){return h!==null?h:f},this.getBinding=function(){return d===null&&y&&(d=new XRWebGLBinding(s,t)),d},this.getFrame=function(){return g},this.getSession=function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(T=e.getRenderTarget(),s.addEventListener("select",$),s.addEventListener("selectstart",$),s.addEventListener("selectend",$),s.addEventListener("squeeze",$),s.addEventListener("squeezestart",$),s.addEventListener("squeezeend",$),s.addEventListener("end",H),s.addEventListener("inputsourceschange",le),x.xrCompatible!==!0&&await t.makeXRCompatible(),w=e.getPixelRatio(),e.getSize(v),y&&"createProjectionLayer"in XRWebGLBinding.prototype){let ve=null,Ae=null,Se=null;x.depth&&(Se=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,ve=x.stencil?Vs:Os,Ae=x.stencil?qr:Qi);let Ye={colorFormat:t.RGBA8,depthFormat:Se,scaleFactor:r};d=this.getBinding(),h=d.createProjectionLayer(Ye),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(h.textureWidth,h.textureHeight,!1),S=new Ii(h.textureWidth,h.textureHeight,{format:Di,type:Jn,depthTexture:new Bs(h.textureWidth,h.textureHeight,Ae,void 0,void 0,void 0,void 0,void 0,void 0,ve),stencilBuffer:x.stencil,colorSpace:e.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let ve={antialias:x.antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,ve),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.setSize(f.framebufferWidth,f.framebufferHeight,!1),S=new Ii(f.framebufferWidth,f.framebufferHeight,{format:Di,type:Jn,colorSpace:e.outputColorSpace,stencilBuffer:x.stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}S.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),de.setContext(s),de.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};function le(ee){for(let me=0;me<ee.removed.length;me++){let ve=ee.removed[me],Ae=C.indexOf(ve);Ae>=0&&(C[Ae]=null,R[Ae].disconnect(ve))}for(let me=0;me<ee.added.length;me++){let ve=ee.added[me],Ae=C.indexOf(ve);if(Ae===-1){for(let Ye=0;Ye<R.length;Ye++)if(Ye>=C.length){C.push(ve),Ae=Ye;break}else if(C[Ye]===null){C[Ye]=ve,Ae=Ye;break}if(Ae===-1)break}let Se=R[Ae];Se&&Se.connect(ve)}}function Y(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,ve=ee.far;m.texture!==null&&(m.depthNear>0&&(me=m.depthNear),m.depthFar>0&&(ve=m.depthFar)),V.near=D.near=L.near=me,V.far=D.far=L.far=ve,(N!==V.near||W!==V.far)&&(s.updateRenderState({depthNear:V.near,depthFar:V.far}),N=V.near,W=V.far),V.layers.mask=ee.layers.mask|6,L.layers.mask=V.layers.mask&-5,D.layers.mask=V.layers.mask&-3;let Ae=ee.parent,Se=V.cameras;Y(V,Ae);for(let Ye=0;Ye<Se.length;Ye++)Y(Se[Ye],Ae);V.projectionMatrix.copy(L.projectionMatrix),V.projectionMatrixInverse.copy(L.projectionMatrixInverse),F===null&&ee.isPerspectiveCamera&&(F={camera:ee,fov:ee.fov,zoom:ee.zoom}),j(ee,V,Ae)};function j(ee,me,ve){ve===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(ve.matrixWorld),ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=lu*2*Math.atan(1/ee.projectionMatrix.elements[5]),ee.zoom=1)}this.getCamera=function(){return V},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=function(){return m.getMesh(V)},this.getCameraTexture=function(ee){return p[ee]};let ie=null;function he(ee,me){if(u=me.getViewerPose(c||o),g=me,u!==null){let ve=u.views;f!==null&&(e.setRenderTargetFramebuffer(S,f.framebuffer),e.setRenderTarget(S));let Ae=!1;ve.length!==V.cameras.length&&(V.cameras.length=0,Ae=!0);for(let We=0;We<ve.length;We++){let pt=ve[We],ht=null;if(f!==null)ht=f.getViewport(pt);else{let en=d.getViewSubImage(h,pt);ht=en.viewport,We===0&&(e.setRenderTargetTextures(S,en.colorTexture,en.depthStencilTexture),e.setRenderTarget(S))}let rt=z[We];rt===void 0&&(rt=new ui,rt.layers.enable(We),rt.viewport=new sn,z[We]=rt),rt.matrix.fromArray(pt.transform.matrix),rt.matrix.decompose(rt.position,rt.quaternion,rt.scale),rt.projectionMatrix.fromArray(pt.projectionMatrix),rt.projectionMatrixInverse.copy(rt.projectionMatrix).invert(),rt.viewport.set(ht.x,ht.y,ht.width,ht.height),We===0&&(V.matrix.copy(rt.matrix),V.matrix.decompose(V.position,V.quaternion,V.scale)),Ae===!0&&V.cameras.push(rt)}let Se=s.enabledFeatures;if(Se&&Se.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){d=i.getBinding();let We=d.getDepthInformation(ve[0]);We&&We.isValid&&We.texture&&m.init(We,s.renderState)}if(Se&&Se.includes("camera-access")&&y){e.state.unbindTexture(),d=i.getBinding();for(let We=0;We<ve.length;We++){let pt=ve[We].camera;if(pt){let ht=p[pt];ht||(ht=new qa,p[pt]=ht);let rt=d.getCameraImage(pt);ht.sourceTexture=rt}}}}for(let ve=0;ve<R.length;ve++){let Ae=C[ve],Se=R[ve];Ae!==null&&Se!==void 0&&Se.update(Ae,me,c||o)}ie&&ie(ee,me),me.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:me}),g=null}let de=new gv;de.setAnimationLoop(he),this.setAnimationLoop=function(ee){ie=ee},this.dispose=function(){}}},cA=new Tt,Ev=new it;Ev.set(-1,0,0,0,1,0,0,0,1);function uA(n,e){function t(m,p){m.matrixAutoUpdate===!0&&m.updateMatrix(),p.value.copy(m.matrix)}function i(m,p){p.color.getRGB(m.fogColor.value,op(n)),p.isFog?(m.fogNear.value=p.near,m.fogFar.value=p.far):p.isFogExp2&&(m.fogDensity.value=p.density)}function s(m,p,x,T,S){p.isNodeMaterial?p.uniformsNeedUpdate=!1:p.isMeshBasicMaterial?r(m,p):p.isMeshLambertMaterial?(r(m,p),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)):p.isMeshToonMaterial?(r(m,p),d(m,p)):p.isMeshPhongMaterial?(r(m,p),u(m,p),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)):p.isMeshStandardMaterial?(r(m,p),h(m,p),p.isMeshPhysicalMaterial&&f(m,p,S)):p.isMeshMatcapMaterial?(r(m,p),g(m,p)):p.isMeshDepthMaterial?r(m,p):p.isMeshDistanceMaterial?(r(m,p),y(m,p)):p.isMeshNormalMaterial?r(m,p):p.isLineBasicMaterial?(o(m,p),p.isLineDashedMaterial&&a(m,p)):p.isPointsMaterial?l(m,p,x,T):p.isSpriteMaterial?c(m,p):p.isShadowMaterial?(m.color.value.copy(p.color),m.opacity.value=p.opacity):p.isShaderMaterial&&(p.uniformsNeedUpdate=!1)}function r(m,p){m.opacity.value=p.opacity,p.color&&m.diffuse.value.copy(p.color),p.emissive&&m.emissive.value.copy(p.emissive).multiplyScalar(p.emissiveIntensity),p.map&&(m.map.value=p.map,t(p.map,m.mapTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.bumpMap&&(m.bumpMap.value=p.bumpMap,t(p.bumpMap,m.bumpMapTransform),m.bumpScale.value=p.bumpScale,p.side===di&&(m.bumpScale.value*=-1)),p.normalMap&&(m.normalMap.value=p.normalMap,t(p.normalMap,m.normalMapTransform),m.normalScale.value.copy(p.normalScale),p.side===di&&m.normalScale.value.negate()),p.displacementMap&&(m.displacementMap.value=p.displacementMap,t(p.displacementMap,m.displacementMapTransform),m.displacementScale.value=p.displacementScale,m.displacementBias.value=p.displacementBias),p.emissiveMap&&(m.emissiveMap.value=p.emissiveMap,t(p.emissiveMap,m.emissiveMapTransform)),p.specularMap&&(m.specularMap.value=p.specularMap,t(p.specularMap,m.specularMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest);let x=e.get(p),T=x.envMap,S=x.envMapRotation;T&&(m.envMap.value=T,m.envMapRotation.value.setFromMatrix4(cA.makeRotationFromEuler(S)).transpose(),T.isCubeTexture&&T.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Ev),m.reflectivity.value=p.reflectivity,m.ior.value=p.ior,m.refractionRatio.value=p.refractionRatio),p.lightMap&&(m.lightMap.value=p.lightMap,m.lightMapIntensity.value=p.lightMapIntensity,t(p.lightMap,m.lightMapTransform)),p.aoMap&&(m.aoMap.value=p.aoMap,m.aoMapIntensity.value=p.aoMapIntensity,t(p.aoMap,m.aoMapTransform))}function o(m,p){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,p.map&&(m.map.value=p.map,t(p.map,m.mapTransform))}function a(m,p){m.dashSize.value=p.dashSize,m.totalSize.value=p.dashSize+p.gapSize,m.scale.value=p.scale}function l(m,p,x,T){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,m.size.value=p.size*x,m.scale.value=T*.5,p.map&&(m.map.value=p.map,t(p.map,m.uvTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest)}function c(m,p){m.diffuse.value.copy(p.color),m.opacity.value=p.opacity,m.rotation.value=p.rotation,p.map&&(m.map.value=p.map,t(p.map,m.mapTransform)),p.alphaMap&&(m.alphaMap.value=p.alphaMap,t(p.alphaMap,m.alphaMapTransform)),p.alphaTest>0&&(m.alphaTest.value=p.alphaTest)}function u(m,p){m.specular.value.copy(p.specular),m.shininess.value=Math.max(p.shininess,1e-4)}function d(m,p){p.gradientMap&&(m.gradientMap.value=p.gradientMap)}function h(m,p){m.metalness.value=p.metalness,p.metalnessMap&&(m.metalnessMap.value=p.metalnessMap,t(p.metalnessMap,m.metalnessMapTransform)),m.roughness.value=p.roughness,p.roughnessMap&&(m.roughnessMap.value=p.roughnessMap,t(p.roughnessMap,m.roughnessMapTransform)),p.envMap&&(m.envMapIntensity.value=p.envMapIntensity)}function f(m,p,x){m.ior.value=p.ior,p.diffuseRoughness>0&&(m.diffuseRoughness.value=p.diffuseRoughness,p.diffuseRoughnessMap&&(m.diffuseRoughnessMap.value=p.diffuseRoughnessMap,t(p.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),p.sheen>0&&(m.sheenColor.value.copy(p.sheenColor).multiplyScalar(p.sheen),m.sheenRoughness.value=p.sheenRoughness,p.sheenColorMap&&(m.sheenColorMap.value=p.sheenColorMap,t(p.sheenColorMap,m.sheenColorMapTransform)),p.sheenRoughnessMap&&(m.sheenRoughnessMap.value=p.sheenRoughnessMap,t(p.sheenRoughnessMap,m.sheenRoughnessMapTransform))),p.clearcoat>0&&(m.clearcoat.value=p.clearcoat,m.clearcoatRoughness.value=p.clearcoatRoughness,p.clearcoatMap&&(m.clearcoatMap.value=p.clearcoatMap,t(p.clearcoatMap,m.clearcoatMapTransform)),p.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.value=p.clearcoatRoughnessMap,t(p.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),p.clearcoatNormalMap&&(m.clearcoatNormalMap.value=p.clearcoatNormalMap,t(p.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(p.clearcoatNormalScale),p.side===di&&m.clearcoatNormalScale.value.negate())),p.dispersion>0&&(m.dispersion.value=p.dispersion),p.retroreflectivity>0&&(m.retroreflectivity.value=p.retroreflectivity),p.iridescence>0&&(m.iridescence.value=p.iridescence,m.iridescenceIOR.value=p.iridescenceIOR,m.iridescenceThicknessMinimum.value=p.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=p.iridescenceThicknessMaximum,p.iridescenceMap&&(m.iridescenceMap.value=p.iridescenceMap,t(p.iridescenceMap,m.iridescenceMapTransform)),p.iridescenceThicknessMap&&(m.iridescenceThicknessMap.value=p.iridescenceThicknessMap,t(p.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),p.transmission>0&&(m.transmission.value=p.transmission,m.transmissionSamplerMap.value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),p.transmissionMap&&(m.transmissionMap.value=p.transmissionMap,t(p.transmissionMap,m.transmissionMapTransform)),m.thickness.value=p.thickness,p.thicknessMap&&(m.thicknessMap.value=p.thicknessMap,t(p.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=p.attenuationDistance,m.attenuationColor.value.copy(p.attenuationColor)),p.anisotropy>0&&(m.anisotropyVector.value.set(p.anisotropy*Math.cos(p.anisotropyRotation),p.anisotropy*Math.sin(p.anisotropyRotation)),p.anisotropyMap&&(m.anisotropyMap.value=p.anisotropyMap,t(p.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=p.specularIntensity,m.specularColor.value.copy(p.specularColor),p.specularColorMap&&(m.specularColorMap.value=p.specularColorMap,t(p.specularColorMap,m.specularColorMapTransform)),p.specularIntensityMap&&(m.specularIntensityMap.value=p.specularIntensityMap,t(p.specularIntensityMap,m.specularIntensityMapTransform))}function g(m,p){p.matcap&&(m.matcap.value=p.matcap)}function y(m,p){let x=e.get(p).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function hA(n,e,t,i){let s={},r={};function o(x,T){let S=T.program;i.uniformBlockBinding(x,S,s[x.id])}function a(x,T){let S=s[x.id];S===void 0&&(g(x),S=l(x),s[x.id]=S,x.addEventListener("dispose",m));let R=T.program;i.updateUBOMapping(x,R);let C=e.render.frame;r[x.id]!==C&&(c(x),r[x.id]=C)}function l(x){let T=n.createBuffer(),S=x.__size,R=x.usage;return n.bindBuffer(n.UNIFORM_BUFFER,T),n.bufferData(n.UNIFORM_BUFFER,S,R),n.bindBuffer(n.UNIFORM_BUFFER,null),T}function c(x){let T=s[x.id],S=x.uniforms,R=x.__cache;n.bindBuffer(n.UNIFORM_BUFFER,T);for(let C=0,v=S.length;C<v;C++){let w=S[C];if(Array.isArray(w))for(let F=0,L=w.length;F<L;F++)u(w[F],C,F,R);else u(w,C,0,R)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function u(x,T,S,R){if(h(x,T,S,R)===!0){let C=x.__offset,v=x.value;if(Array.isArray(v)){let w=0;for(let F=0;F<v.length;F++){let L=v[F],D=y(L,!0);d(L,x.__data,w),w+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else d(v,x.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,C,x.__data)}}function d(x,T,S){typeof x=="number"||typeof x=="boolean"?T[S]=x:x.isMatrix3?(T[S]=x.elements[0],T[S+1]=x.elements[1],T[S+2]=x.elements[2],T[S+3]=0,T[S+4]=x.elements[3],T[S+5]=x.elements[4],T[S+6]=x.elements[5],T[S+7]=0,T[S+8]=x.elements[6],T[S+9]=x.elements[7],T[S+10]=x.elements[8],T[S+11]=0):ArrayBuffer.isView(x)?T.set(x.subarray(0,T.length-S),S):x.toArray(T,S)}function h(x,T,S,R){let C=x.value,v=T+"_"+S;if(Array.isArray(C)){R[v]===void 0&&(R[v]=[]);let w=R[v],F=!1;for(let L=0;L<C.length;L++)f(C[L],w,L)===!0&&(F=!0);return F}return f(C,R,v)}function f(x,T,S){if(T[S]===void 0)return typeof x=="number"||typeof x=="boolean"?T[S]=x:ArrayBuffer.isView(x)?T[S]=x.slice():T[S]=x.clone(),!0;{let R=T[S];if(typeof x=="number"||typeof x=="boolean"){if(R!==x)return T[S]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(R.equals(x)===!1)return R.copy(x),!0}}return!1}function g(x){let T=x.uniforms,S=0,R=16;for(let v=0,w=T.length;v<w;v++){let F=Array.isArray(T[v])?T[v]:[T[v]];for(let L=0,D=F.length;L<D;L++){let z=F[L],V=Array.isArray(z.value)?z.value:[z.value],N=Array.isArray(T[v])||Array.isArray(z.value),W=S;for(let H=0,le=V.length;H<le;H++){let Y=V[H],j=y(Y,N),ie=S%R,he=ie%j.boundary,de=ie+he;S+=he,de!==0&&R-de<j.storage&&(S+=R-de),H===0&&(W=S),S+=j.storage}let $=z.type==="int"?Int32Array:z.type==="uint"?Uint32Array:Float32Array;z.__data=new $((S-W)/Float32Array.BYTES_PER_ELEMENT),z.__offset=W}}let C=S%R;return C>0&&(S+=R-C),x.__size=S,x.__cache={},this}function y(x,T){let S={boundary:0,storage:0};return typeof x=="number"||typeof x=="boolean"?(S.boundary=4,S.storage=4):x.isVector2?(S.boundary=8,S.storage=8):x.isVector3||x.isColor?(S.boundary=16,S.storage=12):x.isVector4?(S.boundary=16,S.storage=16):x.isMatrix3?(S.boundary=16,S.storage=48):x.isMatrix4?(S.boundary=16,S.storage=64):x.isTexture?Je("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(x)?(S.boundary=16,S.storage=x.byteLength):Je("WebGLRenderer: Unsupported uniform value type.",x),T===!0&&(S.boundary=16,S.storage=Math.ceil(S.storage/16)*16),S}function m(x){let T=x.target;T.removeEventListener("dispose",m),n.deleteBuffer(s[T.id]),delete s[T.id],delete r[T.id]}function p(){for(let x in s)n.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:p}}var dA=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),vs=null;function fA(){return vs===null&&(vs=new Br(dA,16,16,yr,es),vs.name="DFG_LUT",vs.minFilter=hi,vs.magFilter=hi,vs.wrapS=ds,vs.wrapT=ds,vs.generateMipmaps=!1,vs.needsUpdate=!0),vs}var xh=class{constructor(e={}){let{canvas:t=z_(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:d=!1,reversedDepthBuffer:h=!1,outputBufferType:f=Jn}=e;this.isWebGLRenderer=!0;let g;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");g=i.getContextAttributes().alpha}else g=o;let y=f,m=new Set([ku,Ou,na]),p=new Set([Jn,Qi,xr,qr,Uu,Fu]),x=new Uint32Array(4),T=new Int32Array(4),S={textures:[],min:[],max:[],resolution:[]},R=null,C=null,v=[],w=[],F=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=_s,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let L=this,D=!1,z=null,V=null,N=null,W=null;this._outputColorSpace=Ri;let $=0,H=0,le=null,Y=-1,j=null,ie=new sn,he=new sn,de=null,ee=new st(0),me=0,ve=t.width,Ae=t.height,Se=1,Ye=null,at=null,We=new sn(0,0,ve,Ae),pt=new sn(0,0,ve,Ae),ht=!1,rt=new dr,en=new du,qt=!1,Sn=!1,zt=new Tt,Bn=new O,Mt=new sn,Dn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},hn=!1;function Mn(){return le===null?Se:1}let B=i;function Re(A,G){return t.getContext(A,G)}let Ke,lt,Me,Vt,He,Ze,P,M,q,ue,oe,_e,xe,te,se,pe,k,re,ne,we,ge,be,Xe;try{let A={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:d};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Be,!1),t.addEventListener("webglcontextrestored",et,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let G="webgl2";if(B=Re(G,A),B===null)throw Re(G)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}je()}catch(A){throw t.removeEventListener("webglcontextlost",Be,!1),t.removeEventListener("webglcontextrestored",et,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),tt("WebGLRenderer: "+A.message),A}function je(){Ke=new wT(B),Ke.init(),ge=new oA(B,Ke),lt=new fT(B,Ke,e,ge),Me=new sA(B,Ke),lt.reversedDepthBuffer&&h&&Me.buffers.depth.setReversed(!0),V=B.createFramebuffer(),N=B.createFramebuffer(),W=B.createFramebuffer(),Vt=new AT(B),He=new WE,Ze=new rA(B,Ke,Me,He,lt,ge,Vt),P=new MT(L),M=new RM(B),be=new hT(B,M),q=new TT(B,M,Vt,be),ue=new RT(B,q,M,be,Vt),re=new CT(B,lt,Ze),se=new pT(He),oe=new HE(L,P,Ke,lt,be,se),_e=new uA(L,He),xe=new qE,te=new QE(Ke),k=new uT(L,P,Me,ue,g,l),pe=new iA(L,ue,lt),Xe=new hA(B,Vt,lt,Me),ne=new dT(B,Ke,Vt),we=new ET(B,Ke,Vt),Vt.programs=oe.programs,L.capabilities=lt,L.extensions=Ke,L.properties=He,L.renderLists=xe,L.shadowMap=pe,L.state=Me,L.info=Vt}y!==Jn&&(F=new IT(y,t.width,t.height,a,s,r));let ce=new xp(L,B);this.xr=ce,this.getContext=function(){return B},this.getContextAttributes=function(){return B.getContextAttributes()},this.forceContextLoss=function(){let A=Ke.get("WEBGL_lose_context");A&&A.loseContext()},this.forceContextRestore=function(){let A=Ke.get("WEBGL_lose_context");A&&A.restoreContext()},this.getPixelRatio=function(){return Se},this.setPixelRatio=function(A){A!==void 0&&(Se=A,this.setSize(ve,Ae,!1))},this.getSize=function(A){return A.set(ve,Ae)},this.setSize=function(A,G,Q=!0){if(ce.isPresenting){Je("WebGLRenderer: Can't change size while VR device is presenting.");return}ve=A,Ae=G,t.width=Math.floor(A*Se),t.height=Math.floor(G*Se),Q===!0&&(t.style.width=A+"px",t.style.height=G+"px"),F!==null&&F.setSize(t.width,t.height),this.setViewport(0,0,A,G)},this.getDrawingBufferSize=function(A){return A.set(ve*Se,Ae*Se).floor()},this.setDrawingBufferSize=function(A,G,Q){ve=A,Ae=G,Se=Q,t.width=Math.floor(A*Q),t.height=Math.floor(G*Q),this.setViewport(0,0,A,G)},this.setEffects=function(A){if(y===Jn){tt("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(A){for(let G=0;G<A.length;G++)if(A[G].isOutputPass===!0){Je("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}F.setEffects(A||[])},this.getCurrentViewport=function(A){return A.copy(ie)},this.getViewport=function(A){return A.copy(We)},this.setViewport=function(A,G,Q,Z){A.isVector4?We.set(A.x,A.y,A.z,A.w):We.set(A,G,Q,Z),Me.viewport(ie.copy(We).multiplyScalar(Mn()).round())},this.getScissor=function(A){return A.copy(pt)},this.setScissor=function(A,G,Q,Z){A.isVector4?pt.set(A.x,A.y,A.z,A.w):pt.set(A,G,Q,Z),Me.scissor(he.copy(pt).multiplyScalar(Mn()).round())},this.getScissorTest=function(){return ht},this.setScissorTest=function(A){Me.setScissorTest(ht=A)},this.setOpaqueSort=function(A){Ye=A},this.setTransparentSort=function(A){at=A},this.getClearColor=function(A){return A.copy(k.getClearColor())},this.setClearColor=function(){k.setClearColor(...arguments)},this.getClearAlpha=function(){return k.getClearAlpha()},this.setClearAlpha=function(){k.setClearAlpha(...arguments)},this.clear=function(A=!0,G=!0,Q=!0){let Z=0;if(A){let K=!1;if(le!==null){let Te=le.texture.format;K=m.has(Te)}if(K){let Te=le.texture.type,Ie=p.has(Te),Ee=k.getClearColor(),Le=k.getClearAlpha(),Ge=Ee.r,nt=Ee.g,gt=Ee.b;Ie?(x[0]=Ge,x[1]=nt,x[2]=gt,x[3]=Le,B.clearBufferuiv(B.COLOR,0,x)):(T[0]=Ge,T[1]=nt,T[2]=gt,T[3]=Le,B.clearBufferiv(B.COLOR,0,T))}else Z|=B.COLOR_BUFFER_BIT}G&&(Z|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),Q&&(Z|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),Z!==0&&B.clear(Z)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(A){A.setRenderer(this),z=A},this.dispose=function(){t.removeEventListener("webglcontextlost",Be,!1),t.removeEventListener("webglcontextrestored",et,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),k.dispose(),xe.dispose(),te.dispose(),Ze.dispose(),He.dispose(),P.dispose(),ue.dispose(),q.dispose(),be.dispose(),Xe.dispose(),oe.dispose(),ce.dispose(),ce.removeEventListener("sessionstart",Sl),ce.removeEventListener("sessionend",ts),bs.stop()};function Be(A){A.preventDefault(),sp("WebGLRenderer: Context Lost."),D=!0}function et(){sp("WebGLRenderer: Context Restored."),D=!1;let A=Vt.autoReset,G=pe.enabled,Q=pe.autoUpdate,Z=pe.needsUpdate,K=pe.type;je(),Vt.autoReset=A,pe.enabled=G,pe.autoUpdate=Q,pe.needsUpdate=Z,pe.type=K}function Ce(A){tt("WebGLRenderer: A WebGL context could not be created. Reason: ",A.statusMessage)}function ut(A){let G=A.target;G.removeEventListener("dispose",ut),$t(G)}function $t(A){si(A),He.remove(A)}function si(A){let G=He.get(A).programs;G!==void 0&&(G.forEach(function(Q){oe.releaseProgram(Q)}),A.isShaderMaterial&&oe.releaseShaderCache(A))}this.renderBufferDirect=function(A,G,Q,Z,K,Te){G===null&&(G=Dn);let Ie=K.isMesh&&K.matrixWorld.determinantAffine()<0,Ee=ca(A,G,Q,Z,K);Me.setMaterial(Z,Ie);let Le=Q.index,Ge=1;if(Z.wireframe===!0){if(Le=q.getWireframeAttribute(Q),Le===void 0)return;Ge=2}let nt=Q.drawRange,gt=Q.attributes.position,ze=nt.start*Ge,_t=(nt.start+nt.count)*Ge;Te!==null&&(ze=Math.max(ze,Te.start*Ge),_t=Math.min(_t,(Te.start+Te.count)*Ge)),Le!==null?(ze=Math.max(ze,0),_t=Math.min(_t,Le.count)):gt!=null&&(ze=Math.max(ze,0),_t=Math.min(_t,gt.count));let ln=_t-ze;if(ln<0||ln===1/0)return;be.setup(K,Z,Ee,Q,Le);let Ut,Ft=ne;if(Le!==null&&(Ut=M.get(Le),Ft=we,Ft.setIndex(Ut)),K.isMesh)Z.wireframe===!0?(Me.setLineWidth(Z.wireframeLinewidth*Mn()),Ft.setMode(B.LINES)):Ft.setMode(B.TRIANGLES);else if(K.isLine){let Nn=Z.linewidth;Nn===void 0&&(Nn=1),Me.setLineWidth(Nn*Mn()),K.isLineSegments?Ft.setMode(B.LINES):K.isLineLoop?Ft.setMode(B.LINE_LOOP):Ft.setMode(B.LINE_STRIP)}else K.isPoints?Ft.setMode(B.POINTS):K.isSprite&&Ft.setMode(B.TRIANGLES);if(K.isBatchedMesh)if(Ke.get("WEBGL_multi_draw"))Ft.renderMultiDraw(K._multiDrawStarts,K._multiDrawCounts,K._multiDrawCount);else{let Nn=K._multiDrawStarts,Oe=K._multiDrawCounts,wn=K._multiDrawCount,xt=Le?M.get(Le).bytesPerElement:1,Ms=He.get(Z).currentProgram.getUniforms();for(let Tn=0;Tn<wn;Tn++)Ms.setValue(B,"_gl_DrawID",Tn),Ft.render(Nn[Tn]/xt,Oe[Tn])}else if(K.isInstancedMesh)Ft.renderInstances(ze,ln,K.count);else if(Q.isInstancedBufferGeometry){let Nn=Q._maxInstanceCount!==void 0?Q._maxInstanceCount:1/0,Oe=Math.min(Q.instanceCount,Nn);Ft.renderInstances(ze,ln,Oe)}else Ft.render(ze,ln)};function oa(A,G,Q,Z){z!==null&&A.isNodeMaterial&&z.setObject(Z,A),qt===!0&&se.setState(A,Q,!1),A.transparent===!0&&A.side===ni&&A.forceSinglePass===!1?(A.side=di,A.needsUpdate=!0,ns(A,G,Z),A.side=gs,A.needsUpdate=!0,ns(A,G,Z),A.side=ni):ns(A,G,Z)}this.compile=function(A,G,Q=null){Q===null&&(Q=A),z!==null&&z.renderStart(A,G,Q),C=te.get(Q),C.init(G),w.push(C),Q.traverseVisible(function(K){K.isLight&&K.layers.test(G.layers)&&(C.pushLight(K),K.castShadow&&C.pushShadow(K))}),A!==Q&&A.traverseVisible(function(K){K.isLight&&K.layers.test(G.layers)&&(C.pushLight(K),K.castShadow&&C.pushShadow(K))}),C.setupLights(),z!==null&&z.updateLights(C.state.lightsArray),Sn=this.localClippingEnabled,qt=se.init(this.clippingPlanes,Sn),qt===!0&&se.setGlobalState(this.clippingPlanes,G),z!==null&&pe.render(C.state.shadowsArray,Q,G);let Z=new Set;return A.traverse(function(K){if(!(K.isMesh||K.isPoints||K.isLine||K.isSprite))return;let Te=K.material;if(Te)if(Array.isArray(Te))for(let Ie=0;Ie<Te.length;Ie++){let Ee=Te[Ie];oa(Ee,Q,G,K),Z.add(Ee)}else oa(Te,Q,G,K),Z.add(Te)}),C=w.pop(),z!==null&&z.renderEnd(),Z},this.compileAsync=function(A,G,Q=null){let Z=this.compile(A,G,Q);return new Promise(K=>{function Te(){if(Z.forEach(function(Ie){let Le=He.get(Ie).currentProgram;(Le===void 0||Le.isReady())&&Z.delete(Ie)}),Z.size===0){K(A);return}setTimeout(Te,10)}Ke.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let Kr=null;function zh(A){Kr&&Kr(A)}function Sl(){bs.stop()}function ts(){bs.start()}let bs=new gv;bs.setAnimationLoop(zh),typeof self<"u"&&bs.setContext(self),this.setAnimationLoop=function(A){Kr=A,ce.setAnimationLoop(A),A===null?bs.stop():bs.start()},ce.addEventListener("sessionstart",Sl),ce.addEventListener("sessionend",ts),this.render=function(A,G){if(G!==void 0&&G.isCamera!==!0){tt("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;z!==null&&z.renderStart(A,G);let Q=ce.enabled===!0&&ce.isPresenting===!0,Z=F!==null&&(le===null||Q)&&F.begin(L,le);if(A.matrixWorldAutoUpdate===!0&&A.updateMatrixWorld(),G.parent===null&&G.matrixWorldAutoUpdate===!0&&G.updateMatrixWorld(),ce.enabled===!0&&ce.isPresenting===!0&&(F===null||F.isCompositing()===!1)&&(ce.cameraAutoUpdate===!0&&ce.updateCamera(G),G=ce.getCamera()),A.isScene===!0&&A.onBeforeRender(L,A,G,le),C=te.get(A,w.length),C.init(G),C.state.textureUnits=Ze.getTextureUnits(),w.push(C),zt.multiplyMatrices(G.projectionMatrix,G.matrixWorldInverse),G.isArrayCamera?en.setFromArrayCamera(G):rt.setFromProjectionMatrix(zt,zi,G.reversedDepth),Sn=this.localClippingEnabled,qt=se.init(this.clippingPlanes,Sn),R=xe.get(A,v.length),R.init(),v.push(R),this.info.render.frame++,ce.enabled===!0&&ce.isPresenting===!0){let Ie=L.xr.getDepthSensingMesh();Ie!==null&&Ss(Ie,G,-1/0,L.sortObjects)}Ss(A,G,0,L.sortObjects),R.finish(),z!==null&&z.updateLights(C.state.lightsArray),L.sortObjects===!0&&R.sort(Ye,at),hn=ce.enabled===!1||ce.isPresenting===!1||ce.hasDepthSensing()===!1,hn&&k.addToRenderList(R,A),this.info.autoReset===!0&&this.info.reset(),qt===!0&&se.beginShadows();let K=C.state.shadowsArray;if(pe.render(K,A,G),qt===!0&&se.endShadows(),(Z&&F.hasRenderPass())===!1){let Ie=R.opaque,Ee=R.transmissive;if(C.setupLights(),G.isArrayCamera){let Le=G.cameras;if(Ee.length>0)for(let Ge=0,nt=Le.length;Ge<nt;Ge++){let gt=Le[Ge];Gi(Ie,Ee,A,gt)}hn&&k.render(A);for(let Ge=0,nt=Le.length;Ge<nt;Ge++){let gt=Le[Ge];aa(R,A,gt,gt.viewport)}}else Ee.length>0&&Gi(Ie,Ee,A,G),hn&&k.render(A),aa(R,A,G)}le!==null&&H===0&&(Ze.updateMultisampleRenderTarget(le),Ze.updateRenderTargetMipmap(le)),Z&&F.end(L),A.isScene===!0&&A.onAfterRender(L,A,G),be.resetDefaultState(),Y=-1,j=null,w.pop(),w.length>0?(C=w[w.length-1],Ze.setTextureUnits(C.state.textureUnits),qt===!0&&se.setGlobalState(L.clippingPlanes,C.state.camera)):C=null,v.pop(),v.length>0?R=v[v.length-1]:R=null,z!==null&&z.renderEnd()};function Ss(A,G,Q,Z){if(A.visible===!1)return;if(A.layers.test(G.layers)){if(A.isGroup)Q=A.renderOrder;else if(A.isLOD)A.autoUpdate===!0&&A.update(G);else if(A.isLight)C.pushLight(A),A.castShadow&&C.pushShadow(A);else if(A.isSprite){let Ie=G.isArrayCamera?en:rt;if(!A.frustumCulled||A.intersectsFrustum(Ie)){Z&&Mt.setFromMatrixPosition(A.matrixWorld).applyMatrix4(zt);let Ee=ue.update(A),Le=A.material;Le.visible&&R.push(A,Ee,Le,Q,Mt.z,null,G)}}else if(A.isMesh||A.isLine||A.isPoints){let Ie=G.isArrayCamera?en:rt;if(!A.frustumCulled||A.intersectsFrustum(Ie)){let Ee=ue.update(A),Le=A.material;if(Z&&(A.boundingSphere!==void 0?(A.boundingSphere===null&&A.computeBoundingSphere(),Mt.copy(A.boundingSphere.center)):(Ee.boundingSphere===null&&Ee.computeBoundingSphere(),Mt.copy(Ee.boundingSphere.center)),Mt.applyMatrix4(A.matrixWorld).applyMatrix4(zt)),Array.isArray(Le)){let Ge=Ee.groups;for(let nt=0,gt=Ge.length;nt<gt;nt++){let ze=Ge[nt],_t=Le[ze.materialIndex];_t&&_t.visible&&R.push(A,Ee,_t,Q,Mt.z,ze,G)}}else Le.visible&&R.push(A,Ee,Le,Q,Mt.z,null,G)}}}let Te=A.children;for(let Ie=0,Ee=Te.length;Ie<Ee;Ie++)Ss(Te[Ie],G,Q,Z)}function aa(A,G,Q,Z){let{opaque:K,transmissive:Te,transparent:Ie}=A;C.setupLightsView(Q),qt===!0&&se.setGlobalState(L.clippingPlanes,Q),Z&&Me.viewport(ie.copy(Z)),K.length>0&&dn(K,G,Q),Te.length>0&&dn(Te,G,Q),Ie.length>0&&dn(Ie,G,Q),Me.buffers.depth.setTest(!0),Me.buffers.depth.setMask(!0),Me.buffers.color.setMask(!0),Me.setPolygonOffset(!1)}function Gi(A,G,Q,Z){if((Q.isScene===!0?Q.overrideMaterial:null)!==null)return;if(C.state.transmissionRenderTarget[Z.id]===void 0){let ze=Ke.has("EXT_color_buffer_half_float")||Ke.has("EXT_color_buffer_float");C.state.transmissionRenderTarget[Z.id]=new Ii(1,1,{generateMipmaps:!0,type:ze?es:Jn,minFilter:Gs,samples:Math.max(4,lt.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:bt.workingColorSpace})}let Te=C.state.transmissionRenderTarget[Z.id],Ie=Z.viewport||ie;Te.setSize(Ie.z*L.transmissionResolutionScale,Ie.w*L.transmissionResolutionScale);let Ee=L.getRenderTarget(),Le=L.getActiveCubeFace(),Ge=L.getActiveMipmapLevel();L.setRenderTarget(Te),L.getClearColor(ee),me=L.getClearAlpha(),me<1&&L.setClearColor(16777215,.5),L.clear(),hn&&k.render(Q);let nt=L.toneMapping;L.toneMapping=_s;let gt=Z.viewport;if(Z.viewport!==void 0&&(Z.viewport=void 0),C.setupLightsView(Z),qt===!0&&se.setGlobalState(L.clippingPlanes,Z),dn(A,Q,Z),Ze.updateMultisampleRenderTarget(Te),Ze.updateRenderTargetMipmap(Te),Ke.has("WEBGL_multisampled_render_to_texture")===!1){let ze=!1;for(let _t=0,ln=G.length;_t<ln;_t++){let Ut=G[_t],{object:Ft,geometry:Nn,material:Oe,group:wn}=Ut;if(Oe.side===ni&&Ft.layers.test(Z.layers)){let xt=Oe.side;Oe.side=di,Oe.needsUpdate=!0,vn(Ft,Q,Z,Nn,Oe,wn),Oe.side=xt,Oe.needsUpdate=!0,ze=!0}}ze===!0&&(Ze.updateMultisampleRenderTarget(Te),Ze.updateRenderTargetMipmap(Te))}L.setRenderTarget(Ee,Le,Ge),L.setClearColor(ee,me),gt!==void 0&&(Z.viewport=gt),L.toneMapping=nt}function dn(A,G,Q){let Z=G.isScene===!0?G.overrideMaterial:null;for(let K=0,Te=A.length;K<Te;K++){let Ie=A[K],{object:Ee,geometry:Le,group:Ge}=Ie,nt=Ie.material;nt.allowOverride===!0&&Z!==null&&(nt=Z),Ee.layers.test(Q.layers)&&vn(Ee,G,Q,Le,nt,Ge)}}function vn(A,G,Q,Z,K,Te){z!==null&&K.isNodeMaterial&&z.setObject(A,K),A.onBeforeRender(L,G,Q,Z,K,Te),A.modelViewMatrix.multiplyMatrices(Q.matrixWorldInverse,A.matrixWorld),A.normalMatrix.getNormalMatrix(A.modelViewMatrix),K.onBeforeRender(L,G,Q,Z,A,Te),K.transparent===!0&&K.side===ni&&K.forceSinglePass===!1?(K.side=di,K.needsUpdate=!0,L.renderBufferDirect(Q,G,Z,K,A,Te),K.side=gs,K.needsUpdate=!0,L.renderBufferDirect(Q,G,Z,K,A,Te),K.side=ni):L.renderBufferDirect(Q,G,Z,K,A,Te),A.onAfterRender(L,G,Q,Z,K,Te)}function xn(A){let G=0;for(let Q of A)Q.texture!==null&&G++;return G}function ns(A,G,Q){G.isScene!==!0&&(G=Dn);let Z=He.get(A),K=C.state.lights,Te=C.state.shadowsArray,Ie=K.state.version,Ee=oe.getParameters(A,K.state,Te,G,Q,C.state.lightProbeGridArray),Le=oe.getProgramCacheKey(Ee),Ge=Z.programs;Z.environment=A.isMeshStandardMaterial||A.isMeshLambertMaterial||A.isMeshPhongMaterial?G.environment:null,Z.fog=G.fog;let nt=A.isMeshStandardMaterial||A.isMeshLambertMaterial&&!A.envMap||A.isMeshPhongMaterial&&!A.envMap;Z.envMap=P.get(A.envMap||Z.environment,nt),Z.envMapRotation=Z.environment!==null&&A.envMap===null?G.environmentRotation:A.envMapRotation,Ge===void 0&&(A.addEventListener("dispose",ut),Ge=new Map,Z.programs=Ge,Z.programVariants=new Map);let gt=Ge.get(Le);if(gt!==void 0){if(Z.currentProgram===gt&&Z.lightsStateVersion===Ie)return la(A,Ee),gt}else Ee.uniforms=oe.getUniforms(A),z!==null&&A.isNodeMaterial&&z.build(A,Q,Ee),A.onBeforeCompile(Ee,L),gt=oe.acquireProgram(Ee,Le),Ge.set(Le,gt),Z.uniforms=Ee.uniforms;let ze=Z.uniforms;return(!A.isShaderMaterial&&!A.isRawShaderMaterial||A.clipping===!0)&&(ze.clippingPlanes=se.uniform),la(A,Ee),Z.needsLights=Xs(A),Z.lightsStateVersion=Ie,Z.needsLights&&(ze.ambientLightColor.value=K.state.ambient,ze.lightProbe.value=K.state.probe,ze.sunLights.value=K.state.sun,ze.sunLightShadows.value=K.state.sunShadow,ze.directionalLights.value=K.state.directional,ze.directionalLightShadows.value=K.state.directionalShadow,ze.spotLights.value=K.state.spot,ze.spotLightShadows.value=K.state.spotShadow,ze.rectAreaLights.value=K.state.rectArea,ze.ltc_1.value=K.state.rectAreaLTC1,ze.ltc_2.value=K.state.rectAreaLTC2,ze.pointLights.value=K.state.point,ze.pointLightShadows.value=K.state.pointShadow,ze.hemisphereLights.value=K.state.hemi,ze.sunShadowMatrix.value=K.state.sunShadowMatrix,ze.sunShadowCascade.value=K.state.sunShadowCascade,ze.directionalShadowMatrix.value=K.state.directionalShadowMatrix,ze.spotLightMatrix.value=K.state.spotLightMatrix,ze.spotLightMap.value=K.state.spotLightMap,ze.pointShadowMatrix.value=K.state.pointShadowMatrix),Z.numLightProbeGrids=xn(C.state.lightProbeGridArray),Z.currentProgram=gt,Z.uniformsList=null,gt}function xi(A,G,Q,Z,K){let Te=He.get(A),Ie=Te.currentProgram.id+","+Z+","+K,Ee=Te.programVariants.get(Ie);return Ee===void 0?(Ee=ns(A,G,Q),Te.programVariants.set(Ie,Ee)):(Te.currentProgram=Ee,Te.uniformsList=null,Te.outputColorSpace=Z,Te.toneMapping=K),Ee}function Ws(A){if(A.uniformsList===null){let G=A.currentProgram.getUniforms();A.uniformsList=ia.seqWithValue(G.seq,A.uniforms)}return A.uniformsList}function la(A,G){let Q=He.get(A);Q.outputColorSpace=G.outputColorSpace,Q.batching=G.batching,Q.batchingColor=G.batchingColor,Q.instancing=G.instancing,Q.instancingColor=G.instancingColor,Q.instancingMorph=G.instancingMorph,Q.skinning=G.skinning,Q.morphTargets=G.morphTargets,Q.morphNormals=G.morphNormals,Q.morphColors=G.morphColors,Q.morphTargetsCount=G.morphTargetsCount,Q.numClippingPlanes=G.numClippingPlanes,Q.numIntersection=G.numClipIntersection,Q.vertexAlphas=G.vertexAlphas,Q.vertexTangents=G.vertexTangents,Q.toneMapping=G.toneMapping}function ca(A,G,Q,Z,K){G.isScene!==!0&&(G=Dn),Ze.resetTextureUnits();let Te=G.fog,Ie=Z.isMeshStandardMaterial||Z.isMeshLambertMaterial||Z.isMeshPhongMaterial?G.environment:null,Ee=le===null?L.outputColorSpace:le.isXRRenderTarget===!0?le.texture.colorSpace:bt.workingColorSpace,Le=Z.isMeshStandardMaterial||Z.isMeshLambertMaterial&&!Z.envMap||Z.isMeshPhongMaterial&&!Z.envMap,Ge=P.get(Z.envMap||Ie,Le),nt=Z.vertexColors===!0&&!!Q.attributes.color&&Q.attributes.color.itemSize===4,gt=!!Q.attributes.tangent&&(!!Z.normalMap||Z.anisotropy>0),ze=!!Q.morphAttributes.position,_t=!!Q.morphAttributes.normal,ln=!!Q.morphAttributes.color,Ut=_s;Z.toneMapped&&(le===null||le.isXRRenderTarget===!0)&&(Ut=L.toneMapping);let Ft=Q.morphAttributes.position||Q.morphAttributes.normal||Q.morphAttributes.color,Nn=Ft!==void 0?Ft.length:0,Oe=He.get(Z),wn=C.state.lights;if(qt===!0&&(Sn===!0||A!==j)){let Ot=A===j&&Z.id===Y;se.setState(Z,A,Ot)}let xt=!1,Ms=!1;Z.version===Oe.__version?Oe.needsLights&&Oe.lightsStateVersion!==wn.state.version||K.isBatchedMesh&&Oe.batching===!1||!K.isBatchedMesh&&Oe.batching===!0||K.isBatchedMesh&&Oe.batchingColor===!0&&K._colorsTexture===null||K.isBatchedMesh&&Oe.batchingColor===!1&&K._colorsTexture!==null||K.isInstancedMesh&&Oe.instancing===!1||!K.isInstancedMesh&&Oe.instancing===!0||K.isSkinnedMesh&&Oe.skinning===!1||!K.isSkinnedMesh&&Oe.skinning===!0||K.isInstancedMesh&&Oe.instancingColor===!0&&K.instanceColor===null||K.isInstancedMesh&&Oe.instancingColor===!1&&K.instanceColor!==null||K.isInstancedMesh&&Oe.instancingMorph===!0&&K.morphTexture===null||K.isInstancedMesh&&Oe.instancingMorph===!1&&K.morphTexture!==null||Oe.envMap!==Ge||Z.fog===!0&&Oe.fog!==Te||Oe.numClippingPlanes!==void 0&&(Oe.numClippingPlanes!==se.numPlanes||Oe.numIntersection!==se.numIntersection)||Oe.vertexAlphas!==nt||Oe.vertexTangents!==gt||Oe.morphTargets!==ze||Oe.morphNormals!==_t||Oe.morphColors!==ln||Oe.morphTargetsCount!==Nn||Oe.numLightProbeGrids!==xn(C.state.lightProbeGridArray)?xt=!0:(Oe.outputColorSpace!==Ee||Oe.toneMapping!==Ut)&&(Ms=!0):(xt=!0,Oe.__version=Z.version);let Tn=Oe.currentProgram;(xt===!0||Ms===!0)&&(Tn=Ms===!0?xi(Z,G,K,Ee,Ut):ns(Z,G,K),z&&Z.isNodeMaterial&&z.onUpdateProgram(Z,Tn,Oe));let jr=!1,is=!1,ws=!1,dt=Tn.getUniforms(),fn=Oe.uniforms;if(Me.useProgram(Tn.program)&&(jr=!0,is=!0,ws=!0),Z.id!==Y&&(Y=Z.id,is=!0),jr||j!==A){Me.buffers.depth.getReversed()&&A.reversedDepth!==!0&&(A._reversedDepth=!0,A.updateProjectionMatrix()),dt.setValue(B,"projectionMatrix",A.projectionMatrix),dt.setValue(B,"viewMatrix",A.matrixWorldInverse);let En=dt.map.cameraPosition;En!==void 0&&En.setValue(B,Bn.setFromMatrixPosition(A.matrixWorld)),lt.logarithmicDepthBuffer&&dt.setValue(B,"logDepthBufFC",2/(Math.log(A.far+1)/Math.LN2)),(Z.isMeshPhongMaterial||Z.isMeshToonMaterial||Z.isMeshLambertMaterial||Z.isMeshBasicMaterial||Z.isMeshStandardMaterial||Z.isShaderMaterial)&&dt.setValue(B,"isOrthographic",A.isOrthographicCamera===!0),j!==A&&(j=A,is=!0,ws=!0)}if(Oe.needsLights&&(wn.state.sunShadowMap.length>0&&dt.setValue(B,"sunShadowMap",wn.state.sunShadowMap,Ze),wn.state.directionalShadowMap.length>0&&dt.setValue(B,"directionalShadowMap",wn.state.directionalShadowMap,Ze),wn.state.spotShadowMap.length>0&&dt.setValue(B,"spotShadowMap",wn.state.spotShadowMap,Ze),wn.state.pointShadowMap.length>0&&dt.setValue(B,"pointShadowMap",wn.state.pointShadowMap,Ze)),K.isSkinnedMesh){dt.setOptional(B,K,"bindMatrix"),dt.setOptional(B,K,"bindMatrixInverse");let Ot=K.skeleton;Ot&&(Ot.boneTexture===null&&Ot.computeBoneTexture(),dt.setValue(B,"boneTexture",Ot.boneTexture,Ze))}K.isBatchedMesh&&(dt.setOptional(B,K,"batchingTexture"),dt.setValue(B,"batchingTexture",K._matricesTexture,Ze),dt.setOptional(B,K,"batchingIdTexture"),dt.setValue(B,"batchingIdTexture",K._indirectTexture,Ze),dt.setOptional(B,K,"batchingColorTexture"),K._colorsTexture!==null&&dt.setValue(B,"batchingColorTexture",K._colorsTexture,Ze));let ri=Q.morphAttributes;if((ri.position!==void 0||ri.normal!==void 0||ri.color!==void 0)&&re.update(K,Q,Tn),(is||Oe.receiveShadow!==K.receiveShadow)&&(Oe.receiveShadow=K.receiveShadow,dt.setValue(B,"receiveShadow",K.receiveShadow)),(Z.isMeshStandardMaterial||Z.isMeshLambertMaterial||Z.isMeshPhongMaterial)&&Z.envMap===null&&G.environment!==null&&(fn.envMapIntensity.value=G.environmentIntensity),fn.dfgLUT!==void 0&&(fn.dfgLUT.value=fA()),is){if(dt.setValue(B,"toneMappingExposure",L.toneMappingExposure),Oe.needsLights&&Jr(fn,ws),Te&&Z.fog===!0&&_e.refreshFogUniforms(fn,Te),_e.refreshMaterialUniforms(fn,Z,Se,Ae,C.state.transmissionRenderTarget[A.id]),Oe.needsLights&&Oe.numLightProbeGrids>0){let Ot=S,En=0;for(let Qn of C.state.lightProbeGridArray)Qn.texture!==null&&(Ot.textures[En]=Qn.texture,Ot.min[En]=Qn.boundingBox.min,Ot.max[En]=Qn.boundingBox.max,Ot.resolution[En]=Qn.resolution,En++);for(let Qn in Ot)Ot[Qn].length=En;fn.probesSH.value=Ot.textures,fn.probesMin.value=Ot.min,fn.probesMax.value=Ot.max,fn.probesResolution.value=Ot.resolution}ia.upload(B,Ws(Oe),fn,Ze)}if(Z.isShaderMaterial&&Z.uniformsNeedUpdate===!0&&(ia.upload(B,Ws(Oe),fn,Ze),Z.uniformsNeedUpdate=!1),Z.isSpriteMaterial&&dt.setValue(B,"center",K.center),dt.setValue(B,"modelViewMatrix",K.modelViewMatrix),dt.setValue(B,"normalMatrix",K.normalMatrix),dt.setValue(B,"modelMatrix",K.matrixWorld),Z.uniformsGroups!==void 0){let Ot=Z.uniformsGroups;for(let En=0,Qn=Ot.length;En<Qn;En++){let Ml=Ot[En];Xe.update(Ml,Tn),Xe.bind(Ml,Tn)}}return Tn}function Jr(A,G){A.ambientLightColor.needsUpdate=G,A.lightProbe.needsUpdate=G,A.sunLights.needsUpdate=G,A.sunLightShadows.needsUpdate=G,A.directionalLights.needsUpdate=G,A.directionalLightShadows.needsUpdate=G,A.pointLights.needsUpdate=G,A.pointLightShadows.needsUpdate=G,A.spotLights.needsUpdate=G,A.spotLightShadows.needsUpdate=G,A.rectAreaLights.needsUpdate=G,A.hemisphereLights.needsUpdate=G}function Xs(A){return A.isMeshLambertMaterial||A.isMeshToonMaterial||A.isMeshPhongMaterial||A.isMeshStandardMaterial||A.isShadowMaterial||A.isShaderMaterial&&A.lights===!0}this.getActiveCubeFace=function(){return $},this.getActiveMipmapLevel=function(){return H},this.getRenderTarget=function(){return le},this.setRenderTargetTextures=function(A,G,Q){let Z=He.get(A);Z.__autoAllocateDepthBuffer=A.resolveDepthBuffer===!1,Z.__autoAllocateDepthBuffer===!1&&(Z.__useRenderToTexture=!1),He.get(A.texture).__webglTexture=G,He.get(A.depthTexture).__webglTexture=Z.__autoAllocateDepthBuffer?void 0:Q,Z.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(A,G){let Q=He.get(A);Q.__webglFramebuffer=G,Q.__useDefaultFramebuffer=G===void 0},this.setRenderTarget=function(A,G=0,Q=0){le=A,$=G,H=Q;let Z=null,K=!1,Te=!1;if(A){let Ee=He.get(A);if(Ee.__useDefaultFramebuffer!==void 0){Me.bindFramebuffer(B.FRAMEBUFFER,Ee.__webglFramebuffer),ie.copy(A.viewport),he.copy(A.scissor),de=A.scissorTest,Me.viewport(ie),Me.scissor(he),Me.setScissorTest(de),Y=-1;return}else if(Ee.__webglFramebuffer===void 0)Ze.setupRenderTarget(A);else if(Ee.__hasExternalTextures)Ze.rebindTextures(A,He.get(A.texture).__webglTexture,He.get(A.depthTexture).__webglTexture);else if(A.depthBuffer){let nt=A.depthTexture;if(Ee.__boundDepthTexture!==nt){if(nt!==null&&He.has(nt)&&(A.width!==nt.image.width||A.height!==nt.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Ze.setupDepthRenderbuffer(A)}}let Le=A.texture;(Le.isData3DTexture||Le.isDataArrayTexture||Le.isCompressedArrayTexture)&&(Te=!0);let Ge=He.get(A).__webglFramebuffer;A.isWebGLCubeRenderTarget?(Array.isArray(Ge[G])?Z=Ge[G][Q]:Z=Ge[G],K=!0):A.samples>0&&Ze.useMultisampledRTT(A)===!1?Z=He.get(A).__webglMultisampledFramebuffer:Array.isArray(Ge)?Z=Ge[Q]:Z=Ge,ie.copy(A.viewport),he.copy(A.scissor),de=A.scissorTest}else ie.copy(We).multiplyScalar(Se).floor(),he.copy(pt).multiplyScalar(Se).floor(),de=ht;if(Q!==0&&(Z=V),Me.bindFramebuffer(B.FRAMEBUFFER,Z)&&Me.drawBuffers(A,Z),Me.viewport(ie),Me.scissor(he),Me.setScissorTest(de),K){let Ee=He.get(A.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_CUBE_MAP_POSITIVE_X+G,Ee.__webglTexture,Q)}else if(Te){let Ee=G;for(let Le=0;Le<A.textures.length;Le++){let Ge=He.get(A.textures[Le]);B.framebufferTextureLayer(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0+Le,Ge.__webglTexture,Q,Ee)}}else if(A!==null&&Q!==0){let Ee=He.get(A.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,Ee.__webglTexture,Q)}Y=-1};function Qr(A){let G=He.get(A);return(G.__readFormat!==A.format||G.__readType!==A.type)&&(G.__readFormat=A.format,G.__readType=A.type,G.__formatReadable=lt.textureFormatReadable(A.format),G.__typeReadable=lt.textureTypeReadable(A.type)),G}this.readRenderTargetPixels=function(A,G,Q,Z,K,Te,Ie,Ee=0){if(!(A&&A.isWebGLRenderTarget)){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Le=He.get(A).__webglFramebuffer;if(A.isWebGLCubeRenderTarget&&Ie!==void 0&&(Le=Le[Ie],Array.isArray(Le)&&(Le=Le[0])),Le){Me.bindFramebuffer(B.FRAMEBUFFER,Le);try{let Ge=A.textures[Ee],nt=Ge.format,gt=Ge.type;A.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ee);let ze=Qr(Ge);if(ze.__formatReadable===!1){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ze.__typeReadable===!1){tt("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}G>=0&&G<=A.width-Z&&Q>=0&&Q<=A.height-K&&B.readPixels(G,Q,Z,K,ge.convert(nt),ge.convert(gt),Te)}finally{let Ge=le!==null?He.get(le).__webglFramebuffer:null;Me.bindFramebuffer(B.FRAMEBUFFER,Ge)}}},this.readRenderTargetPixelsAsync=async function(A,G,Q,Z,K,Te,Ie,Ee=0){if(!(A&&A.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Le=He.get(A).__webglFramebuffer;if(A.isWebGLCubeRenderTarget&&Ie!==void 0&&(Le=Le[Ie],Array.isArray(Le)&&(Le=Le[0])),Le)if(G>=0&&G<=A.width-Z&&Q>=0&&Q<=A.height-K){Me.bindFramebuffer(B.FRAMEBUFFER,Le);let Ge=A.textures[Ee],nt=Ge.format,gt=Ge.type;A.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ee);let ze=Qr(Ge);if(ze.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ze.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let _t=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,_t),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(G,Q,Z,K,ge.convert(nt),ge.convert(gt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let ln=le!==null?He.get(le).__webglFramebuffer:null;Me.bindFramebuffer(B.FRAMEBUFFER,ln);let Ut=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await V_(B,Ut,4),B.bindBuffer(B.PIXEL_PACK_BUFFER,_t),B.getBufferSubData(B.PIXEL_PACK_BUFFER,0,Te),B.bindBuffer(B.PIXEL_PACK_BUFFER,null),B.deleteBuffer(_t),B.deleteSync(Ut),Te}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(A,G=null,Q=0){let Z=Math.pow(2,-Q),K=Math.floor(A.image.width*Z),Te=Math.floor(A.image.height*Z),Ie=G!==null?G.x:0,Ee=G!==null?G.y:0;Ze.setTexture2D(A,0),B.copyTexSubImage2D(B.TEXTURE_2D,Q,0,0,Ie,Ee,K,Te),Me.unbindTexture()},this.copyTextureToTexture=function(A,G,Q=null,Z=null,K=0,Te=0){let Ie,Ee,Le,Ge,nt,gt,ze,_t,ln,Ut=A.isCompressedTexture?A.mipmaps[Te]:A.image;if(Q!==null)Ie=Q.max.x-Q.min.x,Ee=Q.max.y-Q.min.y,Le=Q.isBox3?Q.max.z-Q.min.z:1,Ge=Q.min.x,nt=Q.min.y,gt=Q.isBox3?Q.min.z:0;else{let dt=Math.pow(2,-K);Ie=Math.floor(Ut.width*dt),Ee=Math.floor(Ut.height*dt),A.isDataArrayTexture?Le=Ut.depth:A.isData3DTexture?Le=Math.floor(Ut.depth*dt):Le=1,Ge=0,nt=0,gt=0}Z!==null?(ze=Z.x,_t=Z.y,ln=Z.z):(ze=0,_t=0,ln=0);let Ft=ge.convert(G.format),Nn=ge.convert(G.type),Oe;G.isData3DTexture?(Ze.setTexture3D(G,0),Oe=B.TEXTURE_3D):G.isDataArrayTexture||G.isCompressedArrayTexture?(Ze.setTexture2DArray(G,0),Oe=B.TEXTURE_2D_ARRAY):(Ze.setTexture2D(G,0),Oe=B.TEXTURE_2D),Me.activeTexture(B.TEXTURE0),Me.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,G.flipY),Me.pixelStorei(B.UNPACK_PREMULTIPLY_ALPHA_WEBGL,G.premultiplyAlpha),Me.pixelStorei(B.UNPACK_ALIGNMENT,G.unpackAlignment);let wn=Me.getParameter(B.UNPACK_ROW_LENGTH),xt=Me.getParameter(B.UNPACK_IMAGE_HEIGHT),Ms=Me.getParameter(B.UNPACK_SKIP_PIXELS),Tn=Me.getParameter(B.UNPACK_SKIP_ROWS),jr=Me.getParameter(B.UNPACK_SKIP_IMAGES);Me.pixelStorei(B.UNPACK_ROW_LENGTH,Ut.width),Me.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Ut.height),Me.pixelStorei(B.UNPACK_SKIP_PIXELS,Ge),Me.pixelStorei(B.UNPACK_SKIP_ROWS,nt),Me.pixelStorei(B.UNPACK_SKIP_IMAGES,gt);let is=A.isDataArrayTexture||A.isData3DTexture,ws=G.isDataArrayTexture||G.isData3DTexture;if(A.isDepthTexture){let dt=He.get(A),fn=He.get(G),ri=He.get(dt.__renderTarget),Ot=He.get(fn.__renderTarget);Me.bindFramebuffer(B.READ_FRAMEBUFFER,ri.__webglFramebuffer),Me.bindFramebuffer(B.DRAW_FRAMEBUFFER,Ot.__webglFramebuffer);for(let En=0;En<Le;En++)is&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,He.get(A).__webglTexture,K,gt+En),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,He.get(G).__webglTexture,Te,ln+En)),B.blitFramebuffer(Ge,nt,Ge+Ie,nt+Ee,ze,_t,ze+Ie,_t+Ee,B.DEPTH_BUFFER_BIT,B.NEAREST);Me.bindFramebuffer(B.READ_FRAMEBUFFER,null),Me.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(K!==0||A.isRenderTargetTexture||He.has(A)){let dt=He.get(A),fn=He.get(G);Me.bindFramebuffer(B.READ_FRAMEBUFFER,N),Me.bindFramebuffer(B.DRAW_FRAMEBUFFER,W);for(let ri=0;ri<Le;ri++)is?B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,dt.__webglTexture,K,gt+ri):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,dt.__webglTexture,K),ws?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,fn.__webglTexture,Te,ln+ri):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,fn.__webglTexture,Te),K!==0?B.blitFramebuffer(Ge,nt,Ge+Ie,nt+Ee,ze,_t,ze+Ie,_t+Ee,B.COLOR_BUFFER_BIT,B.NEAREST):ws?B.copyTexSubImage3D(Oe,Te,ze,_t,ln+ri,Ge,nt,Ie,Ee):B.copyTexSubImage2D(Oe,Te,ze,_t,Ge,nt,Ie,Ee);Me.bindFramebuffer(B.READ_FRAMEBUFFER,null),Me.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else ws?A.isDataTexture||A.isData3DTexture?B.texSubImage3D(Oe,Te,ze,_t,ln,Ie,Ee,Le,Ft,Nn,Ut.data):G.isCompressedArrayTexture?B.compressedTexSubImage3D(Oe,Te,ze,_t,ln,Ie,Ee,Le,Ft,Ut.data):B.texSubImage3D(Oe,Te,ze,_t,ln,Ie,Ee,Le,Ft,Nn,Ut):A.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,ze,_t,Ie,Ee,Ft,Nn,Ut.data):A.isCompressedTexture?B.compressedTexSubImage2D(B.TEXTURE_2D,Te,ze,_t,Ut.width,Ut.height,Ft,Ut.data):B.texSubImage2D(B.TEXTURE_2D,Te,ze,_t,Ie,Ee,Ft,Nn,Ut);Me.pixelStorei(B.UNPACK_ROW_LENGTH,wn),Me.pixelStorei(B.UNPACK_IMAGE_HEIGHT,xt),Me.pixelStorei(B.UNPACK_SKIP_PIXELS,Ms),Me.pixelStorei(B.UNPACK_SKIP_ROWS,Tn),Me.pixelStorei(B.UNPACK_SKIP_IMAGES,jr),Te===0&&G.generateMipmaps===!0&&G.mipmapsAutoUpdate===!0&&B.generateMipmap(Oe),Me.unbindTexture()},this.initRenderTarget=function(A){He.get(A).__webglFramebuffer===void 0&&Ze.setupRenderTarget(A)},this.initTexture=function(A){A.isCubeTexture?Ze.setTextureCube(A,0):A.isData3DTexture?Ze.setTexture3D(A,0):A.isDataArrayTexture||A.isCompressedArrayTexture?Ze.setTexture2DArray(A,0):Ze.setTexture2D(A,0),Me.unbindTexture()},this.resetState=function(){$=0,H=0,le=null,Me.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return zi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=bt._getDrawingBufferColorSpace(e),t.unpackColorSpace=bt._getUnpackColorSpace()}};var pA={depth:0,error:1,reason:2,oak:3},mA=`
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform usampler2D depth;
+uniform usampler2D truth;
+uniform usampler2D measured;
+uniform usampler2D reasons;
+uniform sampler2D table;
+uniform vec2 tangent;
+uniform vec2 range;
+uniform int mode;
+uniform int stride;
+uniform bool isRelative;
+uniform vec3 color;
+uniform float pointSize;
+in float unused;
+out vec3 shade;
+
+vec3 lookUp(float from0to1) {
+  return texture(table, vec2((clamp(from0to1, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+void main() {
+  ivec2 size = textureSize(depth, 0);
+  int columns = size.x / stride;
+  ivec2 pixel = ivec2(gl_VertexID % columns, gl_VertexID / columns) * stride;
+  uint value = texelFetch(depth, pixel, 0).r;
+  float z = float(value) * 0.001;
+  vec2 place = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(place * tangent * z, z, 1.0);
+  gl_PointSize = pointSize;
+  shade = color;
+  bool isDropped = value == 0u;
+  if (mode == 0) {
+    shade = lookUp((z - range.x) / max(range.y - range.x, 1e-6));
+  } else if (mode == 1) {
+    uint exact = texelFetch(truth, pixel, 0).r;
+    uint found = texelFetch(measured, pixel, 0).r;
+    float error = (float(found) - float(exact)) * 0.001;
+    if (isRelative) error *= 100.0 / max(float(exact) * 0.001, 1e-3);
+    shade = found == 0u ? vec3(0.42) : lookUp(0.5 + 0.5 * error / max(range.y, 1e-9));
+    isDropped = isDropped || exact == 0u;
+  } else if (mode == 2) {
+    shade = texelFetch(table, ivec2(int(texelFetch(reasons, pixel, 0).r), 0), 0).rgb;
+  }
+  if (isDropped) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+}`,gA=`
+precision highp float;
+in vec3 shade;
+out vec4 result;
+void main() {
+  result = vec4(shade, 1.0);
+}`;function _A(n){let e=n.format==="u16mm",t=new Br(n.data,n.width,n.height,na,e?xr:Jn);return t.internalFormat=e?"R16UI":"R8UI",t.minFilter=t.magFilter=Ln,t.unpackAlignment=1,t.needsUpdate=!0,t}function Av(n){let{width:e,height:t}=n.depth,i=Math.max(1,Math.ceil(Math.sqrt(e*t/n.maxPoints))),s=Math.floor(e/i)*Math.floor(t/i),r=new Nt;r.setAttribute("unused",new Kn(new Uint8Array(s),1)),r.setDrawRange(0,s);let o=new Map,a=h=>{let f=h??n.depth,g=o.get(f)??_A(f);return o.set(f,g),g},l=new Br(n.table,n.table.length/4,1,Di,Jn);l.needsUpdate=!0;let c=h=>Math.tan(h*Math.PI/360),u=new Jo({glslVersion:dl,vertexShader:mA,fragmentShader:gA,uniforms:{depth:{value:a(n.depth)},truth:{value:a(n.truth)},measured:{value:a(n.measured)},reasons:{value:a(n.reasons)},table:{value:l},tangent:{value:new ct(c(n.hfovDeg),c(n.vfovDeg))},range:{value:new ct(...n.range)},mode:{value:pA[n.mode]},stride:{value:i},isRelative:{value:n.isRelative},color:{value:new O(...n.color)},pointSize:{value:n.pointSize}}});u.addEventListener("dispose",()=>{for(let h of o.values())h.dispose();l.dispose()});let d=new zr(r,u);return d.frustumCulled=!1,d.matrixAutoUpdate=!1,d}function Cv(n,e,t){n.matrix.multiplyMatrices(e,t),n.matrixWorldNeedsUpdate=!0}var vA=Float32Array.from({length:256},(n,e)=>{let t=e/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4});function Sh(n,e){let t=new Nt,{vertices:i}=n.header,s=new Float32Array(i*3);for(let o=0;o<i;o++)for(let a=0;a<3;a++)s[o*3+a]=vA[n.colors[o*4+a]??0]??0;t.setAttribute("position",new Kn(n.positions,3)),t.setAttribute("color",new Kn(s,3)),t.setIndex(new Kn(n.indices,1)),t.computeBoundingSphere();let r=e?ni:gs;return new De(t,new Vr({vertexColors:!0,flatShading:!0,side:r}))}var xA=.25,yA=150,Mh={minimum:"#e5484d",ideal:"#2fa36b",maximum:"#d9822b"};function Pv(n){let e=new gi;if(e.add(bA(n)),n.showCameras)for(let t of n.model.cameras){let{hfovDeg:i,vfovDeg:s,bodyFromCamera:r}=t,o=Dv(i,s,xA,cn(n.color),n.isSelected?.9:.45);e.add(Rv(o,r))}return n.showRanges&&n.sensor&&e.add(Rv(MA(n.sensor,n),n.sensor.bodyFromCamera)),e}function ra(n){n.traverse(e=>{let{geometry:t,material:i}=e;t?.dispose();for(let s of Array.isArray(i)?i:[i])s?.dispose()})}function Iv(n,e){n.position.set(...e.position),n.quaternion.set(...e.quaternion),n.updateMatrixWorld(!0)}function yp(n){let[e=1,t=0,i=0,s=0,r=0,o=1,a=0,l=0,c=0,u=0,d=1,h=0]=n;return new Tt().set(e,t,i,s,r,o,a,l,c,u,d,h,0,0,0,1)}function Rv(n,e){return n.applyMatrix4(yp(e)),n}function bA({model:n,body:e,color:t,isSelected:i}){let{size:s,centre:r}=n.body,o=new gi,a=new on(...s);e?o.add(Sh(e,!1)):o.add(new De(a,new Vr({color:"#5b6470"})));let l=new fr(new Ya(a),new vi({color:cn(t),transparent:!i,opacity:i?1:.6}));for(let c of e?[l]:[...o.children,l])c.position.set(...r);return o.add(l),o}function SA(n,e,t){let i=s=>Math.tan(Math.min(s,yA)*Math.PI/360)*t;return[i(n),i(e)]}function Lv(n,e,t){let[i,s]=SA(n,e,t);return[[-i,-s,t],[i,-s,t],[i,s,t],[-i,s,t]]}function Dv(n,e,t,i,s){let r=Lv(n,e,t),o=r.flatMap((l,c)=>[[0,0,0],l,l,r[(c+1)%4]]),a=new Nt().setAttribute("position",new mt(o.flat(),3));return new fr(a,new vi({color:new st(i),transparent:!0,opacity:s}))}function MA(n,{color:e,isSelected:t}){let i=new gi,{hfovDeg:s,vfovDeg:r,minimumM:o,idealM:a,maximumM:l}=n,c=a?.[1]??l??3;i.add(Dv(s,r,c,cn(e),t?.55:.25));let u=[[o,Mh.minimum],[a?.[0]??null,Mh.ideal],[a?.[1]??null,Mh.ideal],[l,Mh.maximum]];if(t)for(let[d,h]of u)d!==null&&d>0&&i.add(...wA(s,r,d,h));return i}function wA(n,e,t,i){let s=Lv(n,e,t),r=new Nt().setAttribute("position",new mt(s.flat(),3)),o=r.clone().setIndex([0,1,2,0,2,3]),a=new ks({color:i,transparent:!0,opacity:.05,side:ni,depthWrite:!1});return[new Ha(r,new vi({color:i})),new De(o,a)]}var $r=new vr,_n=new O,br=new O,an=new nn,Nv={X:new O(1,0,0),Y:new O(0,1,0),Z:new O(0,0,1)},bp={type:"change"},Uv={type:"mouseDown",mode:null},Fv={type:"mouseUp",mode:null},Ov={type:"objectChange"},Ch=class extends il{constructor(e,t=null){super(void 0,t);let i=new Mp(this);this._root=i;let s=new wp;this._gizmo=s,i.add(s);let r=new Tp;this._plane=r,i.add(r);let o=this;function a(T,S){let R=S;Object.defineProperty(o,T,{get:function(){return R!==void 0?R:S},set:function(C){R!==C&&(R=C,r[T]=C,s[T]=C,o.dispatchEvent({type:T+"-changed",value:C}),o.dispatchEvent(bp))}}),o[T]=S,r[T]=S,s[T]=S}a("camera",e),a("object",void 0),a("enabled",!0),a("axis",null),a("mode","translate"),a("translationSnap",null),a("rotationSnap",null),a("scaleSnap",null),a("space","world"),a("size",1),this.viewport=null,a("dragging",!1),a("showX",!0),a("showY",!0),a("showZ",!0),a("showXY",!0),a("showYZ",!0),a("showXZ",!0),a("showXYZE",!0),a("showE",!0),a("minX",-1/0),a("maxX",1/0),a("minY",-1/0),a("maxY",1/0),a("minZ",-1/0),a("maxZ",1/0);let l=new O,c=new O,u=new nn,d=new nn,h=new O,f=new nn,g=new O,y=new O,m=new O,p=0,x=new O;a("worldPosition",l),a("worldPositionStart",c),a("worldQuaternion",u),a("worldQuaternionStart",d),a("cameraPosition",h),a("cameraQuaternion",f),a("pointStart",g),a("pointEnd",y),a("rotationAxis",m),a("rotationAngle",p),a("eye",x),this._offset=new O,this._startNorm=new O,this._endNorm=new O,this._cameraScale=new O,this._parentPosition=new O,this._parentQuaternion=new nn,this._parentQuaternionInv=new nn,this._parentScale=new O,this._worldScaleStart=new O,this._worldQuaternionInv=new nn,this._worldScale=new O,this._positionStart=new O,this._quaternionStart=new nn,this._scaleStart=new O,this._getPointer=TA.bind(this),this._onPointerDown=AA.bind(this),this._onPointerHover=EA.bind(this),this._onPointerMove=CA.bind(this),this._onPointerUp=RA.bind(this),t!==null&&this.connect(t)}connect(e){super.connect(e),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointermove",this._onPointerHover),this.domElement.addEventListener("pointerup",this._onPointerUp),this.domElement.style.touchAction="none"}disconnect(){this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.removeEventListener("pointermove",this._onPointerHover),this.domElement.removeEventListener("pointermove",this._onPointerMove),this.domElement.removeEventListener("pointerup",this._onPointerUp),this.domElement.style.touchAction=""}getHelper(){return this._root}pointerHover(e){if(this.object===void 0||this.dragging===!0)return;e!==null&&$r.setFromCamera(e,this.camera);let t=Sp(this._gizmo.picker[this.mode],$r);t?this.axis=t.object.name:this.axis=null}pointerDown(e){if(!(this.object===void 0||this.dragging===!0||e!=null&&e.button!==0)&&this.axis!==null){e!==null&&$r.setFromCamera(e,this.camera);let t=Sp(this._plane,$r,!0);t&&(this.object.updateMatrixWorld(),this.object.parent.updateMatrixWorld(),this._positionStart.copy(this.object.position),this._quaternionStart.copy(this.object.quaternion),this._scaleStart.copy(this.object.scale),this.object.matrixWorld.decompose(this.worldPositionStart,this.worldQuaternionStart,this._worldScaleStart),this.pointStart.copy(t.point).sub(this.worldPositionStart)),this.dragging=!0,Uv.mode=this.mode,this.dispatchEvent(Uv)}}pointerMove(e){let t=this.axis,i=this.mode,s=this.object,r=this.space;if(i==="scale"?r="local":(t==="E"||t==="XYZE"||t==="XYZ")&&(r="world"),s===void 0||t===null||this.dragging===!1||e!==null&&e.button!==-1)return;e!==null&&$r.setFromCamera(e,this.camera);let o=Sp(this._plane,$r,!0);if(o){if(this.pointEnd.copy(o.point).sub(this.worldPositionStart),i==="translate")this._offset.copy(this.pointEnd).sub(this.pointStart),r==="local"&&t!=="XYZ"&&this._offset.applyQuaternion(this._worldQuaternionInv),t.indexOf("X")===-1&&(this._offset.x=0),t.indexOf("Y")===-1&&(this._offset.y=0),t.indexOf("Z")===-1&&(this._offset.z=0),r==="local"&&t!=="XYZ"?this._offset.applyQuaternion(this._quaternionStart).divide(this._parentScale):this._offset.applyQuaternion(this._parentQuaternionInv).divide(this._parentScale),s.position.copy(this._offset).add(this._positionStart),this.translationSnap&&(r==="local"&&(s.position.applyQuaternion(an.copy(this._quaternionStart).invert()),t.search("X")!==-1&&(s.position.x=Math.round(s.position.x/this.translationSnap)*this.translationSnap),t.search("Y")!==-1&&(s.position.y=Math.round(s.position.y/this.translationSnap)*this.translationSnap),t.search("Z")!==-1&&(s.position.z=Math.round(s.position.z/this.translationSnap)*this.translationSnap),s.position.applyQuaternion(this._quaternionStart)),r==="world"&&(s.getWorldPosition(_n),t.search("X")!==-1&&(_n.x=Math.round(_n.x/this.translationSnap)*this.translationSnap),t.search("Y")!==-1&&(_n.y=Math.round(_n.y/this.translationSnap)*this.translationSnap),t.search("Z")!==-1&&(_n.z=Math.round(_n.z/this.translationSnap)*this.translationSnap),s.position.copy(s.parent.worldToLocal(_n)))),s.position.x=Math.max(this.minX,Math.min(this.maxX,s.position.x)),s.position.y=Math.max(this.minY,Math.min(this.maxY,s.position.y)),s.position.z=Math.max(this.minZ,Math.min(this.maxZ,s.position.z));else if(i==="scale"){if(t.search("XYZ")!==-1){let a=this.pointEnd.length()/this.pointStart.length();this.pointEnd.dot(this.pointStart)<0&&(a*=-1),br.set(a,a,a)}else _n.copy(this.pointStart),br.copy(this.pointEnd),_n.applyQuaternion(this._worldQuaternionInv),br.applyQuaternion(this._worldQuaternionInv),br.divide(_n),t.search("X")===-1&&(br.x=1),t.search("Y")===-1&&(br.y=1),t.search("Z")===-1&&(br.z=1);s.scale.copy(this._scaleStart).multiply(br),this.scaleSnap&&(t.search("X")!==-1&&(s.scale.x=Math.round(s.scale.x/this.scaleSnap)*this.scaleSnap||this.scaleSnap),t.search("Y")!==-1&&(s.scale.y=Math.round(s.scale.y/this.scaleSnap)*this.scaleSnap||this.scaleSnap),t.search("Z")!==-1&&(s.scale.z=Math.round(s.scale.z/this.scaleSnap)*this.scaleSnap||this.scaleSnap))}else if(i==="rotate"){this._offset.copy(this.pointEnd).sub(this.pointStart);let a=20/this.worldPosition.distanceTo(_n.setFromMatrixPosition(this.camera.matrixWorld)),l=!1;t==="XYZE"?(this.rotationAxis.copy(this._offset).cross(this.eye).normalize(),this.rotationAngle=this._offset.dot(_n.copy(this.rotationAxis).cross(this.eye))*a):(t==="X"||t==="Y"||t==="Z")&&(this.rotationAxis.copy(Nv[t]),_n.copy(Nv[t]),r==="local"&&_n.applyQuaternion(this.worldQuaternion),_n.cross(this.eye),_n.length()===0?l=!0:this.rotationAngle=this._offset.dot(_n.normalize())*a),(t==="E"||l)&&(this.rotationAxis.copy(this.eye),this.rotationAngle=this.pointEnd.angleTo(this.pointStart),this._startNorm.copy(this.pointStart).normalize(),this._endNorm.copy(this.pointEnd).normalize(),this.rotationAngle*=this._endNorm.cross(this._startNorm).dot(this.eye)<0?1:-1),this.rotationSnap&&(this.rotationAngle=Math.round(this.rotationAngle/this.rotationSnap)*this.rotationSnap),r==="local"&&t!=="E"&&t!=="XYZE"?(s.quaternion.copy(this._quaternionStart),s.quaternion.multiply(an.setFromAxisAngle(this.rotationAxis,this.rotationAngle)).normalize()):(this.rotationAxis.applyQuaternion(this._parentQuaternionInv),s.quaternion.copy(an.setFromAxisAngle(this.rotationAxis,this.rotationAngle)),s.quaternion.multiply(this._quaternionStart).normalize())}this.dispatchEvent(bp),this.dispatchEvent(Ov)}}pointerUp(e){e!==null&&e.button!==0||(this.dragging&&this.axis!==null&&(Fv.mode=this.mode,this.dispatchEvent(Fv)),this.dragging=!1,this.axis=null)}dispose(){this.disconnect(),this._root.dispose()}attach(e){return this.object=e,this._root.visible=!0,this}detach(){return this.object=void 0,this.axis=null,this._root.visible=!1,this}reset(){this.enabled&&this.dragging&&(this.object.position.copy(this._positionStart),this.object.quaternion.copy(this._quaternionStart),this.object.scale.copy(this._scaleStart),this.dispatchEvent(bp),this.dispatchEvent(Ov),this.pointStart.copy(this.pointEnd))}getRaycaster(){return $r}getMode(){return this.mode}setMode(e){this.mode=e}setTranslationSnap(e){this.translationSnap=e}setRotationSnap(e){this.rotationSnap=e}setScaleSnap(e){this.scaleSnap=e}setSize(e){this.size=e}setSpace(e){this.space=e}setColors(e,t,i,s){let r=this._gizmo.materialLib;r.xAxis.color.set(e),r.yAxis.color.set(t),r.zAxis.color.set(i),r.active.color.set(s),r.xAxisTransparent.color.set(e),r.yAxisTransparent.color.set(t),r.zAxisTransparent.color.set(i),r.activeTransparent.color.set(s),r.xAxis._color&&r.xAxis._color.set(e),r.yAxis._color&&r.yAxis._color.set(t),r.zAxis._color&&r.zAxis._color.set(i),r.active._color&&r.active._color.set(s),r.xAxisTransparent._color&&r.xAxisTransparent._color.set(e),r.yAxisTransparent._color&&r.yAxisTransparent._color.set(t),r.zAxisTransparent._color&&r.zAxisTransparent._color.set(i),r.activeTransparent._color&&r.activeTransparent._color.set(s)}};function TA(n){if(this.domElement.ownerDocument.pointerLockElement)return{x:0,y:0,button:n.button};{let e=this.domElement.getBoundingClientRect(),t=this.viewport,i,s,r,o;return t!==null?(i=t.x,s=e.height-t.y-t.w,r=t.z,o=t.w):(i=0,s=0,r=e.width,o=e.height),{x:(n.clientX-e.left-i)/r*2-1,y:-(n.clientY-e.top-s)/o*2+1,button:n.button}}}function EA(n){if(this.enabled)switch(n.pointerType){case"mouse":case"pen":this.pointerHover(this._getPointer(n));break}}function AA(n){this.enabled&&(document.pointerLockElement||this.domElement.setPointerCapture(n.pointerId),this.domElement.addEventListener("pointermove",this._onPointerMove),this.pointerHover(this._getPointer(n)),this.pointerDown(this._getPointer(n)))}function CA(n){this.enabled&&this.pointerMove(this._getPointer(n))}function RA(n){this.enabled&&(this.domElement.releasePointerCapture(n.pointerId),this.domElement.removeEventListener("pointermove",this._onPointerMove),this.pointerUp(this._getPointer(n)))}function Sp(n,e,t){let i=e.intersectObject(n,!0);for(let s=0;s<i.length;s++)if(i[s].object.visible||t)return i[s];return!1}var wh=new Ji,Xt=new O(0,1,0),kv=new O(0,0,0),Bv=new Tt,Th=new nn,Ah=new nn,ys=new O,Rh=new Tt,yl=new O(1,0,0),Zr=new O(0,1,0),bl=new O(0,0,1),Eh=new O,vl=new O,xl=new O,Mp=class extends rn{constructor(e){super(),this.isTransformControlsRoot=!0,this.controls=e,this.visible=!1}updateMatrixWorld(e){let t=this.controls;t.object!==void 0&&(t.object.updateMatrixWorld(),t.object.parent===null?console.error("TransformControls: The attached 3D object must be a part of the scene graph."):t.object.parent.matrixWorld.decompose(t._parentPosition,t._parentQuaternion,t._parentScale),t.object.matrixWorld.decompose(t.worldPosition,t.worldQuaternion,t._worldScale),t._parentQuaternionInv.copy(t._parentQuaternion).invert(),t._worldQuaternionInv.copy(t.worldQuaternion).invert()),t.camera.updateMatrixWorld(),t.camera.matrixWorld.decompose(t.cameraPosition,t.cameraQuaternion,t._cameraScale),t.camera.isOrthographicCamera?t.camera.getWorldDirection(t.eye).negate():t.eye.copy(t.cameraPosition).sub(t.worldPosition).normalize(),this.parent&&(Rh.copy(this.parent.matrixWorld).invert(),Rh.decompose(this.position,this.quaternion,this.scale)),super.updateMatrixWorld(e)}dispose(){this.traverse(function(e){e.geometry&&e.geometry.dispose(),e.material&&e.material.dispose()})}},wp=class extends rn{constructor(){super(),this.isTransformControlsGizmo=!0,this.type="TransformControlsGizmo";let e=new ks({depthTest:!1,depthWrite:!1,fog:!1,toneMapped:!1,transparent:!0}),t=new vi({depthTest:!1,depthWrite:!1,fog:!1,toneMapped:!1,transparent:!0}),i=e.clone();i.opacity=.15;let s=t.clone();s.opacity=.5;let r=e.clone();r.color.setHex(16711680);let o=e.clone();o.color.setHex(65280);let a=e.clone();a.color.setHex(255);let l=e.clone();l.color.setHex(16711680),l.opacity=.5;let c=e.clone();c.color.setHex(65280),c.opacity=.5;let u=e.clone();u.color.setHex(255),u.opacity=.5;let d=e.clone();d.opacity=.25;let h=e.clone();h.color.setHex(16776960),h.opacity=.25;let f=e.clone();f.color.setHex(16776960);let g=e.clone();g.color.setHex(7895160),this.materialLib={xAxis:r,yAxis:o,zAxis:a,active:f,xAxisTransparent:l,yAxisTransparent:c,zAxisTransparent:u,activeTransparent:h};let y=new Xn(0,.04,.1,12);y.translate(0,.05,0);let m=new on(.08,.08,.08);m.translate(0,.04,0);let p=new Nt;p.setAttribute("position",new mt([0,0,0,1,0,0],3));let x=new Xn(.0075,.0075,.5,3);x.translate(0,.25,0);function T(W,$){let H=new zs(W,.0075,3,64,$*Math.PI*2);return H.rotateY(Math.PI/2),H.rotateX(Math.PI/2),H}function S(){let W=new Nt;return W.setAttribute("position",new mt([0,0,0,1,1,1],3)),W}let R={X:[[new De(y,r),[.5,0,0],[0,0,-Math.PI/2]],[new De(y,r),[-.5,0,0],[0,0,Math.PI/2]],[new De(x,r),[0,0,0],[0,0,-Math.PI/2]]],Y:[[new De(y,o),[0,.5,0]],[new De(y,o),[0,-.5,0],[Math.PI,0,0]],[new De(x,o)]],Z:[[new De(y,a),[0,0,.5],[Math.PI/2,0,0]],[new De(y,a),[0,0,-.5],[-Math.PI/2,0,0]],[new De(x,a),null,[Math.PI/2,0,0]]],XYZ:[[new De(new pr(.1,0),d),[0,0,0]]],XY:[[new De(new on(.15,.15,.01),u),[.15,.15,0]]],YZ:[[new De(new on(.15,.15,.01),l),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new De(new on(.15,.15,.01),c),[.15,0,.15],[-Math.PI/2,0,0]]]},C={X:[[new De(new Xn(.2,0,.6,4),i),[.3,0,0],[0,0,-Math.PI/2]],[new De(new Xn(.2,0,.6,4),i),[-.3,0,0],[0,0,Math.PI/2]]],Y:[[new De(new Xn(.2,0,.6,4),i),[0,.3,0]],[new De(new Xn(.2,0,.6,4),i),[0,-.3,0],[0,0,Math.PI]]],Z:[[new De(new Xn(.2,0,.6,4),i),[0,0,.3],[Math.PI/2,0,0]],[new De(new Xn(.2,0,.6,4),i),[0,0,-.3],[-Math.PI/2,0,0]]],XYZ:[[new De(new pr(.2,0),i)]],XY:[[new De(new on(.2,.2,.01),i),[.15,.15,0]]],YZ:[[new De(new on(.2,.2,.01),i),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new De(new on(.2,.2,.01),i),[.15,0,.15],[-Math.PI/2,0,0]]]},v={START:[[new De(new pr(.01,2),s),null,null,null,"helper"]],END:[[new De(new pr(.01,2),s),null,null,null,"helper"]],DELTA:[[new ti(S(),s),null,null,null,"helper"]],X:[[new ti(p,s),[-1e3,0,0],null,[1e6,1,1],"helper"]],Y:[[new ti(p,s),[0,-1e3,0],[0,0,Math.PI/2],[1e6,1,1],"helper"]],Z:[[new ti(p,s),[0,0,-1e3],[0,-Math.PI/2,0],[1e6,1,1],"helper"]]},w={XYZE:[[new De(T(.5,1),g),null,[0,Math.PI/2,0]]],X:[[new De(T(.5,.5),r)]],Y:[[new De(T(.5,.5),o),null,[0,0,-Math.PI/2]]],Z:[[new De(T(.5,.5),a),null,[0,Math.PI/2,0]]],E:[[new De(T(.75,1),h),null,[0,Math.PI/2,0]]]},F={AXIS:[[new ti(p,s),[-1e3,0,0],null,[1e6,1,1],"helper"]]},L={XYZE:[[new De(new $a(.25,10,8),i)]],X:[[new De(new zs(.5,.1,4,24),i),[0,0,0],[0,-Math.PI/2,-Math.PI/2]]],Y:[[new De(new zs(.5,.1,4,24),i),[0,0,0],[Math.PI/2,0,0]]],Z:[[new De(new zs(.5,.1,4,24),i),[0,0,0],[0,0,-Math.PI/2]]],E:[[new De(new zs(.75,.1,2,24),i)]]},D={X:[[new De(m,r),[.5,0,0],[0,0,-Math.PI/2]],[new De(x,r),[0,0,0],[0,0,-Math.PI/2]],[new De(m,r),[-.5,0,0],[0,0,Math.PI/2]]],Y:[[new De(m,o),[0,.5,0]],[new De(x,o)],[new De(m,o),[0,-.5,0],[0,0,Math.PI]]],Z:[[new De(m,a),[0,0,.5],[Math.PI/2,0,0]],[new De(x,a),[0,0,0],[Math.PI/2,0,0]],[new De(m,a),[0,0,-.5],[-Math.PI/2,0,0]]],XY:[[new De(new on(.15,.15,.01),u),[.15,.15,0]]],YZ:[[new De(new on(.15,.15,.01),l),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new De(new on(.15,.15,.01),c),[.15,0,.15],[-Math.PI/2,0,0]]],XYZ:[[new De(new on(.1,.1,.1),d)]]},z={X:[[new De(new Xn(.2,0,.6,4),i),[.3,0,0],[0,0,-Math.PI/2]],[new De(new Xn(.2,0,.6,4),i),[-.3,0,0],[0,0,Math.PI/2]]],Y:[[new De(new Xn(.2,0,.6,4),i),[0,.3,0]],[new De(new Xn(.2,0,.6,4),i),[0,-.3,0],[0,0,Math.PI]]],Z:[[new De(new Xn(.2,0,.6,4),i),[0,0,.3],[Math.PI/2,0,0]],[new De(new Xn(.2,0,.6,4),i),[0,0,-.3],[-Math.PI/2,0,0]]],XY:[[new De(new on(.2,.2,.01),i),[.15,.15,0]]],YZ:[[new De(new on(.2,.2,.01),i),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new De(new on(.2,.2,.01),i),[.15,0,.15],[-Math.PI/2,0,0]]],XYZ:[[new De(new on(.2,.2,.2),i),[0,0,0]]]},V={X:[[new ti(p,s),[-1e3,0,0],null,[1e6,1,1],"helper"]],Y:[[new ti(p,s),[0,-1e3,0],[0,0,Math.PI/2],[1e6,1,1],"helper"]],Z:[[new ti(p,s),[0,0,-1e3],[0,-Math.PI/2,0],[1e6,1,1],"helper"]]};function N(W){let $=new rn;for(let H in W)for(let le=W[H].length;le--;){let Y=W[H][le][0].clone(),j=W[H][le][1],ie=W[H][le][2],he=W[H][le][3],de=W[H][le][4];Y.name=H,Y.tag=de,j&&Y.position.set(j[0],j[1],j[2]),ie&&Y.rotation.set(ie[0],ie[1],ie[2]),he&&Y.scale.set(he[0],he[1],he[2]),Y.updateMatrix();let ee=Y.geometry.clone();ee.applyMatrix4(Y.matrix),Y.geometry=ee,Y.renderOrder=1/0,Y.position.set(0,0,0),Y.rotation.set(0,0,0),Y.scale.set(1,1,1),$.add(Y)}return $}this.gizmo={},this.picker={},this.helper={},this.add(this.gizmo.translate=N(R)),this.add(this.gizmo.rotate=N(w)),this.add(this.gizmo.scale=N(D)),this.add(this.picker.translate=N(C)),this.add(this.picker.rotate=N(L)),this.add(this.picker.scale=N(z)),this.add(this.helper.translate=N(v)),this.add(this.helper.rotate=N(F)),this.add(this.helper.scale=N(V)),this.picker.translate.visible=!1,this.picker.rotate.visible=!1,this.picker.scale.visible=!1}updateMatrixWorld(e){let i=(this.mode==="scale"?"local":this.space)==="local"?this.worldQuaternion:Ah;this.gizmo.translate.visible=this.mode==="translate",this.gizmo.rotate.visible=this.mode==="rotate",this.gizmo.scale.visible=this.mode==="scale",this.helper.translate.visible=this.mode==="translate",this.helper.rotate.visible=this.mode==="rotate",this.helper.scale.visible=this.mode==="scale";let s=[];s=s.concat(this.picker[this.mode].children),s=s.concat(this.gizmo[this.mode].children),s=s.concat(this.helper[this.mode].children);for(let r=0;r<s.length;r++){let o=s[r];o.visible=!0,o.rotation.set(0,0,0),o.position.copy(this.worldPosition);let a;if(this.camera.isOrthographicCamera?a=(this.camera.top-this.camera.bottom)/this.camera.zoom:a=this.worldPosition.distanceTo(this.cameraPosition)*Math.min(1.9*Math.tan(Math.PI*this.camera.fov/360)/this.camera.zoom,7),o.scale.set(1,1,1).multiplyScalar(a*this.size/4),o.tag==="helper"){o.visible=!1,o.name==="AXIS"?(o.visible=!!this.axis,this.axis==="X"&&(an.setFromEuler(wh.set(0,0,0)),o.quaternion.copy(i).multiply(an),Math.abs(Xt.copy(yl).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="Y"&&(an.setFromEuler(wh.set(0,0,Math.PI/2)),o.quaternion.copy(i).multiply(an),Math.abs(Xt.copy(Zr).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="Z"&&(an.setFromEuler(wh.set(0,Math.PI/2,0)),o.quaternion.copy(i).multiply(an),Math.abs(Xt.copy(bl).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="XYZE"&&(an.setFromEuler(wh.set(0,Math.PI/2,0)),Xt.copy(this.rotationAxis),o.quaternion.setFromRotationMatrix(Bv.lookAt(kv,Xt,Zr)),o.quaternion.multiply(an),o.visible=this.dragging),this.axis==="E"&&(o.visible=!1)):o.name==="START"?(o.position.copy(this.worldPositionStart),o.visible=this.dragging):o.name==="END"?(o.position.copy(this.worldPosition),o.visible=this.dragging):o.name==="DELTA"?(o.position.copy(this.worldPositionStart),o.quaternion.copy(this.worldQuaternionStart),_n.set(1e-10,1e-10,1e-10).add(this.worldPositionStart).sub(this.worldPosition).multiplyScalar(-1),_n.applyQuaternion(this.worldQuaternionStart.clone().invert()),o.scale.copy(_n),o.visible=this.dragging):(o.quaternion.copy(i),this.dragging?o.position.copy(this.worldPositionStart):o.position.copy(this.worldPosition),this.axis&&(o.visible=this.axis.search(o.name)!==-1));continue}o.quaternion.copy(i),this.mode==="translate"||this.mode==="scale"?(o.name==="X"&&Math.abs(Xt.copy(yl).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="Y"&&Math.abs(Xt.copy(Zr).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="Z"&&Math.abs(Xt.copy(bl).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="XY"&&Math.abs(Xt.copy(bl).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="YZ"&&Math.abs(Xt.copy(yl).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="XZ"&&Math.abs(Xt.copy(Zr).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1)):this.mode==="rotate"&&(Th.copy(i),Xt.copy(this.eye).applyQuaternion(an.copy(i).invert()),o.name.search("E")!==-1&&o.quaternion.setFromRotationMatrix(Bv.lookAt(this.eye,kv,Zr)),o.name==="X"&&(an.setFromAxisAngle(yl,Math.atan2(-Xt.y,Xt.z)),an.multiplyQuaternions(Th,an),o.quaternion.copy(an)),o.name==="Y"&&(an.setFromAxisAngle(Zr,Math.atan2(Xt.x,Xt.z)),an.multiplyQuaternions(Th,an),o.quaternion.copy(an)),o.name==="Z"&&(an.setFromAxisAngle(bl,Math.atan2(Xt.y,Xt.x)),an.multiplyQuaternions(Th,an),o.quaternion.copy(an))),o.visible=o.visible&&(o.name.indexOf("X")===-1||this.showX),o.visible=o.visible&&(o.name.indexOf("Y")===-1||this.showY),o.visible=o.visible&&(o.name.indexOf("Z")===-1||this.showZ),o.visible=o.visible&&(o.name.indexOf("E")===-1||this.showX&&this.showY&&this.showZ),o.visible=o.visible&&(o.name.indexOf("XY")===-1||this.showXY),o.visible=o.visible&&(o.name.indexOf("YZ")===-1||this.showYZ),o.visible=o.visible&&(o.name.indexOf("XZ")===-1||this.showXZ),o.visible=o.visible&&(o.name!=="E"||this.showE),o.visible=o.visible&&(o.name!=="XYZE"||this.showXYZE),o.material._color=o.material._color||o.material.color.clone(),o.material._opacity=o.material._opacity||o.material.opacity,o.material.color.copy(o.material._color),o.material.opacity=o.material._opacity,this.enabled&&this.axis&&(o.name===this.axis?(o.material.color.copy(this.materialLib.active.color),o.material.opacity=1):this.axis.split("").some(function(l){return o.name===l})&&(o.material.color.copy(this.materialLib.active.color),o.material.opacity=1))}super.updateMatrixWorld(e)}},Tp=class extends De{constructor(){super(new Gr(1e5,1e5,2,2),new ks({visible:!1,wireframe:!0,side:ni,transparent:!0,opacity:.1,toneMapped:!1})),this.isTransformControlsPlane=!0,this.type="TransformControlsPlane"}updateMatrixWorld(e){let t=this.space;switch(this.position.copy(this.worldPosition),this.mode==="scale"&&(t="local"),Eh.copy(yl).applyQuaternion(t==="local"?this.worldQuaternion:Ah),vl.copy(Zr).applyQuaternion(t==="local"?this.worldQuaternion:Ah),xl.copy(bl).applyQuaternion(t==="local"?this.worldQuaternion:Ah),Xt.copy(vl),this.mode){case"translate":case"scale":switch(this.axis){case"X":Xt.copy(this.eye).cross(Eh),ys.copy(Eh).cross(Xt);break;case"Y":Xt.copy(this.eye).cross(vl),ys.copy(vl).cross(Xt);break;case"Z":Xt.copy(this.eye).cross(xl),ys.copy(xl).cross(Xt);break;case"XY":ys.copy(xl);break;case"YZ":ys.copy(Eh);break;case"XZ":Xt.copy(xl),ys.copy(vl);break;case"XYZ":case"E":ys.set(0,0,0);break}break;default:ys.set(0,0,0)}ys.length()===0?this.quaternion.copy(this.cameraQuaternion):(Rh.lookAt(_n.set(0,0,0),ys,Xt),this.quaternion.setFromRotationMatrix(Rh)),super.updateMatrixWorld(e)}};var Ph=class{controls;handle=new rn;constructor(e,t,i,s,r,o){this.controls=new Ch(e,t),this.controls.setSize(.7),this.controls.setSpace("local"),i.add(this.handle,this.controls.getHelper()),this.controls.addEventListener("change",o),this.controls.addEventListener("dragging-changed",({value:a})=>{s.isEnabled=!a}),this.controls.addEventListener("objectChange",()=>{let{x:a,y:l,z:c}=this.handle.position,{x:u,y:d,z:h,w:f}=this.handle.quaternion;r({position:[a,l,c],quaternion:[u,d,h,f]})})}get isActive(){return this.controls.dragging||this.controls.axis!==null}set(e,t){if(e==="none"||!t){this.controls.detach();return}this.controls.setMode(e),this.controls.dragging||(this.handle.position.set(...t.position),this.handle.quaternion.set(...t.quaternion),this.handle.updateMatrixWorld()),this.controls.object!==this.handle&&this.controls.attach(this.handle)}};var Ih=.006,PA=1.0015,Lh=Math.PI/2-.02,zv={KeyW:[1,0,0],KeyS:[-1,0,0],KeyA:[0,1,0],KeyD:[0,-1,0],KeyE:[0,0,1],KeyQ:[0,0,-1]},Dh=class{constructor(e,t,i){this.camera=e;this.element=t;this.onChange=i;t.addEventListener("pointerdown",s=>this.grab(s)),t.addEventListener("wheel",s=>this.zoom(s),{passive:!1}),t.addEventListener("contextmenu",s=>s.preventDefault()),t.addEventListener("keydown",s=>this.press(s)),t.addEventListener("keyup",s=>this.keys.delete(s.code)),t.addEventListener("blur",()=>this.keys.clear())}camera;element;onChange;isEnabled=!0;up="z";target=new O;distance=5;azimuth=0;elevation=.4;keys=new Set;isFast=!1;lastTime=0;look(e,t,i){this.up=e,this.camera.up.copy(this.world(0,0,1)),this.target.copy(t);let s=i.clone().sub(t);this.distance=Math.max(s.length(),.05);let[r,o,a]=this.local(s.normalize());this.azimuth=Math.atan2(o,r),this.elevation=Math.asin(Math.max(-1,Math.min(1,a))),this.apply()}lookAlong(e){let t=new O(...e.position),i=new O(...ba(e.quaternion,[1,0,0]));this.look(this.up,t.clone().addScaledVector(i,2),t)}focus(e,t){this.target.copy(e),this.distance=t,this.apply()}world(e,t,i){return this.up==="z"?new O(e,t,i):new O(e,i,-t)}local({x:e,y:t,z:i}){return this.up==="z"?[e,t,i]:[e,-i,t]}outward(){let e=Math.cos(this.elevation);return this.world(e*Math.cos(this.azimuth),e*Math.sin(this.azimuth),Math.sin(this.elevation))}apply(){this.elevation=Math.max(-Lh,Math.min(Lh,this.elevation)),this.camera.position.copy(this.target).addScaledVector(this.outward(),this.distance),this.camera.lookAt(this.target),this.camera.updateMatrixWorld(),this.onChange()}grab(e){if(!this.isEnabled)return;this.element.focus({preventScroll:!0});let t=e.button!==0||e.shiftKey,i=e.ctrlKey||e.altKey,[s,r]=[e.clientX,e.clientY],o=l=>{if(!this.isEnabled)return;let[c,u]=[l.clientX-s,l.clientY-r];[s,r]=[l.clientX,l.clientY],t?this.pan(c,u):i?this.turnHead(c,u):this.orbit(c,u)},a=()=>{removeEventListener("pointermove",o),removeEventListener("pointerup",a),removeEventListener("pointercancel",a)};addEventListener("pointermove",o),addEventListener("pointerup",a),addEventListener("pointercancel",a)}orbit(e,t){this.azimuth-=e*Ih,this.elevation+=t*Ih,this.apply()}turnHead(e,t){let i=this.camera.position.clone();this.azimuth-=e*Ih*.5,this.elevation=Math.max(-Lh,Math.min(Lh,this.elevation+t*Ih*.5)),this.target.copy(i).addScaledVector(this.outward(),-this.distance),this.apply()}pan(e,t){let i=2*this.distance*Math.tan(this.camera.fov*Math.PI/360)/this.element.clientHeight,s=new O().setFromMatrixColumn(this.camera.matrixWorld,0),r=new O().setFromMatrixColumn(this.camera.matrixWorld,1);this.target.addScaledVector(s,-e*i).addScaledVector(r,t*i),this.apply()}zoom(e){e.preventDefault();let t=e.deltaMode===WheelEvent.DOM_DELTA_LINE?30:1;this.distance=Math.min(500,Math.max(.05,this.distance*PA**(e.deltaY*t))),this.apply()}press(e){if(this.isFast=e.shiftKey,e.ctrlKey||e.metaKey||e.altKey||!(e.code in zv))return;e.preventDefault();let t=this.keys.size===0;this.keys.add(e.code),t&&(this.lastTime=performance.now(),requestAnimationFrame(()=>this.fly()))}fly(){if(this.keys.size===0)return;let e=performance.now(),t=Math.min((e-this.lastTime)/1e3,.1);this.lastTime=e;let i=Math.max(.4,this.distance*.6)*(this.isFast?3:1)*t,s=this.outward().negate(),r=new O().setFromMatrixColumn(this.camera.matrixWorld,0);for(let o of this.keys){let[a,l,c]=zv[o]??[0,0,0];this.target.addScaledVector(s,a*i).addScaledVector(r,-l*i).add(this.world(0,0,c*i))}this.apply(),requestAnimationFrame(()=>this.fly())}};var IA=.03,Gv="#ff2d78",LA=4,Nh=class{constructor(e,t){this.canvas=e;this.renderer=new xh({canvas:e,antialias:!1,powerPreference:"high-performance"}),this.renderer.localClippingEnabled=!0,this.renderer.setPixelRatio(Math.min(devicePixelRatio,2)),this.scene.add(new Ja("#ffffff","#8a8f98",1.9),this.lamp,this.oaks,this.clouds);let i=()=>this.invalidate();this.navigation=new Dh(this.camera,e,i),this.gizmo=new Ph(this.camera,e,this.scene,this.navigation,t.onPose,i),this.marker=new zr(new Nt().setAttribute("position",new mt([0,0,0],3)),new Ko({color:Gv,size:9,sizeAttenuation:!1,depthTest:!1,transparent:!0})),this.sight=new ti(new Nt().setAttribute("position",new mt([0,0,0,0,0,0],3)),new vi({color:Gv,transparent:!0,opacity:.7,depthTest:!1}));for(let s of[this.marker,this.sight])s.visible=!1,s.frustumCulled=!1,s.renderOrder=10,this.scene.add(s);this.observer=new ResizeObserver(()=>this.resize()),this.observer.observe(e),this.listenForClicks(t.onPick)}canvas;drawn=0;navigation;gizmo;renderer;scene=new za;camera=new ui(50,1,.02,1e3);oaks=new gi;clouds=new gi;marker;sight;lamp=new el("#ffffff",1.6);observer;mesh=null;grid=null;target=null;objects=null;isWaiting=!1;close(){this.observer.disconnect(),ra(this.scene),this.renderer.dispose()}invalidate(){this.isWaiting||(this.isWaiting=!0,requestAnimationFrame(()=>{this.isWaiting=!1,this.lamp.position.copy(this.camera.position),this.renderer.render(this.scene,this.camera),this.drawn++}))}get isIdle(){return!this.isWaiting}setBackground(e,t){this.scene.background=new st(e),this.grid&&this.grid.material.color.set(t),this.invalidate()}setScene(e,t,i){this.mesh&&(this.scene.remove(this.mesh),ra(this.mesh)),this.mesh=Sh(t,i),this.objects=t.objects,this.scene.add(this.mesh);let s=new O(...e.bounds[1]).distanceTo(new O(...e.bounds[0]));this.camera.near=Math.min(.05,Math.max(s/5e3,.001)),this.camera.far=Math.max(100,s*10),this.camera.updateProjectionMatrix(),this.invalidate()}showScene(e){this.mesh&&(this.mesh.visible=e),this.invalidate()}roofAbove(e,t){if(!this.mesh)return null;let i=new O(...ec(e.up)),s=new vr(new O(...t),i).intersectObject(this.mesh)[0];return s?s.point.dot(i):null}setRoof(e,t){if(!this.mesh)return;let i=new O(...ec(e.up)).negate();this.mesh.material.clippingPlanes=t===null?null:[new Pi(i,t-IA)],this.invalidate()}setGrid(e,t,i){if(this.grid&&(this.scene.remove(this.grid),ra(this.grid),this.grid=null),t){let[s,r]=e.bounds,[o,a]=e.up==="z"?[r[0]-s[0],r[1]-s[1]]:[r[0]-s[0],r[2]-s[2]],l=Math.min(100,Math.max(4,2*Math.ceil(Math.max(o,a)/2)+2));this.grid=new tl(l,l,i,i),e.up==="z"&&(this.grid.rotation.x=Math.PI/2);let c=new O(...s).add(new O(...r)).multiplyScalar(.5).round();e.up==="z"?c.z=s[2]-.01:c.y=s[1]-.01,this.grid.position.copy(c),this.scene.add(this.grid)}this.invalidate()}setOaks(e){ra(this.oaks),this.oaks.clear(),e.length&&this.oaks.add(...e),this.invalidate()}setClouds(e){ra(this.clouds),this.clouds.clear(),e.length&&this.clouds.add(...e),this.invalidate()}setMarker(e,t){if(this.marker.visible=e!==null,this.sight.visible=e!==null&&t!==null,e&&this.marker.position.set(...e),e&&t){let i=this.sight.geometry.getAttribute("position");i.setXYZ(0,...t),i.setXYZ(1,...e),i.needsUpdate=!0}this.invalidate()}setTarget(e){if(this.target&&(this.scene.remove(this.target),this.target.dispose(),this.target=null),e){let t=new fs(new O(...e[0]),new O(...e[1]));this.target=new nl(t,new st("#d6409f")),this.scene.add(this.target)}this.invalidate()}setGizmo(e,t){this.gizmo.set(e,t),this.invalidate()}lookAt(e,t,i){let s=new O(...ec(e.up)),[r,o]=[new O(...e.bounds[0]),new O(...e.bounds[1])],a=new O(...t.position),l=Math.min(Math.max(r.distanceTo(o),1),8),c=new O(1,0,0).applyQuaternion(this.oaks.quaternion.clone().set(...t.quaternion));c.addScaledVector(s,-c.dot(s)),c.length()<.1&&c.set(1,0,0),c.normalize();let u=new O().crossVectors(s,c),d=a.clone().addScaledVector(c,l*.2),[h,f,g]=i?[.12,.12,.62]:[.3,.22,.25],y=a.clone().addScaledVector(c,-l*h).addScaledVector(u,-l*f).addScaledVector(s,l*g);this.navigation.look(e.up,d,y)}hit(e,t){if(!this.mesh?.visible)return null;let{left:i,top:s,width:r,height:o}=this.canvas.getBoundingClientRect(),a=new vr;a.setFromCamera(new ct((e-i)/r*2-1,1-(t-s)/o*2),this.camera);let l=a.intersectObject(this.mesh)[0];return!l||l.faceIndex==null?null:{point:l.point,object:this.objects?.[l.faceIndex]??0}}listenForClicks(e){let t=null;this.canvas.addEventListener("pointerdown",i=>{t=i.button===0&&!this.gizmo.isActive?[i.clientX,i.clientY]:null}),this.canvas.addEventListener("pointerup",i=>{!t||Math.hypot(i.clientX-t[0],i.clientY-t[1])>LA||e(this.hit(i.clientX,i.clientY)?.object??null)}),this.canvas.addEventListener("dblclick",i=>{let s=this.hit(i.clientX,i.clientY);s&&this.navigation.focus(s.point,Math.max(.3,this.camera.position.distanceTo(s.point)*.5))})}resize(){let{clientWidth:e,clientHeight:t}=this.canvas;e===0||t===0||(this.renderer.setSize(e,t,!1),this.camera.aspect=e/t,this.camera.updateProjectionMatrix(),this.invalidate())}};var DA=1e5,NA=5e6,UA=3e5,Uh=class{constructor(e,t){this.studio=e;this.viewer=new Nh(t,{onPose:l=>this.movePose(l),onPick:l=>this.pick(l)});let{document:i,display:s,scene:r,frames:o,probe:a}=e;r.subscribe(()=>{this.loadScene()});for(let l of[i,s,this.gizmo])l.subscribe(()=>this.follow());o.subscribe(()=>this.followClouds()),a.subscribe(()=>this.followProbe()),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>this.paintBackground()),this.follow(),this.loadScene()}studio;gizmo=new Yt("translate");isPicking=new Yt(!1);detail=new Yt(null);viewer;bodies=new Map;groups=[];seen=new Map;hasClouds=!1;mesh=null;loaded="";wantsDetail=!1;roof=null;home(){let[e,t]=[this.studio.scene.get(),$n(this.studio.document.get())];e&&t&&this.viewer.lookAt(e,t.state.pose,this.roof!==null&&!this.studio.display.get().showRoof)}lookThrough(){let e=$n(this.studio.document.get());e&&this.viewer.navigation.lookAlong(e.state.pose)}loadFullDetail(){this.wantsDetail=!0,this.loaded="",this.loadScene()}paintBackground(){let e=getComputedStyle(document.documentElement),{scene:t,display:i}=this.studio,s=e.getPropertyValue("--grid").trim();this.viewer.setBackground(e.getPropertyValue("--view").trim(),s);let r=t.get();r&&this.viewer.setGrid(r,i.get().showGrid,s)}async loadScene(){let e=this.studio.scene.get();if(!e||e.id===this.loaded)return;let t=!this.wantsDetail;this.loaded=e.id;try{let i=await yn.sceneMesh(e.id,this.wantsDetail?NA:DA);if(this.wantsDetail=!1,this.studio.scene.get()?.id!==e.id)return;this.viewer.setScene(e,i,!1),this.mesh=i,this.detail.set({shown:i.header.triangles,of:i.header.ofTriangles}),t&&(this.roof=this.viewer.roofAbove(e,e.pose.position)),t&&this.home(),this.follow()}catch(i){this.loaded="",this.studio.connection.get()==="open"&&this.studio.report("The 3D view",i)}}follow(){let{document:e,display:t,scene:i}=this.studio,[s,r,o]=[t.get(),e.get(),i.get()];this.followOaks(r.oaks,r.selected,s);let[a,l]=[this.gizmo.get(),$n(r)?.state.pose??null];this.isNew("gizmo",a,l)&&this.viewer.setGizmo(a,l),this.isNew("scene",this.mesh,s.showScene)&&this.viewer.showScene(s.showScene);let c=s.showRoof?null:this.roof;o&&this.isNew("roof",this.mesh,c)&&this.viewer.setRoof(o,c),this.isNew("target",r.target,o)&&this.viewer.setTarget(Ep(r.target,o)),this.isNew("background",o,s.showGrid,s.theme)&&this.paintBackground(),this.followClouds()}isNew(e,...t){let i=this.seen.get(e);return this.seen.set(e,t),!i||i.length!==t.length||t.some((s,r)=>s!==i[r])}followOaks(e,t,i){let s=e.filter(o=>!o.isHidden),r=JSON.stringify([t,i.showCameras,i.showRanges,s.map(({key:o,state:a})=>[o,a.model,a.sensor,this.bodies.get(a.model)?1:0]),e.map(({key:o})=>o)]);if(this.isNew("looks",r)&&(this.groups=s.flatMap(o=>this.makeGroup(o,e.indexOf(o),o.key===t,i)),this.viewer.setOaks(this.groups.map(({group:o})=>o))),!!this.isNew("poses",r,...s.map(({state:o})=>o.pose))){for(let o of this.groups){let a=e.find(({key:l})=>l===o.oak.key);a&&Iv(o.group,a.state.pose)}this.viewer.invalidate()}}makeGroup(e,t,i,s){let r=this.studio.catalog.get(),o=fi(r,e.state.model);if(!o)return[];this.loadBody(o.name);let a=Pv({model:o,sensor:pi(r,e.state),body:this.bodies.get(o.name)??null,color:Yn(t),isSelected:i,showCameras:s.showCameras,showRanges:s.showRanges});return[{oak:e,group:a}]}async loadBody(e){if(!this.bodies.has(e)){this.bodies.set(e,null);try{this.bodies.set(e,await yn.body(e)),this.follow()}catch{}}}followClouds(){let{studio:e}=this,t=e.display.get(),i=e.frames.get(),{depthMap:s,depthRange:r,errorRange:o,errorUnit:a,cloud:l,cloudColor:c}=t;if(l==="none"&&!this.hasClouds||!this.isNew("clouds",s,r,o,a,l,c,...i.values()))return;this.hasClouds=l!=="none";let u=e.document.get().oaks;this.viewer.setClouds(l==="none"?[]:[...i].flatMap(([d,h])=>this.makeClouds(h,u.findIndex(({key:f})=>f===d),t,i)))}makeClouds(e,t,i,s){let r=pi(this.studio.catalog.get(),e.state);if(!r)return[];let{pictures:o,header:a}=e,l=o.get("reference")??o.get("depth"),c=o.get("sensor"),u=i.cloud==="both"?[l,c]:[i.cloud==="truth"?l:c],d=Ql(s.values(),i),h=i.cloudColor,[f,g,y]=Yn(Math.max(t,0)),m=new Tt().compose(new O(...e.state.pose.position),new nn(...e.state.pose.quaternion),new O(1,1,1));return u.filter(p=>p!==void 0).map(p=>{let x=i.cloud==="both"&&p===l,T=Av({depth:p,truth:l,measured:c,reasons:o.get("reason"),hfovDeg:a.hfovDeg,vfovDeg:a.vfovDeg,mode:x?"oak":h,table:h==="error"?lo():h==="reason"?Ul():ao(i.depthMap),range:h==="error"?[0,d.error]:d.depth,isRelative:i.errorUnit==="%",color:x?[.62,.64,.68]:[f/255,g/255,y/255],pointSize:2,maxPoints:UA/(s.size*u.length)});return Cv(T,m,yp(r.bodyFromCamera)),T})}followProbe(){let{probe:e,frames:t,catalog:i}=this.studio,s=e.get(),r=s&&t.get().get(s.oak),o=r&&pi(i.get(),r.state);if(!s?.point||!r||!o)return this.viewer.setMarker(null,null);let a=o.bodyFromCamera,l=new O(a[3],a[7],a[11]).applyQuaternion(new nn(...r.state.pose.quaternion));this.viewer.setMarker(s.point,l.add(new O(...r.state.pose.position)).toArray())}movePose(e){this.studio.change("pose",t=>({...t,pose:e}))}pick(e){if(!this.isPicking.get())return;let t=e===null?void 0:this.studio.scene.get()?.objects[e];t&&(this.isPicking.set(!1),this.studio.document.commit("target",i=>({...i,target:{object:t.path}})))}};function Ep(n,e){return n?"minimum"in n?[n.minimum,n.maximum]:e?.objects.find(({path:t})=>t===n.object)?.bounds??null:null}var Fh=60;function Vv({from:n,to:e,count:t}){return t<=1?[n]:Array.from({length:t},(i,s)=>n+(e-n)*s/(t-1))}function Oh(n,e){return n.pose.position[e==="z"?2:1]}function Hv(n,e,t,i){return n.flatMap(s=>Vv(e).flatMap(r=>Vv(t).map(o=>{let a=nc(s.pose,[0,0,r-Oh(s,i)],i),l=ic(a,{pitch:o-cs(a.quaternion,i).pitch},i);return{...s,pose:l}})))}function Wv(n,e,t){let i=n.flatMap((r,o)=>{let a=e.poses[o];return a?[{state:r,heightM:Oh(r,t),tiltDeg:cs(r.pose.quaternion,t).pitch,coverage:a}]:[]}),s=({coverage:r})=>r.medianAbsoluteErrorM??Number.POSITIVE_INFINITY;return i.sort((r,o)=>o.coverage.measured-r.coverage.measured||s(r)-s(o))}var FA=12;function qv({target:n}){let{studio:e}=qe(),t=Pe(e.document),i=Pe(e.scene)?.up??"z",s=$n(t),r=s?Oh(s.state,i):1,[o,a]=Pt(()=>({from:Number((r-.5).toFixed(2)),to:Number((r+.5).toFixed(2)),count:5})),[l,c]=Pt(()=>{let v=s?Math.round(cs(s.state.pose.quaternion,i).pitch):0;return{from:v-20,to:v+20,count:3}}),[u,d]=Pt(!1),[h,f]=Pt(null),[g,y]=Pt(null),m=At(null),[p,x]=Pt(!1);if(Bt(()=>()=>m.current?.abort(),[]),!s)return null;let T=u?t.oaks.filter(v=>!v.isHidden&&e.hasDepth(v.state)).map(({state:v})=>v):[s.state],S=o.count*l.count*T.length,R=async()=>{let v=Hv(T,o,l,i),w=new AbortController;m.current=w,x(!0),y(null);try{f(Wv(v,await yn.coverage({scene:t.scene,states:v,region:n},w.signal),i))}catch(F){w.signal.aborted||y(F instanceof Error?F.message:String(F))}finally{x(!1)}},C=({state:v})=>e.document.commit("sweep",w=>er(w,w.selected,F=>({...F,pose:v.pose})));return _(un,{title:"Sweep",testId:"sweep",children:[_(Xv,{name:"Height",unit:"m",span:o,onChange:a}),_(Xv,{name:"Tilt",unit:"°",span:l,onChange:c}),t.oaks.length>1&&_(ir,{label:"All models, not only the selected OAK",isOn:u,onChange:d}),_("div",{class:"row",children:[p?_(Ve,{label:"Cancel",onClick:()=>m.current?.abort()}):_(Ve,{label:`Try ${S} poses`,class:"primary",isDisabled:S>Fh,onClick:()=>{R()},testId:"run-sweep"}),p&&_("span",{class:"hint",role:"status",children:"Computing…"}),S>Fh&&_("span",{class:"problem",children:`At most ${Fh} poses.`})]}),g&&_("p",{class:"problem",role:"alert",children:g}),h&&_("div",{class:"scroll-x",children:_(OA,{ranked:h.slice(0,FA),onTake:C})})]})}function Xv({name:n,unit:e,span:t,onChange:i}){let[s,r]=e==="m"?[.1,2]:[5,1];return _("div",{class:"triple",children:[_(Rn,{label:`${n} from`,value:t.from,unit:e,step:s,digits:r,onChange:o=>i({...t,from:o})}),_(Rn,{label:"to",value:t.to,unit:e,step:s,digits:r,onChange:o=>i({...t,to:o})}),_(Rn,{label:"steps",value:t.count,step:1,digits:0,minimum:1,maximum:20,onChange:o=>i({...t,count:Math.round(o)})})]})}function OA({ranked:n,onTake:e}){let t=new Set(n.map(({state:i})=>i.model)).size>1;return _("table",{class:"numbers ranking",children:[_("thead",{children:_("tr",{children:[t&&_("th",{scope:"col",children:"OAK"}),_("th",{scope:"col",children:"Height"}),_("th",{scope:"col",children:"Tilt"}),_("th",{scope:"col",children:"Measured"}),_("th",{scope:"col",children:"|Error|"}),_("td",{})]})}),_("tbody",{children:n.map((i,s)=>_("tr",{children:[t&&_("td",{class:"model",children:i.state.model}),_("td",{children:[i.heightM.toFixed(2)," m"]}),_("td",{children:[i.tiltDeg.toFixed(0),"°"]}),_("td",{children:_o(i.coverage.measured)}),_("td",{children:Bm(i.coverage.medianAbsoluteErrorM)}),_("td",{children:_(Ve,{label:"Take",class:"text",tip:"Move the selected OAK there",onClick:()=>e(i)})})]},s))})]})}function Yv(){let{studio:n}=qe(),{target:e}=Pe(n.document);return _(wt,{children:[_(kA,{target:e}),e&&_(VA,{target:e}),e&&_(qv,{target:e})]})}function kA({target:n}){let{studio:e,view:t}=qe(),i=Pe(e.scene),s=a=>e.document.commit("target",l=>({...l,target:a})),r=Ep(n,i),o=()=>{let[a,l]=r??i?.bounds??[[-1,-1,0],[1,1,1]];s({minimum:a,maximum:l})};return _(un,{title:"Region",testId:"region",children:[_("p",{class:"hint",children:"Which part of the scene must be measured? Choose an object, or a box."}),_("label",{class:"field",children:[_("span",{class:"sr-only",children:"Object"}),_("select",{"data-testid":"target",value:n&&"object"in n?n.object:"",onChange:a=>s(a.currentTarget.value?{object:a.currentTarget.value}:null),children:[_("option",{value:"",children:n&&"minimum"in n?"A box":"Choose an object…"}),i?.objects.map(({path:a})=>_("option",{value:a,selected:n!==null&&"object"in n&&n.object===a,children:a},a))]})]}),_("div",{class:"row",children:[_(Ve,{label:"Click an object",tip:"The next click in the 3D view chooses the object",onClick:()=>t.get()?.isPicking.set(!0)}),_(Ve,{label:"Box",tip:"A box in the world, at first around the chosen object",isOn:n!==null&&"minimum"in n,onClick:o}),n&&_(Ve,{label:"None",class:"text",onClick:()=>s(null)})]}),n&&"minimum"in n&&_(BA,{box:n,onChange:s})]})}function BA({box:n,onChange:e}){let t=(i,s,r)=>{let o=[...n[i]];o[s]=r,e({...n,[i]:o})};return _("div",{class:"triple",children:["minimum","maximum"].flatMap(i=>["X","Y","Z"].map((s,r)=>_(Rn,{label:`${s} ${i==="minimum"?"from":"to"}`,value:n[i][r]??0,onChange:o=>t(i,r,o),step:.1,digits:3,unit:"m",...i==="minimum"?{maximum:n.maximum[r]??0}:{minimum:n.minimum[r]??0}},i+s)))})}var zA=400;function GA(n,e,t){let{studio:i}=qe(),[s,r]=Pt({answer:null,error:null}),o=JSON.stringify([n,e,t]),a=At(o);return a.current=o,Bt(()=>{let l=new AbortController,c=setTimeout(()=>{yn.coverage({scene:n,states:e,region:t},l.signal).then(u=>a.current===o&&r({answer:u,error:null}),u=>{l.signal.aborted||r({answer:null,error:u instanceof Error?u.message:String(u)})})},zA);return()=>{clearTimeout(c),l.abort()}},[o,i]),s}function VA({target:n}){let{studio:e}=qe(),{oaks:t,scene:i}=Pe(e.document),s=t.filter(a=>!a.isHidden&&e.hasDepth(a.state)),{answer:r,error:o}=GA(i,s.map(({state:a})=>a),n);return _(un,{title:"Coverage",testId:"coverage",children:[o&&_("p",{class:"problem",role:"alert",children:o}),!r&&!o&&_("p",{class:"hint",children:"Computing…"}),r&&_(HA,{oaks:s,all:t,answer:r}),_("p",{class:"hint",children:"To paint what is lost onto the surfaces, show the true points coloured by reason in the 3D view."}),_(Ve,{label:"Paint the reasons",onClick:()=>e.show({cloud:"truth",cloudColor:"reason"})})]})}function HA({oaks:n,all:e,answer:t}){let{studio:i}=qe(),{reasons:s}=Pe(i.catalog),r=n.flatMap((a,l)=>{let c=t.poses[l];return c?[{oak:a,pose:c}]:[]}),o=s.filter(({code:a})=>a!==0&&r.some(({pose:l})=>(l.reasons[a]??0)>0));return _("div",{class:"scroll-x",children:_("table",{class:"numbers",children:[_("thead",{children:_("tr",{children:[_("td",{}),r.map(({oak:a})=>_("th",{scope:"col","data-tip":a.state.model,children:[_("span",{class:"dot-small",style:{background:cn(Yn(e.indexOf(a)))}}),_("span",{class:r.length>2?"sr-only":"",children:a.state.model})]},a.key))]})}),_("tbody",{children:[_("tr",{children:[_("th",{scope:"row",children:"Measured, %"}),r.map(({oak:a,pose:l})=>_("td",{children:_("b",{children:go(l.measured)})},a.key))]}),_("tr",{children:[_("th",{scope:"row",children:"Median |error|, mm"}),r.map(({oak:a,pose:l})=>_("td",{children:nr(l.medianAbsoluteErrorM)},a.key))]}),o.map(({code:a,name:l,documentation:c})=>_("tr",{children:[_("th",{scope:"row","data-tip":c,children:[_("span",{class:"swatch",style:{background:cn(Es(a))}}),Cn(l),", %"]}),r.map(({oak:u,pose:d})=>_("td",{children:go(d.reasons[a])},u.key))]},a))]})]})})}var WA=["X","Y","Z"],XA=[{key:"yaw",label:"Yaw",tip:"The turn about the vertical axis; positive to the left"},{key:"pitch",label:"Tilt",tip:"The tilt of the optical axis; positive looks down"},{key:"roll",label:"Roll",tip:"The turn about the optical axis; positive to the right"}];function $v(){let{studio:n,view:e}=qe(),t=Pe(n.scene),i=$n(Pe(n.document));if(!i)return null;let s=t?.up??"z",{pose:r}=i.state,o=cs(r.quaternion,s),a=(u,d)=>n.change(`position${u}`,h=>{let f=[...h.pose.position];return f[u]=d,{...h,pose:{...h.pose,position:f}}}),l=(u,d)=>n.change(u,h=>({...h,pose:{...h.pose,quaternion:tc({...cs(h.pose.quaternion,s),[u]:d},s)}}));return _(un,{title:"Pose",actions:_(wt,{children:[_(Ve,{icon:"camera",label:"Look from the OAK",onClick:()=>e.get()?.lookThrough()}),_(Ve,{icon:"reset",label:"Put it where it was at first",onClick:()=>t&&n.change("pose",u=>({...u,pose:t.pose}))})]}),children:_("div",{class:"triple",children:[WA.map((u,d)=>_(Rn,{label:u,value:r.position[d]??0,onChange:h=>a(d,h),step:.05,digits:3,unit:"m",testId:`position-${u.toLowerCase()}`},u)),XA.map(({key:u,label:d,tip:h})=>_(Rn,{label:d,tip:h,value:o[u],onChange:f=>l(u,f),step:1,digits:2,minimum:u==="pitch"?-90:-360,maximum:u==="pitch"?90:360,unit:"°"},u))]})})}var qA=.05,YA=2,Ap=["none","truth","measurement","both"];function Kv(n,e){let t=i=>{let{target:s}=i,r=s instanceof HTMLElement&&s.matches("input:not([type=checkbox]), select, textarea");if($A(n,i)||r||document.querySelector("dialog[open]"))return;(s instanceof HTMLCanvasElement&&KA(n,i)||ZA(n,i,e))&&i.preventDefault()};return addEventListener("keydown",t),()=>removeEventListener("keydown",t)}function $A({studio:n},e){if(!(e.ctrlKey||e.metaKey)||e.altKey)return!1;let t=e.key.toLowerCase();return t!=="z"&&t!=="y"?!1:(e.preventDefault(),document.activeElement instanceof HTMLInputElement&&document.activeElement.blur(),t==="y"||e.shiftKey?n.document.redo():n.document.undo(),!0)}function ZA(n,e,t){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let{studio:i}=n,s=n.view.get(),r=i.display.get(),o=c=>s?.gizmo.set(s.gizmo.get()===c?"none":c),l={"?":t,1:()=>i.show({showLeft:!r.showLeft}),2:()=>i.show({showRight:!r.showRight}),g:()=>o("translate"),r:()=>o("rotate"),p:()=>i.show({cloud:Ap[(Ap.indexOf(r.cloud)+1)%Ap.length]??"none"}),c:()=>s?.lookThrough(),"[":()=>Zv(n,-1),"]":()=>Zv(n,1),Home:()=>s?.home(),Escape:()=>{i.hover.set(null),s?.isPicking.set(!1)}}[e.key];return l?.(),l!==void 0}function Zv({studio:n},e){let t=n.document.get(),i=t.oaks.findIndex(({key:r})=>r===t.selected),s=t.oaks[(i+e+t.oaks.length)%t.oaks.length];s&&n.document.set({...t,selected:s.key})}function KA({studio:n},e){if(e.ctrlKey||e.metaKey||!$n(n.document.get()))return!1;let t=n.scene.get()?.up??"z",i=qA*(e.shiftKey?.1:1),s=YA*(e.shiftKey?.1:1),r={ArrowUp:[i,0,0],ArrowDown:[-i,0,0],ArrowLeft:[0,i,0],ArrowRight:[0,-i,0],PageUp:[0,0,i],PageDown:[0,0,-i]},o={ArrowUp:{pitch:-s},ArrowDown:{pitch:s},ArrowLeft:{yaw:s},ArrowRight:{yaw:-s}},[a,l]=[r[e.key],o[e.key]];return(e.altKey?!l:!a)?!1:(n.change("keys",c=>({...c,pose:e.altKey?ic(c.pose,l??{},t):nc(c.pose,a??[0,0,0],t)})),!0)}var Jv=350;function Qv(){let[n,e]=Pt(null),t=At(null);if(Bt(()=>{let r=0,o=(d,h)=>{clearTimeout(r);let f=d.target instanceof Element?d.target.closest("[data-tip]"):null;f?r=window.setTimeout(()=>e(f),h):e(null)},a=()=>{clearTimeout(r),e(null)},l=d=>o(d,Jv),c=d=>{d.target instanceof Element&&d.target.matches(":focus-visible")&&o(d,Jv)},u=d=>d.key==="Escape"&&a();return document.addEventListener("pointerover",l),document.addEventListener("pointerdown",a),document.addEventListener("focusin",c),document.addEventListener("focusout",a),document.addEventListener("keydown",u),()=>{a(),document.removeEventListener("pointerover",l),document.removeEventListener("pointerdown",a),document.removeEventListener("focusin",c),document.removeEventListener("focusout",a),document.removeEventListener("keydown",u)}},[]),Qs(()=>{let r=t.current;if(!(!n||!r))return JA(r,n),n.setAttribute("aria-describedby",r.id),()=>n.removeAttribute("aria-describedby")},[n]),!n?.dataset.tip)return null;let[i,...s]=n.dataset.tip.split(`
+`);return _("div",{ref:t,id:"tooltip",role:"tooltip",class:"tooltip",children:[_("p",{children:i}),s.map(r=>_("p",{class:"fact",children:r},r))]})}function JA(n,e){let t=e.getBoundingClientRect(),{width:i,height:s}=n.getBoundingClientRect(),r=e.closest(".side");if(r){let c=r.getBoundingClientRect(),u=r.classList.contains("left");n.style.left=`${u?c.right+6:c.left-i-6}px`,n.style.top=`${Math.max(8,Math.min(t.top,innerHeight-s-8))}px`;return}let o=Math.max(8,Math.min(t.left,innerWidth-i-8)),a=t.bottom+6,l=a+s<innerHeight-8?a:Math.max(8,t.top-s-6);n.style.left=`${o}px`,n.style.top=`${l}px`}function jv({icon:n,label:e,children:t,testId:i}){let[s,r]=Pt(!1),o=At(null),a=At(null),l=()=>r(!1);return Bt(()=>{if(!s)return;let u=d=>{d.target instanceof Node&&!o.current?.contains(d.target)&&l()};return document.addEventListener("pointerdown",u),o.current?.querySelector('[role="menuitem"]')?.focus(),()=>document.removeEventListener("pointerdown",u)},[s]),_("div",{class:"menu-root",ref:o,onKeyDown:u=>{if(u.key==="Escape"&&(l(),a.current?.focus(),u.stopPropagation()),u.key!=="ArrowDown"&&u.key!=="ArrowUp")return;u.preventDefault();let d=[...o.current?.querySelectorAll('[role="menuitem"]')??[]],f=(d.indexOf(document.activeElement)+(u.key==="ArrowDown"?1:-1)+d.length)%d.length;d[f]?.focus()},children:[_("button",{ref:a,type:"button",class:"button","aria-haspopup":"menu","aria-expanded":s,"data-testid":i,onClick:()=>r(!s),children:[_(Zl,{name:n}),_("span",{children:e})]}),s&&_("div",{class:"menu",role:"menu","aria-label":e,children:t(l)})]})}var QA=[{title:"Asset (USD)",what:{what:"asset",format:"usda"}},{title:"Asset (USDZ)",what:{what:"asset",format:"usdz"}},{title:"Statistics (JSON)",what:{what:"statistics",format:"json"}},{title:"Statistics (CSV)",what:{what:"statistics",format:"csv"}},{title:"Parameters (TOML)",what:{what:"parameters"}}],jA=[{title:"Command line…",what:{what:"command"}},{title:"Python…",what:{what:"python"}}];async function ex(n,e){let t=n.document.get(),i=$n(t),s=i&&pi(n.catalog.get(),i.state);if(!i||!s)return null;let r=po.find(({size:o})=>o===n.display.get().fullSize)?.limit??null;try{return await yn.export({...e,scene:t.scene,state:i.state,size:_d(s.resolution,r)})}catch(o){return n.report("The export",o),null}}function eC(n,e){let t=URL.createObjectURL(e),i=document.createElement("a");i.href=t,i.download=n,i.click(),setTimeout(()=>URL.revokeObjectURL(t),1e4)}function tx(){let{studio:n}=qe(),e=Pe(n.display),[t,i]=Pt(null),s=Fi.filter(({kind:a})=>a!=="error"&&e.panels.includes(a)),r=async a=>{let l=await ex(n,a);l&&eC(l.name,l.file)},o=async(a,l)=>{let c=await ex(n,l);c&&i({title:a.replace("…",""),text:await c.file.text()})};return _(wt,{children:[_(jv,{icon:"download",label:"Export",testId:"export",children:a=>{let l=(c,u)=>_("button",{type:"button",role:"menuitem",class:"menu-item",onClick:()=>{a(),u()},children:c},c);return _(wt,{children:[_("p",{class:"menu-head",children:"Reproduce this state"}),jA.map(({title:c,what:u})=>l(c,()=>{o(c,u)})),_("p",{class:"menu-head",children:"Files"}),QA.map(({title:c,what:u})=>l(c,()=>{r(u)})),_("p",{class:"menu-head",children:"Images"}),s.flatMap(({kind:c,title:u,images:[d]})=>d===void 0||c==="error"?[]:[l(`${u} (PNG)`,()=>{r({what:"image",image:d,format:"png"})}),l(`${u} (NumPy)`,()=>{r({what:"image",image:d,format:"npy"})})])]})}}),t&&_(tC,{title:t.title,text:t.text,onClose:()=>i(null)})]})}function tC({title:n,text:e,onClose:t}){let{studio:i}=qe(),[s,r]=Pt(!1);return _(Jl,{title:n,onClose:t,children:[_("pre",{class:"code",tabIndex:0,"data-testid":"snippet",children:e}),_("div",{class:"row spread",children:_(Ve,{icon:"copy",label:s?"Copied":"Copy",isNamed:!0,onClick:()=>navigator.clipboard.writeText(e).then(()=>r(!0),a=>i.report("Copying",a)),class:"primary"})})]})}var nC={auto:"dark",dark:"light",light:"auto"};function nx({onHelp:n}){let{studio:e}=qe(),t=Pe(e.scene),i=Pe(e.display),s=Pe(e.catalog);Pe(e.document);let r=At(null),o=()=>navigator.clipboard.writeText(e.link()).then(()=>e.notify("note","The link is in the clipboard. It restores this state."),l=>e.report("Copying the link",l)),a=()=>e.document.commit("scene",l=>({...l,scene:s.scene,target:null}));return _("header",{class:"top-bar",children:[_(Ve,{icon:"left",label:"Controls (1)",isOn:i.showLeft,onClick:()=>e.show({showLeft:!i.showLeft})}),_("h1",{children:[_("b",{children:"oaktwin"})," studio"]}),_("div",{class:"scene-name",children:[_("span",{"data-testid":"scene",children:t?.name??"Loading…"}),t&&_("span",{class:"detail",children:[t.triangles.toLocaleString("en")," triangles"]})]}),_(Ve,{icon:"open",label:"Open…",isNamed:!0,tip:"Open a scene or a calibration; or drop its file onto the page",onClick:()=>r.current?.click()}),_("input",{ref:r,type:"file",hidden:!0,multiple:!0,"data-testid":"file",onChange:l=>{$l(e,[...l.currentTarget.files??[]]),l.currentTarget.value=""}}),t&&t.id!==s.scene&&_(Ve,{label:"First scene",class:"text",onClick:a}),_("span",{class:"spring"}),_(iC,{}),_(Ve,{icon:"undo",label:"Undo (Ctrl+Z)",isDisabled:!e.document.canUndo,onClick:()=>e.document.undo(),testId:"undo"}),_(Ve,{icon:"redo",label:"Redo (Ctrl+Shift+Z)",isDisabled:!e.document.canRedo,onClick:()=>e.document.redo(),testId:"redo"}),_(tx,{}),_(Ve,{icon:"link",label:"Copy a link to this state",onClick:o,testId:"link"}),_(Ve,{icon:"theme",label:`Theme: ${i.theme}`,onClick:()=>e.show({theme:nC[i.theme]}),testId:"theme"}),_(Ve,{icon:"help",label:"Keys and help (?)",onClick:n,testId:"help"}),_(Ve,{icon:"right",label:"Numbers (2)",isOn:i.showRight,onClick:()=>e.show({showRight:!i.showRight})})]})}function iC(){let{studio:n}=qe(),e=Pe(n.connection),t={open:"Connected",connecting:"Connecting…",lost:"No connection; trying again…"}[e];return _("span",{class:`connection ${e}`,role:"status","data-testid":"connection",children:[_("span",{class:"dot-small"}),e!=="open"&&t,e==="open"&&_("span",{class:"sr-only",children:t})]})}function ix(n,e){let t=e.trim();if(n.type==="boolean")return t==="true"||t==="false"?{text:t}:{problem:"Enter true or false."};if(n.choices)return n.choices.includes(t)?{text:t}:{problem:`Choose one of ${n.choices.join(", ")}.`};if(n.type==="string")return{text:t};let i=Number(t.replace(",","."));if(t===""||!Number.isFinite(i))return{problem:"Enter a number."};if(n.type==="integer"&&!Number.isInteger(i))return{problem:"Enter a whole number."};let{minimum:s,maximum:r}=n;return s!==null&&i<s||r!==null&&i>r?{problem:`Enter ${Cp(n)}.`}:{text:t.replace(",",".")}}function Cp({type:n,choices:e,minimum:t,maximum:i,unit:s}){let r=t!==null&&t>0&&t<1e-300;if(n==="boolean")return"true or false";if(e)return e.join(", ");let o=s?` ${s}`:"";return r?i===null?`more than 0${o}`:`more than 0, at most ${i}${o}`:t!==null&&i!==null?`${t} to ${i}${o}`:t!==null?`at least ${t}${o}`:i!==null?`at most ${i}${o}`:n==="string"?"any text":`any number${o}`}var kh=4;function sx(n,e){if(n.type!=="number"&&n.type!=="integer"||n.choices||!Number.isFinite(e))return null;let t=n.minimum??Math.min(0,kh*e),i=n.maximum??Math.max(0,kh*e),s=Math.abs(e-t),o=s>0&&i-t>3*kh*s?Number((t+kh*s).toPrecision(2)):i;if(o<=t)return null;let a=n.type==="integer"?1:10**Math.floor(Math.log10((o-t)/200));return{from:t>0&&t<a?a:t,to:o,step:a}}function rx(n){let e=new Map;for(let t of n){let i=e.get(t.group);i?i.push(t):e.set(t.group,[t])}return[...e]}function ox(n){let e=n.indexOf(":");if(e<0)return{name:n,parameters:{}};let t={};for(let i of n.slice(e+1).split(",")){let s=i.indexOf("=");s>0&&(t[i.slice(0,s).trim()]=i.slice(s+1).trim())}return{name:n.slice(0,e),parameters:t}}function ax({name:n,parameters:e}){let t=Object.entries(e).map(([i,s])=>`${i}=${s}`);return t.length?`${n}:${t.join(",")}`:n}function Bh({parameter:n,value:e,fallback:t,problem:i,onChange:s}){let{name:r,isEstimate:o}=n,a=e??rC(t),l=e!==void 0,c=u=>{let d=ix(n,u);return"problem"in d?d.problem:(s(d.text===t?void 0:d.text),null)};return _("div",{class:`parameter ${l?"changed":""}`,"data-parameter":r,"data-tip":oC(n,t),children:[_("div",{class:"parameter-head",children:[_("span",{class:"name",children:Cn(r)}),o&&_("span",{class:"badge","data-tip":"The default is an estimate: no source gives it",children:"estimate"}),l&&_(Ve,{icon:"reset",label:`Reset ${Cn(r)} to ${t}`,class:"small",onClick:()=>s(void 0)})]}),_(sC,{parameter:n,shown:a,fallback:t,problem:i,onText:c})]})}function sC({parameter:n,shown:e,fallback:t,problem:i,onText:s}){let r=Cn(n.name);if(n.type==="boolean")return _("label",{class:"switch",children:[_("input",{type:"checkbox",role:"switch","aria-label":r,checked:e==="true",onChange:c=>s(String(c.currentTarget.checked))}),_("span",{children:e==="true"?"on":"off"}),i&&_("span",{class:"problem",role:"alert",children:i})]});if(n.choices)return _("label",{class:"field",children:[_("span",{class:"sr-only",children:r}),_("select",{value:e,onChange:c=>s(c.currentTarget.value),children:n.choices.map(c=>_("option",{value:c,selected:c===e,children:c},c))}),i&&_("span",{class:"problem",role:"alert",children:i})]});let o=sx(n,Number(t)),a=o?.step??(n.type==="integer"?1:.01),l=c=>{let u=n.type==="integer"?Math.sign(c):c*a;s(String(Number((Number(e)+u).toPrecision(9))))};return _("div",{class:"slide",children:[o&&_("input",{type:"range","aria-label":r,min:o.from,max:o.to,step:o.step,value:e,onInput:c=>s(c.currentTarget.value)}),n.type==="string"?_(Kl,{label:r,isLabelled:!1,text:e,onText:s,unit:n.unit,problem:i}):_(Kl,{label:r,isLabelled:!1,text:e,onText:s,onStep:l,unit:n.unit,problem:i})]})}function rC(n){let e=Number(n);return n.length>8&&Number.isFinite(e)?String(Number(e.toPrecision(6))):n}function oC(n,e){let t=n.unit?` ${n.unit}`:"";return[`${n.name}: ${n.documentation}`,`Range: ${Cp(n)}`,`Default: ${e}${t}`,`Source: ${n.isEstimate?"estimate":n.source}`].join(`
+`)}function lx({filters:n,value:e,ran:t,problem:i,onChange:s}){let r=(e??t).map(ox),o=(l,c)=>s(l,c.map(ax)),a=(l,c)=>{let u=r[l];u&&o("order",r.toSpliced(l,1).toSpliced(l+c,0,u))};return _("div",{class:"filters",children:[_("ol",{children:r.map((l,c)=>_("li",{class:"filter",children:[_("div",{class:"parameter-head",children:[_("span",{class:"name",children:Cn(l.name)}),_(Ve,{icon:"up",label:`Move ${l.name} up`,class:"small",isDisabled:c===0,onClick:()=>a(c,-1)}),_(Ve,{icon:"down",label:`Move ${l.name} down`,class:"small",isDisabled:c===r.length-1,onClick:()=>a(c,1)}),_(Ve,{icon:"close",label:`Remove ${l.name}`,class:"small",onClick:()=>o("remove filter",r.toSpliced(c,1))})]}),_(aC,{use:l,filter:n.find(({name:u})=>u===l.name),onChange:u=>o(`filter ${c} ${l.name}`,r.with(c,u))})]},`${l.name}${c}`))}),r.length===0&&_("p",{class:"hint",children:"No filter runs."}),i&&_("p",{class:"problem",role:"alert",children:i}),_("div",{class:"row",children:[_("select",{"aria-label":"Add a filter",value:"","data-testid":"add-filter",onChange:l=>{o("add filter",[...r,{name:l.currentTarget.value,parameters:{}}]),l.currentTarget.value=""},children:[_("option",{value:"",children:"Add a filter…"}),n.map(({name:l})=>_("option",{value:l,children:Cn(l)},l))]}),e!==null&&_(Ve,{icon:"reset",label:"Use the preset's filters",onClick:()=>s("filters",null)})]})]})}function aC({use:n,filter:e,onChange:t}){if(!e)return null;let i=(s,r)=>{let{[s]:o,...a}=n.parameters;t({...n,parameters:r===void 0?a:{...a,[s]:r}})};return _("div",{class:"filter-parameters",children:e.parameters.map(s=>_(Bh,{parameter:s,value:n.parameters[s.name],fallback:s.default,problem:void 0,onChange:r=>i(s.name,r)},s.name))})}function cx(){let{studio:n}=qe(),e=$n(Pe(n.document)),t=Pe(n.catalog),i=Pe(n.rejections).get(e?.key??""),s=Pe(n.frames).get(e?.key??"")?.header.filters??[];if(!e)return null;let{state:r}=e,o=pi(t,r),a=md(t,r);if(!o)return _("p",{class:"hint pad",children:[r.model," has no depth sensor. Choose another model."]});let l=u=>i?.field===u?i.error:void 0,c=i?.field==="filters"||a?.parameters.some(({name:u})=>u===i?.field);return _(wt,{children:[_(lC,{state:r,sensor:o,problem:c?void 0:i?.error}),_(uC,{state:r}),_(un,{title:"Filters",isOpen:r.filters!==null,children:_(lx,{filters:t.filters,value:r.filters,ran:s,problem:l("filters"),onChange:(u,d)=>n.change(u,h=>({...h,filters:d}))})}),a&&_(hC,{parameters:a.parameters,state:r,problem:l},a.name)]})}function lC({state:n,sensor:e,problem:t}){let{studio:i}=qe(),s=Pe(i.catalog),r=fi(s,n.model),o=md(s,n),a=(l,c)=>i.change(l,u=>({...u,...c}));return _(un,{title:"Sensor",children:[(r?.depthSensors.length??0)>1&&_(mi,{label:"Depth sensor",value:n.sensor,options:(r?.depthSensors??[]).map(({id:l})=>({value:l,title:Cn(l)})),onChange:l=>{let c=r?.depthSensors.find(u=>u.id===l);a("sensor",{sensor:l,engine:c?.engines[0]??"",preset:null,parameters:{},filters:null})}}),_(mi,{label:"Engine",testId:"engine",value:n.engine,options:e.engines.map(l=>({value:l,title:Cn(l)})),onChange:l=>a("engine",{engine:l,parameters:{}})}),o&&_("p",{class:"hint",children:o.help}),e.presets.length>0&&_(mi,{label:"Preset",value:n.preset??"",options:[{value:"",title:"None"},...e.presets.map(l=>({value:l,title:Cn(l)}))],onChange:l=>a("preset",{preset:l||null})}),e.kind==="stereo"&&_(ir,{label:"Extended disparity",tip:"Doubles the disparity range, for near surfaces",isOn:n.extendedDisparity,onChange:l=>a("extended",{extendedDisparity:l})}),e.kind==="stereo"&&_(ir,{label:"Fisheye lenses",tip:"The optics of the left and right cameras of wide models: fisheye instead of pinhole",isOn:n.lens==="fisheye",onChange:l=>a("lens",{lens:l?"fisheye":"pinhole"})}),e.kind==="stereo"&&_(cC,{state:n,isMatcher:o?.isMatcher??!1,hasProjector:r?.hasProjector??!1}),t&&_("p",{class:"problem",role:"alert",children:t})]})}function cC({state:n,isMatcher:e,hasProjector:t}){let{studio:i}=qe(),s=n.ambient===0;return _(wt,{children:[_("div",{class:"row",children:[_("span",{class:"name",id:"light",children:"Light"}),_("div",{class:"segments",role:"group","aria-labelledby":"light",children:[_(Ve,{label:"Day",isOn:!s,onClick:()=>i.change("ambient",r=>({...r,ambient:1}))}),_(Ve,{label:"Night",isOn:s,onClick:()=>i.change("ambient",r=>({...r,ambient:0}))})]})]}),_("div",{class:"pair",children:[_(Rn,{label:"Ambient",tip:"The brightness of the scene's own light in the infrared images; 1 is that of the scene",value:n.ambient,onChange:r=>i.change("ambient",o=>({...o,ambient:r})),step:.1,digits:3,minimum:0,maximum:100}),(t||n.projector>0)&&_(Rn,{label:"Projector",tip:"The brightness of the dot projector; 0 is off, 1 its full power",value:n.projector,onChange:r=>i.change("projector",o=>({...o,projector:r})),step:.1,digits:3,minimum:0,maximum:100})]}),!e&&_("p",{class:"hint",children:"The light changes the left and right images. Only engines that match images measure from them."})]})}function uC({state:n}){let{studio:e}=qe(),t=Pe(e.calibrations),i=n.deviceSeed!==null,s=()=>Math.floor(Math.random()*1e5);return _(un,{title:"Noise and unit",children:[_("div",{class:"row end",children:[_(Rn,{label:"Noise seed",tip:"Images with the same seed have the same noise",value:n.seed,onChange:r=>e.change("seed",o=>({...o,seed:Math.round(r)})),step:1,digits:0,minimum:0,maximum:4294967295,testId:"seed"}),_(Ve,{icon:"dice",label:"Another seed",onClick:()=>e.change("seed",r=>({...r,seed:s()}))})]}),_(ir,{label:"Individual unit",tip:"A device with a random calibration error, instead of a perfect one",isOn:i,onChange:r=>e.change("unit",o=>({...o,deviceSeed:r?1:null}))}),i&&_("div",{class:"row end",children:[_(Rn,{label:"Unit",tip:"Each number is another device",value:n.deviceSeed??1,onChange:r=>e.change("deviceSeed",o=>({...o,deviceSeed:Math.round(r)})),step:1,digits:0,minimum:0,maximum:4294967295}),_(Ve,{icon:"dice",label:"Another unit",onClick:()=>e.change("deviceSeed",r=>({...r,deviceSeed:s()}))})]}),(t.size>0||n.calibration!==null)&&_(mi,{label:"Calibration",value:n.calibration??"",options:[{value:"",title:"Nominal"},...[...t.values()].map(({id:r,name:o})=>({value:r,title:o}))],onChange:r=>e.change("calibration",o=>({...o,calibration:r||null}))}),t.size===0&&_("p",{class:"hint",children:"Drop a device's calibration file here to model that device."})]})}function hC({parameters:n,state:e,problem:t}){let{studio:i,defaults:s}=qe();Pe(s);let r=Object.keys(e.parameters).length,o=(a,l)=>i.change(`parameter ${a}`,c=>{let{[a]:u,...d}=c.parameters;return{...c,parameters:l===void 0?d:{...d,[a]:l}}});return _(wt,{children:[_("div",{class:"divider",children:[_("h2",{children:"Parameters"}),r>0&&_(Ve,{label:`Reset all ${r}`,class:"text",testId:"reset-all",onClick:()=>i.change("reset",a=>({...a,parameters:{}}))})]}),rx(n).map(([a,l])=>_(un,{title:Cn(a),testId:"parameter-group",children:l.map(c=>_(Bh,{parameter:c,value:e.parameters[c.name],fallback:s.of(e,c),problem:t(c.name),onChange:u=>o(c.name,u)},c.name))},a))]})}var dC=[{value:"none",title:"No points"},{value:"truth",title:"True points"},{value:"measurement",title:"Measured points"},{value:"both",title:"True and measured"}],fC=[{value:"error",title:"by error"},{value:"depth",title:"by depth"},{value:"reason",title:"by reason"},{value:"oak",title:"by OAK"}];function ux(){let n=qe(),{studio:e,view:t}=n,i=At(null);return Bt(()=>{if(!i.current)return;let s=new Uh(e,i.current);return t.set(s),()=>{t.set(null),s.viewer.close()}},[]),_("section",{class:"view","aria-label":"3D view",children:[_("canvas",{ref:i,tabIndex:0,"data-testid":"view","aria-label":"3D view of the scene. W, A, S, D, Q and E fly; arrow keys move the OAK; question mark lists all keys."}),_(pC,{})]})}function pC(){let{studio:n,view:e}=qe(),t=Pe(e),i=Pe(n.display),{cloud:s,cloudColor:r}=i;return _(wt,{children:[_("div",{class:"tools top",role:"toolbar","aria-label":"Tools of the 3D view",children:[t&&_(mC,{view:t}),_(Ve,{icon:"home",label:"Look at the OAK (Home)",onClick:()=>t?.home()})]}),_("div",{class:"tools layers",role:"toolbar","aria-label":"What the 3D view shows",children:[_(Ve,{label:"Scene",class:"chip",isOn:i.showScene,onClick:()=>n.show({showScene:!i.showScene})}),_(Ve,{label:"Roof",class:"chip",tip:"What is above the OAK, such as a ceiling",isOn:i.showRoof,onClick:()=>n.show({showRoof:!i.showRoof})}),_(Ve,{label:"Cameras",class:"chip",tip:"The fields of view of the cameras",isOn:i.showCameras,onClick:()=>n.show({showCameras:!i.showCameras})}),_(Ve,{label:"Ranges",class:"chip",tip:"The minimum (red), ideal (green) and maximum (orange) distance of the depth sensor",isOn:i.showRanges,onClick:()=>n.show({showRanges:!i.showRanges})}),_(Ve,{label:"Grid",class:"chip",tip:"Squares of one metre",isOn:i.showGrid,onClick:()=>n.show({showGrid:!i.showGrid})}),_(mi,{label:"Point cloud",isLabelled:!1,value:s,options:dC,onChange:o=>n.show({cloud:o}),testId:"cloud"}),s!=="none"&&_(mi,{label:"Colour of the points",isLabelled:!1,value:r,options:fC,onChange:o=>n.show({cloudColor:o})})]}),t&&_(gC,{view:t})]})}function mC({view:n}){let e=Pe(n.gizmo),t=i=>n.gizmo.set(e===i?"none":i);return _(wt,{children:[_(Ve,{icon:"move",label:"Move the OAK (G)",isOn:e==="translate",onClick:()=>t("translate")}),_(Ve,{icon:"turn",label:"Turn the OAK (R)",isOn:e==="rotate",onClick:()=>t("rotate")})]})}function gC({view:n}){let e=Pe(n.detail);return Pe(n.isPicking)?_("div",{class:"note-line",children:"Click an object of the scene. Escape cancels."}):!e||e.shown>=e.of?null:_("div",{class:"note-line",children:[`This view draws ${e.shown.toLocaleString("en")} of ${e.of.toLocaleString("en")} triangles; the images use all. `,_("button",{type:"button",class:"link",onClick:()=>n.loadFullDetail(),children:"Draw all"})]})}function hx(){let n=qe(),{studio:e}=n,t=Pe(e.display),[i,s]=Pt(!1);return Bt(()=>Kv(n,()=>s(!0)),[]),Bt(()=>{let{theme:r}=t;r==="auto"?delete document.documentElement.dataset.theme:document.documentElement.dataset.theme=r,n.view.get()?.paintBackground(),n.repaint.update(o=>o+1)},[t.theme]),_("div",{class:`page ${t.showLeft?"":"no-left"} ${t.showRight?"":"no-right"}`,children:[_(nx,{onHelp:()=>s(!0)}),t.showLeft&&_("aside",{class:"side left","aria-label":"Controls",children:[_(R0,{}),_($v,{}),_(cx,{})]}),_(vC,{}),t.showRight&&_(_C,{}),_(C0,{}),_(xC,{}),_(Qv,{}),i&&_(zm,{onClose:()=>s(!1)})]})}function _C(){let[n,e]=Pt("inspect");return _("aside",{class:"side right","aria-label":"Numbers",children:[_("div",{class:"tabs",role:"tablist",children:[["inspect","Understand"],["place","Place"]].map(([i,s])=>_("button",{type:"button",role:"tab",id:`tab-${i}`,"aria-selected":n===i,"aria-controls":"tab-panel","data-testid":`tab-${i}`,onClick:()=>e(i),children:s},i))}),_("div",{role:"tabpanel",id:"tab-panel","aria-labelledby":`tab-${n}`,children:n==="inspect"?_(A0,{}):_(Yv,{})})]})}function vC(){let{studio:n}=qe(),{split:e}=Pe(n.display),t=At(null),i=o=>n.show({split:Math.max(.12,Math.min(.88,o))}),s=o=>{o.preventDefault();let a=t.current?.getBoundingClientRect();if(!a)return;let l=u=>i((u.clientY-a.top)/a.height),c=()=>removeEventListener("pointermove",l);addEventListener("pointermove",l),addEventListener("pointerup",c,{once:!0})},r=o=>{let a={ArrowUp:-.03,ArrowDown:.03}[o.key];a!==void 0&&(o.preventDefault(),i(e+a))};return _("main",{class:"middle",ref:t,style:{gridTemplateRows:`minmax(0, ${e}fr) 7px minmax(0, ${1-e}fr)`},children:[_(ux,{}),_("div",{class:"splitter",role:"separator","aria-orientation":"horizontal","aria-label":"Share of the 3D view","aria-valuenow":Math.round(e*100),"aria-valuemin":12,"aria-valuemax":88,tabIndex:0,onPointerDown:s,onKeyDown:r}),_(Qm,{})]})}function xC(){let{studio:n}=qe(),[e,t]=Pt(!1);return Bt(()=>{let i=a=>a.dataTransfer?.types.includes("Files")??!1,s=a=>{i(a)&&(a.preventDefault(),t(!0))},r=a=>a.relatedTarget===null&&t(!1),o=a=>{i(a)&&(a.preventDefault(),t(!1),$l(n,[...a.dataTransfer?.files??[]]))};return addEventListener("dragover",s),addEventListener("dragleave",r),addEventListener("drop",o),()=>{removeEventListener("dragover",s),removeEventListener("dragleave",r),removeEventListener("drop",o)}},[n]),e?_("div",{class:"drop",children:[_("p",{children:"Drop a scene or a calibration"}),_("span",{children:"It is read, never stored, and stays on this computer."})]}):null}var yC=1e3;function fx({title:n,text:e}){return _("div",{class:"message",role:"alert",children:[_("h1",{children:n}),_("p",{children:e})]})}function bC(){return document.createElement("canvas").getContext("webgl2")!==null}async function SC(n){for(;;)try{let e=await yn.catalog();return new Yl(e,await yn.scene(e.scene))}catch(e){Nl(_(fx,{title:"No server yet",text:`${e instanceof Error?e.message:String(e)} The page tries again.`}),n),await new Promise(t=>setTimeout(t,yC))}}async function MC(n){if(!bC()){Nl(_(fx,{title:"WebGL 2 is missing",text:"This page draws with WebGL 2, which this browser does not offer. Enable hardware acceleration in its settings, update it, or use a current Firefox, Chrome, Edge or Safari. The command line does all of this without a browser: oaktwin render --help."}),n);return}let e=await SC(n),t=new Yt(0),i=new Bl,s=new Xl(e),r=new Fl(()=>t.update(l=>l+1)),o={studio:e,defaults:i,painter:r,repaint:t,view:new Yt(null),signals:{painted:0}};e.document.subscribe(()=>r.keep(e.document.get().oaks.map(({key:l})=>l))),Nl(_(yd.Provider,{value:o,children:_(hx,{})}),n);let a=new Wl(e,s,i);window.studio={get isIdle(){return a.isIdle&&(o.view.get()?.viewer.isIdle??!1)},get painted(){return o.signals.painted},get drawn(){return o.view.get()?.viewer.drawn??0},get received(){return a.received}}}var dx=document.getElementById("page");dx&&MC(dx);
+/*! Bundled license information:
+
+three/build/three.core.js:
+three/build/three.module.js:
+  (**
+   * @license
+   * Copyright 2010-2026 Three.js Authors
+   * SPDX-License-Identifier: MIT
+   *)
+*/

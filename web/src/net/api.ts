@@ -1,0 +1,77 @@
+import type {
+  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SceneInfo,
+} from "../protocol";
+import { decodeMesh, type Mesh } from "./wire";
+
+/** An answer of the server that is an error. */
+export class ApiError extends Error {
+  constructor(readonly failure: Failure, readonly status: number) {
+    super(failure.error);
+  }
+
+  get findings(): Finding[] {
+    return this.failure.findings ?? [];
+  }
+}
+
+async function request(path: string, init?: RequestInit): Promise<Response> {
+  const response = await fetch(path, init);
+  if (response.ok) return response;
+  const text = await response.text();
+  throw new ApiError(failure(text, response), response.status);
+}
+
+/** Reads a failure; a body that is none comes from something other than the studio, such as a proxy. */
+function failure(text: string, response: Response): Failure {
+  try {
+    const parsed = JSON.parse(text) as Failure;
+    if (typeof parsed.error === "string") return parsed;
+  } catch {
+    // Not JSON.
+  }
+  return { error: text.trim() || `The server answered ${response.status} ${response.statusText}.` };
+}
+
+async function json<T>(path: string, init?: RequestInit): Promise<T> {
+  return (await (await request(path, init)).json()) as T;
+}
+
+function posted(body: unknown, signal?: AbortSignal): RequestInit {
+  const init: RequestInit = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) };
+  if (signal) init.signal = signal;
+  return init;
+}
+
+export const api = {
+  catalog: () => json<Catalog>("/api/catalog"),
+
+  scene: (id: string) => json<SceneInfo>(`/api/scenes/${encodeURIComponent(id)}`),
+
+  async sceneMesh(id: string, triangles: number): Promise<Mesh> {
+    const response = await request(`/api/scenes/${encodeURIComponent(id)}/mesh?triangles=${triangles}`);
+    return decodeMesh(await response.arrayBuffer());
+  },
+
+  async body(model: string): Promise<Mesh> {
+    const response = await request(`/api/models/${encodeURIComponent(model)}/body`);
+    return decodeMesh(await response.arrayBuffer());
+  },
+
+  openScene: (file: File) =>
+    json<SceneInfo>(`/api/scenes?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
+
+  openCalibration: (file: File) =>
+    json<CalibrationInfo>(`/api/calibrations?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
+
+  accuracy: (state: OakState, signal: AbortSignal) => json<AccuracyCurve>("/api/accuracy", posted(state, signal)),
+
+  coverage: (body: CoverageRequest, signal: AbortSignal) => json<CoverageAnswer>("/api/coverage", posted(body, signal)),
+
+  /** Returns a file and its name. */
+  async export(body: ExportRequest): Promise<{ name: string; file: Blob }> {
+    const response = await request("/api/export", posted(body));
+    const disposition = response.headers.get("Content-Disposition") ?? "";
+    const name = /filename="([^"]+)"/.exec(disposition)?.[1] ?? `oaktwin-${body.what}`;
+    return { name, file: await response.blob() };
+  },
+};

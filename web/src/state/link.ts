@@ -1,0 +1,107 @@
+import type { OakState, Vec3 } from "../protocol";
+import { DEFAULT_DISPLAY, type Display, displayFrom } from "./display";
+import { MAX_OAKS, type Oak, type Rectangle, type StudioDocument, type Target, WHOLE_IMAGE } from "./document";
+
+/** The state of the page in a link. */
+export interface Linked {
+  document: StudioDocument;
+  display: Display;
+}
+
+/** Settings of the window rather than of what is shown: a link leaves them to the person who opens it. */
+const LOCAL: (keyof Display)[] = ["theme", "split", "showLeft", "showRight", "wipeAt"];
+
+const VERSION = "v1.";
+
+/** Writes the state as the fragment of an address. */
+export function toFragment({ document, display }: Linked): string {
+  const changed = Object.entries(display).filter(
+    ([key, value]) => !LOCAL.includes(key as keyof Display) && value !== DEFAULT_DISPLAY[key as keyof Display],
+  );
+  const json = JSON.stringify({ document, display: Object.fromEntries(changed) });
+  const binary = String.fromCharCode(...new TextEncoder().encode(json));
+  return `#${VERSION}${btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
+}
+
+/** Reads a fragment; null if it is none of the page's. `local` are the settings that a link does not have. */
+export function fromFragment(fragment: string, local: Display): Linked | null {
+  const encoded = fragment.replace(/^#/, "");
+  if (!encoded.startsWith(VERSION)) return null;
+  try {
+    const binary = atob(encoded.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/"));
+    const text = new TextDecoder().decode(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
+    const json = JSON.parse(text) as { document?: unknown; display?: unknown };
+    const document = documentFrom(json.document);
+    if (!document) return null;
+    const display = displayFrom(json.display);
+    for (const key of LOCAL) Object.assign(display, { [key]: local[key] });
+    return { document, display };
+  } catch {
+    return null;
+  }
+}
+
+type Json = Record<string, unknown>;
+
+function isObject(json: unknown): json is Json {
+  return typeof json === "object" && json !== null && !Array.isArray(json);
+}
+
+function numbers(json: unknown, count: number): number[] | null {
+  return Array.isArray(json) && json.length === count && json.every(Number.isFinite) ? (json as number[]) : null;
+}
+
+function documentFrom(json: unknown): StudioDocument | null {
+  if (!isObject(json) || typeof json.scene !== "string" || !Array.isArray(json.oaks)) return null;
+  const oaks = json.oaks.slice(0, MAX_OAKS).map(oakFrom).filter((oak) => oak !== null);
+  const first = oaks[0];
+  if (!first || new Set(oaks.map(({ key }) => key)).size !== oaks.length) return null;
+  return {
+    scene: json.scene,
+    oaks,
+    selected: oaks.find(({ key }) => key === json.selected)?.key ?? first.key,
+    arePosesLinked: json.arePosesLinked !== false,
+    region: (numbers(json.region, 4) as Rectangle | null) ?? WHOLE_IMAGE,
+    target: targetFrom(json.target),
+  };
+}
+
+function targetFrom(json: unknown): Target | null {
+  if (!isObject(json)) return null;
+  if (typeof json.object === "string") return { object: json.object };
+  const [minimum, maximum] = [numbers(json.minimum, 3), numbers(json.maximum, 3)];
+  return minimum && maximum ? { minimum: minimum as Vec3, maximum: maximum as Vec3 } : null;
+}
+
+function oakFrom(json: unknown): Oak | null {
+  if (!isObject(json) || typeof json.key !== "string") return null;
+  const state = stateFrom(json.state);
+  return state && { key: json.key, isHidden: json.isHidden === true, state };
+}
+
+/** Reads the state of an OAK; whether its names and numbers make sense is for the server to decide. */
+function stateFrom(json: unknown): OakState | null {
+  if (!isObject(json) || !isObject(json.pose) || typeof json.model !== "string") return null;
+  const position = numbers(json.pose.position, 3);
+  const quaternion = numbers(json.pose.quaternion, 4);
+  if (!position || !quaternion) return null;
+  const text = (value: unknown) => (typeof value === "string" ? value : null);
+  const number = (value: unknown, fallback: number) => (Number.isFinite(value) ? (value as number) : fallback);
+  const parameters = isObject(json.parameters) ? Object.entries(json.parameters).filter(([, value]) => text(value) !== null) : [];
+  return {
+    model: json.model,
+    calibration: text(json.calibration),
+    pose: { position: position as Vec3, quaternion: quaternion as OakState["pose"]["quaternion"] },
+    sensor: text(json.sensor) ?? "",
+    lens: json.lens === "fisheye" ? "fisheye" : "pinhole",
+    engine: text(json.engine) ?? "",
+    preset: text(json.preset),
+    filters: Array.isArray(json.filters) ? json.filters.filter((filter) => typeof filter === "string") : null,
+    parameters: Object.fromEntries(parameters) as Record<string, string>,
+    extendedDisparity: json.extendedDisparity === true,
+    seed: number(json.seed, 0),
+    deviceSeed: Number.isFinite(json.deviceSeed) ? (json.deviceSeed as number) : null,
+    projector: number(json.projector, 1),
+    ambient: number(json.ambient, 1),
+  };
+}

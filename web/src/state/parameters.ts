@@ -1,0 +1,68 @@
+import type { Parameter } from "../protocol";
+
+/** The result of reading the text of a field. */
+export type Checked = { text: string } | { problem: string };
+
+/** Checks what somebody typed for a parameter; a problem is a sentence for the field. */
+export function check(parameter: Parameter, typed: string): Checked {
+  const text = typed.trim();
+  if (parameter.type === "boolean") {
+    return text === "true" || text === "false" ? { text } : { problem: "Enter true or false." };
+  }
+  if (parameter.choices) {
+    return parameter.choices.includes(text) ? { text } : { problem: `Choose one of ${parameter.choices.join(", ")}.` };
+  }
+  if (parameter.type === "string") return { text };
+  const value = Number(text.replace(",", "."));
+  if (text === "" || !Number.isFinite(value)) return { problem: "Enter a number." };
+  if (parameter.type === "integer" && !Number.isInteger(value)) return { problem: "Enter a whole number." };
+  const { minimum, maximum } = parameter;
+  if ((minimum !== null && value < minimum) || (maximum !== null && value > maximum)) {
+    return { problem: `Enter ${range(parameter)}.` };
+  }
+  return { text: text.replace(",", ".") };
+}
+
+/** Describes the values that a parameter may have, such as "0 to 100 px". */
+export function range({ type, choices, minimum, maximum, unit }: Parameter): string {
+  // The smallest number that a computer can hold means that 0 itself is excluded.
+  const isPositive = minimum !== null && minimum > 0 && minimum < 1e-300;
+  if (type === "boolean") return "true or false";
+  if (choices) return choices.join(", ");
+  const suffix = unit ? ` ${unit}` : "";
+  if (isPositive) return maximum === null ? `more than 0${suffix}` : `more than 0, at most ${maximum}${suffix}`;
+  if (minimum !== null && maximum !== null) return `${minimum} to ${maximum}${suffix}`;
+  if (minimum !== null) return `at least ${minimum}${suffix}`;
+  if (maximum !== null) return `at most ${maximum}${suffix}`;
+  return type === "string" ? "any text" : `any number${suffix}`;
+}
+
+/** A slider reaches this many times as far as the default where the range is much wider or has no end. */
+const USEFUL = 4;
+
+/** Returns the limits of a slider, or null if a parameter has none that a slider could use. */
+export function slider(parameter: Parameter, fallback: number): { from: number; to: number; step: number } | null {
+  if (parameter.type !== "number" && parameter.type !== "integer") return null;
+  if (parameter.choices || !Number.isFinite(fallback)) return null;
+  const lowest = parameter.minimum ?? Math.min(0, USEFUL * fallback);
+  const highest = parameter.maximum ?? Math.max(0, USEFUL * fallback);
+  const size = Math.abs(fallback - lowest);
+  const isWide = size > 0 && highest - lowest > 3 * USEFUL * size;
+  const to = isWide ? Number((lowest + USEFUL * size).toPrecision(2)) : highest;
+  if (to <= lowest) return null;
+  const step = parameter.type === "integer" ? 1 : 10 ** Math.floor(Math.log10((to - lowest) / 200));
+  // An excluded end, such as 0 for a length, is left out.
+  const from = lowest > 0 && lowest < step ? step : lowest;
+  return { from, to, step };
+}
+
+/** Groups parameters under their headings, in order of appearance. */
+export function grouped(parameters: Parameter[]): [string, Parameter[]][] {
+  const groups = new Map<string, Parameter[]>();
+  for (const parameter of parameters) {
+    const group = groups.get(parameter.group);
+    if (group) group.push(parameter);
+    else groups.set(parameter.group, [parameter]);
+  }
+  return [...groups];
+}

@@ -1,0 +1,50 @@
+import { api } from "../net/api";
+import { changeOak, findModel, type StudioDocument, withModel } from "../state/document";
+import { bytes } from "../util/format";
+import type { CalibrationInfo, SceneInfo } from "../protocol";
+import type { Studio } from "./studio";
+
+/** Opens files that were dropped onto the page or chosen: calibrations by their extension, anything else as a scene. */
+export async function openFiles(studio: Studio, files: Iterable<File>): Promise<void> {
+  for (const file of files) {
+    const limit = studio.catalog.get().maxUploadBytes;
+    if (file.size > limit) {
+      studio.notify("error", `${file.name} has ${bytes(file.size)}, more than the ${bytes(limit)} that can be opened here; give it on the command line: oaktwin studio ${file.name}`);
+      continue;
+    }
+    try {
+      if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
+      else useScene(studio, await api.openScene(file));
+    } catch (error) {
+      studio.report("Not opened", error);
+    }
+  }
+}
+
+function isCalibration(file: File): boolean {
+  return file.name.toLowerCase().endsWith(".json");
+}
+
+function useScene(studio: Studio, info: SceneInfo): void {
+  studio.document.commit("scene", (document): StudioDocument => ({
+    ...document,
+    scene: info.id,
+    oaks: document.oaks.map((oak) => ({ ...oak, state: { ...oak.state, pose: info.pose } })),
+    target: null,
+  }));
+  const worst = info.findings.some(({ level }) => level !== "note") ? "warning" : "note";
+  studio.notify(worst, `${info.name}: ${info.triangles.toLocaleString("en")} triangles.`, info.findings);
+}
+
+/** Applies a calibration to the selected OAK, which becomes the model that the file names. */
+function useCalibration(studio: Studio, info: CalibrationInfo): void {
+  studio.calibrations.set(new Map(studio.calibrations.get()).set(info.id, info));
+  const model = info.model === null ? undefined : findModel(studio.catalog.get(), info.model);
+  studio.document.commit("calibration", (document) =>
+    changeOak(document, document.selected, (state) => {
+      const next = model && model.name !== state.model ? withModel(state, model) : state;
+      return { ...next, calibration: info.id };
+    }),
+  );
+  studio.notify("note", `${info.name} calibrates the selected OAK${model ? `, an ${model.name}` : ""}.`, info.findings);
+}

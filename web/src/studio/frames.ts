@@ -1,0 +1,164 @@
+import { Live } from "../net/live";
+import { FrameScheduler, type Wanted } from "../net/scheduler";
+import type { Frame } from "../net/wire";
+import type { ImageName, Rejection, ServerMessage } from "../protocol";
+import { type Display, FULL_SIZES, PANELS } from "../state/display";
+import { findSensor, type Oak } from "../state/document";
+import type { Defaults } from "./defaults";
+import type { Probes } from "./probes";
+import type { Studio } from "./studio";
+
+/** How long nothing must have changed before images of full size are requested, ms. */
+const REST = 150;
+
+/** The largest images while something moves. */
+const COARSE: [number, number] = [640, 400];
+
+/** Fits a sensor's resolution into a limit, with its aspect ratio. Null: the sensor's own. */
+export function fit([width, height]: [number, number], limit: [number, number] | null): [number, number] | null {
+  const scale = limit ? Math.min(limit[0] / width, limit[1] / height) : 1;
+  return scale >= 1 ? null : [Math.round(width * scale), Math.round(height * scale)];
+}
+
+/** Returns the images that are shown, in a fixed order. */
+export function neededImages(display: Display): ImageName[] {
+  const { wipe, cloud, cloudColor } = display;
+  const kinds = wipe ? [wipe.left, wipe.right] : display.panels;
+  // Exact and measured depth are always there: the scales, the histogram and the readout depend on them.
+  const needed = new Set<ImageName>(["depth", "reference", "sensor"]);
+  for (const panel of PANELS) if (kinds.includes(panel.kind)) for (const image of panel.images) needed.add(image);
+  if (cloud !== "none" && cloudColor === "reason") needed.add("reason");
+  return [...needed].sort();
+}
+
+/** Keeps a frame of each OAK that is up to date with the document. */
+export class FrameLoop {
+  /** The number of frames that arrived. */
+  received = 0;
+  private readonly live: Live;
+  private readonly scheduler: FrameScheduler;
+  /** What was last requested of each OAK, to find changes. */
+  private readonly requested = new Map<string, readonly unknown[]>();
+  private timer = 0;
+  private wasLost = false;
+
+  constructor(private readonly studio: Studio, private readonly probes: Probes, private readonly defaults: Defaults) {
+    this.live = new Live({
+      onConnection: (connection) => this.connected(connection === "open"),
+      onFrame: (frame) => this.show(frame),
+      onMessage: (message) => this.read(message),
+    });
+    this.scheduler = new FrameScheduler((request) => this.live.send(request));
+    probes.connect((message) => this.live.send(message));
+    studio.document.subscribe(() => this.follow());
+    studio.display.subscribe(() => this.follow());
+    studio.scene.subscribe(() => this.follow());
+    this.live.connect();
+  }
+
+  /** Whether every frame is there and no change waits for one. */
+  get isIdle(): boolean {
+    return this.timer === 0 && this.scheduler.isIdle && this.probes.isIdle;
+  }
+
+  private connected(isOpen: boolean): void {
+    const { studio } = this;
+    studio.connection.set(isOpen ? "open" : "lost");
+    this.scheduler.reset();
+    this.probes.reset();
+    this.requested.clear();
+    if (!isOpen) {
+      this.wasLost = true;
+      return;
+    }
+    if (this.wasLost) {
+      studio.restart().then(() => studio.notify("note", "Connected to the server again."), (error) => studio.report("Reconnecting", error));
+    }
+    this.wasLost = false;
+    this.follow();
+  }
+
+  /** Requests what has changed: coarse at once, and in full once nothing changes any more. */
+  private follow(): void {
+    const { document, scene, connection } = this.studio;
+    const { oaks, region, scene: id } = document.get();
+    if (connection.get() !== "open" || scene.get()?.id !== id) return;
+    this.forgetRemoved(oaks);
+    const { fullSize } = this.studio.display.get();
+    const images = neededImages(this.studio.display.get());
+    for (const oak of oaks) {
+      if (oak.isHidden || !this.studio.hasDepth(oak.state)) continue;
+      const key = [id, oak.state, ...region, fullSize, ...images];
+      const before = this.requested.get(oak.key);
+      if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
+      this.requested.set(oak.key, key);
+      this.request(oak, COARSE, images);
+      this.rest();
+    }
+  }
+
+  private rest(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      this.timer = 0;
+      const { document, display } = this.studio;
+      const limit = FULL_SIZES.find(({ size }) => size === display.get().fullSize)?.limit ?? null;
+      if (display.get().fullSize === "small") return;
+      const images = neededImages(display.get());
+      for (const oak of document.get().oaks) {
+        if (!oak.isHidden && this.studio.hasDepth(oak.state)) this.request(oak, limit, images);
+      }
+    }, REST);
+  }
+
+  private request(oak: Oak, limit: [number, number] | null, images: ImageName[]): void {
+    const { scene, region } = this.studio.document.get();
+    const resolution = findSensor(this.studio.catalog.get(), oak.state)?.resolution;
+    const size = resolution ? fit(resolution, limit) : null;
+    this.scheduler.request({ oak: oak.key, scene, state: oak.state, size, images, region });
+  }
+
+  private forgetRemoved(oaks: Oak[]): void {
+    const isShown = (key: string) => oaks.some((oak) => oak.key === key && !oak.isHidden);
+    const { frames } = this.studio;
+    for (const key of this.requested.keys()) {
+      if (isShown(key)) continue;
+      this.requested.delete(key);
+      this.scheduler.forget(key);
+    }
+    if ([...frames.get().keys()].some((key) => !isShown(key))) {
+      frames.set(new Map([...frames.get()].filter(([key]) => isShown(key))));
+    }
+  }
+
+  private show(frame: Frame): void {
+    const { id, oak } = frame.header;
+    const wanted = this.scheduler.settle(oak, id);
+    if (!wanted) return;
+    this.received++;
+    this.defaults.learn(wanted.state, frame.header.parameters);
+    this.accept(oak, wanted, frame);
+    this.probes.refresh(oak);
+  }
+
+  private accept(oak: string, wanted: Wanted, frame: Frame): void {
+    const { frames, rejections } = this.studio;
+    if (rejections.get().has(oak)) rejections.set(without(rejections.get(), oak));
+    frames.set(new Map(frames.get()).set(oak, { ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images }));
+  }
+
+  private read(message: ServerMessage): void {
+    if (message.type === "probe") this.probes.show(message);
+    else this.reject(message);
+  }
+
+  private reject(rejection: Rejection): void {
+    if (this.probes.reject(rejection.id, rejection.oak)) return;
+    if (!this.scheduler.settle(rejection.oak, rejection.id)) return;
+    this.studio.rejections.set(new Map(this.studio.rejections.get()).set(rejection.oak, rejection));
+  }
+}
+
+function without<T>(map: ReadonlyMap<string, T>, key: string): ReadonlyMap<string, T> {
+  return new Map([...map].filter(([other]) => other !== key));
+}

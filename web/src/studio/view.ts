@@ -1,0 +1,249 @@
+import type { Group } from "three";
+import { Matrix4, Quaternion, Vector3 } from "three";
+import { depthTable, errorTable, oakColor, reasonTable } from "../gpu/colormaps";
+import { findScales } from "../gpu/scales";
+import { api } from "../net/api";
+import type { Mesh } from "../net/wire";
+import type { Pose, SceneInfo, Vec3 } from "../protocol";
+import type { Display } from "../state/display";
+import { findModel, findSensor, type Oak, selectedOak, type Target } from "../state/document";
+import { Store } from "../util/store";
+import { makeCloud, placeCloud } from "../view3d/cloud";
+import type { GizmoMode } from "../view3d/gizmo";
+import { makeOak, matrix, place } from "../view3d/oakobject";
+import { Viewer } from "../view3d/viewer";
+import type { Shown, Studio } from "./studio";
+
+/** How many triangles of a scene are loaded: what can be turned without a GPU at 10 images per second. */
+const TRIANGLES = 100_000;
+const FULL_DETAIL = 5_000_000;
+
+/** How many points all clouds have together: drawing them is what takes time without a GPU. */
+const MAX_POINTS = 300_000;
+
+/** Keeps the 3D view up to date with what the page knows. */
+export class SceneView {
+  readonly gizmo = new Store<GizmoMode>("translate");
+  /** Whether the next click in the view chooses the object whose coverage is computed. */
+  readonly isPicking = new Store(false);
+  /** The triangles that are drawn, and those that the scene has. */
+  readonly detail = new Store<{ shown: number; of: number } | null>(null);
+  readonly viewer: Viewer;
+  private readonly bodies = new Map<string, Mesh | null>();
+  private groups: { oak: Oak; group: Group }[] = [];
+  private readonly seen = new Map<string, readonly unknown[]>();
+  private hasClouds = false;
+  private mesh: Mesh | null = null;
+  private loaded = "";
+  private wantsDetail = false;
+  /** The height of what covered the OAK when the scene was loaded. */
+  private roof: number | null = null;
+
+  constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
+    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object) });
+    const { document, display, scene, frames, probe } = studio;
+    scene.subscribe(() => void this.loadScene());
+    for (const store of [document, display, this.gizmo]) store.subscribe(() => this.follow());
+    frames.subscribe(() => this.followClouds());
+    probe.subscribe(() => this.followProbe());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paintBackground());
+    this.follow();
+    void this.loadScene();
+  }
+
+  /** Looks at the selected OAK from behind. */
+  home(): void {
+    const [info, oak] = [this.studio.scene.get(), selectedOak(this.studio.document.get())];
+    if (info && oak) this.viewer.lookAt(info, oak.state.pose, this.roof !== null && !this.studio.display.get().showRoof);
+  }
+
+  /** Looks from where the selected OAK is. */
+  lookThrough(): void {
+    const oak = selectedOak(this.studio.document.get());
+    if (oak) this.viewer.navigation.lookAlong(oak.state.pose);
+  }
+
+  /** Loads every triangle of the scene, for a computer with a GPU. */
+  loadFullDetail(): void {
+    this.wantsDetail = true;
+    this.loaded = "";
+    void this.loadScene();
+  }
+
+  paintBackground(): void {
+    const style = getComputedStyle(document.documentElement);
+    const { scene, display } = this.studio;
+    const grid = style.getPropertyValue("--grid").trim();
+    this.viewer.setBackground(style.getPropertyValue("--view").trim(), grid);
+    const info = scene.get();
+    if (info) this.viewer.setGrid(info, display.get().showGrid, grid);
+  }
+
+  private async loadScene(): Promise<void> {
+    const info = this.studio.scene.get();
+    if (!info || info.id === this.loaded) return;
+    const isFirst = !this.wantsDetail;
+    this.loaded = info.id;
+    try {
+      const mesh = await api.sceneMesh(info.id, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
+      this.wantsDetail = false;
+      if (this.studio.scene.get()?.id !== info.id) return;
+      this.viewer.setScene(info, mesh, false);
+      this.mesh = mesh;
+      this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
+      if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);
+      if (isFirst) this.home();
+      this.follow();
+    } catch (error) {
+      this.loaded = "";
+      if (this.studio.connection.get() === "open") this.studio.report("The 3D view", error);
+    }
+  }
+
+  /** Passes on what has changed; drawing without a GPU is slow, so nothing else may cause it. */
+  private follow(): void {
+    const { document, display, scene } = this.studio;
+    const [shown, state, info] = [display.get(), document.get(), scene.get()];
+    this.followOaks(state.oaks, state.selected, shown);
+    const [mode, pose] = [this.gizmo.get(), selectedOak(state)?.state.pose ?? null];
+    if (this.isNew("gizmo", mode, pose)) this.viewer.setGizmo(mode, pose);
+    if (this.isNew("scene", this.mesh, shown.showScene)) this.viewer.showScene(shown.showScene);
+    const roof = shown.showRoof ? null : this.roof;
+    if (info && this.isNew("roof", this.mesh, roof)) this.viewer.setRoof(info, roof);
+    if (this.isNew("target", state.target, info)) this.viewer.setTarget(targetBounds(state.target, info));
+    if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
+    this.followClouds();
+  }
+
+  /** Whether values differ from those of the last call with this name. */
+  private isNew(name: string, ...values: unknown[]): boolean {
+    const before = this.seen.get(name);
+    this.seen.set(name, values);
+    return !before || before.length !== values.length || values.some((value, i) => value !== before[i]);
+  }
+
+  /** Makes the OAKs again only if more than their poses changed. */
+  private followOaks(oaks: Oak[], selected: string, shown: Display): void {
+    const visible = oaks.filter((oak) => !oak.isHidden);
+    const looks = JSON.stringify([
+      selected, shown.showCameras, shown.showRanges,
+      visible.map(({ key, state }) => [key, state.model, state.sensor, this.bodies.get(state.model) ? 1 : 0]), oaks.map(({ key }) => key),
+    ]);
+    if (this.isNew("looks", looks)) {
+      this.groups = visible.flatMap((oak) => this.makeGroup(oak, oaks.indexOf(oak), oak.key === selected, shown));
+      this.viewer.setOaks(this.groups.map(({ group }) => group));
+    }
+    if (!this.isNew("poses", looks, ...visible.map(({ state }) => state.pose))) return;
+    for (const entry of this.groups) {
+      const oak = oaks.find(({ key }) => key === entry.oak.key);
+      if (oak) place(entry.group, oak.state.pose);
+    }
+    this.viewer.invalidate();
+  }
+
+  private makeGroup(oak: Oak, index: number, isSelected: boolean, shown: Display): { oak: Oak; group: Group }[] {
+    const catalog = this.studio.catalog.get();
+    const model = findModel(catalog, oak.state.model);
+    if (!model) return [];
+    void this.loadBody(model.name);
+    const group = makeOak({
+      model,
+      sensor: findSensor(catalog, oak.state),
+      body: this.bodies.get(model.name) ?? null,
+      color: oakColor(index),
+      isSelected,
+      showCameras: shown.showCameras,
+      showRanges: shown.showRanges,
+    });
+    return [{ oak, group }];
+  }
+
+  private async loadBody(model: string): Promise<void> {
+    if (this.bodies.has(model)) return;
+    this.bodies.set(model, null);
+    try {
+      this.bodies.set(model, await api.body(model));
+      this.follow();
+    } catch {
+      // The box remains, which has the right size.
+    }
+  }
+
+  private followClouds(): void {
+    const { studio } = this;
+    const shown = studio.display.get();
+    const frames = studio.frames.get();
+    const { depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor } = shown;
+    if (cloud === "none" && !this.hasClouds) return;
+    if (!this.isNew("clouds", depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor, ...frames.values())) return;
+    this.hasClouds = cloud !== "none";
+    const oaks = studio.document.get().oaks;
+    this.viewer.setClouds(cloud === "none" ? [] : [...frames].flatMap(([oak, frame]) => {
+      return this.makeClouds(frame, oaks.findIndex(({ key }) => key === oak), shown, frames);
+    }));
+  }
+
+  private makeClouds(frame: Shown, index: number, shown: Display, frames: ReadonlyMap<string, Shown>) {
+    const sensor = findSensor(this.studio.catalog.get(), frame.state);
+    if (!sensor) return [];
+    const { pictures, header } = frame;
+    const truth = pictures.get("reference") ?? pictures.get("depth");
+    const measured = pictures.get("sensor");
+    const sources = shown.cloud === "both" ? [truth, measured] : [shown.cloud === "truth" ? truth : measured];
+    const scales = findScales(frames.values(), shown);
+    const mode = shown.cloudColor;
+    const [red, green, blue] = oakColor(Math.max(index, 0));
+    const pose = new Matrix4().compose(
+      new Vector3(...frame.state.pose.position), new Quaternion(...frame.state.pose.quaternion), new Vector3(1, 1, 1));
+    return sources.filter((depth) => depth !== undefined).map((depth) => {
+      const isGrey = shown.cloud === "both" && depth === truth;
+      const points = makeCloud({
+        depth,
+        truth,
+        measured,
+        reasons: pictures.get("reason"),
+        hfovDeg: header.hfovDeg,
+        vfovDeg: header.vfovDeg,
+        mode: isGrey ? "oak" : mode,
+        table: mode === "error" ? errorTable() : mode === "reason" ? reasonTable() : depthTable(shown.depthMap),
+        range: mode === "error" ? [0, scales.error] : scales.depth,
+        isRelative: shown.errorUnit === "%",
+        color: isGrey ? [0.62, 0.64, 0.68] : [red / 255, green / 255, blue / 255],
+        pointSize: 2,
+        maxPoints: MAX_POINTS / (frames.size * sources.length),
+      });
+      placeCloud(points, pose, matrix(sensor.bodyFromCamera));
+      return points;
+    });
+  }
+
+  private followProbe(): void {
+    const { probe, frames, catalog } = this.studio;
+    const answer = probe.get();
+    const frame = answer && frames.get().get(answer.oak);
+    const sensor = frame && findSensor(catalog.get(), frame.state);
+    if (!answer?.point || !frame || !sensor) return this.viewer.setMarker(null, null);
+    const rows = sensor.bodyFromCamera;
+    const eye = new Vector3(rows[3], rows[7], rows[11]).applyQuaternion(new Quaternion(...frame.state.pose.quaternion));
+    this.viewer.setMarker(answer.point, eye.add(new Vector3(...frame.state.pose.position)).toArray() as Vec3);
+  }
+
+  private movePose(pose: Pose): void {
+    this.studio.change("pose", (state) => ({ ...state, pose }));
+  }
+
+  private pick(index: number | null): void {
+    if (!this.isPicking.get()) return;
+    const object = index === null ? undefined : this.studio.scene.get()?.objects[index];
+    if (!object) return;
+    this.isPicking.set(false);
+    this.studio.document.commit("target", (document) => ({ ...document, target: { object: object.path } }));
+  }
+}
+
+/** Returns the box of a region. */
+export function targetBounds(target: Target | null, scene: SceneInfo | null): [Vec3, Vec3] | null {
+  if (!target) return null;
+  if ("minimum" in target) return [target.minimum, target.maximum];
+  return scene?.objects.find(({ path }) => path === target.object)?.bounds ?? null;
+}

@@ -1,0 +1,103 @@
+import { useState } from "preact/hooks";
+import { fit } from "../studio/frames";
+import { api } from "../net/api";
+import type { ExportRequest } from "../protocol";
+import { FULL_SIZES, PANELS } from "../state/display";
+import { findSensor, selectedOak } from "../state/document";
+import type { Studio } from "../studio/studio";
+import { useStore } from "../util/store";
+import { Button } from "./controls";
+import { useApp } from "./context";
+import { Dialog } from "./Dialog";
+import { Menu } from "./Menu";
+
+type What = Omit<ExportRequest, "scene" | "state" | "size">;
+
+const FILES: { title: string; what: What }[] = [
+  { title: "Asset (USD)", what: { what: "asset", format: "usda" } },
+  { title: "Asset (USDZ)", what: { what: "asset", format: "usdz" } },
+  { title: "Statistics (JSON)", what: { what: "statistics", format: "json" } },
+  { title: "Statistics (CSV)", what: { what: "statistics", format: "csv" } },
+  { title: "Parameters (TOML)", what: { what: "parameters" } },
+];
+const TEXTS: { title: string; what: What }[] = [
+  { title: "Command line…", what: { what: "command" } },
+  { title: "Python…", what: { what: "python" } },
+];
+
+/** Asks the server for something to take away from the selected OAK. */
+async function exported(studio: Studio, what: What): Promise<{ name: string; file: Blob } | null> {
+  const document = studio.document.get();
+  const oak = selectedOak(document);
+  const sensor = oak && findSensor(studio.catalog.get(), oak.state);
+  if (!oak || !sensor) return null;
+  const limit = FULL_SIZES.find(({ size }) => size === studio.display.get().fullSize)?.limit ?? null;
+  try {
+    return await api.export({ ...what, scene: document.scene, state: oak.state, size: fit(sensor.resolution, limit) });
+  } catch (error) {
+    studio.report("The export", error);
+    return null;
+  }
+}
+
+export function save(name: string, file: Blob): void {
+  const address = URL.createObjectURL(file);
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+/** What can be taken away: files of the selected OAK, and texts that reproduce its state. */
+export function ExportMenu() {
+  const { studio } = useApp();
+  const display = useStore(studio.display);
+  const [text, setText] = useState<{ title: string; text: string } | null>(null);
+  const images = PANELS.filter(({ kind }) => kind !== "error" && display.panels.includes(kind));
+  const download = async (what: What) => {
+    const answer = await exported(studio, what);
+    if (answer) save(answer.name, answer.file);
+  };
+  const show = async (title: string, what: What) => {
+    const answer = await exported(studio, what);
+    if (answer) setText({ title: title.replace("…", ""), text: await answer.file.text() });
+  };
+  return (
+    <>
+      <Menu icon="download" label="Export" testId="export">
+        {(close) => {
+          const item = (title: string, run: () => void) => (
+            <button key={title} type="button" role="menuitem" class="menu-item" onClick={() => { close(); run(); }}>{title}</button>
+          );
+          return (
+            <>
+              <p class="menu-head">Reproduce this state</p>
+              {TEXTS.map(({ title, what }) => item(title, () => void show(title, what)))}
+              <p class="menu-head">Files</p>
+              {FILES.map(({ title, what }) => item(title, () => void download(what)))}
+              <p class="menu-head">Images</p>
+              {images.flatMap(({ kind, title, images: [image] }) => (image === undefined || kind === "error" ? [] : [
+                item(`${title} (PNG)`, () => void download({ what: "image", image, format: "png" })),
+                item(`${title} (NumPy)`, () => void download({ what: "image", image, format: "npy" })),
+              ]))}
+            </>
+          );
+        }}
+      </Menu>
+      {text && <TextDialog title={text.title} text={text.text} onClose={() => setText(null)} />}
+    </>
+  );
+}
+
+function TextDialog({ title, text, onClose }: { title: string; text: string; onClose: () => void }) {
+  const { studio } = useApp();
+  const [isCopied, setCopied] = useState(false);
+  const copy = () => navigator.clipboard.writeText(text).then(() => setCopied(true), (error) => studio.report("Copying", error));
+  return (
+    <Dialog title={title} onClose={onClose}>
+      <pre class="code" tabIndex={0} data-testid="snippet">{text}</pre>
+      <div class="row spread"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
+    </Dialog>
+  );
+}

@@ -1,0 +1,46 @@
+import { Dialog } from "./Dialog";
+
+const KEYS: [string, [string, string][]][] = [
+  ["Everywhere", [
+    ["Ctrl+Z, Ctrl+Shift+Z", "Undo, redo"],
+    ["1, 2", "Show or hide the controls, the numbers"],
+    ["G, R", "Handles that move, turn the OAK"],
+    ["P", "Points: none, true, measured, both"],
+    ["Home", "Look at the OAK"],
+    ["C", "Look from the OAK"],
+    ["[, ]", "Select the previous, next OAK"],
+    ["Escape", "Close, or stop probing"],
+    ["?", "This list"],
+  ]],
+  ["3D view, after a click into it or with Tab", [
+    ["Drag", "Orbit; with Ctrl turn the head; with Shift or the right button pan"],
+    ["Wheel", "Zoom"],
+    ["Double click", "Put a point into the centre"],
+    ["W A S D, Q E", "Fly; with Shift faster"],
+    ["Arrow keys", "Move the OAK by 5 cm; with Shift by 5 mm"],
+    ["Page up, page down", "Raise, lower the OAK"],
+    ["Alt+arrow keys", "Turn, tilt the OAK by 2°; with Shift by 0.2°"],
+  ]],
+  ["Images", [
+    ["Mouse, arrow keys", "Probe a pixel"],
+    ["Drag", "Rectangle for the statistics"],
+  ]],
+  ["Number fields", [["Up, down", "One step; with Shift a tenth"]]],
+];
+
+export function Help({ onClose }: { onClose: () => void }) {
+  return (
+    <Dialog title="Keys" onClose={onClose}>
+      <div class="keys">
+        {KEYS.map(([title, keys]) => (
+          <section key={title}>
+            <h3>{title}</h3>
+            <dl>
+              {keys.map(([key, does]) => <div key={key}><dt><kbd>{key}</kbd></dt><dd>{does}</dd></div>)}
+            </dl>
+          </section>
+        ))}
+      </div>
+    </Dialog>
+  );
+}

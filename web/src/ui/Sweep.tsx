@@ -1,0 +1,99 @@
+import { useEffect, useRef, useState } from "preact/hooks";
+import { api } from "../net/api";
+import { changeOak, selectedOak, type Target } from "../state/document";
+import { height, MAX_POSES, rank, type Ranked, type Span, sweep } from "../studio/sweep";
+import { millimetres, share } from "../util/format";
+import { toAngles } from "../util/pose";
+import { useStore } from "../util/store";
+import { Button, Check, NumberField, Section } from "./controls";
+import { useApp } from "./context";
+
+/** How many of the ranked poses are listed. */
+const LISTED = 12;
+
+/** Tries heights and tilts, and ranks the poses by what they measure of the region. */
+export function Sweep({ target }: { target: Target }) {
+  const { studio } = useApp();
+  const document = useStore(studio.document);
+  const up = useStore(studio.scene)?.up ?? "z";
+  const oak = selectedOak(document);
+  const now = oak ? height(oak.state, up) : 1;
+  const [heights, setHeights] = useState<Span>(() => ({ from: Number((now - 0.5).toFixed(2)), to: Number((now + 0.5).toFixed(2)), count: 5 }));
+  const [tilts, setTilts] = useState<Span>(() => {
+    const pitch = oak ? Math.round(toAngles(oak.state.pose.quaternion, up).pitch) : 0;
+    return { from: pitch - 20, to: pitch + 20, count: 3 };
+  });
+  const [isForAll, setForAll] = useState(false);
+  const [ranked, setRanked] = useState<Ranked[] | null>(null);
+  const [problem, setProblem] = useState<string | null>(null);
+  const running = useRef<AbortController | null>(null);
+  const [isRunning, setRunning] = useState(false);
+  useEffect(() => () => running.current?.abort(), []);
+  if (!oak) return null;
+  const shown = isForAll ? document.oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state)).map(({ state }) => state) : [oak.state];
+  const count = heights.count * tilts.count * shown.length;
+  const run = async () => {
+    const states = sweep(shown, heights, tilts, up);
+    const own = new AbortController();
+    running.current = own;
+    setRunning(true);
+    setProblem(null);
+    try {
+      setRanked(rank(states, await api.coverage({ scene: document.scene, states, region: target }, own.signal), up));
+    } catch (error) {
+      if (!own.signal.aborted) setProblem(error instanceof Error ? error.message : String(error));
+    } finally {
+      setRunning(false);
+    }
+  };
+  const take = ({ state }: Ranked) => studio.document.commit("sweep", (document) =>
+    changeOak(document, document.selected, (before) => ({ ...before, pose: state.pose })));
+  return (
+    <Section title="Sweep" testId="sweep">
+      <SpanFields name="Height" unit="m" span={heights} onChange={setHeights} />
+      <SpanFields name="Tilt" unit="°" span={tilts} onChange={setTilts} />
+      {document.oaks.length > 1 && <Check label="All models, not only the selected OAK" isOn={isForAll} onChange={setForAll} />}
+      <div class="row">
+        {isRunning
+          ? <Button label="Cancel" onClick={() => running.current?.abort()} />
+          : <Button label={`Try ${count} poses`} class="primary" isDisabled={count > MAX_POSES} onClick={() => void run()} testId="run-sweep" />}
+        {isRunning && <span class="hint" role="status">Computing…</span>}
+        {count > MAX_POSES && <span class="problem">{`At most ${MAX_POSES} poses.`}</span>}
+      </div>
+      {problem && <p class="problem" role="alert">{problem}</p>}
+      {ranked && <div class="scroll-x"><Ranking ranked={ranked.slice(0, LISTED)} onTake={take} /></div>}
+    </Section>
+  );
+}
+
+function SpanFields({ name, unit, span, onChange }: { name: string; unit: string; span: Span; onChange: (span: Span) => void }) {
+  const [step, digits] = unit === "m" ? [0.1, 2] : [5, 1];
+  return (
+    <div class="triple">
+      <NumberField label={`${name} from`} value={span.from} unit={unit} step={step} digits={digits} onChange={(from) => onChange({ ...span, from })} />
+      <NumberField label="to" value={span.to} unit={unit} step={step} digits={digits} onChange={(to) => onChange({ ...span, to })} />
+      <NumberField label="steps" value={span.count} step={1} digits={0} minimum={1} maximum={20} onChange={(count) => onChange({ ...span, count: Math.round(count) })} />
+    </div>
+  );
+}
+
+function Ranking({ ranked, onTake }: { ranked: Ranked[]; onTake: (one: Ranked) => void }) {
+  const hasModels = new Set(ranked.map(({ state }) => state.model)).size > 1;
+  return (
+    <table class="numbers ranking">
+      <thead><tr>{hasModels && <th scope="col">OAK</th>}<th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col">|Error|</th><td /></tr></thead>
+      <tbody>
+        {ranked.map((one, i) => (
+          <tr key={i}>
+            {hasModels && <td class="model">{one.state.model}</td>}
+            <td>{one.heightM.toFixed(2)} m</td>
+            <td>{one.tiltDeg.toFixed(0)}°</td>
+            <td>{share(one.coverage.measured)}</td>
+            <td>{millimetres(one.coverage.medianAbsoluteErrorM)}</td>
+            <td><Button label="Take" class="text" tip="Move the selected OAK there" onClick={() => onTake(one)} /></td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

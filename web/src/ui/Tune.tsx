@@ -1,0 +1,236 @@
+import type { DepthSensor, OakState, Parameter } from "../protocol";
+import { findEngine, findModel, findSensor, selectedOak } from "../state/document";
+import { grouped } from "../state/parameters";
+import { words } from "../util/format";
+import { useStore } from "../util/store";
+import { Button, Check, NumberField, Section, Select } from "./controls";
+import { useApp } from "./context";
+import { FilterList } from "./FilterList";
+import { ParameterField } from "./ParameterField";
+
+/** The controls of the selected OAK. */
+export function Tune() {
+  const { studio } = useApp();
+  const oak = selectedOak(useStore(studio.document));
+  const catalog = useStore(studio.catalog);
+  const rejection = useStore(studio.rejections).get(oak?.key ?? "");
+  const ran = useStore(studio.frames).get(oak?.key ?? "")?.header.filters ?? [];
+  if (!oak) return null;
+  const { state } = oak;
+  const sensor = findSensor(catalog, state);
+  const engine = findEngine(catalog, state);
+  if (!sensor) return <p class="hint pad">{state.model} has no depth sensor. Choose another model.</p>;
+  const problem = (field: string) => (rejection?.field === field ? rejection.error : undefined);
+  // What no field below shows is shown with the sensor.
+  const hasField = rejection?.field === "filters" || engine?.parameters.some(({ name }) => name === rejection?.field);
+  return (
+    <>
+      <SensorSection state={state} sensor={sensor} problem={hasField ? undefined : rejection?.error} />
+      <UnitSection state={state} />
+      <Section title="Filters" isOpen={state.filters !== null}>
+        <FilterList
+          filters={catalog.filters}
+          value={state.filters}
+          ran={ran}
+          problem={problem("filters")}
+          onChange={(tag, filters) => studio.change(tag, (state) => ({ ...state, filters }))}
+        />
+      </Section>
+      {engine && <Parameters key={engine.name} parameters={engine.parameters} state={state} problem={problem} />}
+    </>
+  );
+}
+
+function SensorSection({ state, sensor, problem }: { state: OakState; sensor: DepthSensor; problem: string | undefined }) {
+  const { studio } = useApp();
+  const catalog = useStore(studio.catalog);
+  const model = findModel(catalog, state.model);
+  const engine = findEngine(catalog, state);
+  const set = (tag: string, change: Partial<OakState>) => studio.change(tag, (state) => ({ ...state, ...change }));
+  return (
+    <Section title="Sensor">
+      {(model?.depthSensors.length ?? 0) > 1 && (
+        <Select
+          label="Depth sensor"
+          value={state.sensor}
+          options={(model?.depthSensors ?? []).map(({ id }) => ({ value: id, title: words(id) }))}
+          onChange={(id) => {
+            const next = model?.depthSensors.find((sensor) => sensor.id === id);
+            set("sensor", { sensor: id, engine: next?.engines[0] ?? "", preset: null, parameters: {}, filters: null });
+          }}
+        />
+      )}
+      <Select
+        label="Engine"
+        testId="engine"
+        value={state.engine}
+        options={sensor.engines.map((name) => ({ value: name, title: words(name) }))}
+        onChange={(name) => set("engine", { engine: name, parameters: {} })}
+      />
+      {engine && <p class="hint">{engine.help}</p>}
+      {sensor.presets.length > 0 && (
+        <Select
+          label="Preset"
+          value={state.preset ?? ""}
+          options={[{ value: "", title: "None" }, ...sensor.presets.map((name) => ({ value: name, title: words(name) }))]}
+          onChange={(preset) => set("preset", { preset: preset || null })}
+        />
+      )}
+      {sensor.kind === "stereo" && (
+        <Check
+          label="Extended disparity"
+          tip="Doubles the disparity range, for near surfaces"
+          isOn={state.extendedDisparity}
+          onChange={(extendedDisparity) => set("extended", { extendedDisparity })}
+        />
+      )}
+      {sensor.kind === "stereo" && (
+        <Check
+          label="Fisheye lenses"
+          tip="The optics of the left and right cameras of wide models: fisheye instead of pinhole"
+          isOn={state.lens === "fisheye"}
+          onChange={(isOn) => set("lens", { lens: isOn ? "fisheye" : "pinhole" })}
+        />
+      )}
+      {sensor.kind === "stereo" && <Light state={state} isMatcher={engine?.isMatcher ?? false} hasProjector={model?.hasProjector ?? false} />}
+      {problem && <p class="problem" role="alert">{problem}</p>}
+    </Section>
+  );
+}
+
+/** The light for the infrared cameras. */
+function Light({ state, isMatcher, hasProjector }: { state: OakState; isMatcher: boolean; hasProjector: boolean }) {
+  const { studio } = useApp();
+  const isNight = state.ambient === 0;
+  return (
+    <>
+      <div class="row">
+        <span class="name" id="light">Light</span>
+        <div class="segments" role="group" aria-labelledby="light">
+          <Button label="Day" isOn={!isNight} onClick={() => studio.change("ambient", (state) => ({ ...state, ambient: 1 }))} />
+          <Button label="Night" isOn={isNight} onClick={() => studio.change("ambient", (state) => ({ ...state, ambient: 0 }))} />
+        </div>
+      </div>
+      <div class="pair">
+        <NumberField
+          label="Ambient"
+          tip="The brightness of the scene's own light in the infrared images; 1 is that of the scene"
+          value={state.ambient}
+          onChange={(ambient) => studio.change("ambient", (state) => ({ ...state, ambient }))}
+          step={0.1}
+          digits={3}
+          minimum={0}
+          maximum={100}
+        />
+        {(hasProjector || state.projector > 0) && <NumberField
+          label="Projector"
+          tip="The brightness of the dot projector; 0 is off, 1 its full power"
+          value={state.projector}
+          onChange={(projector) => studio.change("projector", (state) => ({ ...state, projector }))}
+          step={0.1}
+          digits={3}
+          minimum={0}
+          maximum={100}
+        />}
+      </div>
+      {!isMatcher && <p class="hint">The light changes the left and right images. Only engines that match images measure from them.</p>}
+    </>
+  );
+}
+
+/** What differs from one device to the next, and from one image to the next. */
+function UnitSection({ state }: { state: OakState }) {
+  const { studio } = useApp();
+  const calibrations = useStore(studio.calibrations);
+  const isUnit = state.deviceSeed !== null;
+  const random = () => Math.floor(Math.random() * 100_000);
+  return (
+    <Section title="Noise and unit">
+      <div class="row end">
+        <NumberField
+          label="Noise seed"
+          tip="Images with the same seed have the same noise"
+          value={state.seed}
+          onChange={(seed) => studio.change("seed", (state) => ({ ...state, seed: Math.round(seed) }))}
+          step={1}
+          digits={0}
+          minimum={0}
+          maximum={4294967295}
+          testId="seed"
+        />
+        <Button icon="dice" label="Another seed" onClick={() => studio.change("seed", (state) => ({ ...state, seed: random() }))} />
+      </div>
+      <Check
+        label="Individual unit"
+        tip="A device with a random calibration error, instead of a perfect one"
+        isOn={isUnit}
+        onChange={(isOn) => studio.change("unit", (state) => ({ ...state, deviceSeed: isOn ? 1 : null }))}
+      />
+      {isUnit && (
+        <div class="row end">
+          <NumberField
+            label="Unit"
+            tip="Each number is another device"
+            value={state.deviceSeed ?? 1}
+            onChange={(seed) => studio.change("deviceSeed", (state) => ({ ...state, deviceSeed: Math.round(seed) }))}
+            step={1}
+            digits={0}
+            minimum={0}
+            maximum={4294967295}
+          />
+          <Button icon="dice" label="Another unit" onClick={() => studio.change("deviceSeed", (state) => ({ ...state, deviceSeed: random() }))} />
+        </div>
+      )}
+      {(calibrations.size > 0 || state.calibration !== null) && (
+        <Select
+          label="Calibration"
+          value={state.calibration ?? ""}
+          options={[{ value: "", title: "Nominal" }, ...[...calibrations.values()].map(({ id, name }) => ({ value: id, title: name }))]}
+          onChange={(id) => studio.change("calibration", (state) => ({ ...state, calibration: id || null }))}
+        />
+      )}
+      {calibrations.size === 0 && <p class="hint">Drop a device's calibration file here to model that device.</p>}
+    </Section>
+  );
+}
+
+function Parameters({ parameters, state, problem }: {
+  parameters: Parameter[]; state: OakState; problem: (field: string) => string | undefined;
+}) {
+  const { studio, defaults } = useApp();
+  useStore(defaults);
+  const changed = Object.keys(state.parameters).length;
+  const set = (name: string, value: string | undefined) => studio.change(`parameter ${name}`, (state) => {
+    const { [name]: _, ...others } = state.parameters;
+    return { ...state, parameters: value === undefined ? others : { ...others, [name]: value } };
+  });
+  return (
+    <>
+      <div class="divider">
+        <h2>Parameters</h2>
+        {changed > 0 && (
+          <Button
+            label={`Reset all ${changed}`}
+            class="text"
+            testId="reset-all"
+            onClick={() => studio.change("reset", (state) => ({ ...state, parameters: {} }))}
+          />
+        )}
+      </div>
+      {grouped(parameters).map(([group, members]) => (
+        <Section key={group} title={words(group)} testId="parameter-group">
+          {members.map((parameter) => (
+            <ParameterField
+              key={parameter.name}
+              parameter={parameter}
+              value={state.parameters[parameter.name]}
+              fallback={defaults.of(state, parameter)}
+              problem={problem(parameter.name)}
+              onChange={(value) => set(parameter.name, value)}
+            />
+          ))}
+        </Section>
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,267 @@
+import {
+  Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight, Line,
+  LineBasicMaterial, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import type { Mesh as WireMesh } from "../net/wire";
+import type { Pose, SceneInfo, Vec3 } from "../protocol";
+import { upVector } from "../util/pose";
+import { Gizmo, type GizmoMode } from "./gizmo";
+import { makeMesh } from "./meshes";
+import { Navigation } from "./navigation";
+import { dispose } from "./oakobject";
+
+export interface ViewerHandlers {
+  /** The selected OAK was moved in the view. */
+  onPose(pose: Pose): void;
+  /** An object of the scene was clicked, by its index; null for nothing. */
+  onPick(object: number | null): void;
+}
+
+/** What a click hits. */
+export interface Hit {
+  point: Vector3;
+  object: number;
+}
+
+/** How far below a roof the scene is cut. */
+const ROOF_GAP = 0.03;
+const MARKER_COLOR = "#ff2d78";
+/** A pointer that moved less than this between press and release, in pixels, clicked. */
+const CLICK = 4;
+
+/** The 3D view. It draws only after something changed. */
+export class Viewer {
+  /** The number of images that were drawn. */
+  drawn = 0;
+  readonly navigation: Navigation;
+  readonly gizmo: Gizmo;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(50, 1, 0.02, 1000);
+  private readonly oaks = new Group();
+  private readonly clouds = new Group();
+  private readonly marker: Points<BufferGeometry, PointsMaterial>;
+  private readonly sight: Line<BufferGeometry, LineBasicMaterial>;
+  private readonly lamp = new DirectionalLight("#ffffff", 1.6);
+  private readonly observer: ResizeObserver;
+  private mesh: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
+  private grid: GridHelper | null = null;
+  private target: Box3Helper | null = null;
+  private objects: Uint32Array | null = null;
+  private isWaiting = false;
+
+  constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.renderer.localClippingEnabled = true;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
+    const invalidate = () => this.invalidate();
+    this.navigation = new Navigation(this.camera, canvas, invalidate);
+    this.gizmo = new Gizmo(this.camera, canvas, this.scene, this.navigation, handlers.onPose, invalidate);
+    this.marker = new Points(
+      new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 0], 3)),
+      new PointsMaterial({ color: MARKER_COLOR, size: 9, sizeAttenuation: false, depthTest: false, transparent: true }),
+    );
+    this.sight = new Line(
+      new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 0, 0, 0, 0], 3)),
+      new LineBasicMaterial({ color: MARKER_COLOR, transparent: true, opacity: 0.7, depthTest: false }),
+    );
+    for (const object of [this.marker, this.sight]) {
+      object.visible = false;
+      object.frustumCulled = false;
+      object.renderOrder = 10;
+      this.scene.add(object);
+    }
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(canvas);
+    this.listenForClicks(handlers.onPick);
+  }
+
+  close(): void {
+    this.observer.disconnect();
+    dispose(this.scene);
+    this.renderer.dispose();
+  }
+
+  /** Asks for an image; several requests before the next one is drawn are one. */
+  invalidate(): void {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.lamp.position.copy(this.camera.position);
+      this.renderer.render(this.scene, this.camera);
+      this.drawn++;
+    });
+  }
+
+  get isIdle(): boolean {
+    return !this.isWaiting;
+  }
+
+  setBackground(color: string, gridColor: string): void {
+    this.scene.background = new Color(color);
+    if (this.grid) this.grid.material.color.set(gridColor);
+    this.invalidate();
+  }
+
+  setScene(info: SceneInfo, mesh: WireMesh, isTwoSided: boolean): void {
+    if (this.mesh) {
+      this.scene.remove(this.mesh);
+      dispose(this.mesh);
+    }
+    this.mesh = makeMesh(mesh, isTwoSided);
+    this.objects = mesh.objects;
+    this.scene.add(this.mesh);
+    const size = new Vector3(...info.bounds[1]).distanceTo(new Vector3(...info.bounds[0]));
+    this.camera.near = Math.min(0.05, Math.max(size / 5000, 0.001));
+    this.camera.far = Math.max(100, size * 10);
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  showScene(isShown: boolean): void {
+    if (this.mesh) this.mesh.visible = isShown;
+    this.invalidate();
+  }
+
+  /** Finds the height of what is above a point, such as a ceiling. */
+  roofAbove(info: SceneInfo, position: Vec3): number | null {
+    if (!this.mesh) return null;
+    const up = new Vector3(...upVector(info.up));
+    // A ceiling shows its face to the room, so that culling does not hide it from the ray.
+    const hit = new Raycaster(new Vector3(...position), up).intersectObject(this.mesh)[0];
+    return hit ? hit.point.dot(up) : null;
+  }
+
+  /** Cuts away the scene above a height; null for nothing. */
+  setRoof(info: SceneInfo, height: number | null): void {
+    if (!this.mesh) return;
+    const down = new Vector3(...upVector(info.up)).negate();
+    this.mesh.material.clippingPlanes = height === null ? null : [new Plane(down, height - ROOF_GAP)];
+    this.invalidate();
+  }
+
+  /** Draws a grid of metres below the scene. */
+  setGrid(info: SceneInfo, isShown: boolean, color: string): void {
+    if (this.grid) {
+      this.scene.remove(this.grid);
+      dispose(this.grid);
+      this.grid = null;
+    }
+    if (isShown) {
+      const [low, high] = info.bounds;
+      const [width, depth] = info.up === "z" ? [high[0] - low[0], high[1] - low[1]] : [high[0] - low[0], high[2] - low[2]];
+      const size = Math.min(100, Math.max(4, 2 * Math.ceil(Math.max(width, depth) / 2) + 2));
+      this.grid = new GridHelper(size, size, color, color);
+      if (info.up === "z") this.grid.rotation.x = Math.PI / 2;
+      const centre = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5).round();
+      // A little lower than the floor, which would otherwise flicker.
+      if (info.up === "z") centre.z = low[2] - 0.01;
+      else centre.y = low[1] - 0.01;
+      this.grid.position.copy(centre);
+      this.scene.add(this.grid);
+    }
+    this.invalidate();
+  }
+
+  setOaks(groups: Group[]): void {
+    dispose(this.oaks);
+    this.oaks.clear();
+    if (groups.length) this.oaks.add(...groups);
+    this.invalidate();
+  }
+
+  setClouds(clouds: Points[]): void {
+    dispose(this.clouds);
+    this.clouds.clear();
+    if (clouds.length) this.clouds.add(...clouds);
+    this.invalidate();
+  }
+
+  /** Marks a point of the scene and the line of sight to it. */
+  setMarker(point: Vec3 | null, eye: Vec3 | null): void {
+    this.marker.visible = point !== null;
+    this.sight.visible = point !== null && eye !== null;
+    if (point) this.marker.position.set(...point);
+    if (point && eye) {
+      const positions = this.sight.geometry.getAttribute("position");
+      positions.setXYZ(0, ...eye);
+      positions.setXYZ(1, ...point);
+      positions.needsUpdate = true;
+    }
+    this.invalidate();
+  }
+
+  /** Outlines the region whose coverage is computed. */
+  setTarget(bounds: [Vec3, Vec3] | null): void {
+    if (this.target) {
+      this.scene.remove(this.target);
+      this.target.dispose();
+      this.target = null;
+    }
+    if (bounds) {
+      const box = new Box3(new Vector3(...bounds[0]), new Vector3(...bounds[1]));
+      this.target = new Box3Helper(box, new Color("#d6409f"));
+      this.scene.add(this.target);
+    }
+    this.invalidate();
+  }
+
+  setGizmo(mode: GizmoMode, pose: Pose | null): void {
+    this.gizmo.set(mode, pose);
+    this.invalidate();
+  }
+
+  /** Looks at an OAK from behind and above, such that what it sees is visible; more steeply into a room without its roof. */
+  lookAt(info: SceneInfo, pose: Pose, isRoom: boolean): void {
+    const up = new Vector3(...upVector(info.up));
+    const [low, high] = [new Vector3(...info.bounds[0]), new Vector3(...info.bounds[1])];
+    const body = new Vector3(...pose.position);
+    const size = Math.min(Math.max(low.distanceTo(high), 1), 8);
+    const forward = new Vector3(1, 0, 0).applyQuaternion(this.oaks.quaternion.clone().set(...pose.quaternion));
+    forward.addScaledVector(up, -forward.dot(up));
+    if (forward.length() < 0.1) forward.set(1, 0, 0);
+    forward.normalize();
+    const side = new Vector3().crossVectors(up, forward);
+    const target = body.clone().addScaledVector(forward, size * 0.2);
+    const [back, right, rise] = isRoom ? [0.12, 0.12, 0.62] : [0.3, 0.22, 0.25];
+    const from = body.clone().addScaledVector(forward, -size * back).addScaledVector(side, -size * right).addScaledVector(up, size * rise);
+    this.navigation.look(info.up, target, from);
+  }
+
+  /** Finds what a place of the canvas shows, given in pixels of the page. */
+  hit(clientX: number, clientY: number): Hit | null {
+    if (!this.mesh?.visible) return null;
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2), this.camera);
+    const first = caster.intersectObject(this.mesh)[0];
+    if (!first || first.faceIndex == null) return null;
+    return { point: first.point, object: this.objects?.[first.faceIndex] ?? 0 };
+  }
+
+  private listenForClicks(onPick: (object: number | null) => void): void {
+    let start: [number, number] | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => {
+      start = event.button === 0 && !this.gizmo.isActive ? [event.clientX, event.clientY] : null;
+    });
+    this.canvas.addEventListener("pointerup", (event) => {
+      if (!start || Math.hypot(event.clientX - start[0], event.clientY - start[1]) > CLICK) return;
+      onPick(this.hit(event.clientX, event.clientY)?.object ?? null);
+    });
+    this.canvas.addEventListener("dblclick", (event) => {
+      const hit = this.hit(event.clientX, event.clientY);
+      if (hit) this.navigation.focus(hit.point, Math.max(0.3, this.camera.position.distanceTo(hit.point) * 0.5));
+    });
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+}
