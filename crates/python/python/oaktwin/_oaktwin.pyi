@@ -83,7 +83,8 @@ def coverage(
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
     **options: Unpack[_SensorOptions],
-) -> tuple[dict[str, Any], dict[str, Any] | None]: ...
+) -> tuple[dict[str, Any], dict[str, Any] | None]:
+    """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`."""
 def fit(
     device: Device,
     recordings: Sequence[str | PathLike[str]],
