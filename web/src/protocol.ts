@@ -48,9 +48,11 @@ export interface Model {
   maker: string;
   /** "RVC2", "RVC4". */
   generation: string;
-  /** Length along y, height along z, depth along x, metres, and the centre in the body frame. */
+  /** The sizes along x, y and z, and the centre, in the body frame. */
   body: { size: Vec3; centre: Vec3 };
   cameras: Camera[];
+  /** Whether it has a dot projector. */
+  hasProjector: boolean;
   /** Empty for a model without depth. */
   depthSensors: DepthSensor[];
 }
@@ -279,6 +281,11 @@ export interface ImageHeader {
   /** The place in the payload after the header. The bytes are an LZ4 block of the little-endian pixels, row by row. */
   offset: number;
   length: number;
+  /**
+   * Whether the pixels are those of the last frame with this image that the server sent for this OAK. Such an image has a `length` of
+   * 0, because the page still has it.
+   */
+  unchanged?: boolean;
 }
 
 export interface Statistics {

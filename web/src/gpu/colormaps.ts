@@ -71,8 +71,8 @@ export function errorTable(): Uint8Array<ArrayBuffer> {
  * are more reasons than hues that everybody can tell apart. The legend and the readout name them.
  */
 const REASON_COLORS: Rgb[] = parse(
-  "3a4048" + "e69f00" + "56b4e9" + "009e73" + "f0e442" + "0072b2" + "d55e00" + "cc79a7" + "999999" + "882255" + "aa4499" + "ddcc77" +
-    "117733" + "88ccee" + "332288" + "cc6677",
+  "3a4048" + "0b0d10" + "e69f00" + "56b4e9" + "f0e442" + "0072b2" + "d55e00" + "ffffff" + "cc79a7" + "999999" + "009e73" + "882255" +
+    "aa4499" + "ddcc77" + "117733" + "88ccee" + "332288" + "cc6677" + "44aa99" + "b0724a" + "7f7fff" + "c8e6a0",
 );
 
 export function reasonColor(code: number): Rgb {
@@ -89,8 +89,8 @@ export function css([red, green, blue]: Rgb): string {
   return `rgb(${red}, ${green}, ${blue})`;
 }
 
-/** The colours that tell OAKs apart, for frusta, dots and lines. */
-const OAK_COLORS: Rgb[] = parse("4c9be8e69f0026a97bd55e00cc79a7a08bff");
+/** The colours that tell OAKs apart, for frusta, dots and lines: their contrast is at least 3 : 1 in both themes. */
+const OAK_COLORS: Rgb[] = parse("2f7fd0c47f001d8f66c04f00b0578c7a5fe0");
 
 export function oakColor(index: number): Rgb {
   return OAK_COLORS[index % OAK_COLORS.length] as Rgb;

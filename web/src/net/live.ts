@@ -1,5 +1,5 @@
-import type { ClientMessage, ServerMessage } from "../protocol";
-import { decodeFrame, type Frame } from "./wire";
+import type { ClientMessage, ImageName, ServerMessage } from "../protocol";
+import { decodeFrame, type Frame, type Picture } from "./wire";
 
 export type Connection = "connecting" | "open" | "lost";
 
@@ -16,6 +16,8 @@ const WAITS = [200, 500, 1000, 2000];
 export class Live {
   private socket: WebSocket | null = null;
   private attempts = 0;
+  /** The last image of each name of each OAK on this connection. */
+  private readonly pictures = new Map<string, Map<ImageName, Picture>>();
 
   constructor(private readonly handlers: LiveHandlers) {}
 
@@ -26,11 +28,12 @@ export class Live {
     socket.onopen = () => {
       this.socket = socket;
       this.attempts = 0;
+      this.pictures.clear();
       this.handlers.onConnection("open");
     };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       if (typeof data === "string") this.handlers.onMessage(JSON.parse(data) as ServerMessage);
-      else this.handlers.onFrame(decodeFrame(data));
+      else this.handlers.onFrame(this.decode(data));
     };
     socket.onclose = () => {
       this.socket = null;
@@ -38,6 +41,13 @@ export class Live {
       const wait = WAITS[Math.min(this.attempts++, WAITS.length - 1)];
       setTimeout(() => this.connect(), wait);
     };
+  }
+
+  private decode(data: ArrayBuffer): Frame {
+    const frame = decodeFrame(data, (oak) => this.pictures.get(oak));
+    const { oak } = frame.header;
+    this.pictures.set(oak, new Map([...(this.pictures.get(oak) ?? []), ...frame.pictures]));
+    return frame;
   }
 
   /** Sends a message; returns whether there is a connection. */

@@ -37,11 +37,17 @@ function header<T>(message: ArrayBuffer): [T, number] {
   return [JSON.parse(text) as T, 4 + length];
 }
 
-export function decodeFrame(message: ArrayBuffer): Frame {
+/** Decodes a frame; `before` are the last images of the same OAK by name, which unchanged ones are taken from. */
+export function decodeFrame(message: ArrayBuffer, before: (oak: string) => ReadonlyMap<ImageName, Picture> | undefined): Frame {
   const [parsed, start] = header<FrameHeader>(message);
   const pictures = new Map<ImageName, Picture>();
   for (const image of parsed.images) {
     const { name, width, height, format } = image;
+    if (image.unchanged) {
+      const known = before(parsed.oak)?.get(name);
+      if (known) pictures.set(name, known);
+      continue;
+    }
     const block = new Uint8Array(message, start + image.offset, image.length);
     const bytes = decodeLz4(block, width * height * BYTES_PER_PIXEL[format]);
     const data = format === "u16mm" ? new Uint16Array(bytes.buffer) : bytes;

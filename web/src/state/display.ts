@@ -46,6 +46,8 @@ export interface Display {
   showRanges: boolean;
   showGrid: boolean;
   showScene: boolean;
+  /** Whether the 3D view shows what is above the OAK and covers it. */
+  showRoof: boolean;
   cloud: CloudSource;
   cloudColor: CloudColor;
   /** The share of the page's height that the 3D view has. */
@@ -68,9 +70,10 @@ export const DEFAULT_DISPLAY: Display = {
   showRanges: true,
   showGrid: true,
   showScene: true,
+  showRoof: false,
   cloud: "none",
   cloudColor: "error",
-  split: 0.52,
+  split: 0.46,
   showLeft: true,
   showRight: true,
 };

@@ -61,15 +61,15 @@ export function defaultState(model: Model, pose: Pose): OakState {
     extendedDisparity: false,
     seed: 0,
     deviceSeed: null,
-    projector: 1,
+    projector: model.hasProjector ? 1 : 0,
     ambient: 1,
   };
 }
 
 /** Returns the state of another model that keeps what does not depend on the model. */
 export function withModel(state: OakState, model: Model): OakState {
-  const { pose, seed, deviceSeed, projector, ambient } = state;
-  const next = { ...defaultState(model, pose), seed, deviceSeed, projector, ambient };
+  const { pose, seed, deviceSeed, ambient } = state;
+  const next = { ...defaultState(model, pose), seed, deviceSeed, ambient };
   const sensor = model.depthSensors.find(({ id }) => id === state.sensor);
   if (!sensor) return next;
   const engine = sensor.engines.includes(state.engine) ? state.engine : next.engine;

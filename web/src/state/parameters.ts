@@ -25,30 +25,35 @@ export function check(parameter: Parameter, typed: string): Checked {
 
 /** Describes the values that a parameter may have, such as "0 to 100 px". */
 export function range({ type, choices, minimum, maximum, unit }: Parameter): string {
+  // The smallest number that a computer can hold means that 0 itself is excluded.
+  const isPositive = minimum !== null && minimum > 0 && minimum < 1e-300;
   if (type === "boolean") return "true or false";
   if (choices) return choices.join(", ");
   const suffix = unit ? ` ${unit}` : "";
+  if (isPositive) return maximum === null ? `more than 0${suffix}` : `more than 0, at most ${maximum}${suffix}`;
   if (minimum !== null && maximum !== null) return `${minimum} to ${maximum}${suffix}`;
   if (minimum !== null) return `at least ${minimum}${suffix}`;
   if (maximum !== null) return `at most ${maximum}${suffix}`;
   return type === "string" ? "any text" : `any number${suffix}`;
 }
 
+/** A slider reaches this many times as far as the default where the range is much wider or has no end. */
+const USEFUL = 4;
+
 /** Returns the limits of a slider, or null if a parameter has none that a slider could use. */
 export function slider(parameter: Parameter, fallback: number): { from: number; to: number; step: number } | null {
   if (parameter.type !== "number" && parameter.type !== "integer") return null;
-  if (parameter.choices || parameter.minimum === null || parameter.maximum === null) return null;
-  const from = parameter.minimum;
-  const span = parameter.maximum - from;
-  // A range of many decades, such as 0 to 10000 around a default of 0.1, would make the slider useless.
-  const size = Math.abs(fallback - from);
-  const to = size > 0 && span > 200 * size ? from + niceSpan(20 * size) : parameter.maximum;
-  const step = parameter.type === "integer" ? 1 : 10 ** Math.floor(Math.log10((to - from) / 200));
+  if (parameter.choices || !Number.isFinite(fallback)) return null;
+  const lowest = parameter.minimum ?? Math.min(0, USEFUL * fallback);
+  const highest = parameter.maximum ?? Math.max(0, USEFUL * fallback);
+  const size = Math.abs(fallback - lowest);
+  const isWide = size > 0 && highest - lowest > 3 * USEFUL * size;
+  const to = isWide ? Number((lowest + USEFUL * size).toPrecision(2)) : highest;
+  if (to <= lowest) return null;
+  const step = parameter.type === "integer" ? 1 : 10 ** Math.floor(Math.log10((to - lowest) / 200));
+  // An excluded end, such as 0 for a length, is left out.
+  const from = lowest > 0 && lowest < step ? step : lowest;
   return { from, to, step };
-}
-
-function niceSpan(span: number): number {
-  return Number(span.toPrecision(1));
 }
 
 /** Groups parameters under their headings, in order of appearance. */

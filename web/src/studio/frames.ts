@@ -144,7 +144,7 @@ export class FrameLoop {
   private accept(oak: string, wanted: Wanted, frame: Frame): void {
     const { frames, rejections } = this.studio;
     if (rejections.get().has(oak)) rejections.set(without(rejections.get(), oak));
-    frames.set(new Map(frames.get()).set(oak, { ...frame, state: wanted.state, scene: wanted.scene }));
+    frames.set(new Map(frames.get()).set(oak, { ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images }));
   }
 
   private read(message: ServerMessage): void {

@@ -1,7 +1,7 @@
 import { api, ApiError } from "../net/api";
 import type { Connection } from "../net/live";
 import type { Frame } from "../net/wire";
-import type { CalibrationInfo, Catalog, Finding, OakState, ProbeAnswer, Rejection, SceneInfo } from "../protocol";
+import type { CalibrationInfo, Catalog, Finding, ImageName, OakState, ProbeAnswer, Rejection, SceneInfo } from "../protocol";
 import { type Display, loadDisplay, saveDisplay } from "../state/display";
 import { changeOak, findModel, newDocument, type StudioDocument } from "../state/document";
 import { History } from "../state/history";
@@ -12,6 +12,8 @@ import { Store } from "../util/store";
 export interface Shown extends Frame {
   state: OakState;
   scene: string;
+  /** The images that were requested; the server leaves out those that the engine does not make. */
+  requested: readonly ImageName[];
 }
 
 /** A message to the person at the page. */
@@ -97,7 +99,9 @@ export class Studio {
 
   /** Forgets what a server that was restarted no longer knows, and reads what it knows now. */
   async restart(): Promise<void> {
+    const { version } = this.catalog.get();
     this.catalog.set(await api.catalog());
+    if (this.catalog.get().version !== version) this.notify("warning", "The server has another version now. Reload the page.");
     this.loading = "";
     this.scene.set(null);
     await this.followScene();

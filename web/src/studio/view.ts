@@ -18,6 +18,9 @@ import type { Shown, Studio } from "./studio";
 const TRIANGLES = 100_000;
 const FULL_DETAIL = 5_000_000;
 
+/** How many points all clouds have together: drawing them is what takes time without a GPU. */
+const MAX_POINTS = 300_000;
+
 /** Keeps the 3D view up to date with what the page knows. */
 export class SceneView {
   readonly gizmo = new Store<GizmoMode>("translate");
@@ -28,14 +31,16 @@ export class SceneView {
   readonly viewer: Viewer;
   private readonly bodies = new Map<string, Mesh | null>();
   private groups: { oak: Oak; group: Group }[] = [];
-  /** What the groups were made for; poses are not part of it. */
-  private looks = "";
-  private clouds: readonly unknown[] = [];
+  private readonly seen = new Map<string, readonly unknown[]>();
+  private hasClouds = false;
+  private mesh: Mesh | null = null;
   private loaded = "";
   private wantsDetail = false;
+  /** The height of what covered the OAK when the scene was loaded. */
+  private roof: number | null = null;
 
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
-    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object) });
+    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object), onOak: (index) => this.select(index) });
     const { document, display, scene, frames, probe } = studio;
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo]) store.subscribe(() => this.follow());
@@ -49,7 +54,7 @@ export class SceneView {
   /** Looks at the selected OAK from behind. */
   home(): void {
     const [info, oak] = [this.studio.scene.get(), selectedOak(this.studio.document.get())];
-    if (info && oak) this.viewer.lookAt(info, oak.state.pose);
+    if (info && oak) this.viewer.lookAt(info, oak.state.pose, this.roof !== null && !this.studio.display.get().showRoof);
   }
 
   /** Looks from where the selected OAK is. */
@@ -76,33 +81,47 @@ export class SceneView {
 
   private async loadScene(): Promise<void> {
     const info = this.studio.scene.get();
+    // A server that was restarted may have another scene under the same name.
+    if (!info) this.loaded = "";
     if (!info || info.id === this.loaded) return;
-    const isFirst = !this.wantsDetail;
+    const isFirst = this.isNew("place", info.id, ...info.bounds.flat());
     this.loaded = info.id;
     try {
       const mesh = await api.sceneMesh(info.id, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
       this.wantsDetail = false;
       if (this.studio.scene.get()?.id !== info.id) return;
       this.viewer.setScene(info, mesh, false);
+      this.mesh = mesh;
       this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
+      if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);
       if (isFirst) this.home();
       this.follow();
-      this.paintBackground();
     } catch (error) {
       this.loaded = "";
       if (this.studio.connection.get() === "open") this.studio.report("The 3D view", error);
     }
   }
 
+  /** Passes on what has changed; drawing without a GPU is slow, so nothing else may cause it. */
   private follow(): void {
     const { document, display, scene } = this.studio;
-    const [shown, state] = [display.get(), document.get()];
+    const [shown, state, info] = [display.get(), document.get(), scene.get()];
     this.followOaks(state.oaks, state.selected, shown);
-    this.viewer.setGizmo(this.gizmo.get(), selectedOak(state)?.state.pose ?? null);
-    this.viewer.showScene(shown.showScene);
-    this.viewer.setTarget(targetBounds(state.target, scene.get()));
-    this.paintBackground();
+    const [mode, pose] = [this.gizmo.get(), selectedOak(state)?.state.pose ?? null];
+    if (this.isNew("gizmo", mode, pose)) this.viewer.setGizmo(mode, pose);
+    if (this.isNew("scene", this.mesh, shown.showScene)) this.viewer.showScene(shown.showScene);
+    const roof = shown.showRoof ? null : this.roof;
+    if (info && this.isNew("roof", this.mesh, roof)) this.viewer.setRoof(info, roof);
+    if (this.isNew("target", state.target, info)) this.viewer.setTarget(targetBounds(state.target, info));
+    if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();
+  }
+
+  /** Whether values differ from those of the last call with this name. */
+  private isNew(name: string, ...values: unknown[]): boolean {
+    const before = this.seen.get(name);
+    this.seen.set(name, values);
+    return !before || before.length !== values.length || values.some((value, i) => value !== before[i]);
   }
 
   /** Makes the OAKs again only if more than their poses changed. */
@@ -112,11 +131,11 @@ export class SceneView {
       selected, shown.showCameras, shown.showRanges,
       visible.map(({ key, state }) => [key, state.model, state.sensor, this.bodies.get(state.model) ? 1 : 0]), oaks.map(({ key }) => key),
     ]);
-    if (looks !== this.looks) {
-      this.looks = looks;
+    if (this.isNew("looks", looks)) {
       this.groups = visible.flatMap((oak) => this.makeGroup(oak, oaks.indexOf(oak), oak.key === selected, shown));
       this.viewer.setOaks(this.groups.map(({ group }) => group));
     }
+    if (!this.isNew("poses", looks, ...visible.map(({ state }) => state.pose))) return;
     for (const entry of this.groups) {
       const oak = oaks.find(({ key }) => key === entry.oak.key);
       if (oak) place(entry.group, oak.state.pose);
@@ -157,11 +176,9 @@ export class SceneView {
     const shown = studio.display.get();
     const frames = studio.frames.get();
     const { depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor } = shown;
-    const key = [...frames.values(), depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor];
-    if (key.length === this.clouds.length && key.every((part, i) => part === this.clouds[i])) return;
-    const hadNone = this.clouds.includes("none");
-    this.clouds = key;
-    if (cloud === "none" && hadNone) return;
+    if (cloud === "none" && !this.hasClouds) return;
+    if (!this.isNew("clouds", depthMap, depthRange, errorRange, errorUnit, cloud, cloudColor, ...frames.values())) return;
+    this.hasClouds = cloud !== "none";
     const oaks = studio.document.get().oaks;
     this.viewer.setClouds(cloud === "none" ? [] : [...frames].flatMap(([oak, frame]) => {
       return this.makeClouds(frame, oaks.findIndex(({ key }) => key === oak), shown, frames);
@@ -195,6 +212,7 @@ export class SceneView {
         isRelative: shown.errorUnit === "%",
         color: isGrey ? [0.62, 0.64, 0.68] : [red / 255, green / 255, blue / 255],
         pointSize: 2,
+        maxPoints: MAX_POINTS / (frames.size * sources.length),
       });
       placeCloud(points, pose, matrix(sensor.bodyFromCamera));
       return points;
@@ -214,6 +232,11 @@ export class SceneView {
 
   private movePose(pose: Pose): void {
     this.studio.change("pose", (state) => ({ ...state, pose }));
+  }
+
+  private select(index: number): void {
+    const selected = this.groups[index]?.oak.key;
+    if (selected) this.studio.document.set({ ...this.studio.document.get(), selected });
   }
 
   private pick(index: number | null): void {

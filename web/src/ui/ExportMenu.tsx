@@ -97,7 +97,7 @@ function TextDialog({ title, text, onClose }: { title: string; text: string; onC
   return (
     <Dialog title={title} onClose={onClose}>
       <pre class="code" tabIndex={0} data-testid="snippet">{text}</pre>
-      <div class="row end"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
+      <div class="row spread"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
     </Dialog>
   );
 }

@@ -34,7 +34,7 @@ export function Histogram() {
   const highest = Math.max(...shown.flatMap(({ histogram }) => histogram.counts));
   const zero = ((0 - from) / (to - from)) * WIDTH;
   return (
-    <Section title="Errors" testId="histogram">
+    <Section title="Errors, measured minus true" testId="histogram">
       {shown.length === 0 ? <p class="hint">No pixel has a value.</p> : (
         <figure class="chart">
           <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label="Histogram of the errors">
@@ -50,7 +50,7 @@ export function Histogram() {
               />
             ))}
           </svg>
-          <figcaption><span>{signedMillimetres(from)}</span><span>measured − true</span><span>{signedMillimetres(to)}</span></figcaption>
+          <figcaption><span>{signedMillimetres(from)}</span><span>{signedMillimetres(to)}</span></figcaption>
         </figure>
       )}
     </Section>

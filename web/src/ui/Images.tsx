@@ -11,18 +11,19 @@ import { Panel } from "./Panel";
 /** The height of a panel's caption, and the gap between panels in CSS pixels; as in images.css. */
 const CAPTION_REM = 1.7;
 const GAP = 6;
+/** The aspect ratio of an image that is not there yet. */
 const ASPECT = 1.6;
 const MIN_WIDTH = 150;
 
 /** Finds the number of columns with the largest panels; with several OAKs and images, those of one OAK are in one row or column. */
-export function columns(width: number, height: number, oaks: number, kinds: number): { count: number; width: number } {
+export function columns(width: number, height: number, aspect: number, oaks: number, kinds: number): { count: number; width: number } {
   const total = oaks * kinds;
   const choices = oaks > 1 && kinds > 1 ? [kinds, oaks] : Array.from({ length: total }, (_, i) => i + 1);
   const caption = CAPTION_REM * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
   let best = { count: 1, width: 0 };
   for (const count of choices) {
     const rows = Math.ceil(total / count);
-    const fits = Math.min((width - GAP * (count - 1)) / count, ((height - GAP * (rows - 1)) / rows - caption) * ASPECT);
+    const fits = Math.min((width - GAP * (count - 1)) / count, ((height - GAP * (rows - 1)) / rows - caption) * aspect);
     if (fits > best.width) best = { count, width: fits };
   }
   return { count: best.count, width: Math.max(MIN_WIDTH, Math.floor(best.width)) };
@@ -46,7 +47,9 @@ export function Images() {
     observer.observe(element);
     return () => observer.disconnect();
   }, []);
-  const layout = columns(size.width, size.height, shown.length, Math.max(kinds.length, 1));
+  const aspects = [...frames.values()].map(({ pictures }) => pictures.get("sensor")).map((picture) => (picture ? picture.width / picture.height : ASPECT));
+  const aspect = aspects.length ? Math.min(...aspects) : ASPECT;
+  const layout = columns(size.width, size.height, aspect, shown.length, Math.max(kinds.length, 1));
   // In a grid by images, all OAKs of an image follow each other.
   const isByKind = shown.length > 1 && kinds.length > 1 && layout.count === shown.length && layout.count !== kinds.length;
   const cells: [Oak, PanelKind][] = isByKind

@@ -1,6 +1,6 @@
 import { css, oakColor, reasonColor } from "../gpu/colormaps";
 import { WHOLE_IMAGE } from "../state/document";
-import { length, millimetres, NONE, percent, share, signedMillimetres, words } from "../util/format";
+import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Accuracy } from "./Accuracy";
 import { Button, NumberField, Section } from "./controls";
@@ -96,17 +96,20 @@ function Numbers() {
             <tr>
               <td />
               {shown.map(({ key, state }) => (
-                <th key={key} scope="col"><span class="dot-small" style={{ background: css(oakColor(oaks.findIndex((oak) => oak.key === key))) }} />{state.model}</th>
+                <th key={key} scope="col" data-tip={state.model}>
+                  <span class="dot-small" style={{ background: css(oakColor(oaks.findIndex((oak) => oak.key === key))) }} />
+                  <span class={shown.length > 2 ? "sr-only" : ""}>{state.model}</span>
+                </th>
               ))}
             </tr>
           </thead>
           <tbody>
-            {row("Fill rate", "The share of the pixels that show a surface and have a value", (key) => share(statistics(key)?.fillRate))}
-            {row("Median error", "Measured minus true", (key) => signedMillimetres(statistics(key)?.medianErrorM))}
-            {row("Median |error|", "The median of the size of the error", (key) => millimetres(statistics(key)?.medianAbsoluteErrorM))}
-            {row("… of depth", "The median of the size of the error, relative to the true depth", (key) => percent(statistics(key)?.medianAbsoluteErrorPercent))}
-            {row("95 % below", "95 % of the errors are smaller than this", (key) => millimetres(statistics(key)?.p95AbsoluteErrorM))}
-            {row("Pixels", "Those that show a surface", (key) => statistics(key)?.pixels.toLocaleString("en") ?? NONE)}
+            {row("Fill rate, %", "The share of the pixels that show a surface and have a value", (key) => bareShare(statistics(key)?.fillRate))}
+            {row("Median error, mm", "Measured minus true", (key) => bareMillimetres(statistics(key)?.medianErrorM, true))}
+            {row("Median |error|, mm", "The median of the size of the error", (key) => bareMillimetres(statistics(key)?.medianAbsoluteErrorM))}
+            {row("Median |error|, %", "The median of the size of the error, relative to the true depth", (key) => statistics(key)?.medianAbsoluteErrorPercent?.toFixed(2) ?? NONE)}
+            {row("95th percentile, mm", "95 % of the errors are smaller than this", (key) => bareMillimetres(statistics(key)?.p95AbsoluteErrorM))}
+            {row("Pixels, thousands", "Those that show a surface", (key) => ((statistics(key)?.pixels ?? 0) / 1000).toFixed(0))}
           </tbody>
         </table>
       </div>
@@ -146,8 +149,8 @@ function Reasons() {
         <tbody>
           {missing.map(({ code, name, documentation }) => (
             <tr key={code}>
-              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}</th>
-              {rows.map(({ oak, shares }) => <td key={oak.key}>{share(shares[code] ?? 0)}</td>)}
+              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
+              {rows.map(({ oak, shares }) => <td key={oak.key}>{bareShare(shares[code] ?? 0)}</td>)}
             </tr>
           ))}
         </tbody>

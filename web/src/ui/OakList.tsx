@@ -101,7 +101,7 @@ function OakRow({ oak, index, isLast }: { oak: Oak; index: number; isLast: boole
           {catalog.models.map(({ name }) => <option key={name} value={name} selected={name === oak.state.model}>{name}</option>)}
         </select>
         <span class="detail">{describe(oak, catalog)}</span>
-        {rejection && <span class="problem" role="alert">{rejection.error}</span>}
+        {rejection && !isSelected && <span class="problem" role="alert">{rejection.error}</span>}
       </div>
       <Button icon={oak.isHidden ? "hidden" : "eye"} label={oak.isHidden ? "Show" : "Hide"} isOn={oak.isHidden} onClick={hide} />
       <Button
@@ -119,6 +119,6 @@ function describe(oak: Oak, catalog: Parameters<typeof findSensor>[0]): string {
   const sensor = findSensor(catalog, oak.state);
   if (!model) return "The server does not know this model.";
   if (!sensor) return `${model.generation} · no depth sensor`;
-  const kind = sensor.kind === "tof" ? "time of flight" : sensor.baselineM ? `${(sensor.baselineM * 1000).toFixed(0)} mm baseline` : "stereo";
-  return `${model.generation} · ${kind} · ${sensor.hfovDeg.toFixed(0)}° · ${oak.state.engine}`;
+  const kind = sensor.kind === "tof" ? "ToF" : sensor.baselineM ? `${(sensor.baselineM * 1000).toFixed(0)} mm` : "stereo";
+  return `${kind} · ${sensor.hfovDeg.toFixed(0)}° · ${oak.state.engine}`;
 }

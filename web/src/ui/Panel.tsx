@@ -4,7 +4,7 @@ import type { Scales } from "../gpu/scales";
 import { type PanelKind, PANELS } from "../state/display";
 import type { Oak, Rectangle } from "../state/document";
 import type { Shown } from "../studio/studio";
-import { length, share, signedMillimetres } from "../util/format";
+import { share, signedMillimetres } from "../util/format";
 import { useSelected, useStore } from "../util/store";
 import { useApp } from "./context";
 import { Marks } from "./Marks";
@@ -33,7 +33,7 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
   const title = (kind: PanelKind) => PANELS.find((panel) => panel.kind === kind)?.title ?? kind;
   const height = Math.round(width / aspect);
   return (
-    <figure class="panel" data-testid={`panel-${oak.key}-${kind}`}>
+    <figure class={`panel ${rejection && frame ? "stale" : ""}`} data-testid={`panel-${oak.key}-${kind}`}>
       <figcaption>
         <span class="dot-small" style={{ background: css(oakColor(index)) }} />
         <span class="panel-title">{other ? `${title(kind)} | ${title(other)}` : title(kind)}</span>
@@ -48,12 +48,26 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
             <Picture oak={oak.key} kind={other} frame={frame} width={width} height={height} scales={scales} />
           </div>
         )}
-        {other && <div class="edge" style={{ left: `${wipeAt * 100}%` }} />}
+        {other && <Edge at={wipeAt} width={width} />}
         <Marks oak={oak.key} kind={kind} />
+        {rejection && frame && <p class="stale-note">{`Not measured: ${rejection.error}`}</p>}
         {!frame && <p class="empty">{emptyText(rejection?.error, studio.hasDepth(oak.state), oak.state.model)}</p>}
       </Surface>
     </figure>
   );
+}
+
+/** The edge of a wipe, which the mouse moves; the slider above the images does it by keyboard. */
+function Edge({ at, width }: { at: number; width: number }) {
+  const { studio } = useApp();
+  const grab = (event: PointerEvent) => {
+    event.stopPropagation();
+    const start = event.clientX;
+    const move = (next: PointerEvent) => studio.show({ wipeAt: Math.max(0, Math.min(1, at + (next.clientX - start) / width)) });
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });
+  };
+  return <div class="edge" style={{ left: `${at * 100}%` }} onPointerDown={grab} />;
 }
 
 function emptyText(error: string | undefined, hasDepth: boolean, model: string): string {
@@ -70,7 +84,6 @@ function aspectOf(frame: Shown): number {
 function fact(kind: PanelKind, { header: { statistics, milliseconds } }: Shown): string {
   if (kind === "sensor" || kind === "reason") return `${share(statistics.fillRate)} filled`;
   if (kind === "error") return `median ${signedMillimetres(statistics.medianErrorM)}`;
-  if (kind === "depth") return `|error| ${length(statistics.medianAbsoluteErrorM)}`;
   return kind === "color" ? `${milliseconds.toFixed(0)} ms` : "";
 }
 
@@ -86,6 +99,8 @@ function Picture({ oak, kind, frame, width, height, scales }: {
   // More pixels than the image has would show nothing more.
   const ratio = Math.min(devicePixelRatio * width, source?.width ?? 640) / width;
   const { depthMap, errorUnit } = display;
+  const truth = kind === "error" || kind === "depth" ? (frame?.pictures.get("reference") ?? frame?.pictures.get("depth")) : undefined;
+  const range = kind === "error" ? [scales.error] : kind === "depth" || kind === "sensor" ? scales.depth : [];
   useLayoutEffect(() => {
     const target = canvas.current;
     if (!target || !frame) return;
@@ -94,7 +109,7 @@ function Picture({ oak, kind, frame, width, height, scales }: {
     if (target.height !== pixelHeight) target.height = pixelHeight;
     setMissing(!painter.paint(target, { oak, kind, frame, display, scales, empty: emptyColors() }));
     signals.painted++;
-  }, [frame, width, height, ratio, scales.depth[0], scales.depth[1], scales.error, depthMap, errorUnit, kind, again, display.theme]);
+  }, [source, truth, width, height, ratio, range[0], range[1], depthMap, errorUnit, kind, again, display.theme, frame === undefined]);
   return (
     <>
       <canvas ref={canvas} class="picture" />
@@ -105,6 +120,8 @@ function Picture({ oak, kind, frame, width, height, scales }: {
 
 function missingText(kind: PanelKind, frame: Shown): string {
   const { engine, model } = frame.state;
+  const images = PANELS.find((panel) => panel.kind === kind)?.images ?? [];
+  if (!images.every((image) => frame.requested.includes(image))) return "Measuring…";
   if (kind === "confidence") return `${engine} makes no confidence.`;
   if (kind === "left" || kind === "right") return `${model} has no stereo pair here.`;
   return "This image is not available.";

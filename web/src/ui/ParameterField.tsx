@@ -17,7 +17,7 @@ interface Props {
 /** One parameter: a slider or a choice, a field, its unit, and a mark if it was changed or its default is an estimate. */
 export function ParameterField({ parameter, value, fallback, problem, onChange }: Props) {
   const { name, isEstimate } = parameter;
-  const shown = value ?? fallback;
+  const shown = value ?? brief(fallback);
   const isChanged = value !== undefined;
   const set = (text: string): string | null => {
     const checked = check(parameter, text);
@@ -87,6 +87,12 @@ function Control({ parameter, shown, fallback, problem, onText }: {
       )}
     </div>
   );
+}
+
+/** Shortens a default that was computed, such as the focal length of a model. */
+function brief(text: string): string {
+  const value = Number(text);
+  return text.length > 8 && Number.isFinite(value) ? String(Number(value.toPrecision(6))) : text;
 }
 
 function describe(parameter: Parameter, fallback: string): string {

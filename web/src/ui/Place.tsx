@@ -4,7 +4,7 @@ import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
 import { targetBounds } from "../studio/view";
-import { millimetres, NONE, share, words } from "../util/format";
+import { bareMillimetres, bareShare, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
@@ -143,17 +143,20 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
           <tr>
             <td />
             {columns.map(({ oak }) => (
-              <th key={oak.key} scope="col"><span class="dot-small" style={{ background: css(oakColor(all.indexOf(oak))) }} />{oak.state.model}</th>
+              <th key={oak.key} scope="col" data-tip={oak.state.model}>
+                <span class="dot-small" style={{ background: css(oakColor(all.indexOf(oak))) }} />
+                <span class={columns.length > 2 ? "sr-only" : ""}>{oak.state.model}</span>
+              </th>
             ))}
           </tr>
         </thead>
         <tbody>
-          <tr><th scope="row">Measured</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{share(pose.measured)}</b></td>)}</tr>
-          <tr><th scope="row">Median |error|</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{millimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
+          <tr><th scope="row">Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
+          <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
           {lost.map(({ code, name, documentation }) => (
             <tr key={code}>
-              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}</th>
-              {columns.map(({ oak, pose }) => <td key={oak.key}>{pose.reasons[code] === undefined ? NONE : share(pose.reasons[code])}</td>)}
+              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
+              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.reasons[code])}</td>)}
             </tr>
           ))}
         </tbody>

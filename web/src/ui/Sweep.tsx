@@ -61,7 +61,7 @@ export function Sweep({ target }: { target: Target }) {
         {count > MAX_POSES && <span class="problem">{`At most ${MAX_POSES} poses.`}</span>}
       </div>
       {problem && <p class="problem" role="alert">{problem}</p>}
-      {ranked && <Ranking ranked={ranked.slice(0, LISTED)} onTake={take} />}
+      {ranked && <div class="scroll-x"><Ranking ranked={ranked.slice(0, LISTED)} onTake={take} /></div>}
     </Section>
   );
 }
@@ -78,13 +78,14 @@ function SpanFields({ name, unit, span, onChange }: { name: string; unit: string
 }
 
 function Ranking({ ranked, onTake }: { ranked: Ranked[]; onTake: (one: Ranked) => void }) {
+  const hasModels = new Set(ranked.map(({ state }) => state.model)).size > 1;
   return (
     <table class="numbers ranking">
-      <thead><tr><th scope="col">OAK</th><th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col">|Error|</th><td /></tr></thead>
+      <thead><tr>{hasModels && <th scope="col">OAK</th>}<th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col">|Error|</th><td /></tr></thead>
       <tbody>
         {ranked.map((one, i) => (
           <tr key={i}>
-            <td class="model">{one.state.model}</td>
+            {hasModels && <td class="model">{one.state.model}</td>}
             <td>{one.heightM.toFixed(2)} m</td>
             <td>{one.tiltDeg.toFixed(0)}°</td>
             <td>{share(one.coverage.measured)}</td>

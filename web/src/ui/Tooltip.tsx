@@ -56,10 +56,18 @@ export function Tooltip() {
   );
 }
 
-/** Puts the tooltip below its anchor, or where there is room. */
+/** Puts the tooltip beside the side bar of its anchor, otherwise below the anchor, or where there is room. */
 function place(element: HTMLElement, anchor: HTMLElement): void {
   const around = anchor.getBoundingClientRect();
   const { width, height } = element.getBoundingClientRect();
+  const side = anchor.closest(".side");
+  if (side) {
+    const bar = side.getBoundingClientRect();
+    const isLeft = side.classList.contains("left");
+    element.style.left = `${isLeft ? bar.right + 6 : bar.left - width - 6}px`;
+    element.style.top = `${Math.max(8, Math.min(around.top, innerHeight - height - 8))}px`;
+    return;
+  }
   const left = Math.max(8, Math.min(around.left, innerWidth - width - 8));
   const below = around.bottom + 6;
   const top = below + height < innerHeight - 8 ? below : Math.max(8, around.top - height - 6);

@@ -21,9 +21,11 @@ export function Tune() {
   const engine = findEngine(catalog, state);
   if (!sensor) return <p class="hint pad">{state.model} has no depth sensor. Choose another model.</p>;
   const problem = (field: string) => (rejection?.field === field ? rejection.error : undefined);
+  // What no field below shows is shown with the sensor.
+  const hasField = rejection?.field === "filters" || engine?.parameters.some(({ name }) => name === rejection?.field);
   return (
     <>
-      <SensorSection state={state} sensor={sensor} problem={problem} />
+      <SensorSection state={state} sensor={sensor} problem={hasField ? undefined : rejection?.error} />
       <UnitSection state={state} />
       <Section title="Filters" isOpen={state.filters !== null}>
         <FilterList
@@ -39,13 +41,12 @@ export function Tune() {
   );
 }
 
-function SensorSection({ state, sensor, problem }: { state: OakState; sensor: DepthSensor; problem: (field: string) => string | undefined }) {
+function SensorSection({ state, sensor, problem }: { state: OakState; sensor: DepthSensor; problem: string | undefined }) {
   const { studio } = useApp();
   const catalog = useStore(studio.catalog);
   const model = findModel(catalog, state.model);
   const engine = findEngine(catalog, state);
   const set = (tag: string, change: Partial<OakState>) => studio.change(tag, (state) => ({ ...state, ...change }));
-  const others = ["sensor", "engine", "preset", "lens", "calibration", "model", "size"].map(problem).find((text) => text !== undefined);
   return (
     <Section title="Sensor">
       {(model?.depthSensors.length ?? 0) > 1 && (
@@ -91,14 +92,14 @@ function SensorSection({ state, sensor, problem }: { state: OakState; sensor: De
           onChange={(isOn) => set("lens", { lens: isOn ? "fisheye" : "pinhole" })}
         />
       )}
-      {sensor.kind === "stereo" && <Light state={state} isMatcher={engine?.isMatcher ?? false} />}
-      {others && <p class="problem" role="alert">{others}</p>}
+      {sensor.kind === "stereo" && <Light state={state} isMatcher={engine?.isMatcher ?? false} hasProjector={model?.hasProjector ?? false} />}
+      {problem && <p class="problem" role="alert">{problem}</p>}
     </Section>
   );
 }
 
 /** The light for the infrared cameras. */
-function Light({ state, isMatcher }: { state: OakState; isMatcher: boolean }) {
+function Light({ state, isMatcher, hasProjector }: { state: OakState; isMatcher: boolean; hasProjector: boolean }) {
   const { studio } = useApp();
   const isNight = state.ambient === 0;
   return (
@@ -121,7 +122,7 @@ function Light({ state, isMatcher }: { state: OakState; isMatcher: boolean }) {
           minimum={0}
           maximum={100}
         />
-        <NumberField
+        {(hasProjector || state.projector > 0) && <NumberField
           label="Projector"
           tip="The brightness of the dot projector; 0 is off, 1 its full power"
           value={state.projector}
@@ -130,7 +131,7 @@ function Light({ state, isMatcher }: { state: OakState; isMatcher: boolean }) {
           digits={3}
           minimum={0}
           maximum={100}
-        />
+        />}
       </div>
       {!isMatcher && <p class="hint">The light changes the left and right images. Only engines that match images measure from them.</p>}
     </>

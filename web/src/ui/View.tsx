@@ -58,6 +58,7 @@ function Tools() {
       </div>
       <div class="tools layers" role="toolbar" aria-label="What the 3D view shows">
         <Button label="Scene" class="chip" isOn={display.showScene} onClick={() => studio.show({ showScene: !display.showScene })} />
+        <Button label="Roof" class="chip" tip="What is above the OAK, such as a ceiling" isOn={display.showRoof} onClick={() => studio.show({ showRoof: !display.showRoof })} />
         <Button label="Cameras" class="chip" tip="The fields of view of the cameras" isOn={display.showCameras} onClick={() => studio.show({ showCameras: !display.showCameras })} />
         <Button label="Ranges" class="chip" tip="The minimum (red), ideal (green) and maximum (orange) distance of the depth sensor" isOn={display.showRanges} onClick={() => studio.show({ showRanges: !display.showRanges })} />
         <Button label="Grid" class="chip" tip="Squares of one metre" isOn={display.showGrid} onClick={() => studio.show({ showGrid: !display.showGrid })} />
@@ -90,7 +91,7 @@ function Detail({ view }: { view: SceneView }) {
   if (!detail || detail.shown >= detail.of) return null;
   return (
     <div class="note-line">
-      {`${detail.shown.toLocaleString("en")} of ${detail.of.toLocaleString("en")} triangles are drawn; images are of all. `}
+      {`This view draws ${detail.shown.toLocaleString("en")} of ${detail.of.toLocaleString("en")} triangles; the images use all. `}
       <button type="button" class="link" onClick={() => view.loadFullDetail()}>Draw all</button>
     </div>
   );

@@ -12,24 +12,31 @@ export function length(metres: number | null | undefined): string {
 
 /** Formats an error: always in millimetres and with its sign. */
 export function signedMillimetres(metres: number | null | undefined): string {
+  const text = bareMillimetres(metres, true);
+  return text === NONE ? NONE : `${text} mm`;
+}
+
+/** Formats a fraction as a percentage without its unit, for tables that name it. */
+export function bareShare(fraction: number | null | undefined): string {
+  return fraction == null || !Number.isFinite(fraction) ? NONE : (fraction * 100).toFixed(1);
+}
+
+/** Formats a length in millimetres without its unit, for tables that name it. */
+export function bareMillimetres(metres: number | null | undefined, isSigned = false): string {
   if (metres == null || !Number.isFinite(metres)) return NONE;
-  const text = (metres * 1e3).toFixed(1);
-  return metres > 0 ? `+${text} mm` : `${text} mm`;
+  const text = Math.abs(metres * 1e3).toFixed(1);
+  if (Number(text) === 0) return text;
+  return `${metres < 0 ? "−" : isSigned ? "+" : ""}${text}`;
 }
 
 export function millimetres(metres: number | null | undefined): string {
-  if (metres == null || !Number.isFinite(metres)) return NONE;
-  return `${(metres * 1e3).toFixed(1)} mm`;
+  const text = bareMillimetres(metres);
+  return text === NONE ? NONE : `${text} mm`;
 }
 
 export function share(fraction: number | null | undefined): string {
   if (fraction == null || !Number.isFinite(fraction)) return NONE;
   return `${(fraction * 100).toFixed(1)} %`;
-}
-
-export function percent(value: number | null | undefined): string {
-  if (value == null || !Number.isFinite(value)) return NONE;
-  return `${value.toFixed(2)} %`;
 }
 
 /** Formats a number for a field: at most `digits` decimals and no trailing zeros. */

@@ -23,6 +23,8 @@ export interface CloudInput {
   /** From 0 to 1. */
   color: [number, number, number];
   pointSize: number;
+  /** Clouds with more points are thinned. */
+  maxPoints: number;
 }
 
 const VERTEX = `
@@ -84,9 +86,6 @@ void main() {
   result = vec4(shade, 1.0);
 }`;
 
-/** More points than this are thinned while drawing: drawing is what takes time without a GPU. */
-const MAX_POINTS = 300_000;
-
 function integers(picture: Picture): DataTexture {
   const isShort = picture.format === "u16mm";
   const texture = new DataTexture(picture.data, picture.width, picture.height, RedIntegerFormat, isShort ? UnsignedShortType : UnsignedByteType);
@@ -100,7 +99,7 @@ function integers(picture: Picture): DataTexture {
 /** Points in an optical frame, placed by a depth image in the vertex shader. */
 export function makeCloud(input: CloudInput): Points<BufferGeometry, RawShaderMaterial> {
   const { width, height } = input.depth;
-  const stride = Math.max(1, Math.ceil(Math.sqrt((width * height) / MAX_POINTS)));
+  const stride = Math.max(1, Math.ceil(Math.sqrt((width * height) / input.maxPoints)));
   const count = Math.floor(width / stride) * Math.floor(height / stride);
   const geometry = new BufferGeometry();
   // The shader places the points by their number; three.js takes that number from an attribute.

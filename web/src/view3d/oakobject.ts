@@ -67,9 +67,9 @@ function placed(object: Object3D, rows: number[]): Object3D {
 }
 
 function makeBody({ model, body, color, isSelected }: OakLook): Object3D {
-  const { size: [length, height, depth], centre } = model.body;
+  const { size, centre } = model.body;
   const group = new Group();
-  const box = new BoxGeometry(depth, length, height);
+  const box = new BoxGeometry(...size);
   if (body) group.add(makeMesh(body, false));
   else group.add(new Mesh(box, new MeshLambertMaterial({ color: "#5b6470" })));
   const outline = new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ color: css(color), transparent: !isSelected, opacity: isSelected ? 1 : 0.6 }));

@@ -1,6 +1,6 @@
 import {
   Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight, Line,
-  LineBasicMaterial, type Mesh, PerspectiveCamera, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  LineBasicMaterial, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import type { Mesh as WireMesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
@@ -15,6 +15,8 @@ export interface ViewerHandlers {
   onPose(pose: Pose): void;
   /** An object of the scene was clicked, by its index; null for nothing. */
   onPick(object: number | null): void;
+  /** The body of an OAK was clicked, by its place among the drawn ones. */
+  onOak(index: number): void;
 }
 
 /** What a click hits. */
@@ -23,6 +25,8 @@ export interface Hit {
   object: number;
 }
 
+/** How far below a roof the scene is cut. */
+const ROOF_GAP = 0.03;
 const MARKER_COLOR = "#ff2d78";
 /** A pointer that moved less than this between press and release, in pixels, clicked. */
 const CLICK = 4;
@@ -42,7 +46,7 @@ export class Viewer {
   private readonly sight: Line<BufferGeometry, LineBasicMaterial>;
   private readonly lamp = new DirectionalLight("#ffffff", 1.6);
   private readonly observer: ResizeObserver;
-  private mesh: Mesh | null = null;
+  private mesh: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private grid: GridHelper | null = null;
   private target: Box3Helper | null = null;
   private objects: Uint32Array | null = null;
@@ -50,6 +54,7 @@ export class Viewer {
 
   constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
     this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
     const invalidate = () => this.invalidate();
@@ -71,7 +76,7 @@ export class Viewer {
     }
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
-    this.listenForClicks(handlers.onPick);
+    this.listenForClicks(handlers);
   }
 
   close(): void {
@@ -122,6 +127,23 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Finds the height of what is above a point, such as a ceiling. */
+  roofAbove(info: SceneInfo, position: Vec3): number | null {
+    if (!this.mesh) return null;
+    const up = new Vector3(...upVector(info.up));
+    // A ceiling shows its face to the room, so that culling does not hide it from the ray.
+    const hit = new Raycaster(new Vector3(...position), up).intersectObject(this.mesh)[0];
+    return hit ? hit.point.dot(up) : null;
+  }
+
+  /** Cuts away the scene above a height; null for nothing. */
+  setRoof(info: SceneInfo, height: number | null): void {
+    if (!this.mesh) return;
+    const down = new Vector3(...upVector(info.up)).negate();
+    this.mesh.material.clippingPlanes = height === null ? null : [new Plane(down, height - ROOF_GAP)];
+    this.invalidate();
+  }
+
   /** Draws a grid of metres below the scene. */
   setGrid(info: SceneInfo, isShown: boolean, color: string): void {
     if (this.grid) {
@@ -137,8 +159,8 @@ export class Viewer {
       if (info.up === "z") this.grid.rotation.x = Math.PI / 2;
       const centre = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5).round();
       // A little lower than the floor, which would otherwise flicker.
-      if (info.up === "z") centre.z = low[2] - 0.002;
-      else centre.y = low[1] - 0.002;
+      if (info.up === "z") centre.z = low[2] - 0.01;
+      else centre.y = low[1] - 0.01;
       this.grid.position.copy(centre);
       this.scene.add(this.grid);
     }
@@ -193,8 +215,8 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Looks at an OAK from behind and above, such that what it sees is visible. */
-  lookAt(info: SceneInfo, pose: Pose): void {
+  /** Looks at an OAK from behind and above, such that what it sees is visible; more steeply into a room without its roof. */
+  lookAt(info: SceneInfo, pose: Pose, isRoom: boolean): void {
     const up = new Vector3(...upVector(info.up));
     const [low, high] = [new Vector3(...info.bounds[0]), new Vector3(...info.bounds[1])];
     const body = new Vector3(...pose.position);
@@ -205,29 +227,50 @@ export class Viewer {
     forward.normalize();
     const side = new Vector3().crossVectors(up, forward);
     const target = body.clone().addScaledVector(forward, size * 0.2);
-    const from = body.clone().addScaledVector(forward, -size * 0.3).addScaledVector(side, -size * 0.22).addScaledVector(up, size * 0.25);
+    const [back, right, rise] = isRoom ? [0.12, 0.12, 0.62] : [0.3, 0.22, 0.25];
+    const from = body.clone().addScaledVector(forward, -size * back).addScaledVector(side, -size * right).addScaledVector(up, size * rise);
     this.navigation.look(info.up, target, from);
   }
 
   /** Finds what a place of the canvas shows, given in pixels of the page. */
   hit(clientX: number, clientY: number): Hit | null {
     if (!this.mesh?.visible) return null;
-    const { left, top, width, height } = this.canvas.getBoundingClientRect();
-    const caster = new Raycaster();
-    caster.setFromCamera(new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2), this.camera);
-    const first = caster.intersectObject(this.mesh)[0];
+    const planes = this.mesh.material.clippingPlanes ?? [];
+    const hits = this.caster(clientX, clientY).intersectObject(this.mesh);
+    const first = hits.find(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
     if (!first || first.faceIndex == null) return null;
     return { point: first.point, object: this.objects?.[first.faceIndex] ?? 0 };
   }
 
-  private listenForClicks(onPick: (object: number | null) => void): void {
+  private caster(clientX: number, clientY: number): Raycaster {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2), this.camera);
+    return caster;
+  }
+
+  /** Finds the OAK whose body is at a place of the canvas and before a point of the scene. */
+  private oakAt(clientX: number, clientY: number, before: Vector3 | null): number | null {
+    const caster = this.caster(clientX, clientY);
+    const limit = before ? caster.ray.origin.distanceTo(before) : Number.POSITIVE_INFINITY;
+    // The first child of an OAK is its body; the others are lines and transparent planes.
+    const bodies = this.oaks.children.map((oak) => oak.children[0]).filter((body) => body !== undefined);
+    const hit = caster.intersectObjects(bodies).find(({ object, distance }) => (object as Mesh).isMesh && distance < limit);
+    const index = bodies.findIndex((body) => hit && (body === hit.object || body === hit.object.parent));
+    return index < 0 ? null : index;
+  }
+
+  private listenForClicks({ onPick, onOak }: ViewerHandlers): void {
     let start: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {
       start = event.button === 0 && !this.gizmo.isActive ? [event.clientX, event.clientY] : null;
     });
     this.canvas.addEventListener("pointerup", (event) => {
       if (!start || Math.hypot(event.clientX - start[0], event.clientY - start[1]) > CLICK) return;
-      onPick(this.hit(event.clientX, event.clientY)?.object ?? null);
+      const scene = this.hit(event.clientX, event.clientY);
+      const oak = this.oakAt(event.clientX, event.clientY, scene?.point ?? null);
+      if (oak === null) onPick(scene?.object ?? null);
+      else onOak(oak);
     });
     this.canvas.addEventListener("dblclick", (event) => {
       const hit = this.hit(event.clientX, event.clientY);

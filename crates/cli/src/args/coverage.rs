@@ -52,7 +52,7 @@ pub(crate) struct CoverageArgs {
     #[arg(long, value_name = "N", default_value_t = SAMPLES)]
     pub(crate) samples: u32,
 
-    /// Write coverage.csv and coverage.json to this folder
+    /// Write coverage.csv, coverage.json and coverage.png (the best candidate's) to this folder
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 

@@ -6,6 +6,7 @@ use std::path::Path;
 use oaktwin::coverage::{self, Coverage, Options, Rig};
 use oaktwin::files::{OutputFiles, WrittenFile};
 use oaktwin::image::annotation::Annotator;
+use oaktwin::image::{Image, png};
 use oaktwin::memory;
 use oaktwin::render::{self, Renderer, SceneFile};
 use serde::Serialize;
@@ -63,8 +64,12 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     };
     let measured =
         progress::watched(|watch| coverage::measure(&renderer, &region, &candidates, &options, watch))?;
-    if args.output.is_some() && !measured.candidates.is_empty() {
-        write(args, &measured, &mut files)?;
+    if args.output.is_some()
+        && let Some(&best) = measured.ranking.first()
+    {
+        let shares = &measured.candidates[best].shares;
+        let picture = coverage::picture(&renderer, &region, &candidates[best], shares)?;
+        write(args, &measured, &picture, &mut files)?;
     }
     findings.extend(measured.findings.iter().cloned());
     if measured.is_interrupted {
@@ -117,9 +122,15 @@ fn report<'a>(args: &'a CoverageArgs, coverage: &'a Coverage, files: &'a [Writte
 }
 
 /// Writes the files of a folder.
-fn write(args: &CoverageArgs, coverage: &Coverage, files: &mut OutputFiles) -> Result<()> {
+fn write(
+    args: &CoverageArgs,
+    coverage: &Coverage,
+    picture: &Image<[u8; 3]>,
+    files: &mut OutputFiles,
+) -> Result<()> {
     files.write(Path::new("coverage.csv"), coverage.to_csv().as_bytes())?;
     let json = serde_json::to_string_pretty(&report(args, coverage, &[]))? + "\n";
     files.write(Path::new("coverage.json"), json.as_bytes())?;
+    files.write(Path::new("coverage.png"), &png::encode(picture)?)?;
     Ok(())
 }

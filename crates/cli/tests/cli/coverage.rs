@@ -81,6 +81,8 @@ fn files_contain_what_json_does() {
     let best = &candidates[usize::try_from(best).unwrap()];
     assert_eq!(lines[1][measured].parse::<f64>().ok(), best["measured"].as_f64());
     assert!(lines.iter().all(|line| line.len() == lines[0].len()));
+    let picture = std::fs::read(program.path("out/coverage.png")).unwrap();
+    assert!(picture.starts_with(b"\x89PNG"));
 }
 
 #[test]

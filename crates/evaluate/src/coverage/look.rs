@@ -2,22 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View, scene_annotators, sense_frame};
-use oaktwin_render::{Hit, Ray};
 use rayon::prelude::*;
 
+use super::sight::{Line, Sight};
 use super::{Candidate, Outcome, SurfacePoint};
 
 /// The outputs of the depth sensor that are requested.
 const ASKED: [Annotator; 1] = [Annotator::DepthSensorDistance];
-
-/// The relative distance before a point within which a surface counts as the point's own: that of coincident faces.
-const COINCIDENT: f64 = 1e-6;
 
 /// The cosine of the angle of incidence below which a face is seen edge-on.
 const EDGE_ON: f64 = 1e-6;
@@ -39,22 +35,15 @@ pub(super) struct Look {
 /// Simulates the depth sensor of a candidate and assesses each point.
 pub(super) fn look(renderer: &Renderer, candidate: &Candidate<'_>, points: &[SurfacePoint]) -> Look {
     let (image, findings) = SensorImage::capture(renderer, candidate);
-    let aims: Vec<Option<Aim>> = points.par_iter().map(|point| image.aim(point)).collect();
-    let rays: Vec<Ray> = aims.iter().flatten().map(|aim| aim.ray).collect();
-    let mut hits = renderer.cast_rays(&rays).into_iter();
-    let hits: Vec<Option<(f64, Hit)>> = aims
-        .iter()
-        .map(|aim| aim.as_ref().and_then(|_| hits.next().flatten()))
-        .collect();
+    let lines = image.sight.lines(renderer, points);
     let assessed: Vec<(Outcome, f32)> = points
         .par_iter()
-        .zip(&aims)
-        .zip(&hits)
-        .map(|((point, aim), hit)| image.assess(point, aim.as_ref(), *hit))
+        .zip(&lines)
+        .map(|(point, line)| image.assess(point, line.as_ref()))
         .collect();
     let mut occluders = BTreeMap::new();
-    for ((outcome, _), hit) in assessed.iter().zip(&hits) {
-        if let (Outcome::OCCLUDED, Some((_, hit))) = (*outcome, hit) {
+    for ((outcome, _), line) in assessed.iter().zip(&lines) {
+        if let (Outcome::OCCLUDED, Some(hit)) = (*outcome, line.as_ref().and_then(|line| line.obstacle)) {
             *occluders.entry(hit.instance).or_default() += 1;
         }
     }
@@ -69,18 +58,10 @@ pub(super) fn look(renderer: &Renderer, candidate: &Candidate<'_>, points: &[Sur
 
 /// The image of a depth sensor.
 struct SensorImage {
-    view: View,
-    camera_from_world: DAffine3,
+    sight: Sight,
     /// The ground truth of the view.
     truth: ZDepth,
     measured: Option<ZDepth>,
-}
-
-/// The ray to a point inside the image.
-struct Aim {
-    ray: Ray,
-    point_in_camera: DVec3,
-    pixel: (u32, u32),
 }
 
 impl SensorImage {
@@ -94,75 +75,31 @@ impl SensorImage {
         // Each candidate's sensor starts afresh, so that its result does not depend on the others.
         let mut sensor = rig.sensor.clone();
         sense_frame(&mut sensor, &input.camera, 0, pair.as_ref(), &ASKED, &mut frame);
-        let output = sensor.output_camera(&input.camera);
-        let view = View {
-            camera: output.camera,
-            world_from_camera: input.world_from_camera * output.input_from_output(),
-            clip: input.clip,
-        };
+        let view = candidate.view();
         findings.extend(pair.into_iter().flat_map(|pair| pair.findings));
         let truth = frame
             .distance_to_image_plane
             .filter(|_| view == input)
             .unwrap_or_else(|| renderer.depth(&view, Backend::Auto));
         let image = Self {
-            view,
-            camera_from_world: view.camera_from_world(),
+            sight: Sight::new(view),
             truth,
             measured: frame.depth_sensor_distance,
         };
         (image, findings)
     }
 
-    /// Returns the ray to a point; `None` outside the view.
-    fn aim(&self, point: &SurfacePoint) -> Option<Aim> {
-        let camera = &self.view.camera;
-        let point_in_camera = self.camera_from_world.transform_point3(point.position);
-        let at = camera.project(point_in_camera)?.to::<Usd>();
-        let size = camera.intrinsics.size;
-        let is_inside =
-            (0.0..f64::from(size.width)).contains(&at.x) && (0.0..f64::from(size.height)).contains(&at.y);
-        let extent = if self.view.clips_along_axis() {
-            point_in_camera.z
-        } else {
-            point_in_camera.length()
-        };
-        let clip = self.view.clip;
-        if !is_inside || !(clip.near_m..=clip.far_m).contains(&extent) {
-            return None;
-        }
-        let origin = self.view.world_from_camera.translation;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "inside the image"
-        )]
-        let pixel = (at.x as u32, at.y as u32);
-        Some(Aim {
-            ray: Ray {
-                origin,
-                direction: point.position - origin,
-                near: clip.near_m / extent,
-                far: 1.0,
-            },
-            point_in_camera,
-            pixel,
-        })
-    }
-
     /// Returns the outcome at a point and the error of its measurement.
-    fn assess(&self, point: &SurfacePoint, aim: Option<&Aim>, hit: Option<(f64, Hit)>) -> (Outcome, f32) {
+    fn assess(&self, point: &SurfacePoint, line: Option<&Line>) -> (Outcome, f32) {
         let lost = |outcome| (outcome, f32::NAN);
-        let Some(aim) = aim else {
+        let Some(line) = line else {
             return lost(Outcome::OUTSIDE_VIEW);
         };
-        let cosine = -point.normal.dot(aim.ray.direction.normalize_or_zero());
+        let cosine = point.normal.dot(line.backwards());
         if cosine.abs() < EDGE_ON {
             return lost(Outcome::FACES_AWAY);
         }
-        let own = (point.instance, point.triangle);
-        let hit = hit.filter(|(t, hit)| *t < 1.0 - COINCIDENT && (hit.instance, hit.triangle) != own);
-        if let Some((_, hit)) = hit {
+        if let Some(hit) = line.obstacle {
             // A surface without an inside is hidden like any other; a body hides its own rear.
             let has_rear = !point.is_double_sided || hit.instance == point.instance;
             return lost(if has_rear && cosine < 0.0 {
@@ -171,9 +108,9 @@ impl SensorImage {
                 Outcome::OCCLUDED
             });
         }
-        let (x, y) = aim.pixel;
+        let (x, y) = line.pixel;
         let truth = self.truth.0.get(x, y).copied().unwrap_or(f32::INFINITY);
-        if !self.resolves(point, aim, truth) {
+        if !self.resolves(point, line, truth) {
             return lost(Outcome::NOT_RESOLVED);
         }
         let measured = self.measured.as_ref().and_then(|image| image.0.get(x, y));
@@ -185,17 +122,17 @@ impl SensorImage {
 
     /// Whether the centre of a point's pixel, where the depth is `truth`, shows the surface around the point. That surface need not
     /// be plane: its depth may differ from that of the point by twice what the slope of the face explains, and the width of two pixels.
-    fn resolves(&self, point: &SurfacePoint, aim: &Aim, truth: f32) -> bool {
-        let camera = &self.view.camera;
-        let (x, y) = aim.pixel;
+    fn resolves(&self, point: &SurfacePoint, line: &Line, truth: f32) -> bool {
+        let camera = &self.sight.view.camera;
+        let (x, y) = line.pixel;
         let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let Some(ray) = camera.unproject(centre) else {
             return false;
         };
-        let normal = self.camera_from_world.transform_vector3(point.normal);
-        let z = aim.point_in_camera.z;
-        let width = aim.point_in_camera.length() / camera.intrinsics.mean_focal_length();
-        let on_face = normal.dot(aim.point_in_camera) / normal.dot(ray) * ray.z;
+        let normal = self.sight.camera_from_world.transform_vector3(point.normal);
+        let z = line.point_in_camera.z;
+        let width = line.point_in_camera.length() / camera.intrinsics.mean_focal_length();
+        let on_face = normal.dot(line.point_in_camera) / normal.dot(ray) * ray.z;
         let slope = (on_face - z).abs();
         let slope = if slope < STEEPEST * width {
             slope
@@ -203,5 +140,18 @@ impl SensorImage {
             STEEPEST * width
         };
         (f64::from(truth) - z).abs() <= 2.0 * (slope + width)
+    }
+}
+
+impl Candidate<'_> {
+    /// The view that the sensor's image shows.
+    pub(super) fn view(&self) -> View {
+        let input = self.rig.camera.view(&self.world_from_body);
+        let output = self.rig.sensor.output_camera(&input.camera);
+        View {
+            camera: output.camera,
+            world_from_camera: input.world_from_camera * output.input_from_output(),
+            clip: input.clip,
+        }
     }
 }

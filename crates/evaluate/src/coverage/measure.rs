@@ -245,7 +245,7 @@ fn ranking(candidates: &[CandidateCoverage]) -> Vec<usize> {
     ranking
 }
 
-/// Chooses candidates one after the other, each for the number of points that it adds, until none adds any.
+/// Chooses candidates one after the other, each for the number of points that it adds, until none adds more than the standard error.
 fn selection(measured: &[Bits], points: u32) -> Vec<Selected> {
     let mut together = Bits(vec![0; points.div_ceil(64) as usize]);
     let mut selection = Vec::new();
@@ -256,7 +256,8 @@ fn selection(measured: &[Bits], points: u32) -> Vec<Selected> {
         let best = gains
             .enumerate()
             .max_by_key(|&(index, gain)| (gain, usize::MAX - index));
-        let Some((candidate, gain)) = best.filter(|(_, gain)| *gain > 0) else {
+        let is_enough = |gain: u32| f64::from(gain) > 0.5 * f64::from(points).sqrt();
+        let Some((candidate, gain)) = best.filter(|(_, gain)| is_enough(*gain)) else {
             break;
         };
         together.unite(&measured[candidate]);

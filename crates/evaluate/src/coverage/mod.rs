@@ -42,18 +42,22 @@ mod error;
 mod look;
 mod measure;
 mod outcome;
+mod picture;
 mod placement;
 mod region;
 mod report;
 mod rig;
+mod sight;
 mod surface;
 mod table;
 #[cfg(test)]
 mod tests;
+mod vantage;
 
 pub use error::CoverageError;
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
 pub use outcome::{Outcome, REASONS, Reason};
+pub use picture::picture;
 pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
 pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};

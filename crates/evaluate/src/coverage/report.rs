@@ -20,8 +20,8 @@ pub struct Coverage {
     /// The coverage by all candidates together: a point is measured if one of them measures it, otherwise lost for the reason of the one
     /// that is nearest to measuring it. The error of a point is the mean error of its measurements.
     pub together: Shares,
-    /// The candidates that measure most together, chosen one after the other, each for what it adds; at most
-    /// eight.
+    /// The candidates that measure most together, chosen one after the other, each for what it adds: at most eight, as long as one
+    /// adds more than the standard error.
     pub selection: Vec<Selected>,
     /// The renderer's findings, without duplicates.
     pub findings: Vec<Finding>,

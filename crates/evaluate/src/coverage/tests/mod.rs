@@ -1,5 +1,6 @@
 mod candidates;
 mod geometry;
+mod pictures;
 mod placements;
 mod points;
 mod regions;

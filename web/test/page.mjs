@@ -1,0 +1,56 @@
+// Opens the page in a browser for the tests.
+import { createHash } from "node:crypto";
+import { existsSync } from "node:fs";
+import { chromium } from "playwright-core";
+
+/** The address of a running `oaktwin studio`. */
+export const url = process.env.OAKTWIN_STUDIO_URL;
+
+const executablePath = process.env.OAKTWIN_BROWSER ?? "/usr/bin/chromium";
+
+/** Why the tests in a browser cannot run; false if they can. */
+export const skip = !url ? "OAKTWIN_STUDIO_URL is not set" : !existsSync(executablePath) ? `${executablePath} does not exist` : false;
+
+export async function launch(args = []) {
+  return chromium.launch({ executablePath, args: ["--no-sandbox", ...args] });
+}
+
+/** Opens the page and waits for its first images. `errors` collects what the console and the page report. */
+export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, ...options } = {}) {
+  const context = await browser.newContext({ viewport, ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  page.on("pageerror", (error) => errors.push(String(error)));
+  await page.goto(url + path);
+  await rest(page);
+  return { page, context, errors };
+}
+
+/** Waits until every image is there and drawn. */
+export async function rest(page) {
+  await page.waitForFunction(() => window.studio?.isIdle && window.studio.painted > 0 && window.studio.drawn > 0, null, { timeout: 60_000 });
+}
+
+/** Runs an action and waits for the images that it causes. */
+export async function after(page, action) {
+  const before = await page.evaluate(() => window.studio.received);
+  await action();
+  await page.waitForFunction((before) => window.studio.received > before, before, { timeout: 60_000 });
+  await rest(page);
+}
+
+/** Returns a digest of the pixels of an image panel, to compare them. */
+export async function pixels(page, kind, oak = "oak1") {
+  const data = await page.evaluate((id) => document.querySelector(`[data-testid="${id}"] canvas`).toDataURL(), `panel-${oak}-${kind}`);
+  return createHash("sha256").update(data).digest("hex");
+}
+
+/** Drops a file onto the page. */
+export async function drop(page, name, text) {
+  await page.evaluate(([name, text]) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], name));
+    for (const type of ["dragover", "drop"]) window.dispatchEvent(new DragEvent(type, { dataTransfer, cancelable: true, bubbles: true }));
+  }, [name, text]);
+}

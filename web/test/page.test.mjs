@@ -1,0 +1,196 @@
+import assert from "node:assert/strict";
+import { after as afterAll, before, test } from "node:test";
+import { after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
+
+let browser;
+before(async () => {
+  if (!skip) browser = await launch();
+});
+afterAll(() => browser?.close());
+
+/** Moves the first slider of the parameters by keys. */
+async function moveSlider(page) {
+  const slider = page.locator('[data-testid="parameter-group"] input[type="range"]').last();
+  await slider.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press("PageUp");
+}
+
+test("the page loads without errors", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  assert.match(await page.title(), /oaktwin/);
+  assert.notEqual(await page.getByTestId("scene").textContent(), "Loading…");
+  for (const kind of ["color", "depth", "sensor", "error"]) {
+    const isPlain = await page.evaluate((id) => {
+      const shown = document.querySelector(`[data-testid="${id}"] canvas`);
+      const canvas = new OffscreenCanvas(shown.width, shown.height);
+      canvas.getContext("2d").drawImage(shown, 0, 0);
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return data.every((value, i) => value === data[i % 4]);
+    }, `panel-oak1-${kind}`);
+    assert.equal(isPlain, false, `${kind} shows something`);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("a slider changes the pixels, and undo restores them", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const original = await pixels(page, "sensor");
+  const parameters = page.locator('[data-parameter="bias"] input[type="text"]');
+  await after(page, () => parameters.fill("0.5"));
+  assert.notEqual(await pixels(page, "sensor"), original);
+  await after(page, () => page.keyboard.press("Control+z"));
+  assert.equal(await pixels(page, "sensor"), original);
+  await after(page, () => moveSlider(page));
+  assert.ok((await page.locator(".parameter.changed").count()) > 0, "a changed parameter is marked");
+  await after(page, () => page.getByTestId("reset-all").click());
+  assert.equal(await pixels(page, "sensor"), original);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("a value out of range marks its field and sends nothing", { skip }, async () => {
+  const { page, context } = await open(browser);
+  const received = await page.evaluate(() => window.studio.received);
+  const field = page.locator('[data-parameter="bias"] input[type="text"]');
+  await field.fill("1e9");
+  assert.equal(await field.getAttribute("aria-invalid"), "true");
+  await rest(page);
+  assert.equal(await page.evaluate(() => window.studio.received), received);
+  await context.close();
+});
+
+test("a broken file leaves the scene and says what is wrong", { skip }, async () => {
+  const { page, context } = await open(browser);
+  const scene = await page.getByTestId("scene").textContent();
+  await drop(page, "broken.usda", "#usda 1.0\ndef Mesh {");
+  const notice = page.getByTestId("notice").first();
+  await notice.waitFor();
+  assert.match(await notice.textContent(), /broken\.usda/);
+  assert.equal(await page.getByTestId("scene").textContent(), scene);
+  await context.close();
+});
+
+test("the page fits windows of all sizes", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  for (const [width, height] of [[1024, 700], [1920, 1080], [3840, 2160], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await rest(page);
+    const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+    assert.deepEqual(size, [width, height]);
+    const outside = await page.evaluate(() => [...document.querySelectorAll(".top-bar > *")].filter((element) => {
+      const { right, width } = element.getBoundingClientRect();
+      return width > 0 && right > innerWidth + 1;
+    }).length);
+    assert.equal(outside, 0, `at ${width} × ${height} the bar fits`);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("two tabs do not disturb each other", { skip }, async () => {
+  const first = await open(browser);
+  const second = await open(browser);
+  const original = await pixels(first.page, "sensor");
+  await after(second.page, () => second.page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
+  assert.equal(await pixels(first.page, "sensor"), original);
+  assert.notEqual(await pixels(second.page, "sensor"), original);
+  assert.deepEqual([...first.errors, ...second.errors], []);
+  await first.context.close();
+  await second.context.close();
+});
+
+test("the theme can be chosen and is remembered", { skip }, async () => {
+  const { page, context } = await open(browser, { colorScheme: "light" });
+  const background = () => page.evaluate(() => getComputedStyle(document.querySelector(".side")).backgroundColor);
+  const light = await background();
+  await page.getByTestId("theme").click();
+  const dark = await background();
+  assert.notEqual(dark, light);
+  await page.goto(url);
+  await rest(page);
+  assert.equal(await background(), dark);
+  await context.close();
+});
+
+test("the page can be used by keyboard", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await page.keyboard.press("?");
+  assert.equal(await page.getByRole("dialog").count(), 1);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("dialog").count(), 0);
+  const position = page.getByTestId("position-x");
+  const before = await position.inputValue();
+  await page.getByTestId("view").focus();
+  await after(page, () => page.keyboard.press("ArrowUp"));
+  assert.notEqual(await position.inputValue(), before);
+  await position.focus();
+  await after(page, () => page.keyboard.press("ArrowUp"));
+  const unnamed = await page.evaluate(() => [...document.querySelectorAll("button, input:not([hidden]), select")].filter((element) => {
+    const label = element.getAttribute("aria-label") ?? element.closest("label")?.textContent ?? element.textContent;
+    return !label?.trim();
+  }).length);
+  assert.equal(unnamed, 0, "every control has a name");
+  await page.locator(".surface").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.locator('[data-testid="readout"] dl').waitFor();
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("OAKs can be added, compared and removed", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await after(page, () => page.getByTestId("duplicate").click());
+  assert.equal(await pixels(page, "sensor", "oak2"), await pixels(page, "sensor", "oak1"), "a duplicate measures the same");
+  const models = await page.getByTestId("add-oak").locator("option").allTextContents();
+  assert.ok(models.length > 2);
+  await page.getByTestId("oaks").getByRole("button", { name: "Remove" }).last().click();
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid="oaks"] > li').length === 1);
+  await rest(page);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("the address restores the state", { skip }, async () => {
+  const { page, context } = await open(browser);
+  await after(page, () => page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
+  const changed = await pixels(page, "sensor");
+  await page.waitForFunction(() => location.hash.length > 10);
+  await page.waitForTimeout(500);
+  const { hash } = new URL(page.url());
+  const other = await open(browser, { path: hash.startsWith("#") ? hash : "" });
+  assert.equal(await pixels(other.page, "sensor"), changed);
+  await other.context.close();
+  await context.close();
+});
+
+test("the page reconnects to a server that was restarted, and says so", { skip }, async () => {
+  const { page, context } = await open(browser);
+  let isDown = false;
+  let socket;
+  await page.routeWebSocket(/api\/live/, (route) => {
+    if (isDown) return route.close();
+    socket = route;
+    route.connectToServer();
+  });
+  await page.reload();
+  await rest(page);
+  isDown = true;
+  await socket.close();
+  await page.getByTestId("lost").waitFor();
+  isDown = false;
+  await page.getByTestId("lost").waitFor({ state: "detached" });
+  await page.getByTestId("notice").filter({ hasText: "again" }).waitFor();
+  await rest(page);
+  await after(page, () => page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
+  await context.close();
+});
+
+test("a browser without WebGL 2 gets an explanation", { skip }, async () => {
+  const plain = await launch(["--disable-3d-apis"]);
+  const page = await plain.newPage();
+  await page.goto(url);
+  await page.getByRole("alert").waitFor();
+  assert.match(await page.getByRole("alert").textContent(), /WebGL 2/);
+  await plain.close();
+});
