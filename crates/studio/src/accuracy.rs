@@ -19,9 +19,8 @@ const MATCHED_UNITS: u32 = 3;
 pub(crate) fn curve(studio: &Studio, state: &OakState) -> Result<AccuracyCurve, Failure> {
     let twin = state.twin(studio)?;
     let is_matching = state.engine()?.input == EngineInput::Pair;
-    let kind = state.sensor.strip_prefix("depth_").unwrap_or(&state.sensor);
     let options = Options {
-        sensor: Some(kind.to_owned()),
+        sensor: Some(state.sensor_kind().to_owned()),
         engine: state.options()?,
         devices: state
             .device_seed

@@ -8,6 +8,7 @@ mod accuracy;
 mod answer;
 mod calibration;
 mod catalog;
+mod coverage;
 mod export;
 mod frame;
 mod guard;

@@ -76,8 +76,13 @@ impl OakState {
         })
     }
 
+    /// Returns the kind of the depth sensor: `stereo` or `tof`.
+    pub(crate) fn sensor_kind(&self) -> &str {
+        self.sensor.strip_prefix("depth_").unwrap_or(&self.sensor)
+    }
+
     /// Returns the options of the stereo pair.
-    fn pair_options(&self, size: Option<ImageSize>) -> Result<PairOptions, Failure> {
+    pub(crate) fn pair_options(&self, size: Option<ImageSize>) -> Result<PairOptions, Failure> {
         let bias_px = self.options()?.calibration_error_px();
         Ok(PairOptions {
             projector: self.projector,

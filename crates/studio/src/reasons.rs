@@ -32,19 +32,17 @@ pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
     Some(&codes.0)
 }
 
-/// Counts the pixels of each reason in a region, in the order of [`all`].
+/// Counts the pixels of each reason in a region, by code.
 pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
-    let mut counts = [0u64; 256];
+    let last = reason::legend().into_keys().last().unwrap_or_default();
+    let mut counts = vec![0; usize::from(last) + 1];
     let columns = region.columns.start as usize..region.columns.end as usize;
-    let rows = codes
-        .rows()
-        .skip(region.rows.start as usize)
-        .take(region.rows.len());
+    let rows = codes.rows().skip(region.rows.start as usize);
+    let rows = rows.take(region.rows.len());
     for code in rows.filter_map(|row| row.get(columns.clone())).flatten() {
-        counts[usize::from(*code)] += 1;
+        if let Some(count) = counts.get_mut(usize::from(*code)) {
+            *count += 1;
+        }
     }
-    reason::legend()
-        .keys()
-        .map(|code| counts[usize::from(*code)])
-        .collect()
+    counts
 }

@@ -16,10 +16,11 @@ use serde::de::DeserializeOwned;
 
 use crate::answer::{binary, failure, file, json, json_or_failure};
 use crate::catalog::CatalogInfo;
+use crate::coverage::CoverageRequest;
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
-use crate::{accuracy, export, guard, live, mesh, page, upload};
+use crate::{accuracy, coverage, export, guard, live, mesh, page, upload};
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
@@ -43,6 +44,7 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/api/models/{name}/body", get(body_mesh))
         .route("/api/export", post(take_away))
         .route("/api/accuracy", post(accuracy_curve))
+        .route("/api/coverage", post(region_coverage))
         .route("/api/live", get(live_socket))
         .fallback(async || {
             failure(
@@ -177,6 +179,14 @@ async fn accuracy_curve(State(studio): Server, body: Body) -> Response {
     let state = request::<OakState>(body).await;
     json_or_failure(match state {
         Ok(state) => blocking(move || accuracy::curve(&studio, &state)).await,
+        Err(error) => Err(error),
+    })
+}
+
+async fn region_coverage(State(studio): Server, body: Body) -> Response {
+    let asked = request::<CoverageRequest>(body).await;
+    json_or_failure(match asked {
+        Ok(asked) => blocking(move || coverage::coverage(&studio, &asked)).await,
         Err(error) => Err(error),
     })
 }

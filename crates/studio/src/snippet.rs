@@ -109,7 +109,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         );
         return Ok(out);
     }
-    let kind = state.sensor.strip_prefix("depth_").unwrap_or(&state.sensor);
+    let kind = state.sensor_kind();
     let resized = size.map_or_else(String::new, |size| {
         format!(".resized({}, {})", size.width, size.height)
     });
