@@ -145,14 +145,16 @@ def write_api(output: Path) -> None:
 
 
 def write_stub(folder: Path) -> dict[str, list[str]]:
-    """Writes the native module's stub where pdoc takes it for the package's; returns each class's members in the stub's order."""
+    """Writes the stubs as one where pdoc takes it for the package's; returns each class's members in the stub's order."""
     spec = find_spec("oaktwin._oaktwin")
     assert spec is not None and spec.origin is not None
-    stub = Path(spec.origin).with_name("_oaktwin.pyi").read_text("utf-8")
-    (folder / "oaktwin").mkdir()
+    package = Path(spec.origin).parent
+    texts = [file.read_text("utf-8") for file in sorted(package.glob("_*.pyi"), key=lambda file: file.name != "_types.pyi")]
+    relative = r"__all__ = \[.*?\]|from \.\w* import (?:\(.*?^\)|.*?$)"
+    stub = "\n".join(re.sub(rf"^(?:{relative})\n", "", text, flags=re.M | re.S) for text in texts)
     # The package wraps these in functions of its own.
-    stub = re.sub(r"^__all__ = \[.*?^\]\n", "", stub, flags=re.M | re.S)
-    stub = re.sub(r"^def (accuracy|coverage)\(", r"def _\1(", stub, flags=re.M)
+    stub = re.sub(r"^def (accuracy|coverage|fit)\(", r"def _\1(", stub, flags=re.M)
+    (folder / "oaktwin").mkdir()
     (folder / "oaktwin/__init__.pyi").write_text(f"from __future__ import annotations\n{stub}", "utf-8")
     classes = (node for node in ast.parse(stub).body if isinstance(node, ast.ClassDef))
     return {one.name: [part.name for part in one.body if isinstance(part, ast.FunctionDef)] for one in classes}

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::workspace::{self, check, output, root};
 
-/// Of memory that one input may use, of its time, and of libFuzzer's reports.
+/// The options of libFuzzer: the limits on the memory and the time of one input, and its reports.
 const FLAGS: [&str; 5] = [
     "-rss_limit_mb=2048",
     "-timeout=10",
@@ -252,6 +252,11 @@ fn problem(log: &str) -> String {
 
 /// Returns the first words of a message as a part of a file name.
 fn slug(message: &str) -> String {
+    // The name of a temporary file says nothing.
+    let message = match message.split_once(": ") {
+        Some((path, rest)) if path.starts_with('/') => rest,
+        _ => message,
+    };
     let mut words = message
         .split(|c: char| !c.is_ascii_alphanumeric())
         .filter(|word| !word.is_empty());
@@ -268,7 +273,7 @@ fn minimize(target: &Target, work: &Path, build: &Path) -> Result<(), String> {
     command
         .args(FLAGS)
         .arg(format!("-max_len={}", target.max_len))
-        .arg("-merge=1")
+        .arg("-set_cover_merge=1")
         .arg(&merged);
     check(
         command
@@ -280,10 +285,11 @@ fn minimize(target: &Target, work: &Path, build: &Path) -> Result<(), String> {
     let _ = fs::remove_dir_all(&kept);
     fs::create_dir_all(&kept).map_err(|error| format!("{}: {error}", kept.display()))?;
     for entry in fs::read_dir(&merged)
-        .map_err(|error| error.to_string())?
+        .map_err(|error| format!("{}: {error}", merged.display()))?
         .flatten()
     {
-        fs::copy(entry.path(), kept.join(entry.file_name())).map_err(|error| error.to_string())?;
+        let copy = kept.join(entry.file_name());
+        fs::copy(entry.path(), &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
     }
     Ok(())
 }
@@ -345,6 +351,8 @@ mod tests {
     fn names_a_crash_by_its_message() {
         let panic = "thread panicked at src/a.rs:1:2:\nindex out of bounds: the len is 3\n==1== ERROR: libFuzzer: deadly signal";
         assert_eq!(slug(&problem(panic)), "index-out-of-bounds-the-len-is-3");
+        let file = "/tmp/.tmp0/x.usda: line 4: contains a zero byte";
+        assert_eq!(slug(file), "line-4-contains-a-zero-byte");
         let leak = "==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x1";
         assert!(slug(&problem(leak)).starts_with("addresssanitizer-heap-buffer-overflow"));
     }

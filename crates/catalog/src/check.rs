@@ -169,7 +169,7 @@ fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
 }
 
 /// More dots than any projector has.
-const MOST_DOTS: u32 = 1_000_000;
+const MAX_DOTS: u32 = 1_000_000;
 
 fn projector(doc: &Document<'_>, device: &Device) -> Checked {
     let Some(spec) = &device.projector else {
@@ -182,11 +182,11 @@ fn projector(doc: &Document<'_>, device: &Device) -> Checked {
             "give its place in the body as body.projector_mm",
         ));
     }
-    if !(1..=MOST_DOTS).contains(&spec.dots) {
+    if !(1..=MAX_DOTS).contains(&spec.dots) {
         return Err(doc.error(
             "projector.dots",
             format!("{} dots", spec.dots),
-            format!("give 1 to {MOST_DOTS}"),
+            format!("give 1 to {MAX_DOTS}"),
         ));
     }
     for (key, value) in [("hfoi_deg", spec.hfoi_deg), ("vfoi_deg", spec.vfoi_deg)] {

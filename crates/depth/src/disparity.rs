@@ -77,9 +77,9 @@ impl View<Subpixel> for SubpixelSwitch {
 choice! {
     /// The rounding of depth to whole millimetres. The device's is not published.
     DepthRounding {
-        /// To the nearest; halves up.
+        /// Rounds to the nearest, and halves up.
         Nearest = "nearest",
-        /// Down.
+        /// Rounds down.
         Truncate = "truncate",
     }
 }

@@ -60,9 +60,9 @@ impl Setup {
 /// A preset of `DepthAI`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PresetConfig {
-    /// For stereo.
+    /// The settings of a stereo pair.
     Stereo(Box<StereoConfig>),
-    /// For time of flight.
+    /// The settings of a time-of-flight camera.
     TimeOfFlight(TimeOfFlightConfig),
 }
 

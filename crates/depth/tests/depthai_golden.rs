@@ -64,7 +64,7 @@ fn filters_are_depthais_bit_for_bit() -> Result<(), Box<dyn Error>> {
         match case["dtype"].as_str() {
             Some("uint8") => check::<u8>(case)?,
             Some("uint16") => check::<u16>(case)?,
-            other => return Err(format!("{other:?} is no type of pixels").into()),
+            other => return Err(format!("{other:?} is not a pixel type").into()),
         }
     }
     Ok(())

@@ -53,12 +53,26 @@ fn scene(random: &mut Random<'_>) -> Scene {
     scene
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "positions are float32")]
 fn mesh(random: &mut Random<'_>) -> Mesh {
     let count = 3 + random.up_to(9);
     let scale = random.pick(&[1.0, 1.0, 0.01, 300.0]);
-    #[expect(clippy::cast_possible_truncation, reason = "positions are float32")]
-    let mut position = || (scale * point(random)).to_array().map(|x| x as f32);
-    let positions = (0..count).map(|_| position()).collect();
+    let single = |point: DVec3| point.to_array().map(|x| x as f32);
+    let mut positions: Vec<[f32; 3]> = Vec::new();
+    for _ in 0..count {
+        let near_line = positions.len() > 1 && random.up_to(3) == 3;
+        let position = if near_line {
+            // The third corner of a needle.
+            let last = u32::try_from(positions.len() - 1).unwrap_or(0);
+            let mut end = || positions[random.up_to(last) as usize];
+            let [a, b] = [end(), end()].map(|end| DVec3::from(end.map(f64::from)));
+            let away = random.pick(&[0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2]) * (b - a).length();
+            a.lerp(b, f64::from(random.byte()) / 128.0 - 0.5) + away * direction(random)
+        } else {
+            scale * point(random)
+        };
+        positions.push(single(position));
+    }
     let mut corner = || random.up_to(count - 1);
     let mut mesh = Mesh {
         positions,
@@ -74,10 +88,13 @@ fn mesh(random: &mut Random<'_>) -> Mesh {
     mesh
 }
 
-/// Whether the sine of the angle between two edges is above 1e-3.
+/// The sine of the angle between two edges, above which single precision tells a triangle from a line.
+const NARROWEST: f64 = 1e-6;
+
+/// Whether a triangle is not a line.
 fn is_wide(corners: [[f32; 3]; 3]) -> bool {
     let [a, b, c] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
-    (b - a).cross(c - a).length() > 1e-3 * (b - a).length() * (c - a).length()
+    (b - a).cross(c - a).length() > NARROWEST * (b - a).length() * (c - a).length()
 }
 
 /// Returns a point within 8 m of the origin, on a grid of 1/16 m or finer.
@@ -97,9 +114,15 @@ fn stretch(random: &mut Random<'_>) -> f64 {
     random.pick(&[1.0, 1.0, -1.0, 0.25, 2.5, -0.05])
 }
 
+fn direction(random: &mut Random<'_>) -> DVec3 {
+    point(random).try_normalize().unwrap_or(DVec3::Z)
+}
+
 fn rotation(random: &mut Random<'_>) -> DMat3 {
-    let axis = point(random).try_normalize().unwrap_or(DVec3::Z);
-    DMat3::from_quat(DQuat::from_axis_angle(axis, f64::from(random.byte()) / 40.0))
+    let axis = direction(random);
+    // Rays along an axis meet the grid of the points exactly.
+    let angle = f64::from(random.byte().saturating_sub(64)) / 30.0;
+    DMat3::from_quat(DQuat::from_axis_angle(axis, angle))
 }
 
 pub(crate) fn seeds() -> Vec<Vec<u8>> {

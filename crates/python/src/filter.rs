@@ -64,8 +64,8 @@ impl Filter {
     }
 
     /// Filters an image or a batch; see the class.
-    #[pyo3(signature = (image, rgb = None, *, out = None))]
-    fn __call__<'py>(
+    #[pyo3(name = "_call", signature = (image, rgb = None, *, out = None))]
+    fn call<'py>(
         &self,
         py: Python<'py>,
         image: &Bound<'py, PyAny>,

@@ -1,7 +1,7 @@
 //! The native half of the Python package `oaktwin`: NumPy arrays in and out, exceptions for errors, no mathematics.
 //!
 //! The interpreter is released while images are processed, and signals are checked between images.
-//! Invalid input raises an exception, never a panic. Docstrings are for Python's users; `_oaktwin.pyi` has the types.
+//! Invalid input raises an exception, never a panic. Docstrings are for Python's users; the stubs (`_oaktwin.pyi` and those it imports) have the types.
 
 #![expect(
     clippy::doc_markdown,
@@ -46,6 +46,8 @@ use pyo3::prelude::*;
 /// The native half of oaktwin; use the package `oaktwin`.
 #[pymodule(gil_used = true)]
 mod _oaktwin {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::align::align;
     #[pymodule_export]
@@ -91,6 +93,16 @@ mod _oaktwin {
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    /// Makes instances callable. A method named `__call__` would have neither a signature nor a docstring in Python.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        for class in ["DepthSensor", "Filter", "StereoMatcher"] {
+            let class = module.getattr(class)?;
+            class.setattr("__call__", class.getattr("_call")?)?;
+        }
+        Ok(())
+    }
 }
 
 /// Runs the program `oaktwin` in this process and returns its exit code.

@@ -242,7 +242,8 @@ impl StereoMatcher {
     }
 
     /// Matches a pair or a batch of pairs; see the class.
-    fn __call__<'py>(
+    #[pyo3(name = "_call")]
+    fn call<'py>(
         &self,
         py: Python<'py>,
         left: &Bound<'py, PyAny>,

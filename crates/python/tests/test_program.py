@@ -25,7 +25,7 @@ def test_metadata():
         "oaktwin.__main__:main"
     ]
     files = {str(file) for file in metadata.files("oaktwin")}
-    assert {"oaktwin/py.typed", "oaktwin/_oaktwin.pyi"} <= files
+    assert {"oaktwin/py.typed", "oaktwin/_oaktwin.pyi", "oaktwin/_sensors.pyi"} <= files
 
 
 def test_everything_public_is_documented():

@@ -89,8 +89,8 @@ export function css([red, green, blue]: Rgb): string {
   return `rgb(${red}, ${green}, ${blue})`;
 }
 
-/** The colours that tell OAKs apart, for frusta, dots and lines. */
-const OAK_COLORS: Rgb[] = parse("4c9be8e69f0026a97bd55e00cc79a7a08bff");
+/** The colours that tell OAKs apart, for frusta, dots and lines: their contrast is at least 3 : 1 in both themes. */
+const OAK_COLORS: Rgb[] = parse("2f7fd0c47f001d8f66c04f00b0578c7a5fe0");
 
 export function oakColor(index: number): Rgb {
   return OAK_COLORS[index % OAK_COLORS.length] as Rgb;

@@ -36,9 +36,13 @@ function useScene(studio: Studio, info: SceneInfo): void {
   studio.notify(worst, `${info.name}: ${info.triangles.toLocaleString("en")} triangles.`, info.findings);
 }
 
-/** Applies a calibration to the selected OAK, which becomes the model that the file names. */
+/** Applies a calibration to the selected OAK, which becomes the model that the file names. One with errors can only be chosen. */
 function useCalibration(studio: Studio, info: CalibrationInfo): void {
   studio.calibrations.set(new Map(studio.calibrations.get()).set(info.id, info));
+  if (info.findings.some(({ level }) => level === "error")) {
+    studio.notify("error", `${info.name} has errors and is not used.`, info.findings);
+    return;
+  }
   const model = info.model === null ? undefined : findModel(studio.catalog.get(), info.model);
   studio.document.commit("calibration", (document) =>
     changeOak(document, document.selected, (state) => {

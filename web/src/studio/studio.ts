@@ -99,7 +99,9 @@ export class Studio {
 
   /** Forgets what a server that was restarted no longer knows, and reads what it knows now. */
   async restart(): Promise<void> {
+    const { version } = this.catalog.get();
     this.catalog.set(await api.catalog());
+    if (this.catalog.get().version !== version) this.notify("warning", "The server has another version now. Reload the page.");
     this.loading = "";
     this.scene.set(null);
     await this.followScene();

@@ -40,7 +40,7 @@ export class SceneView {
   private roof: number | null = null;
 
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
-    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object) });
+    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object), onOak: (index) => this.select(index) });
     const { document, display, scene, frames, probe } = studio;
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo]) store.subscribe(() => this.follow());
@@ -81,8 +81,10 @@ export class SceneView {
 
   private async loadScene(): Promise<void> {
     const info = this.studio.scene.get();
+    // A server that was restarted may have another scene under the same name.
+    if (!info) this.loaded = "";
     if (!info || info.id === this.loaded) return;
-    const isFirst = !this.wantsDetail;
+    const isFirst = this.isNew("place", info.id, ...info.bounds.flat());
     this.loaded = info.id;
     try {
       const mesh = await api.sceneMesh(info.id, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
@@ -230,6 +232,11 @@ export class SceneView {
 
   private movePose(pose: Pose): void {
     this.studio.change("pose", (state) => ({ ...state, pose }));
+  }
+
+  private select(index: number): void {
+    const selected = this.groups[index]?.oak.key;
+    if (selected) this.studio.document.set({ ...this.studio.document.get(), selected });
   }
 
   private pick(index: number | null): void {

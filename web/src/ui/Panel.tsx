@@ -48,13 +48,26 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
             <Picture oak={oak.key} kind={other} frame={frame} width={width} height={height} scales={scales} />
           </div>
         )}
-        {other && <div class="edge" style={{ left: `${wipeAt * 100}%` }} />}
+        {other && <Edge at={wipeAt} width={width} />}
         <Marks oak={oak.key} kind={kind} />
         {rejection && frame && <p class="stale-note">{`Not measured: ${rejection.error}`}</p>}
         {!frame && <p class="empty">{emptyText(rejection?.error, studio.hasDepth(oak.state), oak.state.model)}</p>}
       </Surface>
     </figure>
   );
+}
+
+/** The edge of a wipe, which the mouse moves; the slider above the images does it by keyboard. */
+function Edge({ at, width }: { at: number; width: number }) {
+  const { studio } = useApp();
+  const grab = (event: PointerEvent) => {
+    event.stopPropagation();
+    const start = event.clientX;
+    const move = (next: PointerEvent) => studio.show({ wipeAt: Math.max(0, Math.min(1, at + (next.clientX - start) / width)) });
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });
+  };
+  return <div class="edge" style={{ left: `${at * 100}%` }} onPointerDown={grab} />;
 }
 
 function emptyText(error: string | undefined, hasDepth: boolean, model: string): string {

@@ -15,6 +15,8 @@ export interface ViewerHandlers {
   onPose(pose: Pose): void;
   /** An object of the scene was clicked, by its index; null for nothing. */
   onPick(object: number | null): void;
+  /** The body of an OAK was clicked, by its place among the drawn ones. */
+  onOak(index: number): void;
 }
 
 /** What a click hits. */
@@ -74,7 +76,7 @@ export class Viewer {
     }
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
-    this.listenForClicks(handlers.onPick);
+    this.listenForClicks(handlers);
   }
 
   close(): void {
@@ -233,22 +235,42 @@ export class Viewer {
   /** Finds what a place of the canvas shows, given in pixels of the page. */
   hit(clientX: number, clientY: number): Hit | null {
     if (!this.mesh?.visible) return null;
-    const { left, top, width, height } = this.canvas.getBoundingClientRect();
-    const caster = new Raycaster();
-    caster.setFromCamera(new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2), this.camera);
-    const first = caster.intersectObject(this.mesh)[0];
+    const planes = this.mesh.material.clippingPlanes ?? [];
+    const hits = this.caster(clientX, clientY).intersectObject(this.mesh);
+    const first = hits.find(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
     if (!first || first.faceIndex == null) return null;
     return { point: first.point, object: this.objects?.[first.faceIndex] ?? 0 };
   }
 
-  private listenForClicks(onPick: (object: number | null) => void): void {
+  private caster(clientX: number, clientY: number): Raycaster {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2), this.camera);
+    return caster;
+  }
+
+  /** Finds the OAK whose body is at a place of the canvas and before a point of the scene. */
+  private oakAt(clientX: number, clientY: number, before: Vector3 | null): number | null {
+    const caster = this.caster(clientX, clientY);
+    const limit = before ? caster.ray.origin.distanceTo(before) : Number.POSITIVE_INFINITY;
+    // The first child of an OAK is its body; the others are lines and transparent planes.
+    const bodies = this.oaks.children.map((oak) => oak.children[0]).filter((body) => body !== undefined);
+    const hit = caster.intersectObjects(bodies).find(({ object, distance }) => (object as Mesh).isMesh && distance < limit);
+    const index = bodies.findIndex((body) => hit && (body === hit.object || body === hit.object.parent));
+    return index < 0 ? null : index;
+  }
+
+  private listenForClicks({ onPick, onOak }: ViewerHandlers): void {
     let start: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {
       start = event.button === 0 && !this.gizmo.isActive ? [event.clientX, event.clientY] : null;
     });
     this.canvas.addEventListener("pointerup", (event) => {
       if (!start || Math.hypot(event.clientX - start[0], event.clientY - start[1]) > CLICK) return;
-      onPick(this.hit(event.clientX, event.clientY)?.object ?? null);
+      const scene = this.hit(event.clientX, event.clientY);
+      const oak = this.oakAt(event.clientX, event.clientY, scene?.point ?? null);
+      if (oak === null) onPick(scene?.object ?? null);
+      else onOak(oak);
     });
     this.canvas.addEventListener("dblclick", (event) => {
       const hit = this.hit(event.clientX, event.clientY);

@@ -50,7 +50,7 @@ pub(crate) struct SenseArgs {
         long,
         value_parser = parser::<InputKind>(),
         help = "The kind of depth: along the optical axis or from the optical centre; required unless the file's name \
-                tells it (distance_to_image_plane, depth: z; distance_to_camera: range)",
+                implies it (distance_to_image_plane, depth: z; distance_to_camera: range)",
         help_heading = "Images"
     )]
     pub(crate) input_kind: Option<InputKind>,

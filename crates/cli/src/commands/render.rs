@@ -1,5 +1,5 @@
-mod asked;
 mod report;
+mod request;
 mod sensors;
 
 use oaktwin::camera::ImageSize;
@@ -23,8 +23,8 @@ use report::Report;
 use sensors::Sensors;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
-    let output = asked::output(args)?;
-    let annotators = asked::annotators(args)?;
+    let output = request::output(args)?;
+    let annotators = request::annotators(args)?;
     let size = size::parse("--resolution", args.resolution.as_deref())?;
     let path = match &args.trajectory {
         Some(file) => trajectory::read(file)?,
@@ -34,7 +34,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
     let mut findings = std::mem::take(&mut scene.findings);
-    findings.extend(asked::unused(args, &annotators));
+    findings.extend(request::unused(args, &annotators));
     let (mut cameras, more) = match &oak {
         Some(oak) => oak.cameras(args, size, scene.scene.up)?,
         None => own_cameras(&scene, args, size, &path)?,
@@ -159,7 +159,7 @@ impl Oak {
         };
         Ok(render::oak_cameras(
             &self.twin,
-            &asked::place(args, up)?,
+            &request::place(args, up)?,
             &options,
         )?)
     }

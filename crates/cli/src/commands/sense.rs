@@ -1,5 +1,5 @@
-mod asked;
 mod report;
+mod request;
 
 use std::io::{self, IsTerminal};
 
@@ -11,9 +11,9 @@ use crate::{output, progress};
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
-    let options = asked::options(args)?;
-    let inputs = asked::inputs(args)?;
-    let is_stream = asked::is_stream(args);
+    let options = request::options(args)?;
+    let inputs = request::inputs(args)?;
+    let is_stream = request::is_stream(args);
     args.threads.apply();
     let (twin, calibration_findings) = context.twin(&args.model, &args.unit)?;
     if is_stream && io::stdout().is_terminal() {

@@ -127,7 +127,7 @@ proptest! {
                     holes += 1;
                     continue;
                 }
-                // A sample stands for its footprint: as far off as the plane slopes over a source pixel and a half.
+                // A sample represents its footprint: it is as far off as the plane slopes over a source pixel and a half.
                 let expected = plane(&target, normal_in_target, height_in_target, x, y);
                 let tolerance = 1.6 * expected / 40.0 * (slope[0].abs() + slope[1].abs() + 0.15);
                 prop_assert!((z - expected).abs() < tolerance, "({x}, {y}): {z} for {expected}");

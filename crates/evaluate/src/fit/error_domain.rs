@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_evens_rounding_out() {
+    fn noise_averages_rounding_out() {
         assert!((left_of_rounding(0.0, 0.25) - 0.0625 / 12.0).abs() < 1e-12);
         assert!(left_of_rounding(0.25, 0.25) < 1e-15);
         assert_eq!(left_of_rounding(0.1, 0.0), 0.0);

@@ -5,10 +5,10 @@ use super::target::Observation;
 use oaktwin_diagnostic::{Finding, Level};
 
 /// The share of valid pixels below which a target is reported.
-const LEAST_FILL: f64 = 0.5;
+const MIN_FILL_RATE: f64 = 0.5;
 
 /// The share of mismatches above which a target is reported.
-const MOST_MISMATCHES: f64 = 0.05;
+const MAX_MISMATCH_RATE: f64 = 0.05;
 
 pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findings: &mut Vec<Finding>) {
     let [brighter, filled] = match error_domain {
@@ -35,7 +35,7 @@ pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findin
                 ),
                 "is it nearer than the minimum distance of the sensor?",
             );
-        } else if one.fill_rate < LEAST_FILL {
+        } else if one.fill_rate < MIN_FILL_RATE {
             add(
                 "few-pixels",
                 format!(
@@ -45,7 +45,7 @@ pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findin
                 brighter,
             );
         }
-        if one.mismatch_rate > MOST_MISMATCHES {
+        if one.mismatch_rate > MAX_MISMATCH_RATE {
             add(
                 "mismatches",
                 format!(

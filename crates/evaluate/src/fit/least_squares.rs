@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_told_apart_has_no_error() {
+    fn indistinguishable_parameters_have_no_error() {
         let solution = solve(&Line(&[[2.0, 1.0], [2.0, 1.1], [2.0, 0.9]]), &[0.0, 0.0], false);
         assert!(solution.covariance.is_none(), "{solution:?}");
         assert!(solve(&Line(&[]), &[0.0, 0.0], true).covariance.is_none());

@@ -54,8 +54,9 @@ use method::{Fitted, Method};
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_depth::stereo_noise::StereoNoise;
 use oaktwin_depth::time_of_flight::TimeOfFlight;
-use oaktwin_diagnostic::{Finding, Level, Message, message};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::FileError;
+use oaktwin_pipeline::input::check_depth_scale;
 use oaktwin_pipeline::progress::Watch;
 use oaktwin_pipeline::sensor::{
     ParameterError, SensorOptions, Technology, default_engine, depth_sensor, sensor,
@@ -228,24 +229,17 @@ pub fn fit(
 }
 
 fn check(options: &Options) -> Result<(), FitError> {
-    let wrong = |text: String| Err(FitError::Option(text.into()));
+    let wrong = |name: &'static str, is: String| Err(FitError::Option(message![opt(name), is]));
     if !(options.region > 0.0 && options.region <= 1.0) {
-        return wrong(format!(
-            "region: {} is out of range; give a share above 0, up to 1",
+        let is = format!(
+            ": {} is out of range; give a share above 0, up to 1",
             options.region
-        ));
-    }
-    if !(options.depth_scale > 0.0 && options.depth_scale.is_finite()) {
-        return wrong(format!(
-            "depth scale: {} is out of range; give metres per unit, above 0",
-            options.depth_scale
-        ));
+        );
+        return wrong("region", is);
     }
     if !(options.from_m >= 0.0 && options.from_m.is_finite()) {
-        return wrong(format!(
-            "from: {} is out of range; give a distance in metres",
-            options.from_m
-        ));
+        let is = format!(": {} is out of range; give a distance in metres", options.from_m);
+        return wrong("from", is);
     }
-    Ok(())
+    check_depth_scale(options.depth_scale).map_err(FitError::Option)
 }

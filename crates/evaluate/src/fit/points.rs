@@ -13,11 +13,11 @@ use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
 /// The rotation above which a target does not measure a distance.
-const MOST_TILT_DEG: f64 = 5.0;
+const MAX_TILT_DEG: f64 = 5.0;
 
 /// The rotation, in degrees and in standard errors, below which it is ignored.
-const LEAST_TILT_DEG: f64 = 0.3;
-const LEAST_ERRORS: f64 = 4.0;
+const MIN_TILT_DEG: f64 = 0.3;
+const MIN_TILT_ERRORS: f64 = 4.0;
 
 /// A measured error at a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +64,10 @@ pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) 
                 .first()
                 .map(|files| files.sensed.clone())
                 .unwrap_or_default();
-            let message = format!("is {}, and {} is {}", other.size, first.name, first.size);
+            let message = format!(
+                "its size is {}, but that of {} is {}",
+                other.size, first.name, first.size
+            );
             Err(FileError::new(&path, message, "give images of one camera in one mode").into())
         }
         None => Ok(()),
@@ -136,9 +139,9 @@ pub(super) fn tilts(
     };
     let common = [right, down];
     let angle = degrees(common);
-    let is_sure = right.abs() > LEAST_ERRORS * right_error || down.abs() > LEAST_ERRORS * down_error;
-    let is_turned = own.values().next().is_some() && angle > LEAST_TILT_DEG && is_sure;
-    if is_turned && angle > MOST_TILT_DEG {
+    let is_sure = right.abs() > MIN_TILT_ERRORS * right_error || down.abs() > MIN_TILT_ERRORS * down_error;
+    let is_turned = own.values().next().is_some() && angle > MIN_TILT_DEG && is_sure;
+    if is_turned && angle > MAX_TILT_DEG {
         let (name, _) = own
             .iter()
             .max_by(|a, b| degrees(a.1.slope).total_cmp(&degrees(b.1.slope)))
@@ -147,7 +150,7 @@ pub(super) fn tilts(
             });
         return Err(FitError::Option(message![
             format!(
-                "{name}: the target is tilted by {angle:.1}°, more than the {MOST_TILT_DEG}° that can be corrected; \
+                "{name}: the target is tilted by {angle:.1}°, more than the {MAX_TILT_DEG}° that can be corrected; \
                  record it perpendicular to the camera, or decrease "
             ),
             opt("region")

@@ -13,13 +13,13 @@ use oaktwin_image::Image;
 use oaktwin_pipeline::input::source::Source;
 
 /// The maximum lag of covariances in pixels.
-const MOST_LAGS: usize = 48;
+const MAX_LAGS: usize = 48;
 
 /// The distance from the region's median, as a multiple of the median deviation, above which a value is a mismatch.
 const MISMATCH: f64 = 6.0;
 
 /// The maximum number of separate places in a region; larger regions are averaged over squares.
-const MOST_PLACES: f64 = 4096.0;
+const MAX_PLACES: f64 = 4096.0;
 
 /// The settings of an evaluation.
 #[derive(Clone, Copy, Debug)]
@@ -74,9 +74,9 @@ pub(super) struct Observation {
     pub(super) fill_rate: f64,
     /// The share of the valid pixels that are mismatches.
     pub(super) mismatch_rate: f64,
-    /// Without images of the ground truth, the mean over time at each place.
+    /// The mean over time at each place; empty if there are images of the ground truth.
     pub(super) places: Vec<Place>,
-    /// With ground truth, the sums by true value.
+    /// The sums by true value; empty without images of the ground truth.
     pub(super) by_truth: Vec<Sum>,
     /// The covariance of half of the differences of consecutive frames.
     pub(super) pairs: Vec<Autocovariance>,
@@ -206,7 +206,10 @@ pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observati
 fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> FileError {
     FileError::new(
         &files.sensed,
-        format!("is {size}, and {} is {first}", before.sensed.display()),
+        format!(
+            "its size is {size}, but that of {} is {first}",
+            before.sensed.display()
+        ),
         "give images of one camera in one mode",
     )
 }
@@ -250,7 +253,7 @@ impl Observer {
             clippy::cast_sign_loss,
             reason = "below an image's side"
         )]
-        let square = ((region.pixels() as f64 / MOST_PLACES).sqrt().ceil() as u32).max(1);
+        let square = ((region.pixels() as f64 / MAX_PLACES).sqrt().ceil() as u32).max(1);
         let has_truth = recording.files.iter().any(|files| files.truth.is_some());
         let focal_px = look.focal_of_width * f64::from(size.width);
         let side = |pixels: usize| pixels.div_ceil(square as usize);
@@ -270,7 +273,7 @@ impl Observer {
         Self {
             look,
             size,
-            lags: (columns.min(rows) / 2 + 1).min(MOST_LAGS),
+            lags: (columns.min(rows) / 2 + 1).min(MAX_LAGS),
             region,
             frames: 0,
             valid: 0,

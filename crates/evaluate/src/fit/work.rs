@@ -90,7 +90,7 @@ impl Work<'_> {
             "not-identifiable",
             Level::Warning,
             name,
-            format!("cannot be found: {why}"),
+            format!("cannot be determined: {why}"),
             remedy,
         ));
     }

@@ -29,13 +29,27 @@ pub(crate) fn files(root: &Path) -> io::Result<Vec<(PathBuf, String)>> {
         .filter(|option| option.is_of_matcher)
         .collect();
     let package = root.join("crates/python");
-    let stub = package.join("python/oaktwin/_oaktwin.pyi");
-    let mut text = std::fs::read_to_string(&stub)?;
-    text = with_part(&text, "names", &names());
-    text = with_part(&text, "options", &typed_dict(&all));
-    text = with_part(&text, "options of DepthSensor", &parameters(&all));
-    text = with_part(&text, "options of StereoMatcher", &parameters(&of_matcher));
-    let mut files = vec![(stub, text)];
+    let parts = [
+        ("_types.pyi", "names", names()),
+        ("_types.pyi", "options", typed_dict(&all)),
+        ("_sensors.pyi", "options of DepthSensor", parameters(&all)),
+        (
+            "_sensors.pyi",
+            "options of StereoMatcher",
+            parameters(&of_matcher),
+        ),
+    ];
+    let mut files: Vec<(PathBuf, String)> = Vec::new();
+    for (file, name, part) in parts {
+        let path = package.join("python/oaktwin").join(file);
+        match files.last_mut() {
+            Some((last, text)) if *last == path => *text = with_part(text, name, &part),
+            _ => {
+                let text = std::fs::read_to_string(&path)?;
+                files.push((path, with_part(&text, name, &part)));
+            }
+        }
+    }
     for (name, options) in [("sensor_options", &all), ("matcher_options", &of_matcher)] {
         let file = |extension| package.join(format!("src/generated/{name}.{extension}"));
         files.push((file("signature"), signature(options)));

@@ -4,12 +4,26 @@ pub mod name;
 pub mod replicator;
 pub mod source;
 
+use oaktwin_diagnostic::{Message, message, opt};
+
 oaktwin_parameter::choice! {
     /// The kind of depth in an image.
     InputKind {
-        /// Along the optical axis: `distance_to_image_plane`.
+        /// The distance along the optical axis: `distance_to_image_plane`.
         Z = "z",
-        /// From the optical centre: `distance_to_camera`.
+        /// The distance from the optical centre: `distance_to_camera`.
         Range = "range",
     }
+}
+
+/// Checks the metres per unit of integer depth images.
+///
+/// # Errors
+/// Returns an error unless the number is finite and positive.
+pub fn check_depth_scale(scale: f64) -> Result<(), Message> {
+    if scale.is_finite() && scale > 0.0 {
+        return Ok(());
+    }
+    let is = format!(": must be a finite number > 0 (got {scale}); give metres per integer depth unit");
+    Err(message![opt("depth-scale"), is])
 }

@@ -172,18 +172,18 @@ struct Station<'a> {
     camera: &'a PlacedCamera,
     index: usize,
     sensor: Option<Sensor>,
-    /// Whether it, or one of a sweep, matches a pair.
+    /// Whether its sensor, or one of a sweep's, matches a pair.
     matches: bool,
     needed: Vec<Annotator>,
-    /// Whether it is one of several cameras.
+    /// Whether its files have a folder of their own, because there are several cameras.
     has_folder: bool,
 }
 
 impl<'a> Station<'a> {
     fn new(camera: &'a PlacedCamera, index: usize, has_folder: bool, options: &FrameOptions<'_>) -> Self {
-        let is_asked = options.annotators.iter().any(|one| one.is_depth_sensor());
+        let is_requested = options.annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = options.sensors.get(index).cloned().flatten();
-        let sensor = sensor.filter(|_| is_asked);
+        let sensor = sensor.filter(|_| is_requested);
         let is_swept = options.sweep.is_some_and(|sweep| sweep.has(index));
         let is_matching = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair);
         let needed = scene_annotators(options.annotators, sensor.is_some() || is_swept);

@@ -1,7 +1,7 @@
 //! Simulation of the depth sensor on existing depth images: arrays, PNG, EXR, PFM, folders of Replicator, or a stream.
 //!
 //! [`sense`] reads the images one by one, simulates the [sensor](crate::sensor) of a twin and writes its outputs. Values of an
-//! image that are not finite and above 0 are invalid; 0 in an output is no measurement.
+//! image that are not finite and above 0 are invalid; a pixel of an output is 0 where nothing was measured.
 //!
 //! # Frames, sequences, batches
 //! The number at the end of a file's name is its frame, by default 0. Noise differs between frames and is the same for the same

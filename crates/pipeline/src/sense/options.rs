@@ -10,7 +10,7 @@ use oaktwin_usd::asset::LensChoice;
 /// The field of view of the depth images.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum FieldOfView {
-    /// That of a folder's `camera_params`, else the model's.
+    /// The field of view in a folder's `camera_params`, or else the model's.
     #[default]
     Known,
     /// A focal length in pixels of the images.

@@ -11,6 +11,7 @@ use super::shot::OutputContext;
 use super::stream::StreamWriter;
 use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
 use crate::geometry::{places, resample, z_of_range};
+use crate::input::check_depth_scale;
 use crate::input::source::Source;
 use crate::limits;
 use crate::progress::Watch;
@@ -28,7 +29,7 @@ use oaktwin_image::annotation::Annotator;
 const PIXELS_AT_ONCE: usize = 1 << 24;
 
 /// The destination of the results.
-#[expect(missing_debug_implementations, reason = "a stream has none")]
+#[expect(missing_debug_implementations, reason = "a stream does not implement it")]
 pub enum Output<'a> {
     /// Files in the folders that the inputs name.
     Files,
@@ -65,15 +66,7 @@ pub fn sense(
     output: Output<'_>,
     watch: &Watch<'_>,
 ) -> Result<Sensed, SenseError> {
-    if !(options.depth_scale.is_finite() && options.depth_scale > 0.0) {
-        return Err(SenseError::option(message![
-            opt("depth-scale"),
-            format!(
-                ": must be a finite number > 0 (got {}); give metres per integer depth unit",
-                options.depth_scale
-            )
-        ]));
-    }
+    check_depth_scale(options.depth_scale).map_err(SenseError::option)?;
     if let Some(engine) = options
         .sensor
         .engine

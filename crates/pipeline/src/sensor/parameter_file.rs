@@ -8,7 +8,7 @@
 //! pixelLocking = 0.13
 //! ```
 //!
-//! A table `[fit]` says where they come from; it is for people.
+//! A table `[fit]` documents their origin; it is not read.
 
 use std::path::Path;
 
@@ -19,17 +19,17 @@ use super::SensorOptions;
 use oaktwin_diagnostic::nearest;
 use oaktwin_files::{self as files, FileError};
 
-/// Far more than a file of parameters ever has.
-const MOST_BYTES: u64 = 1 << 20;
+/// The maximum size of a file of parameters.
+const MAX_BYTES: u64 = 1 << 20;
 
 const TABLES: [&str; 3] = ["engine", "parameters", "fit"];
 
 /// An engine and values for some of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterFile {
-    /// Whose parameters they are.
+    /// The engine.
     pub engine: &'static EngineKind,
-    /// By their names, in the file's order.
+    /// The names and values of parameters, in the file's order.
     pub parameters: Vec<(String, String)>,
 }
 
@@ -37,11 +37,11 @@ impl ParameterFile {
     /// Reads a file and checks each name and value.
     ///
     /// # Errors
-    /// It cannot be read, is no TOML, or names what the engine does not have.
+    /// Returns an error if the file cannot be read, is not TOML, or names a parameter that the engine does not have.
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        let bytes = files::read(path, MOST_BYTES, "a file of parameters")?;
+        let bytes = files::read(path, MAX_BYTES, "a file of parameters")?;
         let text = std::str::from_utf8(&bytes)
-            .map_err(|_| FileError::new(path, "is no text", "give a TOML file in UTF-8"))?;
+            .map_err(|_| FileError::new(path, "is not text", "give a TOML file in UTF-8"))?;
         Self::parse(text).map_err(|(what, remedy)| FileError::new(path, what, remedy))
     }
 

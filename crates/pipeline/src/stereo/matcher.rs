@@ -222,7 +222,7 @@ impl Matcher {
     }
 
     fn rectified(&self, left: Recorded, right: Recorded) -> Result<[Recorded; 2], StereoError> {
-        // Checked first, so that errors are about the images as given.
+        // Checked first, so that errors refer to the images before rectification.
         Pair::new(&left, &right)?;
         let rectified = match (&self.rectify, &left, &right) {
             (None, ..) => None,

@@ -17,30 +17,14 @@ images, and all objects are thread-safe. Builds of Python without the GIL are no
 
 from . import filters
 from ._accuracy import Accuracy, accuracy
+from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
+from ._devices import Device, models, parameters, presets
+from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
-from ._oaktwin import (
-    Camera,
-    DepthSensor,
-    Device,
-    Error,
-    Filter,
-    Finding,
-    FindingWarning,
-    Mesh,
-    Recording,
-    Rectification,
-    Scene,
-    StereoMatcher,
-    __version__,
-    align,
-    annotators,
-    look_at,
-    models,
-    parameters,
-    presets,
-    set_memory_limit,
-)
+from ._oaktwin import __version__, set_memory_limit
+from ._scenes import Mesh, Recording, Scene, annotators
+from ._sensors import DepthSensor, Filter, StereoMatcher, align
 
 __all__ = [
     "Accuracy",

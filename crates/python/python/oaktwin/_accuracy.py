@@ -16,7 +16,7 @@ from ._plot import finished, new_axes
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._oaktwin import _SensorOptions
+    from ._types import _SensorOptions
 
 _COLUMNS = (
     "distance_m",

@@ -14,7 +14,7 @@ from . import _oaktwin
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._oaktwin import _SensorOptions
+    from ._types import _SensorOptions
 
 _NUMBERS = (
     "height_m",

@@ -13,7 +13,7 @@ from ._plot import finished, new_axes
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._oaktwin import _SensorOptions
+    from ._types import _SensorOptions
 
 
 class Fit:

@@ -13,10 +13,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._oaktwin import Filter
+from ._sensors import Filter
 
 if TYPE_CHECKING:
-    from ._oaktwin import _Array, _Measured
+    from ._types import _Array, _Measured
 
 __all__ = ["brightness", "decimation", "median", "spatial", "speckle", "temporal", "threshold"]
 

@@ -163,9 +163,9 @@ impl DepthSensor {
     }
 
     /// Measures a depth image or a batch; see the class.
-    #[pyo3(signature = (depth, rgb = None, *, frame = None, seed = None, device_seed = None, out = None))]
+    #[pyo3(name = "_call", signature = (depth, rgb = None, *, frame = None, seed = None, device_seed = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
-    fn __call__<'py>(
+    fn call<'py>(
         &self,
         py: Python<'py>,
         depth: &Bound<'py, PyAny>,

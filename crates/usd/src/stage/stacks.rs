@@ -14,7 +14,7 @@ pub(super) struct Stacks {
     largest: Extent,
 }
 
-/// What a layer has made too large.
+/// A part of the composition that a layer has made too large.
 pub(super) enum Growth {
     /// The number of layers in a stack.
     Layers { layer: String, count: u64 },

@@ -7,8 +7,8 @@ use oaktwin::fit::{FittedPoint, Parameter, Report, Target};
 
 use crate::output;
 
-/// More targets than fit on a page are not listed.
-const MOST_TARGETS: usize = 40;
+/// The maximum number of targets that are listed.
+const MAX_TARGETS: usize = 40;
 
 pub(super) fn report(report: &Report) -> String {
     let mut text = format!(
@@ -117,7 +117,7 @@ fn targets(report: &Report) -> String {
         "\nTarget".to_owned(),
     ];
     let row = |(number, target): (usize, &Target)| {
-        // A target that is not straight has many.
+        // A tilted target has a point for each of several true distances.
         let mean = |of: &dyn Fn(&FittedPoint) -> Option<f64>| {
             let points = report.points.iter().filter(|point| point.target == Some(number));
             let values: Vec<f64> = points.filter_map(of).collect();
@@ -135,14 +135,14 @@ fn targets(report: &Report) -> String {
             target.name.clone(),
         ]
     };
-    let shown = report.targets.iter().enumerate().take(MOST_TARGETS);
+    let shown = report.targets.iter().enumerate().take(MAX_TARGETS);
     let mut text = output::number_table(&Table {
         title: String::new(),
         header: header.to_vec(),
         rows: shown.map(row).collect(),
     });
-    if report.targets.len() > MOST_TARGETS {
-        let _ = writeln!(text, "and {} more targets", report.targets.len() - MOST_TARGETS);
+    if report.targets.len() > MAX_TARGETS {
+        let _ = writeln!(text, "and {} more targets", report.targets.len() - MAX_TARGETS);
     }
     text
 }

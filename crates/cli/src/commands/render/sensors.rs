@@ -7,7 +7,7 @@ use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{self, DepthSensorOptions, PlacedCamera, SweptSensors};
 use oaktwin::sensor::{EngineInput, Sensor};
 
-use super::{Oak, asked};
+use super::{Oak, request};
 use crate::args::RenderArgs;
 use crate::context::Result;
 
@@ -27,7 +27,7 @@ impl Sensors {
         cameras: &[PlacedCamera],
         oak: Option<&Oak>,
     ) -> Result<Self> {
-        let sweep = asked::sweep(args)?;
+        let sweep = request::sweep(args)?;
         if !annotators.iter().any(|one| one.is_depth_sensor()) && sweep.is_none() {
             return Ok(Self::default());
         }
@@ -38,7 +38,7 @@ impl Sensors {
         };
         let in_file = |error| format!("{}: {error}", args.scene.display());
         let (own, mut findings) = render::depth_sensors(cameras, &options).map_err(in_file)?;
-        if sweep.is_some() || !asked::everything(args) {
+        if sweep.is_some() || !request::everything(args) {
             findings.extend(without_sensor(args, cameras, &own)?);
         }
         let swept = sweep
@@ -57,7 +57,7 @@ pub(super) fn pair(
     size: Option<ImageSize>,
 ) -> Result<Option<(PairCameras, Vec<Finding>)>> {
     let options = args.sensor.options()?;
-    let sweep = asked::sweep(args)?;
+    let sweep = request::sweep(args)?;
     let is_swept = sweep.as_ref().map(|sweep| sweep.options(&options)).transpose();
     let all = is_swept
         .map_err(|error| format!("--sweep: {error}"))?

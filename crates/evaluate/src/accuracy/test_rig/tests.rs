@@ -67,6 +67,23 @@ fn a_crop_measures_the_same_as_the_whole_image() {
     }
 }
 
+#[test]
+fn a_pair_that_cannot_be_matched_is_an_error_of_the_region() {
+    let mut rig = test_rig("oak4-d", &STEREO_MATCHING, &[]);
+    rig.stereo_camera = Some(StereoCamera::new(0.075, 1.0, 0).unwrap());
+    let mut part = rig.part(2.0);
+    part.intrinsics.size.height = 0;
+    let scenery = Scenery::new(&rig, &part, 2.0);
+    let unit = &rig.units[0];
+    let mut sensor = Sensor::new(unit.engine.clone(), unit.filters.clone(), rig.random);
+    let error = scenery.captures(&mut sensor, unit, 0, &part, 1).unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("region: the images have no pixels; give images with pixels"),
+        "{text}"
+    );
+}
+
 /// The noise, the exposure and the far ends of the matcher's paths differ between the crop and the whole image.
 #[test]
 fn matching_a_crop_nearly_equals_matching_the_whole_image() {

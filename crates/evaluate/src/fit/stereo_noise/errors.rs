@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_put_in_is_found_with_and_without_a_sign() {
+    fn known_parameters_are_recovered_with_and_without_a_sign() {
         for (bias, locking) in [(-0.22, 0.13), (0.0, 0.2), (0.31, 0.05), (-0.7, 0.1)] {
             for (is_absolute, focal) in [(false, 1.0), (true, 1.0), (false, 1.013), (true, 0.987)] {
                 let mut points = points(bias, locking, focal, &distances());
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn one_distance_tells_nothing_apart() {
+    fn one_distance_does_not_separate_the_parameters() {
         let points = points(-0.2, 0.1, 1.0, &[2.0, 2.0, 2.0]);
         let errors = Errors {
             points: &points,

@@ -5,18 +5,18 @@ use super::errors::{Errors, Systematic};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
 /// The vendor's published accuracy is within 0.35 px.
-const MOST_BIAS_PX: f64 = 1.0;
+const MAX_BIAS_PX: f64 = 1.0;
 
 /// The correlation above which bias and amplitude cannot be separated.
-const MOST_CORRELATION: f64 = 0.98;
+const MAX_CORRELATION: f64 = 0.98;
 
 /// The share of the squares below which another focal length is significantly better.
 const MUCH_BETTER: f64 = 0.5;
 /// The required number of points for that.
-const FEWEST_FOR_FOCAL: usize = 10;
+const MIN_POINTS_FOR_FOCAL: usize = 10;
 
 /// The required excess of points over parameters for a curve without known errors.
-const FEWEST_MORE: usize = 3;
+const MIN_EXCESS_POINTS: usize = 3;
 
 /// Returns the reason why bias and locking, `wanted` parameters, cannot be fitted, and the remedy.
 pub(super) fn not_identifiable(
@@ -47,14 +47,17 @@ pub(super) fn not_identifiable(
         }
         _ => {}
     }
-    let least = wanted + if is_known { 1 } else { FEWEST_MORE };
-    if distances.len() < least {
-        let why = format!("{} distances are too few; {least} are required", distances.len());
+    let required = wanted + if is_known { 1 } else { MIN_EXCESS_POINTS };
+    if distances.len() < required {
+        let why = format!(
+            "{} distances are too few; {required} are required",
+            distances.len()
+        );
         return Some((why, more));
     }
     let found = found?;
     match found.solution.correlation() {
-        Some(correlation) if correlation.abs() <= MOST_CORRELATION => {}
+        Some(correlation) if correlation.abs() <= MAX_CORRELATION => {}
         _ => {
             return Some((
                 "all distances are at nearly the same phase of a pixel of disparity".to_owned(),
@@ -92,7 +95,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
                 .into(),
         );
     }
-    if bias.abs() > MOST_BIAS_PX && share.is_none() {
+    if bias.abs() > MAX_BIAS_PX && share.is_none() {
         add(
             "implausible-bias",
             "bias",
@@ -101,7 +104,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
         );
     }
     if !is_focal_free
-        && errors.points.len() >= FEWEST_FOR_FOCAL
+        && errors.points.len() >= MIN_POINTS_FOR_FOCAL
         && let Some(other) = errors.fit(true)
         && let Some(focal) = other.solution.parameters.get(2)
         && other.solution.squares < MUCH_BETTER * found.solution.squares
@@ -133,7 +136,7 @@ pub(super) fn implausible(errors: &Errors<'_>, found: &Systematic, is_focal_free
 /// Returns the share by which depth is wrong at every distance, if it is significant and above 1 %: the slope of the error of
 /// disparity over disparity.
 fn scale(errors: &Errors<'_>) -> Option<f64> {
-    const LEAST: f64 = 0.01;
+    const MIN_SCALE: f64 = 0.01;
     if errors.is_absolute || errors.points.len() < 5 {
         return None;
     }
@@ -160,5 +163,5 @@ fn scale(errors: &Errors<'_>) -> Option<f64> {
     let rest = sum(&|x, y| (y - slope * x).powi(2)) / (count - 2.0);
     let error = (rest / xx).sqrt();
     // A disparity that is too small by a share is a depth that is too large by it.
-    (slope.abs() > LEAST && slope.abs() > 6.0 * error).then(|| -slope / (1.0 + slope))
+    (slope.abs() > MIN_SCALE && slope.abs() > 6.0 * error).then(|| -slope / (1.0 + slope))
 }

@@ -22,11 +22,11 @@ use oaktwin_diagnostic::{Finding, Level};
 use window::matcher_window;
 
 /// The number of points of the curve per pixel of disparity, and its maximum.
-const A_PIXEL: f64 = 40.0;
-const MAX: f64 = 8000.0;
+const POINTS_PER_PX: f64 = 40.0;
+const MAX_POINTS: f64 = 8000.0;
 
 /// The jitter, in units of the rounding, above which rounding is effectively random.
-const FEWEST_ALIKE: f64 = 3.54;
+const MIN_RANDOM_JITTER: f64 = 3.54;
 
 /// A matcher to fit.
 pub(super) struct Stereo {
@@ -85,7 +85,7 @@ impl Method for Stereo {
             }
             return;
         };
-        let is_hidden = noise.sigma_px < noise::FEWEST_STEPS * p.subpixel.step_px();
+        let is_hidden = noise.sigma_px < noise::MIN_JITTER_STEPS * p.subpixel.step_px();
         work.report.parameters.push(Parameter {
             name: "jitter",
             value: noise.sigma_px,
@@ -101,7 +101,7 @@ impl Method for Stereo {
                 "jitter",
                 format!(
                     "is less than {:.3} px, too small to be measured with steps of {} px",
-                    noise::FEWEST_STEPS * p.subpixel.step_px(),
+                    noise::MIN_JITTER_STEPS * p.subpixel.step_px(),
                     p.subpixel.step_px()
                 ),
                 "record with more subpixel bits",
@@ -259,14 +259,16 @@ impl Fitted for Curve {
         self.errors().half_width(&self.found, depth_m)
     }
 
-    /// In steps of disparity, in which the error is periodic.
+    /// Returns the curve in equal steps of disparity, in which the error is periodic.
     fn places(&self, near_m: f64, far_m: f64) -> Vec<f64> {
-        let [most, least] = [near_m, far_m].map(|z| self.px_m / z);
-        let count = (A_PIXEL * (most - least)).clamp(2.0, MAX).round();
+        let [near_px, far_px] = [near_m, far_m].map(|z| self.px_m / z);
+        let count = (POINTS_PER_PX * (near_px - far_px))
+            .clamp(2.0, MAX_POINTS)
+            .round();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
         let steps = 0..=count as u32;
         steps
-            .map(|i| self.px_m / (most + (least - most) * f64::from(i) / count))
+            .map(|i| self.px_m / (near_px + (far_px - near_px) * f64::from(i) / count))
             .collect()
     }
 
@@ -299,6 +301,6 @@ fn rounding(sigma_px: f64, step_px: f64, unit_px: f64) -> f64 {
     if unit_px <= 0.0 {
         return steps;
     }
-    let alike = (step_px / (FEWEST_ALIKE * sigma_px)).min(1.0) * unit_px * unit_px / 12.0;
+    let alike = (step_px / (MIN_RANDOM_JITTER * sigma_px)).min(1.0) * unit_px * unit_px / 12.0;
     steps + left_of_rounding(sigma_px, unit_px).max(alike)
 }

@@ -13,10 +13,10 @@ const RESAMPLED: u32 = 200;
 const KEY: [u32; 2] = [0x6669_7421, 0x7769_6e64];
 
 /// The minimum number of pairs of frames for a confidence interval.
-const FEWEST_PAIRS: usize = 4;
+const MIN_PAIRS: usize = 4;
 
 /// The jitter, in steps, below which disparities rarely change from step to step.
-pub(super) const FEWEST_STEPS: f64 = 0.3;
+pub(super) const MIN_JITTER_STEPS: f64 = 0.3;
 
 /// The noise of all targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +80,7 @@ pub(super) fn noise(seen: &[Observation], step_px: f64) -> Option<Noise> {
         .collect();
     let window = window(&covariances(pairs.iter().copied()));
     let mut windows: Vec<usize> = Vec::new();
-    if pairs.len() >= FEWEST_PAIRS {
+    if pairs.len() >= MIN_PAIRS {
         for i in 0..RESAMPLED {
             let drawn = (0..pairs.len()).map(|at| pairs[draw(i, at, pairs.len())]);
             windows.push(self::window(&covariances(drawn)));
@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn windows_are_found_again() {
+    fn window_sizes_are_recovered() {
         for side in [1usize, 2, 7, 13] {
             let covariances: Vec<f64> = (0..24usize)
                 .map(|lag| {
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn draws_are_within() {
+    fn draws_are_in_range() {
         let drawn: Vec<usize> = (0..1000).map(|i| draw(i, 3, 7)).collect();
         assert!((0..7).all(|n| drawn.contains(&n)) && drawn.iter().all(|n| *n < 7));
     }

@@ -95,7 +95,7 @@ fn codes(findings: &[Finding]) -> Vec<&str> {
 
 /// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.
 #[test]
-fn intervals_hold_what_was_put_in() {
+fn intervals_contain_the_true_values() {
     const RUNS: u32 = 60;
     let mut inside = [0u32; 4];
     let mut widths = [0.0; 3];
@@ -141,7 +141,7 @@ fn intervals_hold_what_was_put_in() {
 }
 
 #[test]
-fn a_focal_length_is_found_and_a_wrong_one_is_told() {
+fn a_focal_length_is_found_and_a_wrong_one_is_reported() {
     let distances: Vec<f64> = (0..24).map(|i| 1.2 + 0.31 * f64::from(i)).collect();
     let mut parameters = truth(-0.2, 0.13, 0.05, 7);
     parameters.stereo.focal_length_px = 788.0;
@@ -170,7 +170,7 @@ fn a_focal_length_is_found_and_a_wrong_one_is_told() {
 }
 
 #[test]
-fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
+fn a_small_rotation_is_corrected_and_a_large_one_rejected() {
     let distances: Vec<f64> = (0..10).map(|i| 1.6 + 0.7 * f64::from(i)).collect();
     let recorded = |turned_deg| Recorded {
         parameters: truth(-0.2, 0.13, 0.05, 7),
@@ -202,7 +202,7 @@ fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
 }
 
 #[test]
-fn what_cannot_be_told_is_said() {
+fn undeterminable_parameters_are_reported() {
     let of = |distances_m: &[f64], frames, jitter| {
         let recorded = Recorded {
             parameters: truth(-0.2, 0.13, jitter, 7),
@@ -245,7 +245,7 @@ fn what_cannot_be_told_is_said() {
 }
 
 #[test]
-fn a_bias_that_no_calibration_has_is_told() {
+fn an_implausible_bias_is_reported() {
     let distances: Vec<f64> = (0..12).map(|i| 1.6 + 0.41 * f64::from(i)).collect();
     let recorded = Recorded {
         parameters: truth(-1.4, 0.1, 0.05, 7),
@@ -371,7 +371,7 @@ fn the_vendors_measured_curves() {
 }
 
 #[test]
-fn millimetres_that_fall_on_few_steps_are_not_evened_out() {
+fn millimetres_on_few_steps_are_not_averaged_out() {
     assert!((super::rounding(0.0, 0.25, 0.0) - 0.0625 / 12.0).abs() < 1e-12);
     let coarse = super::rounding(0.05, 1.0 / 32.0, 0.06);
     assert!(coarse > 0.0 && coarse < 0.06f64.powi(2) / 12.0);

@@ -6,16 +6,16 @@ use super::light::Light;
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 
 /// The correlation above which bias and amplitude cannot be separated.
-const MOST_CORRELATION: f64 = 0.98;
+const MAX_CORRELATION: f64 = 0.98;
 
 /// The vendor publishes 1 % from 0.2 m.
-const MOST_BIAS_M: f64 = 0.1;
+const MAX_BIAS_M: f64 = 0.1;
 
 /// The deviation of noise from the curve, in standard errors, above which the model does not fit.
-const MOST_SCATTER: f64 = 4.0;
+const MAX_SCATTER: f64 = 4.0;
 
 /// The required excess of points over parameters if errors are unknown.
-const FEWEST_MORE: usize = 3;
+const MIN_EXCESS_POINTS: usize = 3;
 
 /// Returns the reason why bias and wiggling cannot be fitted, and the remedy.
 pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Option<(String, Message)> {
@@ -25,9 +25,9 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
     let more = Message::from(
         "record more distances, including some a few centimetres apart: the error repeats about every 0.4 m",
     );
-    let least = match points.iter().all(|point| point.sigma.is_some()) {
+    let required = match points.iter().all(|point| point.sigma.is_some()) {
         true => 3,
-        false => 2 + FEWEST_MORE,
+        false => 2 + MIN_EXCESS_POINTS,
     };
     match distances.len() {
         0 => {
@@ -45,9 +45,9 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
                 more,
             ));
         }
-        count if count < least => {
+        count if count < required => {
             return Some((
-                format!("{count} distances are too few; {least} are required"),
+                format!("{count} distances are too few; {required} are required"),
                 more,
             ));
         }
@@ -55,7 +55,7 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
     }
     let found = found?;
     let correlation = found.solution.correlation();
-    if correlation.is_none_or(|c| c.is_nan() || c.abs() > MOST_CORRELATION) {
+    if correlation.is_none_or(|c| c.is_nan() || c.abs() > MAX_CORRELATION) {
         return Some(("all distances are at nearly the same phase".to_owned(), more));
     }
     let rival = found.rival.as_ref()?;
@@ -70,7 +70,7 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
 pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding> {
     let mut findings = Vec::new();
     let bias_m = found.solution.parameters[0];
-    if bias_m.abs() > MOST_BIAS_M {
+    if bias_m.abs() > MAX_BIAS_M {
         findings.push(Finding::new(
             "implausible-bias",
             Level::Warning,
@@ -95,7 +95,7 @@ pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding>
 
 /// Reports suspicious noise.
 pub(super) fn of_light(light: &Light) -> Option<Finding> {
-    let scatter = light.scatter.filter(|scatter| *scatter > MOST_SCATTER)?;
+    let scatter = light.scatter.filter(|scatter| *scatter > MAX_SCATTER)?;
     Some(Finding::new(
         "other-noise",
         Level::Warning,

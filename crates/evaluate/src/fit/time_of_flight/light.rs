@@ -6,10 +6,10 @@ use super::super::least_squares::{Problem, Solution, solve};
 use super::rays::mean;
 
 /// The correlation above which signal and ambient light cannot be separated.
-const MOST_CORRELATION: f64 = 0.98;
+const MAX_CORRELATION: f64 = 0.98;
 
 /// The uncertainty of ambient light, as a share of the light at the farthest target, above which it is unknown.
-const LEAST_KNOWN: f64 = 0.5;
+const MAX_AMBIENT_ERROR: f64 = 0.5;
 
 /// The unit of ambient light in electrons, which makes the numbers of the fit close to 1.
 const AMBIENT_UNIT_E: f64 = 100.0;
@@ -53,11 +53,11 @@ pub(super) fn fit(p: &Parameters, rays: &[f64], noise: &[Noise]) -> Option<Light
         .filter(|both| {
             let farthest_m = noise.iter().map(|one| one.depth_m).fold(0.0, f64::max);
             let light = p.signal_e * both.parameters[0] / (farthest_m * farthest_m);
-            let is_apart = both.correlation().is_some_and(|c| c.abs() <= MOST_CORRELATION);
+            let is_apart = both.correlation().is_some_and(|c| c.abs() <= MAX_CORRELATION);
             let half = both
                 .error(1)
                 .map(|error| both.factor(true) * error * AMBIENT_UNIT_E);
-            is_apart && half.is_some_and(|half| half <= LEAST_KNOWN * light) && both.parameters[0] > 0.0
+            is_apart && half.is_some_and(|half| half <= MAX_AMBIENT_ERROR * light) && both.parameters[0] > 0.0
         });
     let solution = match &both {
         Some(both) => both.clone(),

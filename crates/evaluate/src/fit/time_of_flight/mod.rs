@@ -25,13 +25,13 @@ use oaktwin_diagnostic::{Finding, Level, message, opt};
 const STEP_M: f64 = 0.001;
 
 /// The noise, in units, below which rounding hides it.
-const FEWEST_UNITS: f64 = 0.5;
+const MIN_NOISE_UNITS: f64 = 0.5;
 
 /// The noise, as a share of a period, above which it is not small.
-const MOST_OF_PERIOD: f64 = 0.03;
+const MAX_SHARE_OF_PERIOD: f64 = 0.03;
 
 /// The share of valid pixels below which noise selects them.
-const LEAST_FILL: f64 = 0.8;
+const MIN_FILL_RATE: f64 = 0.8;
 
 /// The tolerance, as a share of a period, for errors of whole periods.
 const NEAR_PERIOD: f64 = 0.1;
@@ -125,9 +125,9 @@ impl Tof {
     fn noise_of(&self, one: &Observation) -> Option<Noise> {
         let variance_m2 = self.noise_m2(one)?;
         let sigma_m = variance_m2.sqrt();
-        let is_seen = sigma_m >= FEWEST_UNITS * one.unit && sigma_m > 0.0;
-        let is_small = sigma_m <= MOST_OF_PERIOD * self.p.period_m();
-        if !is_seen || !is_small || one.fill_rate < LEAST_FILL {
+        let is_seen = sigma_m >= MIN_NOISE_UNITS * one.unit && sigma_m > 0.0;
+        let is_small = sigma_m <= MAX_SHARE_OF_PERIOD * self.p.period_m();
+        if !is_seen || !is_small || one.fill_rate < MIN_FILL_RATE {
             return None;
         }
         let values = one.noise()?.values() as f64;

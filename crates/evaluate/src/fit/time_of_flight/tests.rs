@@ -105,7 +105,7 @@ fn distances(count: u32) -> Vec<f64> {
 
 /// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.
 #[test]
-fn intervals_hold_what_was_put_in() {
+fn intervals_contain_the_true_values() {
     const RUNS: u32 = 60;
     let mut inside = [0u32; 4];
     let mut widths = [0.0; 4];
@@ -176,7 +176,7 @@ fn wiggling_without_its_correction() {
 }
 
 #[test]
-fn what_cannot_be_told_is_said() {
+fn undeterminable_parameters_are_reported() {
     let of = |distances_m: &[f64], frames, signal_e| {
         let recorded = Recorded {
             parameters: Parameters {
@@ -213,7 +213,7 @@ fn what_cannot_be_told_is_said() {
 }
 
 #[test]
-fn wrong_periods_and_what_is_out_of_range_are_left_out() {
+fn wrong_periods_and_distances_out_of_range_are_excluded() {
     let good = distances(11);
     let recorded = Recorded {
         parameters: Parameters {
@@ -240,7 +240,7 @@ fn wrong_periods_and_what_is_out_of_range_are_left_out() {
 }
 
 #[test]
-fn a_small_turn_is_put_into_the_truth_and_a_large_one_refused() {
+fn a_small_rotation_is_corrected_and_a_large_one_rejected() {
     let recorded = |turned_deg| Recorded {
         parameters: Parameters {
             bias_m: -0.004,
@@ -295,7 +295,7 @@ fn a_curve_of_errors() {
 }
 
 #[test]
-fn options_that_make_no_sense_are_refused() {
+fn invalid_options_are_rejected() {
     let folder = tempfile::tempdir().unwrap();
     let focal = Options {
         fits_focal_length: true,

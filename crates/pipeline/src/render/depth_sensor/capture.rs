@@ -54,21 +54,21 @@ fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
     }
 }
 
-/// Adds the sensor outputs that are `asked` for to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
+/// Adds the sensor outputs that are `requested` to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
 /// pair for engines that match one. They are images of [`Sensor::output_camera`]. Returns the annotators that cannot be produced.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
     number: u64,
     pair: Option<&Pair>,
-    asked: &[Annotator],
+    requested: &[Annotator],
     frame: &mut Frame,
 ) -> Vec<Annotator> {
     if let Some(input) = input(sensor, frame, number, pair) {
-        let captured = sensor::capture(sensor, camera, input, asked);
+        let captured = sensor::capture(sensor, camera, input, requested);
         let rgb = frame.rgb.as_ref().map(ImageView::from);
         if let Ok(capture) = captured {
-            let seen = sensor::frame(sensor, camera, capture, rgb, asked);
+            let seen = sensor::frame(sensor, camera, capture, rgb, requested);
             frame.depth_sensor_distance = seen.depth_sensor_distance;
             frame.depth_sensor_point_cloud_position = seen.depth_sensor_point_cloud_position;
             frame.depth_sensor_point_cloud_color = seen.depth_sensor_point_cloud_color;
@@ -79,7 +79,7 @@ pub fn sense_frame(
     let is_missing = |annotator: &Annotator| {
         annotator.is_depth_sensor() && !frame.annotations().any(|(present, _)| present == *annotator)
     };
-    asked.iter().copied().filter(is_missing).collect()
+    requested.iter().copied().filter(is_missing).collect()
 }
 
 #[cfg(test)]
@@ -89,10 +89,10 @@ mod tests {
     #[test]
     fn renders_the_inputs_of_a_sensor() {
         use Annotator as A;
-        let asked = [A::CameraParams, A::DepthSensorDistance];
-        assert_eq!(scene_annotators(&asked, false), [A::CameraParams]);
+        let requested = [A::CameraParams, A::DepthSensorDistance];
+        assert_eq!(scene_annotators(&requested, false), [A::CameraParams]);
         assert_eq!(
-            scene_annotators(&asked, true),
+            scene_annotators(&requested, true),
             [A::Rgb, A::DistanceToImagePlane, A::CameraParams]
         );
         assert_eq!(scene_annotators(&[A::Normals], false), [A::Normals]);

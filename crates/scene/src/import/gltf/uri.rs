@@ -32,7 +32,7 @@ impl Folder {
         }
     }
 
-    /// Returns the target of a URI. A file that does not exist is reported by whoever reads it.
+    /// Returns the target of a URI. A file that does not exist is reported when it is read.
     pub(super) fn resolve<'a>(&self, uri: &'a str) -> Target<'a> {
         let target = resolve(uri, &self.path);
         match target {

@@ -33,7 +33,6 @@ impl Decoded {
 
 /// Decodes a layer. Most have no escape sequences and are returned unchanged.
 pub(super) fn decode(bytes: Vec<u8>) -> Result<Decoded, Problem> {
-    // Invalid UTF-8 is reported later.
     if bytes.contains(&b'\\')
         && let Ok(text) = std::str::from_utf8(&bytes)
     {
@@ -87,7 +86,7 @@ fn quote(content: &str) -> Option<&'static str> {
 }
 
 /// Decodes the content of a string as OpenUSD does: up to two hexadecimal or three octal digits make one byte, and an
-/// unknown sequence stands for its character.
+/// unknown sequence is its character.
 fn unescape(raw: &str) -> Cow<'_, str> {
     let mut bytes = Vec::with_capacity(raw.len());
     let mut rest = raw.as_bytes();

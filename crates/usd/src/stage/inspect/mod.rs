@@ -152,7 +152,10 @@ enum Kind {
 
 fn validate(kind: Kind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
     let decoded = match kind {
-        Kind::Text => escapes::decode(bytes)?,
+        Kind::Text => {
+            text::encoding(&bytes)?;
+            escapes::decode(bytes)?
+        }
         Kind::Binary | Kind::Package => Decoded::verbatim(bytes),
     };
     let (content, findings) = match kind {

@@ -6,21 +6,9 @@ use super::properties::Properties;
 use super::skeleton::Skeleton;
 use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
 
-/// Validates a text layer: UTF-8, no zero bytes and a bounded depth, so that a recursive reader does not overflow.
-/// Returns its outline.
-pub(super) fn inspect(layer: &Decoded) -> Result<Outline, Problem> {
-    let bytes = layer.bytes.as_slice();
-    let line_at = |offset: usize| {
-        let before = bytes.iter().take(offset).filter(|byte| **byte == b'\n');
-        layer.line_in_file(1 + before.count())
-    };
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        Problem::new(
-            format!("line {}", line_at(error.valid_up_to())),
-            "is not valid UTF-8",
-            "save the file as UTF-8",
-        )
-    })?;
+/// Validates the encoding of a text layer: UTF-8 without zero bytes.
+pub(super) fn encoding(bytes: &[u8]) -> Result<&str, Problem> {
+    let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
     if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
         return Err(Problem::new(
             format!("line {}", line_at(offset)),
@@ -28,6 +16,23 @@ pub(super) fn inspect(layer: &Decoded) -> Result<Outline, Problem> {
             USE_ANOTHER_COPY,
         ));
     }
+    std::str::from_utf8(bytes).map_err(|error| {
+        Problem::new(
+            format!("line {}", line_at(error.valid_up_to())),
+            "is not valid UTF-8",
+            "save the file as UTF-8",
+        )
+    })
+}
+
+/// Validates a text layer: a bounded depth, so that a recursive reader does not overflow. Returns its outline.
+pub(super) fn inspect(layer: &Decoded) -> Result<Outline, Problem> {
+    let bytes = layer.bytes.as_slice();
+    let line_at = |offset: usize| {
+        let before = bytes.iter().take(offset).filter(|byte| **byte == b'\n');
+        layer.line_in_file(1 + before.count())
+    };
+    let text = std::str::from_utf8(bytes).unwrap_or_default();
     let mut skeleton = Skeleton::new(text);
     let mut properties = Properties::new(text);
     for (offset, byte) in Structure::new(bytes) {
@@ -155,6 +160,7 @@ def "a(" { string s = """ ]]] " """ asset p = @x(y@ asset q = @@@a@b{@@@ /* don'
     }
 
     fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
+        encoding(bytes)?;
         super::inspect(&escapes::decode(bytes.to_vec())?)
     }
 

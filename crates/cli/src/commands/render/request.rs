@@ -1,4 +1,4 @@
-//! From arguments to options.
+//! Converts the arguments of the command to options.
 
 use std::path::PathBuf;
 

@@ -1,0 +1,5 @@
+"""Cameras, poses and rectification."""
+
+from ._oaktwin import Camera, Rectification, _camera, look_at
+
+__all__ = ["Camera", "Rectification", "look_at"]

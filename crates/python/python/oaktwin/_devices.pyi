@@ -1,0 +1,171 @@
+from os import PathLike
+from typing import Any, Literal, final
+
+from ._cameras import Camera, Rectification
+from ._findings import Finding
+from ._types import _Float64, _Intrinsics, _Isaac, _Lens, _Offsets, _Parameters, _Part, _Platform, _Sensor, _Target
+
+__all__ = ["Device", "models", "parameters", "presets"]
+
+@final
+class Device:
+    """A digital twin of a Luxonis OAK: the nominal device of a model, or one unit by its calibration.
+
+    model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
+    lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
+    catalog: a folder of TOML files with additional devices and sensors. Unpickling reads it again.
+
+    Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, with the origin midway
+    between the left and right optical centres. Metres.
+
+    Raises oaktwin.Error for an unknown model, with the nearest names, or a lens that the model does not have.
+    """
+    def __new__(
+        cls, model: str, *, lens: _Lens = "pinhole", catalog: str | PathLike[str] | None = None
+    ) -> Device: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    @staticmethod
+    def from_calibration(
+        path: str | PathLike[str],
+        model: str | None = None,
+        *,
+        force: bool = False,
+        lens: _Lens = "pinhole",
+        catalog: str | PathLike[str] | None = None,
+    ) -> Device:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin.
+        """
+    @property
+    def name(self) -> str:
+        """The name of the model."""
+    @property
+    def origin(self) -> str:
+        """"nominal", or the calibration file's name."""
+    @property
+    def findings(self) -> list[Finding]:
+        """The findings about the calibration."""
+    @property
+    def cameras(self) -> dict[str, Camera]:
+        """The cameras by role: "rgb", "left", "right", "tof"."""
+    def depth_camera(self, sensor: _Sensor | None = None) -> Camera:
+        """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
+        stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
+
+        sensor: "stereo" or "tof"; by default "tof" if the device has it.
+        """
+    @property
+    def depth_sensors(self) -> dict[str, dict[str, Any]]:
+        """The parameters of the depth sensors by kind ("stereo", "tof"), with the catalog's names, which include units."""
+    def extrinsics(self, source: _Part, target: _Part) -> _Float64:
+        """(4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+
+        source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
+
+        Raises oaktwin.Error for a part that the device has not.
+        """
+    def rectification(
+        self, *, intrinsics: _Intrinsics = "zero-disparity"
+    ) -> Rectification:
+        """The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
+
+        intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
+            CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
+
+        Raises oaktwin.Error for a device without a stereo pair, or cameras that cannot be rectified.
+        """
+    def write_usd(
+        self,
+        path: str | PathLike[str],
+        *,
+        isaac: _Isaac = "5.1",
+        target: _Target = "isaac",
+        aperture_offsets: _Offsets = "openusd",
+        extended_disparity: bool = False,
+        legacy_distortion: bool = False,
+        rigid_body: bool = False,
+        body: bool = True,
+        over: str | PathLike[str] | None = None,
+        scene_limit: float = 1.0,
+    ) -> None:
+        """Writes the USD asset for Isaac Sim and Omniverse.
+
+        path: the file: .usd or .usda for text, .usdz for a package.
+        isaac: the version of Isaac Sim, "5.1" or "6".
+        target: "isaac", or "ovrtx" (experimental).
+        aperture_offsets: the representation of a calibrated principal point: "openusd", "document" or "zero".
+        extended_disparity: whether the depth sensor uses the extended mode.
+        legacy_distortion: whether to write the old distortion attributes too.
+        rigid_body: whether to add mass and a collider.
+        body: whether to add the visible body.
+        over: an existing asset of the model: the file is then a layer of overrides on it, which refers to it by a relative path.
+        scene_limit: the factor on the limits for composing `over`: its prims, references and instances; by default 1.
+
+        Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
+        extension, OSError for files that cannot be written; incomplete files are removed.
+        """
+    def to_ros(self) -> dict[str, str]:
+        """Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.
+
+        Warns with oaktwin.FindingWarning about information that the format cannot represent.
+        """
+    def to_opencv(self) -> dict[str, str]:
+        """Returns OpenCV's FileStorage YAML: a mapping from file names to texts, one per camera and "stereo.yml"."""
+    def to_kalibr(self) -> dict[str, str]:
+        """Returns Kalibr's camchain: a mapping from a file name to its text.
+
+        Warns with oaktwin.FindingWarning about information that the format cannot represent.
+        """
+    def to_depthai(self) -> dict[str, str]:
+        """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit."""
+    def report(self) -> dict[str, Any]:
+        """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
+
+def models(*, catalog: str | PathLike[str] | None = None) -> list[str]:
+    """Returns the names of all models for `Device`.
+
+    catalog: a folder with more models, see `Device`.
+
+    Raises oaktwin.Error for an invalid folder or file.
+    """
+
+def parameters(
+    group: _Parameters, *, platform: _Platform = "rvc2"
+) -> list[dict[str, Any]]:
+    """The parameters of an engine, the imager or the filters, as dictionaries.
+
+    group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager" or "filters".
+    platform: "rvc2" or "rvc4", whose defaults are returned.
+
+    Each dictionary has "name", "table", "type", "default" (a value of that type), "unit", "min", "max", "platform" (if the
+    parameter has an effect on one platform only), "source" and "description", and "values" if "type" is "enum".
+    """
+
+def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[str]:
+    """The names of DepthAI's presets for a platform, in DepthAI's order.
+
+    platform: "rvc2", "rvc4" or "tof" (time of flight).
+    """
+
+def _device(
+    model: str,
+    lens: str,
+    catalog: str | PathLike[str] | None,
+    calibration: tuple[str, str, bool] | None,
+) -> Device: ...

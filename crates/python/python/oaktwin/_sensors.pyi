@@ -1,0 +1,399 @@
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import Any, Literal, final, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from ._cameras import Camera
+from ._devices import Device
+from ._findings import Finding
+from ._types import (
+    _Annotator,
+    _Array,
+    _Depth,
+    _Engine,
+    _Fill,
+    _Image,
+    _Isaac,
+    _Matched,
+    _Measured,
+    _Out,
+    _Platform,
+    _Preset,
+    _Rectify,
+    _Role,
+    _Sensor,
+)
+
+__all__ = ["DepthSensor", "Filter", "StereoMatcher", "align"]
+
+@final
+class DepthSensor:
+    """The depth sensor of a device: converts exact depth to the depth that the device would measure.
+
+    device: the device.
+    sensor: its depth sensor, "stereo" or "tof"; by default time of flight if the device has it.
+    fx: the focal length of the images at their width, px; or hfov_deg: their horizontal field of view, degrees. Their
+        principal point is then in the centre. By default, images have the model's field of view, whatever their size.
+    camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
+        points and aligned depth. fx and hfov_deg must agree with it. Images are rectified: a lens with distortion
+        causes a finding.
+    name: the name of the camera, which distinguishes its noise from that of other cameras; by default the sensor's
+        prim.
+    engine: the error model: "stereo-noise" (an OAK's stereo; the default for stereo), "time-of-flight" (the default for
+        time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). StereoMatcher matches pairs of images; only
+        `accuracy` has "stereo-matching", which renders and matches pairs of its board.
+    preset: the name of a DepthAI preset of the platform: "default", "face", "robotics", ...: sets the mode and the filters.
+    filters: the filters as text, in order, such as "spatial:alpha=0.5,delta=20"; they replace the preset's filters.
+    params: the path of a TOML file with an engine and its parameters, as written by `oaktwin fit`; `parameters` override
+        it.
+    parameters: a mapping of parameters by name, listed by `oaktwin.parameters(engine)`; overrides all other settings.
+    extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
+    isaac: the Isaac Sim version that determines the defaults of "single-view", "5.1" or "6".
+    seed: the noise seed: equal seeds, names, frames and items give equal noise.
+    device_seed: the seed of the unit's calibration error; None disables it.
+
+    Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
+    a camera whose field of view contradicts fx or hfov_deg.
+
+    A call, `sensor(depth, rgb=None, *, frame=None, seed=None, device_seed=None, out=None)`, returns the measurement of exact depth:
+
+    depth: one image (H, W), or a batch (N, H, W) of simultaneous images, such as the environments of a simulator, each
+        with its own noise; with or without a last dimension of 1. Floating-point metres along the optical axis (float32 is read without
+        a copy), or uint16 millimetres. Masked pixels are invalid. Values that are not finite or
+        not above 0 are invalid. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array interface in
+        CPU memory; C-contiguous arrays are read without a copy.
+    rgb: the colour images of the same camera, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4), used for the texture in
+        the confidence and for the brightness in filters. Three channels are copied.
+    frame: the number of the frame in the sequence. Noise differs between frames and is reproducible for each. By default,
+        the calls of a sensor without `frame` are numbered from 0 on, and again after `reset()`.
+    seed, device_seed: for a batch, a sequence of N seeds. Item i is measured like the image of a DepthSensor with `seed[i]`,
+        or by the unit with `device_seed[i]`. By default all items have the sensor's seeds, and their index distinguishes their
+        noise.
+    out: the output array: C-contiguous, with the shape of the result, float32 for metres or uint16 for millimetres, not
+        overlapping the depth.
+
+    Returns `out`, or a new NumPy array in the unit of the input: metres or millimetres, 0 where invalid. It has the
+    shape of the input; smaller if a filter decimates.
+
+    A temporal filter uses the (H, W) images of earlier calls, but neither uses nor remembers the images of a batch.
+
+    Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
+    a size that differs from the camera's.
+
+    Thread-safe; calls of one sensor with a temporal filter run one after another. Pickling preserves the settings and
+    the device's calibration, but not the state of temporal filters.
+    """
+    def __new__(
+        cls,
+        device: Device,
+        *,
+        sensor: _Sensor | None = None,
+        fx: float | None = None,
+        hfov_deg: float | None = None,
+        camera: Camera | None = None,
+        name: str | None = None,
+        # Generated by `cargo xtask schema`: options of DepthSensor.
+        engine: _Engine | None = None,
+        preset: _Preset | None = None,
+        filters: Sequence[str] = (),
+        params: str | PathLike[str] | None = None,
+        parameters: Mapping[str, object] | None = None,
+        extended_disparity: bool = False,
+        isaac: _Isaac | None = None,
+        seed: int = 0,
+        device_seed: int | None = None,
+        # End of the generated part.
+    ) -> DepthSensor: ...
+    @overload
+    def __call__(
+        self,
+        depth: npt.NDArray[_Depth],
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: None = None,
+    ) -> npt.NDArray[_Depth]:
+        """Measures a depth image or a batch; see the class."""
+    @overload
+    def __call__(
+        self,
+        depth: _Array,
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: None = None,
+    ) -> _Measured: ...
+    @overload
+    def __call__(
+        self,
+        depth: _Array,
+        rgb: _Array | None = None,
+        *,
+        frame: int | None = None,
+        seed: Sequence[int] | None = None,
+        device_seed: Sequence[int] | None = None,
+        out: _Out,
+    ) -> _Out: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Device], dict[str, Any]]: ...
+    def annotate(
+        self, depth: _Array, rgb: _Array | None = None, *, annotators: Sequence[_Annotator], frame: int | None = None
+    ) -> dict[_Annotator, npt.NDArray[np.float32] | npt.NDArray[np.uint8]]:
+        """The outputs of Isaac Sim's depth sensor annotators for one image, from one measurement.
+
+        depth: exact depth (H, W), as in a call.
+        rgb: the colour image, (H, W, 3 or 4) uint8, as in a call; required for the colours and the imager.
+        annotators: the names of Isaac Sim's depth sensor annotators, such as "depth_sensor_distance"; see
+            `annotators()`.
+        frame: as in a call.
+
+        Returns a dictionary by name. "depth_sensor_distance": (H, W) float32 metres, 0 where invalid, as returned by a
+        call. Positions: (H, W, 4) float32 metres in the camera's frame with USD's axes (x right, y up, z backward),
+        then 1. Colours: (H, W, 4) uint8. Positions and colours are 0 where invalid. The imager: (H, W) float32, 0 to 1.
+        The visualization: (H, W, 4) uint8. Only "single-view" supports the imager and the visualization.
+
+        Raises oaktwin.Error for unknown names, for outputs that the engine does not support, and for a missing colour
+        image.
+        """
+    def reset(self) -> None:
+        """Starts a new sequence: resets the state of temporal filters, and the frame number of calls without `frame` to 0."""
+    @overload
+    def align(
+        self,
+        depth: npt.NDArray[_Depth],
+        to: _Role = "rgb",
+        *,
+        size: Sequence[int] | None = None,
+        fill: _Fill = "footprint",
+        out: None = None,
+    ) -> npt.NDArray[_Depth]:
+        """Reprojects measured depth to another camera of the device; the nearest measurement in each pixel wins.
+
+        depth: the output of this sensor, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
+        to: the camera: "rgb", "left", "right", "tof".
+        size: the (width, height) of its image, resized by DepthAI's rule; by default the camera's own.
+        fill: "footprint" (default) fills all pixels that a sample covers, "nearest" only the one that it falls into.
+        out: as in a call.
+
+        Returns metres (or millimetres) along that camera's axis, 0 where invalid.
+
+        Raises oaktwin.Error for a camera that the device does not have, TypeError for an object that is not an array or
+        has another dtype.
+        """
+    @overload
+    def align(
+        self,
+        depth: _Array,
+        to: _Role = "rgb",
+        *,
+        size: Sequence[int] | None = None,
+        fill: _Fill = "footprint",
+        out: None = None,
+    ) -> _Measured: ...
+    @overload
+    def align(
+        self,
+        depth: _Array,
+        to: _Role = "rgb",
+        *,
+        size: Sequence[int] | None = None,
+        fill: _Fill = "footprint",
+        out: _Out,
+    ) -> _Out: ...
+    @property
+    def camera(self) -> Camera:
+        """The Camera that the outputs are images of, for the most recent image size: that of the images, made smaller by a
+        filter that decimates, with its pose on the device. Isaac Sim's sensor ("single-view") shows what its left imager
+        sees, which is to the left of the images' camera by the baseline.
+        """
+    @property
+    def engine(self) -> _Engine:
+        """The engine: "stereo-noise", "time-of-flight" or "single-view"."""
+    @property
+    def parameters(self) -> dict[str, bool | int | float | str]:
+        """The engine's parameters by name, with values of their types, for the most recent image size."""
+    @property
+    def filters(self) -> list[str]:
+        """The filters, in the format of `filters=`."""
+    @property
+    def findings(self) -> list[Finding]:
+        """Findings about the settings, for the most recent image size, and about the images measured so far: "depth-unit" (metres
+        that look like millimetres, or the reverse), "nothing-measured" (an image all of whose pixels were lost),
+        "field-of-view-unit" (degrees that look like radians). Those about images are also shown once as an
+        oaktwin.FindingWarning.
+        """
+
+@final
+class Filter:
+    """A chain of DepthAI's filters, bit-identical to its host implementation.
+
+    filters: the filters as text, NAME or NAME:SETTING=VALUE,..., in order; omitted settings have DepthAI's defaults:
+        "median:size=3|5|7", "spatial:alpha,delta,radius,iterations", "temporal:alpha,delta,persistency",
+        "speckle:range,difference", "decimation:factor,mode", "threshold:min,max" (mm), "brightness:min,max".
+
+    Raises oaktwin.Error for unknown names and settings, with the nearest names, and for invalid values.
+
+    A call, `filter(image, rgb=None, *, out=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of
+    independent images.
+
+    image: uint16 (millimetres, or fixed-point disparity), uint8 (integer disparities) or float32 metres, which are
+        filtered as integer millimetres. 0 is invalid; in metres, so are values that are not finite and above 0, or beyond
+        65.535 m.
+    rgb: the colour images of the same camera, (..., H, W, 3 or 4) uint8, required by "brightness".
+    out: the output array: C-contiguous, with the result's shape and the image's dtype; must not overlap the image.
+
+    Returns `out`, or a new array of the same dtype; smaller if a filter decimates.
+
+    Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape.
+
+    Thread-safe; calls of one filter run one after another. Pickling preserves the settings, but not the state of temporal
+    filters.
+    """
+    def __new__(cls, *filters: str) -> Filter: ...
+    @overload
+    def __call__(
+        self, image: npt.NDArray[_Image], rgb: _Array | None = None, *, out: None = None
+    ) -> npt.NDArray[_Image]:
+        """Filters an image or a batch; see the class."""
+    @overload
+    def __call__(self, image: _Array, rgb: _Array | None = None, *, out: None = None) -> _Measured: ...
+    @overload
+    def __call__(self, image: _Array, rgb: _Array | None = None, *, out: _Out) -> _Out: ...
+    def __getnewargs__(self) -> tuple[str, ...]: ...
+    def reset(self) -> None:
+        """Resets the state of temporal filters."""
+
+@final
+class StereoMatcher:
+    """The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
+
+    device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
+    raw: whether the images are unrectified and have to be rectified first, as on the device; by default True for a
+        calibrated device and for a fisheye lens.
+    rectify: the rectification method for raw images: "homography" (ignores lens distortion), "mesh" (a position every 16
+        pixels), "full" (a position for every pixel), "auto" (homography up to a field of view of 85 degrees, mesh above);
+        by default the device's.
+    fx: the focal length of the rectified images, px.
+    hfov_deg: alternatively their horizontal field of view, degrees.
+    baseline: the distance between the cameras, metres.
+    platform: the platform that determines defaults and presets, "rvc2" or "rvc4"; by default the device's, otherwise "rvc2".
+    preset: the name of a DepthAI preset of the platform: "default", "face", "robotics", ...: sets the mode and the filters.
+    filters: the filters as text, in order, such as "spatial:alpha=0.5,delta=20"; they replace the preset's filters.
+    parameters: a mapping of parameters by name, listed by `oaktwin.parameters(engine)`; overrides all other settings.
+    extended_disparity: whether to search disparities up to 190 px instead of 95, for closer objects.
+
+    Raises oaktwin.Error for a device without a stereo pair or without calibrated extrinsics of the pair, and for an unknown
+    or invalid preset, filter or parameter, with the nearest names.
+
+    A call, `matcher(left, right)`, matches a pair, or a batch of pairs of the same size:
+
+    left, right: (H, W) or (N, H, W) uint8, or uint16 with 10 bits (0 to 1023), or colours (H, W, 3 or 4) or (N, H, W, 3 or 4)
+        uint8, which are converted to luma. NumPy arrays, or objects with the buffer protocol, DLPack or NumPy's array
+        interface in CPU memory.
+
+    Returns a dictionary. "depth": (H, W) float32 metres along the optical axis of the rectified left camera, 0 where invalid.
+    "disparity": (H, W) float32 px of the images, 0 where invalid. "confidence": (H, W) uint8, 255 is the highest. These three
+    are images of `camera`, and smaller than the images if a filter decimates. "rectified_left" and "rectified_right": the matched images. "findings": the problems of the images, a list of
+    Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image", "same-image", "unrelated".
+    For a batch, each array has a leading dimension N, and a finding's place begins with the index of its pair; the pairs are
+    matched in parallel, independently of earlier calls.
+
+    Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
+    images of different sizes or dtypes.
+
+    A temporal filter uses the pairs of earlier calls, except batches, until the image size changes. Thread-safe; calls of
+    one matcher run one after another. Pickling preserves the settings and the device's calibration, but not the state of
+    temporal filters.
+    """
+    def __new__(
+        cls,
+        device: Device | None = None,
+        *,
+        raw: bool | None = None,
+        rectify: _Rectify | None = None,
+        fx: float | None = None,
+        hfov_deg: float | None = None,
+        baseline: float | None = None,
+        platform: _Platform | None = None,
+        # Generated by `cargo xtask schema`: options of StereoMatcher.
+        preset: _Preset | None = None,
+        filters: Sequence[str] = (),
+        parameters: Mapping[str, object] | None = None,
+        extended_disparity: bool = False,
+        # End of the generated part.
+    ) -> StereoMatcher: ...
+    def __call__(self, left: _Array, right: _Array) -> _Matched:
+        """Matches a pair or a batch of pairs; see the class."""
+    def __getnewargs_ex__(self) -> tuple[tuple[Device | None], dict[str, Any]]: ...
+    def reset(self) -> None:
+        """Resets the state of temporal filters."""
+    @property
+    def camera(self) -> Camera:
+        """The camera that depth, disparity and confidence are images of, for the most recent image size; initially for the
+        device's own size, or 1280 x 800 without a device. It is the rectified left camera, whose image is made smaller by a
+        filter that decimates.
+        """
+    @property
+    def baseline(self) -> float:
+        """The distance between the cameras, metres."""
+    @property
+    def rectify(self) -> Literal["homography", "mesh", "full"] | None:
+        """The rectification method, "homography", "mesh" or "full"; None if the images are rectified already."""
+    @property
+    def parameters(self) -> dict[str, bool | int | float | str]:
+        """The matcher's parameters by name, with values of their types, for the most recent image size."""
+    @property
+    def filters(self) -> list[str]:
+        """The filters, in the format of `filters=`."""
+    @property
+    def findings(self) -> list[Finding]:
+        """Findings about the settings. Findings about images are returned by the call."""
+
+@overload
+def align(
+    depth: npt.NDArray[_Depth],
+    source: Camera,
+    target: Camera,
+    *,
+    target_from_source: npt.ArrayLike | None = None,
+    fill: _Fill = "footprint",
+    out: None = None,
+) -> npt.NDArray[_Depth]:
+    """Aligns depth images to another camera; each target pixel gets the nearest sample that falls into it.
+
+    depth: (H, W) or (N, H, W) of the source camera's size, float32 metres or uint16 millimetres along its optical axis;
+        values that are not finite and above 0 are invalid.
+    source, target: the cameras.
+    target_from_source: (4, 4) transform in metres; by default computed from the cameras' poses on their device.
+    fill: "footprint" (default): a sample fills all pixels that it covers; "nearest": only the one that contains its centre.
+    out: the output array, as for a call of DepthSensor.
+
+    Returns an array of depth's dtype, (H, W) or (N, H, W) of the target's size, 0 where invalid.
+
+    Raises oaktwin.Error if the size of depth is not the source's.
+    """
+@overload
+def align(
+    depth: _Array,
+    source: Camera,
+    target: Camera,
+    *,
+    target_from_source: npt.ArrayLike | None = None,
+    fill: _Fill = "footprint",
+    out: None = None,
+) -> _Measured: ...
+@overload
+def align(
+    depth: _Array,
+    source: Camera,
+    target: Camera,
+    *,
+    target_from_source: npt.ArrayLike | None = None,
+    fill: _Fill = "footprint",
+    out: _Out,
+) -> _Out: ...
