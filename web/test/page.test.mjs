@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
 import { after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
 
@@ -68,6 +69,37 @@ test("a broken file leaves the scene and says what is wrong", { skip }, async ()
   await notice.waitFor();
   assert.match(await notice.textContent(), /broken\.usda/);
   assert.equal(await page.getByTestId("scene").textContent(), scene);
+  await context.close();
+});
+
+test("a broken calibration and a file that is too large change nothing", { skip }, async () => {
+  const { page, context } = await open(browser);
+  const address = page.url();
+  await drop(page, "unit.json", "{}");
+  await page.getByTestId("notice").filter({ hasText: "unit.json" }).waitFor();
+  await page.route("**/api/catalog", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, json: { ...(await response.json()), maxUploadBytes: 10 } });
+  });
+  await page.reload();
+  await rest(page);
+  const uploads = [];
+  page.on("request", (request) => request.method() === "POST" && request.url().includes("/api/scenes") && uploads.push(request.url()));
+  await drop(page, "large.glb", "x".repeat(100));
+  await page.getByTestId("notice").filter({ hasText: "large.glb" }).waitFor();
+  assert.deepEqual(uploads, [], "a file that is too large is not sent");
+  assert.equal(page.url(), address);
+  await context.close();
+});
+
+test("images are exported as shown", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await page.getByTestId("export").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("menuitem", { name: "As shown" }).click()]);
+  const bytes = await readFile(await download.path());
+  assert.equal(bytes.subarray(1, 4).toString(), "PNG");
+  assert.ok(bytes.length > 10_000);
+  assert.deepEqual(errors, []);
   await context.close();
 });
 

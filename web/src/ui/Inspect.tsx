@@ -1,6 +1,6 @@
 import { css, oakColor, reasonColor } from "../gpu/colormaps";
 import { WHOLE_IMAGE } from "../state/document";
-import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, words } from "../util/format";
+import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, unbroken, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Accuracy } from "./Accuracy";
 import { Button, NumberField, Section } from "./controls";
@@ -98,7 +98,7 @@ function Numbers() {
               {shown.map(({ key, state }) => (
                 <th key={key} scope="col" data-tip={state.model}>
                   <span class="dot-small" style={{ background: css(oakColor(oaks.findIndex((oak) => oak.key === key))) }} />
-                  <span class={shown.length > 2 ? "sr-only" : ""}>{state.model}</span>
+                  <span class={shown.length > 2 ? "sr-only" : ""}>{unbroken(state.model)}</span>
                 </th>
               ))}
             </tr>

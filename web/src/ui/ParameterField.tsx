@@ -97,9 +97,10 @@ function brief(text: string): string {
 
 function describe(parameter: Parameter, fallback: string): string {
   const unit = parameter.unit ? ` ${parameter.unit}` : "";
+  const isFree = parameter.type === "string" && !parameter.choices;
   return [
     `${parameter.name}: ${parameter.documentation}`,
-    `Range: ${range(parameter)}`,
+    ...(isFree ? [] : [`Range: ${range(parameter)}`]),
     `Default: ${fallback}${unit}`,
     `Source: ${parameter.isEstimate ? "estimate" : parameter.source}`,
   ].join("\n");

@@ -4,7 +4,7 @@ import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
 import { targetBounds } from "../studio/view";
-import { bareMillimetres, bareShare, words } from "../util/format";
+import { bareMillimetres, bareShare, unbroken, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
@@ -143,7 +143,7 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
             {columns.map(({ oak }) => (
               <th key={oak.key} scope="col" data-tip={oak.state.model}>
                 <span class="dot-small" style={{ background: css(oakColor(all.indexOf(oak))) }} />
-                <span class={columns.length > 2 ? "sr-only" : ""}>{oak.state.model}</span>
+                <span class={columns.length > 2 ? "sr-only" : ""}>{unbroken(oak.state.model)}</span>
               </th>
             ))}
           </tr>
