@@ -81,13 +81,14 @@ fn surfaces_outside_the_view_are_lost() {
 #[test]
 fn surfaces_out_of_range_are_seen_and_not_measured() {
     // The disparity of 20 m is 3 px.
-    for (distance, set) in [(0.1, &[][..]), (20.0, &[("disparityShift", "10")])] {
+    let shifted = [("disparityShift", "10")];
+    for (distance, set, reason) in [(0.1, &[][..], "too_near"), (20.0, &shifted, "too_far")] {
         let plate = plane(0.02 * distance, 0.02 * distance, Axis::X);
         let at = DAffine3::from_translation(DVec3::new(distance, 0.0, 0.0));
         let stage = Stage::default().with("/Plate", plate, at);
         let seen = ahead(stage, &Region::default(), set).shares;
         assert_eq!((seen.seen, seen.measured), (1.0, 0.0), "{distance}");
-        assert!(seen.lost["not_measured"] > 0.9);
+        assert!(seen.lost[reason] > 0.9, "{seen:?}");
     }
 }
 
