@@ -64,7 +64,10 @@ impl RegionRequest {
 /// Measures the coverage of the region by each state.
 pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<CoverageAnswer, Failure> {
     if request.states.len() > MAX_STATES {
-        let error = format!("{} poses are too many; choose at most {MAX_STATES}", request.states.len());
+        let error = format!(
+            "{} poses are too many; choose at most {MAX_STATES}",
+            request.states.len()
+        );
         return Err(Failure::of("states", &error));
     }
     let failed = |error: CoverageError| Failure::of("region", &error);
@@ -91,7 +94,8 @@ pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<Cov
         false => ControlFlow::Continue(()),
     };
     let region = request.region.region();
-    let found = coverage::measure(&scene.renderer, &region, &candidates, &Options::default(), &watch).map_err(failed)?;
+    let found = coverage::measure(&scene.renderer, &region, &candidates, &Options::default(), &watch)
+        .map_err(failed)?;
     let poses = found.candidates.into_iter().map(|candidate| {
         let shares = candidate.shares;
         PoseCoverage {
@@ -101,5 +105,7 @@ pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<Cov
             lost: shares.lost,
         }
     });
-    Ok(CoverageAnswer { poses: poses.collect() })
+    Ok(CoverageAnswer {
+        poses: poses.collect(),
+    })
 }
