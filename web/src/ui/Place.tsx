@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { css, oakColor, reasonColor } from "../gpu/colormaps";
+import { css, oakColor } from "../gpu/colormaps";
 import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
@@ -129,13 +129,11 @@ function Coverage({ target }: { target: Target }) {
 }
 
 function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer }) {
-  const { studio } = useApp();
-  const { reasons } = useStore(studio.catalog);
   const columns = oaks.flatMap((oak, i) => {
     const pose = answer.poses[i];
     return pose ? [{ oak, pose }] : [];
   });
-  const lost = reasons.filter(({ code }) => code !== 0 && columns.some(({ pose }) => (pose.reasons[code] ?? 0) > 0));
+  const lost = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort();
   return (
     <div class="scroll-x">
       <table class="numbers">
@@ -153,10 +151,10 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
         <tbody>
           <tr><th scope="row">Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
           <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
-          {lost.map(({ code, name, documentation }) => (
-            <tr key={code}>
-              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
-              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.reasons[code])}</td>)}
+          {lost.map((name) => (
+            <tr key={name}>
+              <th scope="row">{words(name)}, %</th>
+              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
             </tr>
           ))}
         </tbody>
