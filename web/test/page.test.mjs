@@ -170,6 +170,44 @@ test("the page can be used by keyboard", { skip }, async () => {
   await context.close();
 });
 
+test("an OAK flies with the view", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const before = await page.getByTestId("position-x").inputValue();
+  await page.getByTestId("view").focus();
+  await page.keyboard.press("f");
+  await after(page, async () => {
+    await page.keyboard.down("w");
+    await page.waitForFunction((before) => document.querySelector('[data-testid="position-x"]').value !== before, before);
+    await page.keyboard.up("w");
+  });
+  await page.keyboard.press("Escape");
+  await after(page, () => page.keyboard.press("Control+z"));
+  assert.equal(await page.getByTestId("position-x").inputValue(), before, "a flight is one step of undo");
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("assistive technology finds its way in both themes", { skip }, async () => {
+  const axe = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+  for (const colorScheme of ["light", "dark"]) {
+    const { page, context } = await open(browser, { bypassCSP: true, colorScheme });
+    await page.addScriptTag({ content: axe });
+    await after(page, () => page.getByTestId("show-reason").click());
+    const check = async (part) => {
+      const runOnly = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"];
+      const violations = await page.evaluate(async (runOnly) => (await window.axe.run(document, { runOnly })).violations, runOnly);
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${part}, ${colorScheme}`);
+    };
+    await check("images and numbers");
+    await page.getByTestId("tab-place").click();
+    await page.getByTestId("target").selectOption({ index: 1 });
+    await check("placement");
+    await page.keyboard.press("?");
+    await check("keys");
+    await context.close();
+  }
+});
+
 test("OAKs can be added, compared and removed", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   await after(page, () => page.getByTestId("duplicate").click());

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { css, oakColor } from "../gpu/colormaps";
+import { css, oakColor, reasonColor } from "../gpu/colormaps";
 import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
@@ -133,7 +133,11 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
     const pose = answer.poses[i];
     return pose ? [{ oak, pose }] : [];
   });
-  const lost = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort();
+  const { reasons } = useStore(useApp().studio.catalog);
+  const most = (name: string) => Math.max(...columns.map(({ pose }) => pose.lost[name] ?? 0));
+  const names = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort((a, b) => most(b) - most(a));
+  // Those of visibility, such as "hidden", are no reasons of pixels.
+  const lost = names.map((name) => ({ name, reason: reasons.find((reason) => reason.name === name) }));
   return (
     <div class="scroll-x">
       <table class="numbers">
@@ -149,11 +153,14 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
           </tr>
         </thead>
         <tbody>
+          <tr><th scope="row">Visible, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.seen)}</td>)}</tr>
           <tr><th scope="row">Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
           <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
-          {lost.map((name) => (
+          {lost.map(({ name, reason }) => (
             <tr key={name}>
-              <th scope="row">{words(name)}, %</th>
+              <th scope="row" data-tip={reason?.documentation}>
+                {reason && <span class="swatch" style={{ background: css(reasonColor(reason.code)) }} />}{words(name)}, %
+              </th>
               {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
             </tr>
           ))}
