@@ -208,6 +208,27 @@ test("assistive technology finds its way in both themes", { skip }, async () => 
   }
 });
 
+test("the coverage of an object is measured, and a sweep ranks poses", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await page.getByTestId("tab-place").click();
+  await page.getByTestId("target").selectOption({ index: 1 });
+  const share = (table, column) => page.locator(table).evaluate((table, column) => {
+    return [...table.rows].slice(1).map((row) => Number.parseFloat(row.cells[column].textContent));
+  }, column);
+  const coverage = '[data-testid="coverage"] table';
+  await page.locator(coverage).waitFor();
+  assert.ok((await share(coverage, 1)).every((value) => value >= 0));
+  await page.getByTestId("sweep").getByLabel("steps").first().fill("2");
+  await page.getByTestId("run-sweep").click();
+  await page.locator('[data-testid="sweep"] [role="status"]').waitFor();
+  await page.locator('[data-testid="sweep"] [role="status"]').waitFor({ state: "detached", timeout: 120_000 });
+  const measured = await share("table.ranking", 2);
+  assert.equal(measured.length, 6);
+  assert.deepEqual(measured, measured.toSorted((a, b) => b - a), "the best pose is the first");
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test("OAKs can be added, compared and removed", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   await after(page, () => page.getByTestId("duplicate").click());

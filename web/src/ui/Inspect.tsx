@@ -1,10 +1,11 @@
 import { css, oakColor, reasonColor } from "../gpu/colormaps";
 import { WHOLE_IMAGE } from "../state/document";
-import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, unbroken, words } from "../util/format";
+import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Accuracy } from "./Accuracy";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
+import { ColumnName } from "./ColumnName";
 import { Histogram } from "./Histogram";
 
 /** What is known about the pixel under the mouse and about the images. */
@@ -97,8 +98,7 @@ function Numbers() {
               <td />
               {shown.map(({ key, state }) => (
                 <th key={key} scope="col" data-tip={state.model}>
-                  <span class="dot-small" style={{ background: css(oakColor(oaks.findIndex((oak) => oak.key === key))) }} />
-                  <span class={shown.length > 2 ? "sr-only" : ""}>{unbroken(state.model)}</span>
+                  <ColumnName index={oaks.findIndex((oak) => oak.key === key)} model={state.model} isShort={shown.length > 2} />
                 </th>
               ))}
             </tr>

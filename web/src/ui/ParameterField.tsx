@@ -18,7 +18,7 @@ interface Props {
 export function ParameterField({ parameter, value, fallback, problem, onChange }: Props) {
   const { name, isEstimate } = parameter;
   const shown = value ?? brief(fallback);
-  const isChanged = value !== undefined;
+  const isChanged = value !== undefined && value !== fallback;
   const set = (text: string): string | null => {
     const checked = check(parameter, text);
     if ("problem" in checked) return checked.problem;

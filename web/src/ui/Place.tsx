@@ -1,13 +1,14 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { css, oakColor, reasonColor } from "../gpu/colormaps";
+import { css, reasonColor } from "../gpu/colormaps";
 import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
 import { targetBounds } from "../studio/view";
-import { bareMillimetres, bareShare, unbroken, words } from "../util/format";
+import { bareMillimetres, bareShare, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
+import { ColumnName } from "./ColumnName";
 import { Sweep } from "./Sweep";
 
 /** Which share of a region the OAKs measure, and which poses measure more. */
@@ -146,8 +147,7 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
             <td />
             {columns.map(({ oak }) => (
               <th key={oak.key} scope="col" data-tip={oak.state.model}>
-                <span class="dot-small" style={{ background: css(oakColor(all.indexOf(oak))) }} />
-                <span class={columns.length > 2 ? "sr-only" : ""}>{unbroken(oak.state.model)}</span>
+                <ColumnName index={all.indexOf(oak)} model={oak.state.model} isShort={columns.length > 2} />
               </th>
             ))}
           </tr>
