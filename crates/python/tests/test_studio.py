@@ -59,7 +59,7 @@ def export(link, **request):
     [
         {"engine": "stereo-noise", "deviceSeed": 4, "filters": ["spatial:alpha=0.6"], "parameters": {"bias": "0.2"}},
         {"engine": "single-view", "parameters": {"noiseSigma": "0.5"}},
-        {"engine": "stereo-matching", "preset": "ROBOTICS", "projector": 0.7, "ambient": 0.25, "seed": 3},
+        {"model": "OAK-D Pro PoE", "engine": "stereo-matching", "preset": "ROBOTICS", "projector": 0.7, "ambient": 0.25, "seed": 3},
         {"model": "OAK-D ToF", "sensor": "depth_tof", "engine": "time-of-flight"},
     ],
 )
